@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_schur_solver_h
+#define conetact_contact_schur_solver_h
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+namespace conetact
+{
+  /** The matrix is not positive definite on the eliminated unknowns. */
+  struct SingularMatrix : std::runtime_error
+  {
+    using std::runtime_error::runtime_error;
+  };
+
+  /**
+   * Factorises the symmetric matrix
+   * @f$ A = \begin{pmatrix} A_{FF} & A_{FC}\\ A_{CF} & A_{CC}\end{pmatrix} @f$
+   * once by MUMPS, with the unknowns C ordered last, and lets the solver
+   * return the Schur complement
+   * @f$ S = A_{CC} - A_{CF} A_{FF}^{-1} A_{FC} @f$ itself (NUMERICS 6).
+   * A_FF must be positive definite, A and S may be singular. The unknowns C
+   * are the last ones of A.
+   */
+  class SchurSolver
+  {
+  public:
+    /**
+     * `upper`: upper triangle of A (column major), n x n; the last
+     * `n_schur` unknowns are C (0: a plain factorisation). `node_of` names the
+     * node of each unknown (any non-negative numbers, one node's unknowns
+     * share it): the fill-reducing order is that of the node graph.
+     * Throws SingularMatrix, std::bad_alloc.
+     */
+    SchurSolver(const Eigen::SparseMatrix<double> &upper,
+                const Eigen::Index                 n_schur,
+                const std::vector<unsigned int>   &node_of);
+    ~SchurSolver();
+    SchurSolver(const SchurSolver &) = delete;
+    SchurSolver &
+    operator=(const SchurSolver &) = delete;
+
+    /**
+     * S, dense, both triangles filled. Handed over once: the solver keeps no
+     * copy.
+     */
+    Eigen::MatrixXd
+    take_schur_complement();
+
+    /** Columns b (n x k) -> b_C - A_CF A_FF^-1 b_F (n_schur x k). */
+    Eigen::MatrixXd
+    reduce(const Eigen::MatrixXd &b) const;
+
+    /**
+     * Columns b (n x k) and u_C (n_schur x k) -> u (n x k) with
+     * A_FF u_F = b_F - A_FC u_C.
+     */
+    Eigen::MatrixXd
+    expand(const Eigen::MatrixXd &b, const Eigen::MatrixXd &u_C) const;
+
+    /** Memory of the factor [bytes], for the log. */
+    double
+    factor_bytes() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace conetact
+
+#endif

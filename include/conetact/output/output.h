@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_output_output_h
+#define conetact_output_output_h
+
+#include "conetact/solvers/contact_problem.h"
+#include "conetact/structures/structure.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /** A contact node at the end of an increment, in the terms of NUMERICS 1. */
+  struct ContactRow
+  {
+    unsigned int contact = 0; ///< index into RunDescription::contacts
+    unsigned int node    = 0; ///< number in its body
+    Point<3>     position;    ///< undeformed [length]
+    Tensor<1, 3> normal;      ///< from the obstacle to the body
+    Tensor<1, 3> t1, t2;      ///< tangents (2D: t2 = e_z)
+    double       area = 0;    ///< tributary area [length^2]
+    double       gap  = 0;    ///< at the end of the increment [length]
+    Tensor<1, 3> u;        ///< (u_n, u_t1, u_t2), total, relative [length]
+    Tensor<1, 3> du;       ///< the same of this increment
+    Tensor<1, 3> reaction; ///< (r_n, r_t1, r_t2) on the body [force]
+    NodeState    state = NodeState::open;
+  };
+
+  /** Force [force] and moment about the origin [force x length]. */
+  struct Resultant
+  {
+    Tensor<1, 3> force;
+    Tensor<1, 3> moment;
+  };
+
+  /** All that is known of a finished increment. */
+  struct IncrementRecord
+  {
+    unsigned int increment = 0; ///< counts from 1
+    double       time      = 0;
+    SolverReport report;
+    KannoErrors  errors;
+    double       equilibrium = 0; ///< uncondensed residual, relative
+    double       balance     = 0; ///< sum of all resultants, relative
+
+    std::vector<ContactRow>      rows;
+    std::vector<Resultant>       contacts; ///< one a contact
+    Resultant                    supports;
+    Resultant                    loads;
+    std::vector<Eigen::VectorXd> displacements; ///< one a body, all its dofs;
+                                                ///< empty if nobody asked
+  };
+
+  /** What the outputs need to know before the first increment. */
+  struct RunDescription
+  {
+    std::filesystem::path          folder;   ///< exists and is writable
+    std::vector<std::string>       contacts; ///< names
+    std::vector<std::string>       bodies;   ///< names
+    std::vector<const Structure *> structures;
+    unsigned int                   dim = 2;
+    unsigned int n_increments          = 0;
+    unsigned int vtu_every             = 1; ///< 0: never
+  };
+
+  /** Something that writes each finished increment; throws WriteError. */
+  class Output
+  {
+  public:
+    virtual ~Output() = default;
+    /** Every file is whole at every moment: temporary name, then rename. */
+    virtual void
+    write(const IncrementRecord &record) = 0;
+  };
+
+  /** One row for each kind of output. */
+  struct OutputRow
+  {
+    const char *name;
+    const char *description;
+    std::unique_ptr<Output> (*create)(const RunDescription &);
+  };
+  const std::vector<OutputRow> &
+  output_table();
+} // namespace conetact
+
+#endif

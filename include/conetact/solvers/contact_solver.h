@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_contact_solver_h
+#define conetact_solvers_contact_solver_h
+
+#include "conetact/solvers/contact_problem.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Parameters of the smoothing and regularisation method, NUMERICS 3. The
+   * defaults are those of the scaled form; with `scaled = false` the published
+   * form is used, whose iteration counts depend on the units.
+   */
+  struct SmoothingOptions
+  {
+    bool   scaled         = true;
+    double rho            = .5;   ///< step reduction of the line search
+    double sigma          = 1e-4; ///< sufficient decrease of the line search
+    double kappa          = 1e-2; ///< bound of (m, eps) by the residual squared
+    double kappahat       = 1;    ///< bound of m by the smallest eigenvalue
+    double eta            = .5;   ///< decrease of beta
+    double etabar         = .5;   ///< decrease of m and eps
+    double m0             = 1e-2; ///< first smoothing parameter
+    double eps0           = 1e-2; ///< first regularisation
+    double beta0          = 1e3;  ///< first bound on the residual
+    int    max_iterations = 300;  ///< linear solves before giving up
+  };
+
+  /** Options of all solvers, with defaults that need no tuning. */
+  struct SolverOptions
+  {
+    std::string      method         = "automatic"; ///< a name of solver_table()
+    double           tolerance      = 1e-10;       ///< on contact_residual()
+    unsigned int     max_iterations = 100;         ///< Newton steps
+    unsigned int     max_sweeps     = 20000;       ///< of Gauss-Seidel
+    unsigned int     max_substeps   = 1024;        ///< of an increment
+    SmoothingOptions smoothing;
+  };
+
+  /**
+   * Solves increments of one contact system, one after the other. May keep
+   * what it learned (factors, states) from increment to increment as long as
+   * the system is the same object.
+   */
+  class ContactSolver
+  {
+  public:
+    virtual ~ContactSolver() = default;
+
+    /**
+     * Start of the increment in, end of the increment out (see ContactState).
+     * A failure is a report, not an exception; the state is then of no use.
+     * The report's residual is contact_residual() of the returned state, and
+     * `converged` is never set where it exceeds the tolerance.
+     */
+    virtual SolverReport
+    solve(const ContactProblem &problem, ContactState &state) = 0;
+  };
+
+  /** One row for each method a scene may name. */
+  struct SolverRow
+  {
+    const char *name;
+    const char *description;
+    std::unique_ptr<ContactSolver> (*create)(const SolverOptions &);
+  };
+  const std::vector<SolverRow> &
+  solver_table();
+
+  /** Throws std::invalid_argument for a name that solver_table() has not. */
+  std::unique_ptr<ContactSolver>
+  make_solver(const SolverOptions &options);
+} // namespace conetact
+
+#endif

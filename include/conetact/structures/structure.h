@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_structures_structure_h
+#define conetact_structures_structure_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace conetact
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  /** Boundary ids as scenes write them. */
+  using BoundaryIds = std::set<unsigned int>;
+
+  /** A node of a surface, in the scene's coordinates. */
+  struct SurfaceNode
+  {
+    unsigned int node; ///< its number in the body
+    Point<3>     position;
+    double       area; ///< integral of its shape function [length^2; 2D: times
+                       ///< thickness]
+    Tensor<1, 3> normal; ///< outward, unit length, mean over its faces
+  };
+
+  /** Q1 face: nodes in deal.II's order (2: segment, 4: quadrilateral). */
+  struct SurfaceFace
+  {
+    std::vector<unsigned int> nodes;
+  };
+
+  /** Faces of some boundary ids and the nodes on them, sorted by number. */
+  struct Surface
+  {
+    std::vector<SurfaceNode> nodes;
+    std::vector<SurfaceFace> faces;
+  };
+
+  /** A node that hangs on a coarser cell: u = sum of weight * u(node). */
+  struct HangingNode
+  {
+    unsigned int                                 node;
+    std::vector<std::pair<unsigned int, double>> masters;
+  };
+
+  /** A vector field of position [units as its user says]. */
+  using VectorField = std::function<Tensor<1, 3>(const Point<3> &)>;
+  /** A vector field on a surface: of position and outward unit normal. */
+  using SurfaceField =
+    std::function<Tensor<1, 3>(const Point<3> &, const Tensor<1, 3> &)>;
+  /** A second-order field on a surface, such as a stiffness per area. */
+  using SurfaceTensorField =
+    std::function<Tensor<2, 3>(const Point<3> &, const Tensor<1, 3> &)>;
+
+  /**
+   * Called for each element with the `n` numbers of its dofs and its symmetric
+   * n x n stiffness [force/length]. The same pointer `matrix` may come again
+   * for congruent elements.
+   */
+  using ElementVisitor =
+    std::function<void(const std::vector<unsigned int> &dofs,
+                       const double                    *matrix)>;
+
+  /**
+   * A linear elastic body: sparse stiffness, load vectors, surfaces, its own
+   * drawing. Displacement component c of node i is dof
+   * `i * n_components() + c`; positions and vectors leave a body with three
+   * components (z = 0 in 2D), forces are those on the body's given thickness.
+   * Neither supports nor hanging nodes are eliminated here: vectors and
+   * elements are in all dofs of the body.
+   */
+  class Structure
+  {
+  public:
+    virtual ~Structure() = default;
+
+    virtual unsigned int
+    n_nodes() const = 0;
+    /** Dofs a node: the dimension, or more where nodes rotate. */
+    virtual unsigned int
+    n_components() const = 0;
+    unsigned int
+    n_dofs() const
+    {
+      return n_nodes() * n_components();
+    }
+
+    /** Undeformed position. */
+    virtual Point<3>
+    position(const unsigned int node) const = 0;
+
+    virtual const std::vector<HangingNode> &
+    hanging_nodes() const = 0;
+
+    /** All elements, in an order that is the same each time. */
+    virtual void
+    for_each_element(const ElementVisitor &visit) const = 0;
+
+    /** Ids that some face has, for checks and messages. */
+    virtual BoundaryIds
+    boundary_ids() const = 0;
+    virtual Surface
+    surface(const BoundaryIds &ids) const = 0;
+
+    /** Adds the nodal forces of a traction [force/area] to f. */
+    virtual void
+    add_traction(const BoundaryIds  &ids,
+                 const SurfaceField &traction,
+                 Eigen::VectorXd    &f) const = 0;
+    /** Adds the nodal forces of a body force [force/volume] to f. */
+    virtual void
+    add_body_force(const VectorField &force, Eigen::VectorXd &f) const = 0;
+    /**
+     * Adds a force [force] at a point, distributed by the shape functions of
+     * the cell that holds it. False if no cell does.
+     */
+    virtual bool
+    add_point_force(const Point<3>     &point,
+                    const Tensor<1, 3> &force,
+                    Eigen::VectorXd    &f) const = 0;
+    /**
+     * Elements of a foundation on a surface: springs of stiffness
+     * [force/length/area] between the body and fixed ground.
+     */
+    virtual void
+    visit_springs(const BoundaryIds        &ids,
+                  const SurfaceTensorField &stiffness,
+                  const ElementVisitor     &visit) const = 0;
+
+    /**
+     * Writes displacement, stress and von Mises stress of the displacements u
+     * (all dofs) to a VTU file. Throws WriteError.
+     */
+    virtual void
+    write_graphics(const Eigen::VectorXd       &u,
+                   const double                 time,
+                   const std::filesystem::path &file) const = 0;
+
+    /** For log and dry run: "2500 cells Q1, 2601 nodes". */
+    virtual std::string
+    description() const = 0;
+  };
+} // namespace conetact
+
+#endif
