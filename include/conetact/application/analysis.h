@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_application_analysis_h
+#define conetact_application_analysis_h
+
+#include "conetact/application/log.h"
+#include "conetact/application/scene.h"
+#include "conetact/contact/contact_model.h"
+#include "conetact/contact/contact_rows.h"
+#include "conetact/output/output.h"
+#include "conetact/solvers/contact_solver.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * The loop over load increments: loads, condensation, contact solver, the
+   * independent check that accepts or rejects, outputs.
+   */
+  class Analysis
+  {
+  public:
+    /** Throws InputError where a body is not held. */
+    Analysis(const Scene &scene, Log &log);
+
+    /** Sizes and what will be skipped, to the log. */
+    void
+    report() const;
+
+    /**
+     * Runs all increments; results go to `folder`, which must exist. Throws
+     * AnalysisError where an increment has no accepted result: those before
+     * it are on disk.
+     */
+    void
+    run(const std::filesystem::path &folder, const bool quiet);
+
+  private:
+    void
+    create_outputs(const std::filesystem::path &folder, const bool quiet);
+    IncrementRecord
+    increment(const unsigned int k);
+    ContactState
+    solve_contact(const Condensation::Load &load, IncrementRecord &record);
+    [[noreturn]] void
+    fail(const IncrementRecord &record, const std::string &why) const;
+
+    const Scene                         &scene;
+    Log                                 &log;
+    const ContactModel                   model;
+    ContactHistory                       history;
+    ContactRows                          contact_rows;
+    std::unique_ptr<ContactSolver>       solver;
+    std::vector<std::unique_ptr<Output>> outputs;
+  };
+} // namespace conetact
+
+#endif

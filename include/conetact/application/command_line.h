@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_application_command_line_h
+#define conetact_application_command_line_h
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /** What the user typed. */
+  struct CommandLine
+  {
+    std::filesystem::path    scene;
+    std::filesystem::path    folder;    ///< of results; empty: the default
+    std::vector<std::string> overrides; ///< "Section/Entry=value"
+    bool                     print_parameters = false;
+    bool                     dry_run          = false;
+    bool                     quiet            = false;
+    /** Text to print instead of doing anything: help, version. */
+    std::string answer;
+  };
+
+  /** Throws InputError. */
+  CommandLine
+  parse_command_line(const int argc, char *const argv[]);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_application_scene_h
+#define conetact_application_scene_h
+
+#include "conetact/application/command_line.h"
+#include "conetact/contact/node_rules.h"
+#include "conetact/contact/obstacles.h"
+#include "conetact/solvers/contact_solver.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * A scene file, read and checked, with all objects it names. The file is
+   * read twice: first only its lists of names, then strictly with one
+   * subsection for each name.
+   */
+  class Scene
+  {
+  public:
+    /**
+     * Reads the file and the overrides of the command line. Throws InputError
+     * with file and line.
+     */
+    explicit Scene(const CommandLine &line);
+
+    /** Makes bodies, obstacles, contacts, supports, loads. Throws InputError. */
+    void
+    build();
+
+    /** All entries with their documentation, or just their values. */
+    std::string
+    documentation() const;
+    std::string
+    values() const;
+
+    /** The scene file's name without folder and ending. */
+    std::string
+    name() const;
+
+    /** Nodal forces of all loads at time t, on all dofs of all bodies. */
+    Eigen::VectorXd
+    forces(const double t) const;
+    /** Whether forces() are the same at all times. */
+    bool
+    forces_use_time() const;
+
+    Bodies                   bodies;
+    std::vector<std::string> contact_names;
+    std::vector<double>      times;
+    SolverOptions            solver;
+    unsigned int             vtu_every = 1;
+    unsigned int             threads   = 1;
+
+  private:
+    void
+    parse_all(dealii::ParameterHandler &handler,
+              const bool                skip_undefined) const;
+    void
+    read_names();
+    void
+    declare();
+    void
+    read_options();
+
+    std::filesystem::path    file;
+    std::vector<std::string> overrides;
+    std::string              text; ///< of the file
+    std::vector<std::string> obstacle_names, support_names, load_names;
+
+    mutable dealii::ParameterHandler        prm;
+    std::vector<std::unique_ptr<Structure>> structures;
+    std::vector<Obstacle>                   obstacles;
+    std::vector<Contact>                    contacts;
+    std::vector<Load>                       loads;
+  };
+} // namespace conetact
+
+#endif

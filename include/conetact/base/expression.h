@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_base_expression_h
+#define conetact_base_expression_h
+
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * A function of position and time that a user wrote: muParser's syntax with
+   * the variables x, y, z (undeformed position) and t (time), the constant pi,
+   * and if(condition, a, b).
+   */
+  class Expression
+  {
+  public:
+    /**
+     * `entry` is named in messages, e.g. "Load 'wind', Value". Throws
+     * InputError if the text does not parse.
+     */
+    Expression(const std::string &text, const std::string &entry);
+    Expression(Expression &&) noexcept;
+    Expression &
+    operator=(Expression &&) noexcept;
+    ~Expression();
+
+    /** Throws InputError if the value is not finite. */
+    double
+    operator()(const dealii::Point<3> &p, const double t = 0) const;
+
+    bool
+    uses_time() const;
+    /** Whether the value is the same at all points and times. */
+    bool
+    is_constant() const;
+    /** The text is a constant zero. */
+    bool
+    is_zero() const;
+
+  private:
+    struct Parser;
+    std::unique_ptr<Parser> parser;
+  };
+
+  /** Several expressions, separated by ';'. */
+  std::vector<Expression>
+  parse_expressions(const std::string &text, const std::string &entry);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_base_process_h
+#define conetact_base_process_h
+
+namespace conetact
+{
+  /**
+   * What the process owns besides memory: MPI and the numbers of threads. One
+   * object lives in main for as long as anything else does.
+   *
+   * MPI is started when the first direct solve asks for it and not before, so
+   * that a help text or a typing error in a scene costs nothing; it is ended
+   * by the destructor. A process that was not started by mpirun gets Open MPI
+   * without its helper daemon and its network layers, which is ten times
+   * faster to start and to end.
+   */
+  class ProcessSession
+  {
+  public:
+    explicit ProcessSession(const unsigned int n_threads = 1);
+    ~ProcessSession();
+    ProcessSession(const ProcessSession &) = delete;
+    ProcessSession &
+    operator=(const ProcessSession &) = delete;
+
+    /**
+     * Starts MPI unless it runs already. Returns the Fortran handle of the
+     * communicator that holds this process alone. Throws std::logic_error
+     * if no ProcessSession lives.
+     */
+    static int
+    require_mpi();
+
+    static bool
+    mpi_is_running();
+
+    /**
+     * Sets the threads of BLAS, OpenMP and deal.II (0: one for each core).
+     * Results do not depend on the number but for rounding.
+     */
+    static void
+    set_threads(const unsigned int n_threads);
+
+    static unsigned int
+    n_threads();
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_base_text_h
+#define conetact_base_text_h
+
+#include <deal.II/base/point.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /** Without white space at both ends. */
+  std::string
+  trim(const std::string &text);
+
+  /**
+   * Parts between separators that stand outside brackets, trimmed. Empty
+   * parts are kept, an empty text has no part.
+   */
+  std::vector<std::string>
+  split(const std::string &text, const char separator);
+
+  /** Parts joined again: "a, b, c". */
+  std::string
+  join(const std::vector<std::string> &parts,
+       const std::string              &separator = ", ");
+  std::string
+  join(const std::set<unsigned int> &numbers);
+
+  /** Line breaks and runs of blanks become one blank. */
+  std::string
+  one_line(const std::string &text);
+
+  /** Shortest text that reads well: 6 significant digits. */
+  std::string
+  to_text(const double value);
+  /** "(1, 2, 3)" */
+  std::string
+  to_text(const dealii::Tensor<1, 3> &vector);
+
+  /**
+   * A number, or a constant expression such as 1/80 or sqrt(2). Throws
+   * InputError that names the entry.
+   */
+  double
+  to_number(const std::string &text, const std::string &entry);
+
+  /** Numbers separated by commas. */
+  std::vector<double>
+  to_numbers(const std::string &text, const std::string &entry);
+
+  /** `dim` numbers separated by commas, brackets allowed; z = 0 in 2D. */
+  dealii::Tensor<1, 3>
+  to_vector(const std::string &text,
+            const unsigned int dim,
+            const std::string &entry);
+
+  /** Non-negative whole numbers separated by commas; at least one. */
+  std::set<unsigned int>
+  to_ids(const std::string &text, const std::string &entry);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_contact_nodes_h
+#define conetact_contact_contact_nodes_h
+
+#include "conetact/base/expression.h"
+#include "conetact/contact/obstacles.h"
+#include "conetact/structures/structure.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace conetact
+{
+  /** Boundary ids of a body that may touch an obstacle, with friction. */
+  struct Contact
+  {
+    std::string     name;
+    unsigned int    body = 0; ///< index
+    BoundaryIds     ids;
+    const Obstacle *obstacle = nullptr;
+
+    /** Friction coefficient along the first axis, of position. */
+    std::optional<Expression> friction;
+    /** Along the second axis; none: isotropic. */
+    std::optional<Expression> second_friction;
+    double                    friction_angle = 0; ///< first axis from t1 [rad]
+  };
+
+  /**
+   * A node that may touch, with its frame: normal n from the obstacle to the
+   * body; tangents t1 = n x e_z (e_y x n where |n_z| > .9) and t2 = n x t1; in
+   * 2D t1 = (n_y, -n_x).
+   */
+  struct ContactNode
+  {
+    unsigned int    contact = 0; ///< index
+    unsigned int    body    = 0; ///< index
+    unsigned int    node    = 0; ///< number in its body
+    Point<3>        position;
+    Tensor<1, 3>    n, t1, t2;
+    double          area = 0; ///< tributary [length^2]
+    double          gap  = 0; ///< undeformed, negative: interference [length]
+    const Obstacle *obstacle = nullptr;
+
+    /**
+     * Principal friction coefficients and their axes in the tangent plane
+     * ([K] remark 3.3): |(r_1/mu_1, r_2/mu_2)| <= r_n. Isotropic: equal.
+     */
+    double       mu_1 = 0, mu_2 = 0;
+    Tensor<1, 3> axis_1, axis_2;
+  };
+
+  /** Entries of `subsection Contact NAME`. */
+  void
+  declare_contact(dealii::ParameterHandler &prm);
+  Contact
+  create_contact(dealii::ParameterHandler             &prm,
+                 const std::string                    &name,
+                 const std::vector<std::string>       &bodies,
+                 const std::vector<const Structure *> &structures,
+                 const std::vector<Obstacle>          &obstacles);
+
+  /** Tangents of the convention above. */
+  std::pair<Tensor<1, 3>, Tensor<1, 3>>
+  tangents(const Tensor<1, 3> &n, const unsigned int dim);
+
+  /**
+   * All nodes of all contacts, contact by contact. Throws InputError where a
+   * node stands in two contacts, or friction is negative.
+   */
+  std::vector<ContactNode>
+  find_contact_nodes(const std::vector<Contact>           &contacts,
+                     const std::vector<std::string>       &bodies,
+                     const std::vector<const Structure *> &structures,
+                     const unsigned int                    dim);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_contact_rows_h
+#define conetact_contact_contact_rows_h
+
+#include "conetact/contact/contact_model.h"
+#include "conetact/output/output.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Translates the solver's unknowns of contact nodes into the terms of users:
+   * gap, normal and tangential displacement, slip, reaction and state in each
+   * node's frame. Remembers displacements from increment to increment.
+   */
+  class ContactRows
+  {
+  public:
+    explicit ContactRows(const ContactModel &model);
+
+    /**
+     * `state`: end of the increment; `q`: displacements of the contact
+     * unknowns since the start; `u`: all dofs; `t`: time.
+     */
+    std::vector<ContactRow>
+    rows(const ContactState    &state,
+         const Eigen::VectorXd &q,
+         const Eigen::VectorXd &u,
+         const double           t);
+
+  private:
+    const ContactModel       &model;
+    std::vector<ContactRow>   last;         ///< of the increment before
+    std::vector<Tensor<1, 3>> other_before; ///< its displacements along
+                                            ///< directions without a cone
+  };
+} // namespace conetact
+
+#endif

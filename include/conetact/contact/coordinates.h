@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_coordinates_h
+#define conetact_contact_coordinates_h
+
+#include "conetact/contact/node_rules.h"
+#include "conetact/solvers/contact_problem.h"
+
+#include <Eigen/Core>
+
+#include <utility>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * The linear map @f$ u = C q + d(t) @f$ from the unknowns q of equilibrium
+   * to the displacements u of all dofs of all bodies, body after body. It
+   * eliminates supports (along any directions) and hanging nodes, turns
+   * contact nodes into their own frames and makes their displacement relative
+   * to a moving obstacle; d holds what is prescribed [length].
+   *
+   * Unknowns of contact nodes that carry cones come last, node by node:
+   * tangential ones, then the normal one. A tangent that a support holds or
+   * that has no friction is not among them. Where friction is elliptic they
+   * are scaled so that the cone is circular: solvers see one coefficient.
+   */
+  class Coordinates
+  {
+  public:
+    Coordinates(const Bodies &bodies, const NodeRules &rules);
+
+    Eigen::Index
+    n_dofs() const
+    {
+      return dof_offset.back();
+    }
+    Eigen::Index
+    n_unknowns() const
+    {
+      return n_free + n_contact_unknowns();
+    }
+    Eigen::Index
+    n_contact_unknowns() const
+    {
+      return contact_layout.n_unknowns();
+    }
+    /** First dof of a body in u. */
+    Eigen::Index
+    offset(const std::size_t body) const
+    {
+      return dof_offset[body];
+    }
+    /** First dof of a node in u. */
+    Eigen::Index
+    dof(const unsigned int body, const unsigned int node) const;
+
+    struct Entry
+    {
+      Eigen::Index unknown;
+      double       factor;
+    };
+    /** Row i of C: its first entry and one past its last. */
+    std::pair<const Entry *, const Entry *>
+    row(const Eigen::Index i) const
+    {
+      const auto k = static_cast<std::size_t>(i);
+      return {entries.data() + row_start[k], entries.data() + row_start[k + 1]};
+    }
+    /** The node of each unknown, for the order of elimination. */
+    const std::vector<unsigned int> &
+    node_of_unknowns() const
+    {
+      return node_of_unknown;
+    }
+
+    /** d(t). */
+    Eigen::VectorXd
+    prescribed(const double t) const;
+    /** C q. */
+    Eigen::VectorXd
+    expand(const Eigen::VectorXd &q) const;
+    /** C^T f. */
+    Eigen::VectorXd
+    restrict(const Eigen::VectorXd &f) const;
+    /** Moves nodal forces of hanging nodes to their masters. */
+    void
+    unhang(Eigen::VectorXd &f) const;
+
+    const NodeRules &
+    rules() const
+    {
+      return node_rules;
+    }
+    /** Rules of the nodes with contact unknowns, in the order of these. */
+    const std::vector<const NodeRule *> &
+    contact_rules() const
+    {
+      return contacts;
+    }
+    /** Their offsets `first` and coefficients `mu`; no matrix. */
+    const ContactSystem &
+    layout() const
+    {
+      return contact_layout;
+    }
+
+  private:
+    void
+    number_unknowns();
+    void
+    write_rows();
+    const Bodies                 &bodies;
+    const NodeRules              &node_rules;
+    std::vector<Eigen::Index>     dof_offset;
+    std::vector<unsigned int>     node_offset;
+    std::vector<const NodeRule *> rule_of_node; ///< of all bodies, or null
+
+    Eigen::Index                  n_free = 0;
+    std::vector<Eigen::Index>     first_unknown; ///< of a node's free ones
+    std::vector<Eigen::Index>     first_contact; ///< of a node's contact ones
+    std::vector<Entry>            entries;
+    std::vector<std::size_t>      row_start;
+    std::vector<unsigned int>     node_of_unknown;
+    std::vector<const NodeRule *> contacts;
+    ContactSystem                 contact_layout;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_elastic_system_h
+#define conetact_contact_elastic_system_h
+
+#include "conetact/contact/coordinates.h"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * All bodies and foundations of a scene as one uncondensed elastic system in
+   * the dofs u of all bodies: nothing is eliminated here, so that its internal
+   * forces can judge every result of the condensed system.
+   */
+  class ElasticSystem
+  {
+  public:
+    explicit ElasticSystem(const Bodies &bodies);
+
+    /** Elements of all bodies and springs, dofs counted over all bodies. */
+    void
+    for_each_element(const ElementVisitor &visit) const;
+
+    /** K u, the forces that hold the displacements u [force]. */
+    Eigen::VectorXd
+    internal_forces(const Eigen::VectorXd &u) const;
+    /** Part of it that goes into foundations. */
+    Eigen::VectorXd
+    spring_forces(const Eigen::VectorXd &u) const;
+    /** Forces of the foundations' own motion at time t [force]. */
+    Eigen::VectorXd
+    ground_forces(const double t) const;
+
+  private:
+    struct Spring
+    {
+      std::vector<unsigned int> dofs;
+      std::vector<double>       matrix;
+      std::size_t               support;
+    };
+    const Bodies             &bodies;
+    std::vector<Eigen::Index> dof_offset;
+    std::vector<Spring>       springs;
+  };
+
+  /**
+   * Upper triangle of @f$ C^T K C @f$, the stiffness in the unknowns of
+   * `coordinates` [force/length].
+   */
+  Eigen::SparseMatrix<double>
+  assemble(const ElasticSystem &system, const Coordinates &coordinates);
+} // namespace conetact
+
+#endif

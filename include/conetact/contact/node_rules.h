@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_node_rules_h
+#define conetact_contact_node_rules_h
+
+#include "conetact/contact/contact_nodes.h"
+#include "conetact/structures/actions.h"
+#include "conetact/structures/structure.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace conetact
+{
+  /** The bodies of a scene, what holds them and where they may touch. */
+  struct Bodies
+  {
+    unsigned int                   dim = 2;
+    std::vector<std::string>       names;
+    std::vector<const Structure *> structures;
+    std::vector<Support>           supports;
+    std::vector<ContactNode>       contact_nodes;
+  };
+
+  /** A direction along which supports prescribe a node's displacement. */
+  struct HeldDirection
+  {
+    Tensor<1, 3> direction; ///< unit length
+    /** displacement = sum of factor * displacement expression */
+    struct Term
+    {
+      std::size_t support, expression;
+      double      factor;
+    };
+    std::vector<Term> terms;
+  };
+
+  /**
+   * How the displacement of a node comes about where it is not just its own
+   * unknowns: held directions are orthonormal; the rest of space is spanned by
+   * `free` (unknowns without a cone) and `contact` (those with one, the normal
+   * last). A hanging node has masters and nothing else.
+   */
+  struct NodeRule
+  {
+    unsigned int                                 body = 0, node = 0;
+    std::vector<HeldDirection>                   held;
+    std::vector<std::pair<unsigned int, double>> masters;
+    std::vector<Tensor<1, 3>>                    free;
+    std::vector<Tensor<1, 3>>                    contact;
+    std::vector<Tensor<1, 3>> dual; ///< dual[i].contact[j] = (i == j)
+    const ContactNode        *contact_node = nullptr; ///< if `contact` is not
+                                                      ///< empty
+    double mu = 0; ///< of the cone in the coordinates `contact`
+  };
+
+  /**
+   * Collects the rules of all nodes of all bodies from hanging nodes, rigid
+   * supports and contact nodes.
+   */
+  class NodeRules
+  {
+  public:
+    /**
+     * Throws InputError where a contact node is held neither along its normal
+     * nor in its tangent plane, or where supports that hold a node in the
+     * same direction prescribe different displacements at one of `times`.
+     */
+    NodeRules(const Bodies &bodies, const std::vector<double> &times);
+
+    /** Sorted by body and node. */
+    const std::vector<NodeRule> &
+    rules() const
+    {
+      return sorted;
+    }
+
+    /** What supports prescribe along a direction at time t [length]. */
+    double
+    displacement(const HeldDirection &held,
+                 const Point<3>      &p,
+                 const double         t) const;
+
+    /** Number of contact nodes whose normal is held by a support. */
+    unsigned int
+    n_held_contact_nodes() const
+    {
+      return n_held;
+    }
+
+  private:
+    /** A direction that is held already, with its own displacement. */
+    struct Redundant
+    {
+      unsigned int  body, node;
+      HeldDirection held;
+    };
+
+    void
+    hold(NodeRule &rule, const HeldDirection &direction);
+    void
+    add_contact(NodeRule &rule, const ContactNode &contact_node);
+    void
+    check_redundant(const std::vector<double> &times) const;
+
+    const Bodies          &bodies;
+    std::vector<NodeRule>  sorted;
+    std::vector<Redundant> redundant;
+    unsigned int           n_held = 0;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_obstacles_h
+#define conetact_contact_obstacles_h
+
+#include "conetact/base/expression.h"
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  /**
+   * Shape of a rigid obstacle, linearised at the undeformed node: gap
+   * @f$g_0@f$ (positive: apart) and unit normal @f$n@f$ from the obstacle to
+   * the body, from the closest point of its surface.
+   */
+  class ObstacleShape
+  {
+  public:
+    struct Closest
+    {
+      double       gap; ///< [length]
+      Tensor<1, 3> normal;
+    };
+    virtual ~ObstacleShape() = default;
+    /**
+     * `spacing`: distance of neighbouring nodes, the scale on which a shape
+     * given by an expression may be differentiated. Throws InputError where
+     * the closest point is not unique or the normal undefined.
+     */
+    virtual Closest
+    closest(const Point<3> &p, const double spacing) const = 0;
+  };
+
+  /** A rigid obstacle: a shape and its translation d(t). */
+  struct Obstacle
+  {
+    std::string                    name;
+    std::unique_ptr<ObstacleShape> shape;
+    std::vector<Expression>        displacement; ///< [length], functions of t
+
+    Tensor<1, 3>
+    displacement_at(const double t) const;
+  };
+
+  /** One row for each shape. */
+  struct ObstacleRow
+  {
+    const char *name;
+    const char *description;
+    void (*declare)(dealii::ParameterHandler &);
+    std::unique_ptr<ObstacleShape> (*create)(dealii::ParameterHandler &,
+                                             const unsigned int dim,
+                                             const std::string &in);
+  };
+  const std::vector<ObstacleRow> &
+  obstacle_table();
+
+  /** Entries of `subsection Obstacle NAME`, of all shapes. */
+  void
+  declare_obstacle(dealii::ParameterHandler &prm);
+  Obstacle
+  create_obstacle(dealii::ParameterHandler &prm,
+                  const std::string        &name,
+                  const unsigned int        dim);
+} // namespace conetact
+
+#endif

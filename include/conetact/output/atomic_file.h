@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_output_atomic_file_h
+#define conetact_output_atomic_file_h
+
+#include <filesystem>
+#include <functional>
+#include <string_view>
+
+namespace conetact
+{
+  /**
+   * Replaces a file by `text`: written under a temporary name in the same
+   * folder, closed, renamed. Whoever looks sees the old file or the new one,
+   * never a part, even after a kill or on a full disk. Throws WriteError, with
+   * the old file intact and the temporary one removed.
+   */
+  void
+  write_atomically(const std::filesystem::path &file,
+                   const std::string_view       text);
+
+  /** The same for a writer that opens the file itself, under the name given. */
+  void
+  write_atomically(
+    const std::filesystem::path                              &file,
+    const std::function<void(const std::filesystem::path &)> &write);
+} // namespace conetact
+
+#endif

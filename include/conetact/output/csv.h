@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_output_csv_h
+#define conetact_output_csv_h
+
+#include "conetact/output/output.h"
+
+#include <string>
+
+namespace conetact
+{
+  /** Appends a number with 15 significant digits, as %.15g does; -0 as 0. */
+  void
+  append_number(std::string &text, const double number);
+
+  /** The word of a state in tables: open, stick or slip. */
+  const char *
+  state_name(const NodeState state);
+
+  /** Contacts and bodies in names of columns and files: only A-Z a-z 0-9 - _ .
+   */
+  std::string
+  safe_name(const std::string &name);
+
+  /**
+   * Rounding noise of forces reads as 0: values below 1e-9 of the largest one
+   * of the run so far.
+   */
+  class NoiseFloor
+  {
+  public:
+    void
+    see(const double value);
+    double
+    clean(const double value) const;
+
+  private:
+    double largest = 0;
+  };
+
+  /** Builds one row of a table; throws AnalysisError at a non-finite number. */
+  class CsvRow
+  {
+  public:
+    /** `place` begins the sentence of the error: "Increment 3". */
+    CsvRow(std::string &table, const std::string &place);
+    /** `column` is its name in the error. */
+    void
+    add(const char *column, const double value);
+    void
+    add(const unsigned int value);
+    void
+    add(const std::string &value);
+    void
+    end();
+
+  private:
+    void
+    separate();
+
+    std::string       &text;
+    const std::string &where;
+    bool               first = true;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_output_increment_table_h
+#define conetact_output_increment_table_h
+
+#include "conetact/output/csv.h"
+#include "conetact/output/output.h"
+
+#include <string>
+
+namespace conetact
+{
+  /**
+   * `increments.csv`: one row an increment: how it was solved, how well
+   * equilibrium holds, how many nodes are in which state, and the force
+   * [force] and moment about the origin [force x length] of each contact, of
+   * the supports and of the loads. Rewritten and started like ReactionTable.
+   */
+  class IncrementTable : public Output
+  {
+  public:
+    explicit IncrementTable(const RunDescription &description);
+    void
+    write(const IncrementRecord &record) override;
+
+  private:
+    void
+    see(const IncrementRecord &record);
+    void
+    add(CsvRow &csv, const Resultant &resultant) const;
+
+    const RunDescription run;
+    std::string          text;
+    NoiseFloor           forces;
+    NoiseFloor           moments;
+  };
+} // namespace conetact
+
+#endif

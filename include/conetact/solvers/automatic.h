@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_automatic_h
+#define conetact_solvers_automatic_h
+
+#include "conetact/solvers/active_set.h"
+#include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/smoothing_newton.h"
+
+#include <optional>
+
+/**
+ * The order of methods that loses nothing: scale; active set from the last
+ * states; smoothing to globalise, with an active set attempt on the way; and
+ * where the whole increment cannot be solved, the increment in parts. The load
+ * of a part lies on the line between the loads at start and end,
+ * @f$b(s) = b_0 + s (b_1 - b_0)@f$, where b0 follows from the state at the
+ * start: @f$b_0 = K v_0 - r_0@f$ with @f$v_0 = (0, g_0)@f$ (compliance:
+ * @f$b_0 = v_0 - W r_0@f$). Parts change the answer of an incremental law, so
+ * they are the last resort and the report counts them.
+ */
+namespace conetact
+{
+  class Automatic : public ContactSolver
+  {
+  public:
+    explicit Automatic(const SolverOptions &options);
+
+    SolverReport
+    solve(const ContactProblem &problem, ContactState &state) override;
+
+  private:
+    /** The increment, or a part of it, in one. */
+    SolverReport
+    solve_whole(const ContactProblem &problem, ContactState &state);
+
+    /** Smoothing with attempts of the active set on the way. */
+    SolverReport
+    globalize(const ContactProblem &problem, ContactState &state);
+
+    SolverReport
+    solve_in_parts(const ContactProblem &problem, ContactState &state);
+
+    SolverOptions                 options;
+    ActiveSet                     active_set;
+    std::optional<LinearRelation> relation;
+  };
+
+  std::unique_ptr<ContactSolver>
+  make_automatic(const SolverOptions &options);
+} // namespace conetact
+
+#endif

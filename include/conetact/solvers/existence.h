@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_existence_h
+#define conetact_solvers_existence_h
+
+#include "conetact/solvers/contact_problem.h"
+
+#include <Eigen/Dense>
+
+#include <optional>
+#include <vector>
+
+namespace conetact
+{
+  /** What a body does that nothing holds. */
+  enum class Motion
+  {
+    none,      ///< the load can be held, as far as this check can tell
+    lifts_off, ///< all contacts of what moves open
+    slides,    ///< the contacts that stay touching move by one translation
+    turns,     ///< all contacts stay touching and slip in different directions
+    tips       ///< rotation about contacts that stay, the others open
+  };
+
+  /** Result of ExistenceCheck. */
+  struct Existence
+  {
+    bool admissible = true;
+
+    /** @f$\min_r |R^T (r + f)|@f$ [force], R orthonormal. */
+    double distance = 0;
+
+    /**
+     * The proof, if not admissible: v = R w, largest entry 1, with K v = 0,
+     * @f$v_n \ge \mu |v_t|@f$ and @f$f \cdot v > 0@f$. Of all such motions it
+     * is the one that sets in first on the way from the start to the load.
+     */
+    Eigen::VectorXd           w, v;
+    Motion                    motion = Motion::none;
+    std::vector<Eigen::Index> moving; ///< nodes of the bodies that move
+    std::vector<Eigen::Index> tight;  ///< moving nodes where v_n = mu |v_t|
+
+    /** Largest s in [0, 1] with f_start + s (f - f_start) admissible. */
+    double fraction = 1;
+
+    /**
+     * The least common factor of all friction coefficients (and the largest
+     * coefficient then) with which the load is admissible. No value where no
+     * friction helps. Without any friction as it is, the coefficient is the
+     * one of all nodes.
+     */
+    std::optional<double> friction_factor, friction_needed;
+  };
+
+  /**
+   * Whether reactions in the friction cones C can balance a load on the null
+   * space R of K (floating bodies, mechanisms): with R orthonormal,
+   * @f[ z = R^T (r + f), \quad |z| \to \min \text{ over } r \in C . @f]
+   * If the minimum is not zero, v = R z is a proof that no equilibrium exists:
+   * K v = 0, @f$v_n \ge \mu |v_t|@f$ and @f$f \cdot v = |z|^2 > 0@f$; the load
+   * drives a motion that no reaction resists. The check is necessary, not
+   * sufficient: Coulomb friction is not associated and the proof dilates; it is
+   * exact where all contact normals are equal. It refuses only with a proof in
+   * hand. Works with forces in any unit.
+   *
+   * Method: proximal point iteration on r; each step is a strongly convex
+   * problem in z, as small as the null space, solved by a semismooth Newton
+   * method (Rockafellar, Math. Oper. Res. 1 (1976) 97-116; Qi, Sun, Math.
+   * Program. 58 (1993) 353-367).
+   */
+  class ExistenceCheck
+  {
+  public:
+    /** Columns t1, [t2,] n of a contact node in global coordinates. */
+    using Frame = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
+
+    /**
+     * Takes the null space from system.null_space (any basis; nothing to do
+     * without, or in compliance form). The frames only serve to tell a
+     * translation from a rotation; without them they are taken as all equal.
+     */
+    explicit ExistenceCheck(std::shared_ptr<const ContactSystem> system,
+                            std::vector<Frame>                   frames = {});
+
+    /**
+     * `load` and `start` are f at the end and at the start of the increment
+     * (start: any f with the same rigid resultants, e.g. minus the reactions
+     * in equilibrium there; zero if nothing has happened yet).
+     * `reference_force` is that of ContactProblem: what is less than 1e-12 of
+     * it is round-off.
+     */
+    Existence
+    check(const Eigen::VectorXd &load,
+          const Eigen::VectorXd &start,
+          const double           reference_force = 0) const;
+
+    /** The orthonormal basis R in use, n x k. */
+    const Eigen::MatrixXd &
+    basis() const
+    {
+      return R;
+    }
+
+  private:
+    struct Reach;
+    Reach
+    reach(const Eigen::VectorXd &c, const Eigen::VectorXd &mu) const;
+    bool
+    proves(const Eigen::VectorXd &w, const Eigen::VectorXd &c) const;
+    Eigen::VectorXd
+    sharpen(const Eigen::VectorXd &z) const;
+    double
+    limit(const Eigen::VectorXd &from,
+          const Eigen::VectorXd &to,
+          Eigen::VectorXd       &w) const;
+    void
+    find_needed_friction(const Eigen::VectorXd &c, Existence &result) const;
+    Eigen::VectorXd
+    even_pressure(const double force) const;
+    void
+    name_motion(Existence &result) const;
+    std::vector<Eigen::Index>
+    moving_nodes(const Eigen::VectorXd &v) const;
+    bool
+    is_translation(const Eigen::VectorXd           &v,
+                   const std::vector<Eigen::Index> &nodes) const;
+
+    std::shared_ptr<const ContactSystem> system;
+    std::vector<Frame>                   frames;
+    Eigen::MatrixXd                      R;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_linear_relation_h
+#define conetact_solvers_linear_relation_h
+
+#include "conetact/solvers/contact_problem.h"
+
+/**
+ * Both forms of a ContactProblem as one linear relation without units,
+ * @f[ d = M p + l, @f]
+ * in which p is the displacement and d the reaction (stiffness form), or the
+ * other way round (compliance form). Node by node, displacements are divided
+ * by @f$\alpha/\sqrt{c_i}@f$ and reactions by @f$\alpha\sqrt{c_i}@f$, where
+ * @f$c_i = tr K_{ii} / dim@f$ is the stiffness of node i and @f$\alpha@f$ makes
+ * the largest load 1. Tangents and normal of a node are scaled alike, so the
+ * law of friction keeps its form; every diagonal block of M has mean 1.
+ */
+namespace conetact
+{
+  class LinearRelation
+  {
+  public:
+    using Index = Eigen::Index;
+    using Array = Eigen::VectorXd;
+
+    /**
+     * The node scales; reads the diagonal of the matrix only. Unscaled, the
+     * numbers stay those of the problem.
+     */
+    explicit LinearRelation(std::shared_ptr<const ContactSystem> system,
+                            const bool                           scaled = true);
+
+    /** Takes the load of an increment and the scale @f$\alpha@f$ with it. */
+    void
+    set_load(const ContactProblem &problem);
+
+    const ContactSystem &
+    system() const
+    {
+      return *contact_system;
+    }
+    bool
+    is(const std::shared_ptr<const ContactSystem> &other) const
+    {
+      return contact_system == other;
+    }
+    bool
+    stiffness() const
+    {
+      return contact_system->form == Form::stiffness;
+    }
+
+    /** The constant part l. */
+    const Array &
+    load() const
+    {
+      return scaled_load;
+    }
+
+    /** y += M x. Columns where x is zero cost nothing. */
+    void
+    multiply_add(const Array &x, Array &y) const;
+
+    /** Column scale of M; its row scale is the inverse. */
+    const Array &
+    column_scale() const
+    {
+      return scale;
+    }
+
+    /** State with units to (p, d) without, and back. */
+    void
+    to_scaled(const ContactState &state, Array &p, Array &d) const;
+    void
+    from_scaled(const Array &p, const Array &d, ContactState &state) const;
+
+  private:
+    std::shared_ptr<const ContactSystem> contact_system;
+    bool   has_units;
+    Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
+    double alpha = 1; ///< sqrt(force x length)
+    Array  scaled_load;
+  };
+} // namespace conetact
+
+#endif

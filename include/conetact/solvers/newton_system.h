@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_newton_system_h
+#define conetact_solvers_newton_system_h
+
+#include "conetact/solvers/cone.h"
+#include "conetact/solvers/linear_relation.h"
+
+#include <vector>
+
+/**
+ * The linear algebra of one Newton step of any contact solver. A solver says
+ * what its linearised law is, node by node,
+ * @f[ P_i \delta p_i + D_i \delta d_i = h_i, @f]
+ * and the relation @f$\delta d = M \delta p + \rho@f$ does the rest:
+ * @f$(P + D M) \delta p = h - D \rho@f$. Rows with D = 0 that say what one
+ * unknown is (closed gaps, stuck slips, open reactions) are eliminated, so only
+ * the small rest is factorised. Without units (see LinearRelation).
+ */
+namespace conetact
+{
+  /** Linearised law of one node; sizes are those of the node. */
+  struct NodeLaw
+  {
+    SmallMatrix p, d;
+    SmallVector h;
+  };
+
+  class NewtonSystem
+  {
+  public:
+    using Index = Eigen::Index;
+    using Array = Eigen::VectorXd;
+
+    /**
+     * Solves for the increment of p, to the relative precision asked for (a
+     * hint: small systems are always solved directly). False if the matrix is
+     * singular beyond help or the result is not finite.
+     */
+    bool
+    solve(const LinearRelation       &relation,
+          const std::vector<NodeLaw> &laws,
+          const Array                &rho,
+          const double                precision,
+          Array                      &dp);
+
+    unsigned int
+    n_factorizations() const
+    {
+      return factorizations;
+    }
+
+  private:
+    /** Which unknowns are left, and their rows of the law. */
+    void
+    split(const LinearRelation &relation, const std::vector<NodeLaw> &laws);
+
+    /** Sets the known part of dp and the right-hand side of the rest. */
+    void
+    eliminate(const LinearRelation       &relation,
+              const std::vector<NodeLaw> &laws,
+              const Array                &rho,
+              Array                      &dp);
+
+    template <typename Matrix>
+    void
+    assemble(const LinearRelation       &relation,
+             const std::vector<NodeLaw> &laws,
+             const double                shift,
+             Matrix                     &J) const;
+
+    bool
+    solve_directly(const LinearRelation       &relation,
+                   const std::vector<NodeLaw> &laws,
+                   const double                shift,
+                   Array                      &x);
+
+    struct Row
+    {
+      Index node, local;
+    };
+    std::vector<Index> unknown; ///< global indices of what is left
+    std::vector<Row>   row;     ///< the same, by node
+    Array              right_hand_side;
+    Eigen::MatrixXd    matrix;
+    unsigned int       factorizations = 0;
+  };
+} // namespace conetact
+
+#endif

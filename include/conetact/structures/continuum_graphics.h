@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_structures_continuum_graphics_h
+#define conetact_structures_continuum_graphics_h
+
+#include "conetact/structures/continuum_elements.h"
+#include "conetact/structures/continuum_mesh.h"
+#include "conetact/structures/material.h"
+
+namespace conetact
+{
+  /**
+   * VTU of the undeformed mesh with nodal fields: `displacement` (3), `stress`
+   * (9, the full tensor by rows; in plane strain with sigma_zz), `von_mises`
+   * (1), and the time as field data TIME. Stresses are those of the cells at
+   * their vertices, averaged at the nodes; von Mises' is that of the averaged
+   * tensor. Throws WriteError.
+   */
+  template <int dim>
+  void
+  write_continuum(const ContinuumMesh<dim>      &mesh,
+                  const ElementFormulation<dim> &element,
+                  const ElasticMaterial         &material,
+                  const Eigen::VectorXd         &u,
+                  const double                   time,
+                  const std::filesystem::path   &file);
+} // namespace conetact
+
+#endif

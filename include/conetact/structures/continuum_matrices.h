@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_structures_continuum_matrices_h
+#define conetact_structures_continuum_matrices_h
+
+#include "conetact/structures/continuum_elements.h"
+#include "conetact/structures/continuum_mesh.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Stiffness matrices of all cells of a mesh of one material. Cells that are
+   * translated copies of each other have the same: it is computed once, and
+   * kept. Matrices of single cells are kept as long as there is room.
+   */
+  template <int dim>
+  class CellMatrices
+  {
+  public:
+    using Element = ElementFormulation<dim>;
+
+    /** Mesh and formulation must live longer than this object. */
+    CellMatrices(const ContinuumMesh<dim>           &of_mesh,
+                 const Element                      &formulation,
+                 const typename Element::Elasticity &elasticity);
+
+    void
+    for_each(const ElementVisitor &visit) const;
+
+    /** Cells that are no copies of each other. */
+    unsigned int
+    n_shapes() const
+    {
+      return static_cast<unsigned int>(shapes.size());
+    }
+
+  private:
+    /** A class of congruent cells. */
+    struct Shape
+    {
+      unsigned int first_cell;
+      unsigned int n_cells = 0;
+      int          matrix  = -1; ///< index, -1: not kept
+    };
+
+    const ContinuumMesh<dim>             &mesh;
+    const Element                        &element;
+    typename Element::Elasticity          c;
+    std::vector<Shape>                    shapes;
+    std::vector<unsigned int>             shape_of_cell;
+    std::vector<typename Element::Matrix> matrices;
+
+    void
+    find_shapes();
+    void
+    keep_matrices();
+    typename Element::Matrix
+    compute(const unsigned int cell) const;
+  };
+} // namespace conetact
+
+#endif

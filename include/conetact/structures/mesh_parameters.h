@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_structures_mesh_parameters_h
+#define conetact_structures_mesh_parameters_h
+
+#include "conetact/base/expression.h"
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /** The parsed entries of `subsection Mesh`. */
+  struct MeshParameters
+  {
+    /** Cells that touch the inside of a box are refined `levels` times more. */
+    struct Box
+    {
+      dealii::Point<3> lower, upper; ///< in the scene's coordinates
+      unsigned int     levels;
+    };
+    /** Faces whose centre satisfies the condition get the id. */
+    struct Tag
+    {
+      unsigned int id;
+      std::string  text;
+      Expression   condition;
+    };
+
+    std::string           where; ///< for messages: "Body 'block', Mesh/"
+    std::string           generator, arguments;
+    std::filesystem::path file; ///< empty: generated
+    unsigned int          global_refinements = 0;
+    std::vector<Box>      boxes;
+    double                scale = 1;
+    dealii::Tensor<2, 3>  rotation; ///< orthogonal matrix
+    dealii::Tensor<1, 3>  translation;
+    std::vector<Tag>      tags;
+
+    /** A point of the mesh as generated or read, scaled, rotated, moved. */
+    dealii::Point<3>
+    to_scene(const dealii::Point<3> &p) const
+    {
+      return dealii::Point<3>(rotation * (scale * p) + translation);
+    }
+  };
+
+  /** Entries of `subsection Mesh`, in the body's subsection. */
+  void
+  declare_mesh(dealii::ParameterHandler &prm);
+  /**
+   * A relative file is one in `folder`; `body` is for messages: "Body
+   * 'block'". Throws InputError.
+   */
+  MeshParameters
+  parse_mesh(dealii::ParameterHandler    &prm,
+             const unsigned int           dim,
+             const std::filesystem::path &folder,
+             const std::string           &body);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/command_line.h"
+
+#include "conetact/base/errors.h"
+
+#include <getopt.h>
+
+namespace conetact
+{
+  namespace
+  {
+    constexpr const char *help = R"(usage: conetact SCENE.prm [OPTION]...
+
+Quasi-static frictional contact of linear elastic bodies with the exact
+Coulomb cone.
+
+  -o, --output FOLDER           write there (default: output/SCENE)
+  -s, --set SECTION/ENTRY=VALUE replace an entry of the scene; may be repeated
+      --parameters              print all entries of the scene with their
+                                documentation
+      --dry-run                 read, check and mesh the scene, report sizes
+  -q, --quiet                   print errors only
+      --version                 print the version
+  -h, --help                    print this text
+
+Exit codes: 0 done; 1 wrong input, nothing was written; 2 no equilibrium or not
+converged, all increments before it are on disk; 3 cannot write.
+)";
+
+    constexpr const char *see_help = " See conetact --help.";
+  } // namespace
+
+  CommandLine
+  parse_command_line(const int argc, char *const argv[])
+  {
+    static const option long_options[] = {
+      {"output", required_argument, nullptr, 'o'},
+      {"set", required_argument, nullptr, 's'},
+      {"parameters", no_argument, nullptr, 'p'},
+      {"dry-run", no_argument, nullptr, 'd'},
+      {"quiet", no_argument, nullptr, 'q'},
+      {"version", no_argument, nullptr, 'v'},
+      {"help", no_argument, nullptr, 'h'},
+      {nullptr, 0, nullptr, 0}};
+
+    CommandLine line;
+    opterr = 0;
+    for (int c; (c = getopt_long(argc, argv, ":o:s:qh", long_options, nullptr)) !=
+                -1;)
+      switch (c)
+        {
+          case 'o':
+            line.folder = optarg;
+            if (line.folder.empty())
+              throw InputError("Option -o: the folder's name is empty.");
+            break;
+          case 's':
+            line.overrides.emplace_back(optarg);
+            break;
+          case 'p':
+            line.print_parameters = true;
+            break;
+          case 'd':
+            line.dry_run = true;
+            break;
+          case 'q':
+            line.quiet = true;
+            break;
+          case 'v':
+            line.answer = "conetact " CONETACT_VERSION "\n";
+            return line;
+          case 'h':
+            line.answer = help;
+            return line;
+          case ':':
+            throw InputError(std::string("Option ") + argv[optind - 1] +
+                             " needs a value." + see_help);
+          default:
+            throw InputError(std::string("Option ") + argv[optind - 1] +
+                             " is not known." + see_help);
+        }
+    if (optind >= argc)
+      throw InputError(std::string("No scene file is given.") + see_help);
+    if (optind + 1 < argc)
+      throw InputError(std::string("More than one scene file is given: ") +
+                       argv[optind] + " and " + argv[optind + 1] +
+                       ". Run them one after the other.");
+    line.scene = argv[optind];
+    return line;
+  }
+} // namespace conetact

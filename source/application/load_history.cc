@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/load_history.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+namespace conetact
+{
+  namespace
+  {
+    /** Appends n equal increments that end at `end`. */
+    void
+    append_stage(std::vector<double> &times, const double end, const double n)
+    {
+      const double start = times.empty() ? 0. : times.back();
+      if (!(end > start))
+        throw InputError("Time: an increment ends at t = " + to_text(end) +
+                         ", not after t = " + to_text(start) +
+                         " where it starts. Give ascending times above 0.");
+      if (n < 1 || n > 1e7 || n != static_cast<double>(static_cast<long>(n)))
+        throw InputError("Time: " + to_text(n) + " increments are asked for. "
+                         "Give a whole number from 1 to 10000000.");
+      for (long k = 1; k <= static_cast<long>(n); ++k)
+        times.push_back(k == static_cast<long>(n) ?
+                          end :
+                          start + (end - start) * static_cast<double>(k) / n);
+    }
+  } // namespace
+
+  void
+  declare_time(dealii::ParameterHandler &prm)
+  {
+    using dealii::Patterns::Anything;
+    prm.declare_entry("End",
+                      "1",
+                      Anything(),
+                      "Time at the end of the last increment; every history "
+                      "starts at t = 0. Time only orders the loads. [time]");
+    prm.declare_entry("Increments",
+                      "1",
+                      Anything(),
+                      "Number of equal increments.");
+    prm.declare_entry("Times",
+                      "",
+                      Anything(),
+                      "Instead of End and Increments: the times at which "
+                      "increments end, ascending, separated by commas. [time]");
+    prm.declare_entry("Stages",
+                      "",
+                      Anything(),
+                      "Instead of End and Increments: stages of equal "
+                      "increments, 'end : increments' each, separated by "
+                      "commas, such as 1 : 1, 11 : 20. [time]");
+  }
+
+  std::vector<double>
+  create_times(dealii::ParameterHandler &prm)
+  {
+    std::vector<double> times;
+    const std::string   list = prm.get("Times"), stages = prm.get("Stages");
+    if (!list.empty() && !stages.empty())
+      throw InputError("Time: both Times and Stages are given. Leave one empty.");
+    for (const double end : to_numbers(list, "Time/Times"))
+      append_stage(times, end, 1);
+    for (const std::string &stage : split(stages, ','))
+      {
+        const std::vector<std::string> parts = split(stage, ':');
+        if (parts.size() != 2)
+          throw InputError("Time/Stages: '" + stage +
+                           "' is not 'end : increments'.");
+        append_stage(times,
+                     to_number(parts[0], "Time/Stages"),
+                     to_number(parts[1], "Time/Stages"));
+      }
+    if (times.empty())
+      append_stage(times,
+                   to_number(prm.get("End"), "Time/End"),
+                   to_number(prm.get("Increments"), "Time/Increments"));
+    return times;
+  }
+} // namespace conetact

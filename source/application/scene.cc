@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/scene.h"
+
+#include "conetact/application/load_history.h"
+#include "conetact/application/solver_options.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/structures/body_table.h"
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace conetact
+{
+  namespace
+  {
+    using Handler = dealii::ParameterHandler;
+
+    std::string
+    read_file(const std::filesystem::path &file)
+    {
+      std::ifstream      stream(file);
+      std::ostringstream text;
+      if (std::filesystem::is_directory(file) || !(text << stream.rdbuf()))
+        throw InputError("The scene file " + file.string() +
+                         " cannot be read. Check its name and permissions.");
+      return text.str();
+    }
+
+    /** "A/B/Entry=value" as lines of a scene file. */
+    std::string
+    override_lines(const std::string &override)
+    {
+      const std::size_t equals = override.find('=');
+      if (equals == std::string::npos || trim(override.substr(0, equals)).empty())
+        throw InputError("Option -s: '" + override +
+                         "' is not Section/Entry=value.");
+      std::vector<std::string> path = split(override.substr(0, equals), '/');
+      std::string              begin, end;
+      for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        {
+          begin += "subsection " + path[i] + "\n";
+          end += "end\n";
+        }
+      return begin + "set " + path.back() + " = " +
+             trim(override.substr(equals + 1)) + "\n" + end;
+    }
+
+    /** The sentence of a deal.II exception, without its framing. */
+    std::string
+    sentence(const dealii::ExceptionBase &error)
+    {
+      std::ostringstream stream;
+      error.print_info(stream);
+      return one_line(stream.str());
+    }
+
+    /**
+     * Reads text with the handler; `file` is named in messages. Lines of
+     * overrides are numbered as they are, one text each.
+     */
+    void
+    parse(Handler           &prm,
+          const std::string &text,
+          const std::string &file,
+          const bool         skip_undefined)
+    {
+      std::istringstream stream(text);
+      try
+        {
+          prm.parse_input(stream, file, "", skip_undefined);
+        }
+      catch (const dealii::ExceptionBase &error)
+        {
+          throw InputError(sentence(error) + " Entries and their meaning are "
+                                             "listed by --parameters.");
+        }
+    }
+
+    std::vector<std::string>
+    get_names(Handler &prm, const std::string &list)
+    {
+      std::vector<std::string> names = split(prm.get(list), ',');
+      std::set<std::string>    seen;
+      for (const std::string &name : names)
+        if (name.empty())
+          throw InputError(list + ": a name is missing between two commas.");
+        else if (!seen.insert(name).second)
+          throw InputError(list + ": '" + name +
+                           "' stands there twice. Give each one its own name.");
+      return names;
+    }
+
+    void
+    declare_names(Handler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry("Dimension",
+                        "2",
+                        Selection("2|3"),
+                        "Dimension of space: 2 (plane strain or stress) or 3.");
+      const auto declare = [&](const std::string &list, const std::string &what) {
+        prm.declare_entry(list,
+                          "",
+                          Anything(),
+                          "Names of " + what + ", separated by commas; each has "
+                            "its own subsection.");
+      };
+      declare("Bodies", "the elastic bodies");
+      declare("Obstacles", "the rigid obstacles");
+      declare("Contacts", "the contacts");
+      declare("Supports", "the supports");
+      declare("Loads", "the loads");
+    }
+
+    template <typename Declare>
+    void
+    declare_each(Handler                        &prm,
+                 const std::string              &kind,
+                 const std::vector<std::string> &names,
+                 const Declare                  &declare)
+    {
+      for (const std::string &name : names)
+        {
+          prm.enter_subsection(kind + " " + name);
+          declare(prm);
+          prm.leave_subsection();
+        }
+    }
+
+    template <typename Create>
+    void
+    create_each(Handler                        &prm,
+                const std::string              &kind,
+                const std::vector<std::string> &names,
+                const Create                   &create)
+    {
+      for (const std::string &name : names)
+        {
+          prm.enter_subsection(kind + " " + name);
+          create(name);
+          prm.leave_subsection();
+        }
+    }
+  } // namespace
+
+  Scene::Scene(const CommandLine &line)
+    : file(line.scene)
+    , overrides(line.overrides)
+    , text(read_file(line.scene))
+  {
+    read_names();
+    declare();
+    parse_all(prm, false);
+    read_options();
+  }
+
+  void
+  Scene::parse_all(Handler &handler, const bool skip_undefined) const
+  {
+    parse(handler, text, file.string(), skip_undefined);
+    for (const std::string &override : overrides)
+      parse(handler,
+            override_lines(override),
+            "option -s " + override,
+            skip_undefined);
+  }
+
+  void
+  Scene::read_names()
+  {
+    Handler lists;
+    declare_names(lists);
+    parse_all(lists, true);
+    bodies.dim   = static_cast<unsigned int>(lists.get_integer("Dimension"));
+    bodies.names = get_names(lists, "Bodies");
+    obstacle_names = get_names(lists, "Obstacles");
+    contact_names  = get_names(lists, "Contacts");
+    support_names  = get_names(lists, "Supports");
+    load_names     = get_names(lists, "Loads");
+    if (bodies.names.empty())
+      throw InputError("Bodies: the scene names no body. Add for example "
+                       "'set Bodies = block' and 'subsection Body block'.");
+  }
+
+  void
+  Scene::declare()
+  {
+    declare_names(prm);
+    declare_each(prm, "Body", bodies.names, declare_body);
+    declare_each(prm, "Obstacle", obstacle_names, declare_obstacle);
+    declare_each(prm, "Contact", contact_names, declare_contact);
+    declare_each(prm, "Support", support_names, declare_support);
+    declare_each(prm, "Load", load_names, declare_load);
+    prm.enter_subsection("Time");
+    declare_time(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Solver");
+    declare_solver(prm);
+    prm.declare_entry("Threads",
+                      "1",
+                      dealii::Patterns::Integer(0, 1024),
+                      "Threads of the direct solver and of dense linear "
+                      "algebra; 0: one for each core. Results do not depend "
+                      "on it but for rounding.");
+    prm.leave_subsection();
+    prm.enter_subsection("Output");
+    prm.declare_entry("VTU",
+                      "1",
+                      dealii::Patterns::Integer(0),
+                      "Write VTU files for ParaView at every n-th increment; "
+                      "0: none.");
+    prm.leave_subsection();
+  }
+
+  void
+  Scene::read_options()
+  {
+    prm.enter_subsection("Time");
+    times = create_times(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Solver");
+    solver  = create_solver_options(prm);
+    threads = static_cast<unsigned int>(prm.get_integer("Threads"));
+    prm.leave_subsection();
+    prm.enter_subsection("Output");
+    vtu_every = static_cast<unsigned int>(prm.get_integer("VTU"));
+    prm.leave_subsection();
+  }
+
+  void
+  Scene::build()
+  {
+    const unsigned int dim    = bodies.dim;
+    const auto         folder = file.parent_path();
+    create_each(prm, "Body", bodies.names, [&](const std::string &name) {
+      structures.push_back(create_body(prm, dim, folder, name));
+      bodies.structures.push_back(structures.back().get());
+    });
+    create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {
+      obstacles.push_back(create_obstacle(prm, name, dim));
+    });
+    create_each(prm, "Support", support_names, [&](const std::string &name) {
+      bodies.supports.push_back(
+        create_support(prm, name, dim, bodies.names, bodies.structures));
+    });
+    create_each(prm, "Load", load_names, [&](const std::string &name) {
+      loads.push_back(
+        create_load(prm, name, dim, bodies.names, bodies.structures));
+    });
+    create_each(prm, "Contact", contact_names, [&](const std::string &name) {
+      contacts.push_back(create_contact(
+        prm, name, bodies.names, bodies.structures, obstacles));
+    });
+    bodies.contact_nodes =
+      find_contact_nodes(contacts, bodies.names, bodies.structures, dim);
+  }
+
+  std::string
+  Scene::documentation() const
+  {
+    std::ostringstream stream;
+    prm.print_parameters(stream, Handler::Text);
+    return stream.str();
+  }
+
+  std::string
+  Scene::values() const
+  {
+    std::ostringstream stream;
+    prm.print_parameters(stream, Handler::ShortText);
+    return stream.str();
+  }
+
+  std::string
+  Scene::name() const
+  {
+    return file.stem().string();
+  }
+
+  Eigen::VectorXd
+  Scene::forces(const double t) const
+  {
+    std::vector<Eigen::VectorXd> of_body;
+    Eigen::Index                 n_dofs = 0;
+    for (const Structure *structure : bodies.structures)
+      {
+        of_body.push_back(Eigen::VectorXd::Zero(structure->n_dofs()));
+        n_dofs += structure->n_dofs();
+      }
+    for (const Load &load : loads)
+      load.add(*bodies.structures[load.body], t, of_body[load.body]);
+    Eigen::VectorXd all(n_dofs);
+    Eigen::Index    begin = 0;
+    for (const Eigen::VectorXd &f : of_body)
+      {
+        all.segment(begin, f.size()) = f;
+        begin += f.size();
+      }
+    return all;
+  }
+
+  bool
+  Scene::forces_use_time() const
+  {
+    for (const Load &load : loads)
+      if (load.uses_time())
+        return true;
+    return false;
+  }
+} // namespace conetact

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/solver_options.h"
+
+#include "conetact/base/text.h"
+
+namespace conetact
+{
+  namespace
+  {
+    /** Numbers of the smoothing method, [K] section 5 and Hayashi et al. */
+    struct SmoothingRow
+    {
+      const char *name;
+      double SmoothingOptions::*member;
+      double                    upper; ///< all are positive
+      const char               *text;
+    };
+    const std::vector<SmoothingRow> smoothing_table = {
+      {"rho", &SmoothingOptions::rho, 1, "Step reduction of the line search."},
+      {"sigma", &SmoothingOptions::sigma, .5, "Sufficient decrease."},
+      {"kappa",
+       &SmoothingOptions::kappa,
+       1e300,
+       "Bound of smoothing m and regularisation eps by the squared residual."},
+      {"kappahat",
+       &SmoothingOptions::kappahat,
+       1e300,
+       "Bound of m by the smallest eigenvalue."},
+      {"eta", &SmoothingOptions::eta, 1, "Decrease of the bound beta."},
+      {"etabar", &SmoothingOptions::etabar, 1, "Decrease of m and eps."},
+      {"m0", &SmoothingOptions::m0, 1e300, "First smoothing."},
+      {"eps0", &SmoothingOptions::eps0, 1e300, "First regularisation."},
+      {"beta0", &SmoothingOptions::beta0, 1e300, "First bound beta."}};
+
+    std::string
+    full_text(const double value)
+    {
+      char text[40];
+      std::snprintf(text, sizeof(text), "%.15g", value);
+      return text;
+    }
+  } // namespace
+
+  void
+  declare_solver(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    const SolverOptions      defaults;
+    std::vector<std::string> methods, lines;
+    for (const SolverRow &row : solver_table())
+      {
+        methods.push_back(row.name);
+        lines.push_back(std::string(row.name) + ": " + row.description);
+      }
+    prm.declare_entry("Method",
+                      defaults.method,
+                      Selection(join(methods, "|")),
+                      join(lines, "; ") + ".");
+    prm.declare_entry("Tolerance",
+                      full_text(defaults.tolerance),
+                      Double(1e-15, 1),
+                      "Largest accepted residual of contact and of "
+                      "equilibrium, both free of units. [-]");
+    prm.declare_entry("Scaling",
+                      "automatic",
+                      Selection("automatic|none"),
+                      "smoothing: automatic makes the problem free of units, "
+                      "none is the published form, whose iterations depend on "
+                      "the units of the scene.");
+    prm.enter_subsection("Smoothing");
+    for (const SmoothingRow &row : smoothing_table)
+      prm.declare_entry(row.name,
+                        full_text(defaults.smoothing.*row.member),
+                        Double(1e-300, row.upper),
+                        std::string(row.text) + " [-]");
+    prm.declare_entry("Maximal iterations",
+                      std::to_string(defaults.smoothing.max_iterations),
+                      Integer(1),
+                      "Linear solves of the smoothing method.");
+    prm.leave_subsection();
+  }
+
+  SolverOptions
+  create_solver_options(dealii::ParameterHandler &prm)
+  {
+    SolverOptions options;
+    options.method           = prm.get("Method");
+    options.tolerance        = prm.get_double("Tolerance");
+    options.smoothing.scaled = prm.get("Scaling") == "automatic";
+    prm.enter_subsection("Smoothing");
+    for (const SmoothingRow &row : smoothing_table)
+      options.smoothing.*row.member = prm.get_double(row.name);
+    options.smoothing.max_iterations =
+      static_cast<int>(prm.get_integer("Maximal iterations"));
+    prm.leave_subsection();
+    return options;
+  }
+} // namespace conetact

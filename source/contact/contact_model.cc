@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/contact_model.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  ContactModel::ContactModel(const Bodies              &b,
+                             const std::vector<double> &times)
+    : bodies(b)
+    , rules(bodies, times)
+    , coordinates(bodies, rules)
+    , elastic(bodies)
+    , motions(bodies, rules, coordinates)
+  {}
+
+  const Condensation &
+  ContactModel::condensation() const
+  {
+    if (!condensed)
+      condensed = std::make_unique<Condensation>(elastic,
+                                                 coordinates,
+                                                 motions.null_space());
+    return *condensed;
+  }
+
+  ContactHistory::ContactHistory(const ContactModel &m)
+    : model(m)
+    , initial_gap(m.coordinates.layout().n_nodes())
+    , q(Eigen::VectorXd::Zero(m.coordinates.n_contact_unknowns()))
+    , r(q)
+  {
+    Eigen::Index i = 0;
+    for (const NodeRule *rule : model.coordinates.contact_rules())
+      initial_gap[i++] = rule->contact_node->gap;
+  }
+
+  Eigen::VectorXd
+  ContactHistory::shift() const
+  {
+    const ContactSystem &layout = model.coordinates.layout();
+    Eigen::VectorXd      s      = -q;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      s[layout.normal(i)] = initial_gap[i];
+    return s;
+  }
+
+  ContactProblem
+  ContactHistory::problem(const Condensation::Load &load) const
+  {
+    const auto    &system = model.condensation().system();
+    ContactProblem problem;
+    problem.system = system;
+    problem.load   = load.f;
+    problem.load.noalias() += system->matrix * shift();
+    problem.gap.resize(system->n_nodes());
+    for (Eigen::Index i = 0; i < system->n_nodes(); ++i)
+      problem.gap[i] = initial_gap[i] + q[system->normal(i)];
+    problem.reference_force = largest;
+    return problem;
+  }
+
+  ContactState
+  ContactHistory::start() const
+  {
+    const ContactSystem &layout = model.coordinates.layout();
+    ContactState         state;
+    state.v = Eigen::VectorXd::Zero(q.size());
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      state.v[layout.normal(i)] = initial_gap[i] + q[layout.normal(i)];
+    state.r    = r;
+    state.node = states;
+    return state;
+  }
+
+  void
+  ContactHistory::advance(const ContactState &end)
+  {
+    const ContactSystem &layout = model.coordinates.layout();
+    q += end.v;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i];
+    r      = end.r;
+    states = end.node;
+  }
+
+  void
+  ContactHistory::note_force(const double force)
+  {
+    largest = std::max(largest, force);
+  }
+} // namespace conetact

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/contact_rows.h"
+
+#include "conetact/contact/equilibrium.h"
+
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Slips below this part of a displacement are round-off. */
+    constexpr double round_off = 1e-12;
+
+    /** (n, t1, t2) components of a vector in space. */
+    Tensor<1, 3>
+    in_frame(const ContactNode &node, const Tensor<1, 3> &v)
+    {
+      return Tensor<1, 3>({v * node.n, v * node.t1, v * node.t2});
+    }
+
+    /** The tangential displacement spanned by the contact unknowns. */
+    Tensor<1, 3>
+    tangential(const NodeRule        &rule,
+               const Eigen::Index     first,
+               const Eigen::VectorXd &v)
+    {
+      Tensor<1, 3> sum;
+      for (std::size_t k = 0; k + 1 < rule.contact.size(); ++k)
+        sum += v[first + static_cast<Eigen::Index>(k)] * rule.contact[k];
+      return sum;
+    }
+
+    /** The rest of it: frictionless and held directions. */
+    Tensor<1, 3>
+    other_tangential(const NodeRule &rule, const Tensor<1, 3> &relative)
+    {
+      Tensor<1, 3> sum;
+      for (const Tensor<1, 3> &free : rule.free)
+        sum += (relative * free) * free;
+      for (const HeldDirection &held : rule.held)
+        sum += (relative * held.direction) * held.direction;
+      return sum;
+    }
+  } // namespace
+
+  ContactRows::ContactRows(const ContactModel &m)
+    : model(m)
+    , other_before(m.coordinates.contact_rules().size())
+  {
+    for (const NodeRule *rule : model.coordinates.contact_rules())
+      {
+        const ContactNode &node = *rule->contact_node;
+        ContactRow         row;
+        row.contact  = node.contact;
+        row.node     = node.node;
+        row.position = node.position;
+        row.normal   = node.n;
+        row.t1       = node.t1;
+        row.t2       = node.t2;
+        row.area     = node.area;
+        row.gap      = node.gap;
+        last.push_back(row);
+      }
+  }
+
+  std::vector<ContactRow>
+  ContactRows::rows(const ContactState    &state,
+                    const Eigen::VectorXd &q,
+                    const Eigen::VectorXd &u,
+                    const double           t)
+  {
+    const ContactSystem    &layout = model.coordinates.layout();
+    std::vector<ContactRow> rows   = last;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      {
+        const NodeRule    &rule  = *model.coordinates.contact_rules()[i];
+        const ContactNode &node  = *rule.contact_node;
+        const auto         index = static_cast<Eigen::Index>(i);
+        const Eigen::Index first = layout.first[i];
+        const Eigen::Index dof   = model.coordinates.dof(rule.body, rule.node);
+        ContactRow        &row   = rows[i];
+
+        Tensor<1, 3> relative = -node.obstacle->displacement_at(t);
+        for (unsigned int c = 0; c < model.bodies.dim; ++c)
+          relative[c] += u[dof + c];
+        const Tensor<1, 3> other =
+          in_frame(node, other_tangential(rule, relative));
+
+        row.gap  = state.v[layout.normal(index)];
+        row.u    = in_frame(node, tangential(rule, first, q)) + other;
+        row.u[0] = q[layout.normal(index)];
+        row.du   = in_frame(node, tangential(rule, first, state.v)) +
+                 (other - other_before[i]);
+        row.du[0]       = row.u[0] - last[i].u[0];
+        row.reaction    = in_frame(node,
+                                reaction_vector(model.coordinates, i, state.r));
+        row.state       = state.node[i];
+        other_before[i] = other;
+        if (layout.n_tangents(index) == 0 && row.state != NodeState::open)
+          row.state = std::hypot(row.du[1], row.du[2]) >
+                          round_off * relative.norm() ?
+                        NodeState::slip :
+                        NodeState::stick;
+      }
+    last = rows;
+    return rows;
+  }
+} // namespace conetact

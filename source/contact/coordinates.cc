@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/coordinates.h"
+
+namespace conetact
+{
+  Coordinates::Coordinates(const Bodies &b, const NodeRules &r)
+    : bodies(b)
+    , node_rules(r)
+    , dof_offset(1, 0)
+    , node_offset(1, 0)
+  {
+    for (const Structure *structure : bodies.structures)
+      {
+        dof_offset.push_back(dof_offset.back() + structure->n_dofs());
+        node_offset.push_back(node_offset.back() + structure->n_nodes());
+      }
+    rule_of_node.resize(node_offset.back(), nullptr);
+    for (const NodeRule &rule : node_rules.rules())
+      rule_of_node[node_offset[rule.body] + rule.node] = &rule;
+    number_unknowns();
+    write_rows();
+  }
+
+  Eigen::Index
+  Coordinates::dof(const unsigned int body, const unsigned int node) const
+  {
+    return dof_offset[body] +
+           node * static_cast<Eigen::Index>(
+                    bodies.structures[body]->n_components());
+  }
+
+  void
+  Coordinates::number_unknowns()
+  {
+    first_unknown.resize(node_offset.back());
+    first_contact.resize(node_offset.back(), -1);
+    std::size_t n = 0;
+    for (const Structure *structure : bodies.structures)
+      for (unsigned int i = 0; i < structure->n_nodes(); ++i, ++n)
+        {
+          const NodeRule    *rule     = rule_of_node[n];
+          const unsigned int n_rotations =
+            structure->n_components() - bodies.dim;
+          const std::size_t n_own =
+            n_rotations + (rule ? rule->free.size() : bodies.dim);
+          first_unknown[n] = n_free;
+          n_free += static_cast<Eigen::Index>(n_own);
+          node_of_unknown.insert(node_of_unknown.end(),
+                                 n_own,
+                                 static_cast<unsigned int>(n));
+        }
+
+    std::vector<double> mu;
+    for (const ContactNode &node : bodies.contact_nodes)
+      {
+        const unsigned int global = node_offset[node.body] + node.node;
+        const NodeRule    *rule   = rule_of_node[global];
+        if (rule->contact.empty())
+          continue;
+        const auto n_own      = static_cast<Eigen::Index>(rule->contact.size());
+        first_contact[global] = n_free + contact_layout.first.back();
+        contact_layout.first.push_back(contact_layout.first.back() + n_own);
+        mu.push_back(rule->mu);
+        contacts.push_back(rule);
+        node_of_unknown.insert(node_of_unknown.end(),
+                               rule->contact.size(),
+                               global);
+      }
+    contact_layout.mu =
+      Eigen::Map<Eigen::VectorXd>(mu.data(),
+                                  static_cast<Eigen::Index>(mu.size()));
+  }
+
+  void
+  Coordinates::write_rows()
+  {
+    row_start.reserve(static_cast<std::size_t>(n_dofs()) + 1);
+    entries.reserve(static_cast<std::size_t>(n_dofs()));
+    row_start.push_back(0);
+
+    const auto add_directions = [&](const std::vector<Tensor<1, 3>> &directions,
+                                    const Eigen::Index               first,
+                                    const unsigned int               c) {
+      for (std::size_t k = 0; k < directions.size(); ++k)
+        if (directions[k][c] != 0)
+          entries.push_back(
+            {first + static_cast<Eigen::Index>(k), directions[k][c]});
+    };
+    const auto add_own = [&](const std::size_t n, const unsigned int c) {
+      const NodeRule *rule = rule_of_node[n];
+      if (rule == nullptr)
+        entries.push_back({first_unknown[n] + c, 1.});
+      else if (c >= bodies.dim)
+        entries.push_back({first_unknown[n] + c - bodies.dim +
+                             static_cast<Eigen::Index>(rule->free.size()),
+                           1.});
+      else
+        {
+          add_directions(rule->free, first_unknown[n], c);
+          add_directions(rule->contact, first_contact[n], c);
+        }
+    };
+
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+        for (unsigned int c = 0; c < bodies.structures[body]->n_components();
+             ++c)
+          {
+            const std::size_t n    = node_offset[body] + i;
+            const NodeRule   *rule = rule_of_node[n];
+            if (rule == nullptr || rule->masters.empty())
+              add_own(n, c);
+            else
+              for (const auto &[master, weight] : rule->masters)
+                {
+                  const std::size_t begin = entries.size();
+                  add_own(node_offset[body] + master, c);
+                  for (std::size_t k = begin; k < entries.size(); ++k)
+                    entries[k].factor *= weight;
+                }
+            row_start.push_back(entries.size());
+          }
+  }
+
+  Eigen::VectorXd
+  Coordinates::prescribed(const double t) const
+  {
+    Eigen::VectorXd d = Eigen::VectorXd::Zero(n_dofs());
+    for (const NodeRule &rule : node_rules.rules())
+      {
+        const Point<3> p = bodies.structures[rule.body]->position(rule.node);
+        Tensor<1, 3>   u;
+        if (rule.contact_node != nullptr)
+          u = rule.contact_node->obstacle->displacement_at(t);
+        for (const HeldDirection &held : rule.held)
+          u += (node_rules.displacement(held, p, t) - u * held.direction) *
+               held.direction;
+        for (unsigned int c = 0; c < bodies.dim; ++c)
+          d[dof(rule.body, rule.node) + c] = u[c];
+      }
+    for (const NodeRule &rule : node_rules.rules())
+      for (const auto &[master, weight] : rule.masters)
+        for (unsigned int c = 0; c < bodies.dim; ++c)
+          d[dof(rule.body, rule.node) + c] +=
+            weight * d[dof(rule.body, master) + c];
+    return d;
+  }
+
+  Eigen::VectorXd
+  Coordinates::expand(const Eigen::VectorXd &q) const
+  {
+    Eigen::VectorXd u(n_dofs());
+    for (Eigen::Index i = 0; i < n_dofs(); ++i)
+      {
+        double sum              = 0;
+        const auto [begin, end] = row(i);
+        for (const Entry *entry = begin; entry != end; ++entry)
+          sum += entry->factor * q[entry->unknown];
+        u[i] = sum;
+      }
+    return u;
+  }
+
+  Eigen::VectorXd
+  Coordinates::restrict(const Eigen::VectorXd &f) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n_unknowns());
+    for (Eigen::Index i = 0; i < n_dofs(); ++i)
+      {
+        const auto [begin, end] = row(i);
+        for (const Entry *entry = begin; entry != end; ++entry)
+          result[entry->unknown] += entry->factor * f[i];
+      }
+    return result;
+  }
+
+  void
+  Coordinates::unhang(Eigen::VectorXd &f) const
+  {
+    for (const NodeRule &rule : node_rules.rules())
+      if (!rule.masters.empty())
+        for (unsigned int c = 0; c < bodies.dim; ++c)
+          {
+            double &force = f[dof(rule.body, rule.node) + c];
+            for (const auto &[master, weight] : rule.masters)
+              f[dof(rule.body, master) + c] += weight * force;
+            force = 0;
+          }
+  }
+} // namespace conetact

@@ -1,0 +1,363 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/elastic_system.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  namespace
+  {
+    using RowMajorMatrix =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    /** f += k u on the dofs of one element. */
+    void
+    multiply(const std::vector<unsigned int> &dofs,
+             const double                    *matrix,
+             const Eigen::VectorXd           &u,
+             Eigen::VectorXd                 &local,
+             Eigen::VectorXd                 &f)
+    {
+      const auto n = static_cast<Eigen::Index>(dofs.size());
+      local.resize(2 * n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        local[i] = u[dofs[static_cast<std::size_t>(i)]];
+      local.tail(n).noalias() =
+        Eigen::Map<const RowMajorMatrix>(matrix, n, n) * local.head(n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        f[dofs[static_cast<std::size_t>(i)]] += local[n + i];
+    }
+
+    /** An element in the unknowns q: C^T k C on the unknowns it touches. */
+    struct ReducedElement
+    {
+      std::vector<Eigen::Index> unknowns; ///< ascending
+      RowMajorMatrix            matrix;
+    };
+
+    class ElementReduction
+    {
+    public:
+      explicit ElementReduction(const Coordinates &c)
+        : coordinates(c)
+      {}
+
+      void
+      find_unknowns(const std::vector<unsigned int> &dofs,
+                    std::vector<Eigen::Index>       &unknowns) const
+      {
+        unknowns.clear();
+        for (const unsigned int dof : dofs)
+          {
+            const auto [begin, end] = coordinates.row(dof);
+            for (const auto *entry = begin; entry != end; ++entry)
+              unknowns.push_back(entry->unknown);
+          }
+        std::sort(unknowns.begin(), unknowns.end());
+        unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
+                       unknowns.end());
+      }
+
+      /** Entries (unknown, factor) of the rows, as a dense matrix. */
+      void
+      reduce(const std::vector<unsigned int> &dofs,
+             const double                    *matrix,
+             ReducedElement                  &element)
+      {
+        find_unknowns(dofs, element.unknowns);
+        const auto n = static_cast<Eigen::Index>(dofs.size());
+        const auto m = static_cast<Eigen::Index>(element.unknowns.size());
+        map.setZero(n, m);
+        for (Eigen::Index i = 0; i < n; ++i)
+          {
+            const auto [begin, end] =
+              coordinates.row(dofs[static_cast<std::size_t>(i)]);
+            for (const auto *entry = begin; entry != end; ++entry)
+              map(i,
+                  std::lower_bound(element.unknowns.begin(),
+                                   element.unknowns.end(),
+                                   entry->unknown) -
+                    element.unknowns.begin()) = entry->factor;
+          }
+        half.noalias() = Eigen::Map<const RowMajorMatrix>(matrix, n, n) * map;
+        element.matrix.noalias() = map.transpose() * half;
+      }
+
+    private:
+      const Coordinates &coordinates;
+      RowMajorMatrix     map, half;
+    };
+
+    /** Whether each dof of the element is one unknown of its own. */
+    bool
+    is_plain(const std::vector<unsigned int> &dofs,
+             const Coordinates               &coordinates)
+    {
+      return std::all_of(dofs.begin(), dofs.end(), [&](const unsigned int dof) {
+        const auto [begin, end] = coordinates.row(dof);
+        return end - begin == 1 && begin->factor == 1;
+      });
+    }
+
+    /** Unknowns of all elements, and for each unknown its elements. */
+    struct Connectivity
+    {
+      std::vector<std::size_t> start = {0};
+      std::vector<int>         unknowns;
+      std::vector<std::size_t> element_start;
+      std::vector<int>         elements;
+    };
+
+    Connectivity
+    connect(const ElasticSystem &system, const Coordinates &coordinates)
+    {
+      Connectivity              c;
+      std::vector<Eigen::Index> unknowns;
+      const ElementReduction    reduction(coordinates);
+      system.for_each_element(
+        [&](const std::vector<unsigned int> &dofs, const double *) {
+          reduction.find_unknowns(dofs, unknowns);
+          for (const Eigen::Index q : unknowns)
+            c.unknowns.push_back(static_cast<int>(q));
+          c.start.push_back(c.unknowns.size());
+        });
+      c.element_start.assign(
+        static_cast<std::size_t>(coordinates.n_unknowns()) + 1, 0);
+      for (const int q : c.unknowns)
+        ++c.element_start[static_cast<std::size_t>(q) + 1];
+      for (std::size_t q = 1; q < c.element_start.size(); ++q)
+        c.element_start[q] += c.element_start[q - 1];
+      c.elements.resize(c.unknowns.size());
+      std::vector<std::size_t> next = c.element_start;
+      for (std::size_t e = 0; e + 1 < c.start.size(); ++e)
+        for (std::size_t k = c.start[e]; k < c.start[e + 1]; ++k)
+          c.elements[next[static_cast<std::size_t>(c.unknowns[k])]++] =
+            static_cast<int>(e);
+      return c;
+    }
+
+    /** Zero matrix with the pattern of the upper triangle. */
+    Eigen::SparseMatrix<double>
+    upper_pattern(const Connectivity &c, const Eigen::Index n)
+    {
+      Eigen::SparseMatrix<double> upper(n, n);
+      std::vector<int>            rows, last_seen(static_cast<std::size_t>(n), -1);
+      std::vector<int>            all_rows;
+      all_rows.reserve(c.unknowns.size() * 2);
+      int *const outer = upper.outerIndexPtr();
+      outer[0]         = 0;
+      for (int q = 0; q < n; ++q)
+        {
+          rows.clear();
+          const auto column = static_cast<std::size_t>(q);
+          for (std::size_t k = c.element_start[column];
+               k < c.element_start[column + 1];
+               ++k)
+            {
+              const auto e = static_cast<std::size_t>(c.elements[k]);
+              for (std::size_t j = c.start[e]; j < c.start[e + 1]; ++j)
+                {
+                  const int p = c.unknowns[j];
+                  if (p > q)
+                    break;
+                  if (last_seen[static_cast<std::size_t>(p)] != q)
+                    {
+                      last_seen[static_cast<std::size_t>(p)] = q;
+                      rows.push_back(p);
+                    }
+                }
+            }
+          if (rows.empty())
+            rows.push_back(q);
+          std::sort(rows.begin(), rows.end());
+          all_rows.insert(all_rows.end(), rows.begin(), rows.end());
+          outer[q + 1] = static_cast<int>(all_rows.size());
+        }
+      upper.resizeNonZeros(static_cast<Eigen::Index>(all_rows.size()));
+      std::copy(all_rows.begin(), all_rows.end(), upper.innerIndexPtr());
+      std::fill_n(upper.valuePtr(), all_rows.size(), 0.);
+      return upper;
+    }
+
+    /** Adds an element; `unknowns` ascend, `order` are their places in it. */
+    void
+    scatter(const std::vector<Eigen::Index>  &unknowns,
+            const std::vector<Eigen::Index>  &order,
+            const double                     *matrix,
+            Eigen::SparseMatrix<double>      &upper)
+    {
+      const std::size_t n     = unknowns.size();
+      const int *const  outer = upper.outerIndexPtr();
+      const int *const  inner = upper.innerIndexPtr();
+      for (std::size_t b = 0; b < n; ++b)
+        {
+          int                 place = outer[unknowns[b]];
+          const double *const row =
+            matrix + order[b] * static_cast<Eigen::Index>(n);
+          for (std::size_t a = 0; a <= b; ++a, ++place)
+            {
+              while (inner[place] != unknowns[a])
+                ++place;
+              upper.valuePtr()[place] += row[order[a]];
+            }
+        }
+    }
+  } // namespace
+
+  ElasticSystem::ElasticSystem(const Bodies &b)
+    : bodies(b)
+    , dof_offset(1, 0)
+  {
+    for (const Structure *structure : bodies.structures)
+      dof_offset.push_back(dof_offset.back() + structure->n_dofs());
+    for (std::size_t s = 0; s < bodies.supports.size(); ++s)
+      {
+        const Support &support = bodies.supports[s];
+        if (!support.stiffness)
+          continue;
+        const auto offset = static_cast<unsigned int>(dof_offset[support.body]);
+        bodies.structures[support.body]->visit_springs(
+          support.ids,
+          [&](const Point<3> &p, const Tensor<1, 3> &normal) {
+            return support.spring(p, normal);
+          },
+          [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+            Spring spring{dofs, {matrix, matrix + dofs.size() * dofs.size()}, s};
+            for (unsigned int &dof : spring.dofs)
+              dof += offset;
+            springs.push_back(std::move(spring));
+          });
+      }
+  }
+
+  void
+  ElasticSystem::for_each_element(const ElementVisitor &visit) const
+  {
+    std::vector<unsigned int> shifted;
+    for (std::size_t body = 0; body < bodies.structures.size(); ++body)
+      {
+        const auto offset = static_cast<unsigned int>(dof_offset[body]);
+        if (offset == 0)
+          bodies.structures[body]->for_each_element(visit);
+        else
+          bodies.structures[body]->for_each_element(
+            [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+              shifted = dofs;
+              for (unsigned int &dof : shifted)
+                dof += offset;
+              visit(shifted, matrix);
+            });
+      }
+    for (const Spring &spring : springs)
+      visit(spring.dofs, spring.matrix.data());
+  }
+
+  Eigen::VectorXd
+  ElasticSystem::internal_forces(const Eigen::VectorXd &u) const
+  {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), local;
+    for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        multiply(dofs, matrix, u, local, f);
+      });
+    return f;
+  }
+
+  Eigen::VectorXd
+  ElasticSystem::spring_forces(const Eigen::VectorXd &u) const
+  {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), local;
+    for (const Spring &spring : springs)
+      multiply(spring.dofs, spring.matrix.data(), u, local, f);
+    return f;
+  }
+
+  Eigen::VectorXd
+  ElasticSystem::ground_forces(const double t) const
+  {
+    Eigen::VectorXd ground = Eigen::VectorXd::Zero(dof_offset.back()), local;
+    Eigen::VectorXd f      = ground;
+    for (std::size_t s = 0; s < bodies.supports.size(); ++s)
+      {
+        const Support &support = bodies.supports[s];
+        if (!support.stiffness)
+          continue;
+        ground.setZero();
+        const Structure &structure = *bodies.structures[support.body];
+        const auto       surface   = structure.surface(support.ids);
+        for (const SurfaceNode &node : surface.nodes)
+          {
+            const auto   along = support.directions_at(node.normal);
+            Tensor<1, 3> motion;
+            for (std::size_t e = 0; e < along.size(); ++e)
+              motion +=
+                support.displacement[e](node.position, t) * along[e];
+            for (unsigned int c = 0; c < bodies.dim; ++c)
+              ground[dof_offset[support.body] +
+                     node.node *
+                       static_cast<Eigen::Index>(structure.n_components()) +
+                     c] = motion[c];
+          }
+        for (const HangingNode &hanging : structure.hanging_nodes())
+          for (unsigned int c = 0; c < bodies.dim; ++c)
+            {
+              const auto dof = [&](const unsigned int node) {
+                return dof_offset[support.body] +
+                       node *
+                         static_cast<Eigen::Index>(structure.n_components()) +
+                       c;
+              };
+              for (const auto &[master, weight] : hanging.masters)
+                ground[dof(hanging.node)] += weight * ground[dof(master)];
+            }
+        for (const Spring &spring : springs)
+          if (spring.support == s)
+            multiply(spring.dofs, spring.matrix.data(), ground, local, f);
+      }
+    return f;
+  }
+
+  Eigen::SparseMatrix<double>
+  assemble(const ElasticSystem &system, const Coordinates &coordinates)
+  {
+    Eigen::SparseMatrix<double> upper =
+      upper_pattern(connect(system, coordinates), coordinates.n_unknowns());
+
+    ElementReduction          reduction(coordinates);
+    ReducedElement            element;
+    std::vector<Eigen::Index> unknowns, order;
+    system.for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        const bool plain = is_plain(dofs, coordinates);
+        if (plain)
+          {
+            unknowns.resize(dofs.size());
+            for (std::size_t i = 0; i < dofs.size(); ++i)
+              unknowns[i] = coordinates.row(dofs[i]).first->unknown;
+          }
+        else
+          {
+            reduction.reduce(dofs, matrix, element);
+            unknowns = element.unknowns;
+          }
+        order.resize(unknowns.size());
+        for (std::size_t i = 0; i < order.size(); ++i)
+          order[i] = static_cast<Eigen::Index>(i);
+        if (plain)
+          {
+            std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+              return unknowns[static_cast<std::size_t>(a)] <
+                     unknowns[static_cast<std::size_t>(b)];
+            });
+            std::sort(unknowns.begin(), unknowns.end());
+          }
+        scatter(unknowns,
+                order,
+                plain ? matrix : element.matrix.data(),
+                upper);
+      });
+    return upper;
+  }
+} // namespace conetact

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/node_rules.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Directions closer than this (as a sine) are the same. */
+    constexpr double same_direction = 1e-9;
+
+    Tensor<1, 3>
+    remainder(Tensor<1, 3> v, const std::vector<Tensor<1, 3>> &orthonormal)
+    {
+      for (const Tensor<1, 3> &e : orthonormal)
+        v -= (v * e) * e;
+      return v;
+    }
+
+    std::vector<Tensor<1, 3>>
+    directions(const std::vector<HeldDirection> &held)
+    {
+      std::vector<Tensor<1, 3>> result;
+      for (const HeldDirection &h : held)
+        result.push_back(h.direction);
+      return result;
+    }
+
+    /**
+     * Completes orthonormal directions to a basis of space. Axes come first,
+     * so that rollers along the axes leave the other axes as they are.
+     */
+    std::vector<Tensor<1, 3>>
+    complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
+    {
+      const std::size_t n_given = basis.size();
+      while (basis.size() < dim)
+        {
+          Tensor<1, 3> best;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              Tensor<1, 3> axis;
+              axis[d]                   = 1;
+              const Tensor<1, 3> beyond = remainder(axis, basis);
+              if (beyond.norm() > best.norm() + same_direction)
+                best = beyond;
+            }
+          basis.push_back(best / best.norm());
+        }
+      basis.erase(basis.begin(),
+                  basis.begin() + static_cast<std::ptrdiff_t>(n_given));
+      return basis;
+    }
+
+    void
+    add_cone(NodeRule &rule, const Tensor<1, 3> &tangent, const double scale)
+    {
+      rule.contact.push_back(scale * tangent);
+      rule.dual.push_back(tangent / scale);
+    }
+
+    /**
+     * Tangents that no support holds. The elliptic cone becomes a circular one
+     * of coefficient mu_1 in the coordinates (u_1, u_2 mu_2/mu_1), the forces
+     * (r_1, r_2 mu_1/mu_2): same work, [K] remark 3.3.
+     */
+    void
+    add_both_tangents(NodeRule &rule, const ContactNode &node)
+    {
+      rule.mu = node.mu_1 > 0 ? node.mu_1 : node.mu_2;
+      if (node.mu_1 > 0)
+        add_cone(rule, node.axis_1, 1);
+      else
+        rule.free.push_back(node.axis_1);
+      if (node.mu_2 > 0)
+        add_cone(rule, node.axis_2, rule.mu / node.mu_2);
+      else
+        rule.free.push_back(node.axis_2);
+    }
+
+    /** The one tangent that is left; mu is the cone's radius along it. */
+    void
+    add_one_tangent(NodeRule           &rule,
+                    const ContactNode  &node,
+                    const Tensor<1, 3> &tangent)
+    {
+      if (node.mu_1 == node.mu_2)
+        rule.mu = node.mu_1;
+      else if (node.mu_1 > 0 && node.mu_2 > 0)
+        rule.mu = 1 / std::hypot(tangent * node.axis_1 / node.mu_1,
+                                 tangent * node.axis_2 / node.mu_2);
+      if (rule.mu > 0)
+        add_cone(rule, tangent, 1);
+      else
+        rule.free.push_back(tangent);
+    }
+  } // namespace
+
+  NodeRules::NodeRules(const Bodies &b, const std::vector<double> &times)
+    : bodies(b)
+  {
+    std::map<std::pair<unsigned int, unsigned int>, NodeRule> rules;
+    const auto rule_of = [&](const unsigned int body,
+                             const unsigned int node) -> NodeRule & {
+      NodeRule &rule = rules[{body, node}];
+      rule.body      = body;
+      rule.node      = node;
+      return rule;
+    };
+
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (const HangingNode &h : bodies.structures[body]->hanging_nodes())
+        rule_of(body, h.node).masters = h.masters;
+
+    for (std::size_t s = 0; s < bodies.supports.size(); ++s)
+      {
+        const Support &support = bodies.supports[s];
+        if (support.stiffness)
+          continue;
+        const Surface surface =
+          bodies.structures[support.body]->surface(support.ids);
+        for (const SurfaceNode &node : surface.nodes)
+          {
+            const auto along = support.directions_at(node.normal);
+            for (std::size_t e = 0; e < along.size(); ++e)
+              hold(rule_of(support.body, node.node), {along[e], {{s, e, 1.}}});
+          }
+      }
+
+    for (const ContactNode &node : bodies.contact_nodes)
+      add_contact(rule_of(node.body, node.node), node);
+
+    for (auto &[key, rule] : rules)
+      {
+        if (rule.masters.empty() && rule.contact.empty())
+          rule.free = complement(directions(rule.held), bodies.dim);
+        sorted.push_back(std::move(rule));
+      }
+    check_redundant(times);
+  }
+
+  void
+  NodeRules::hold(NodeRule &rule, const HeldDirection &direction)
+  {
+    HeldDirection rest = direction;
+    for (const HeldDirection &held : rule.held)
+      {
+        const double overlap = direction.direction * held.direction;
+        rest.direction -= overlap * held.direction;
+        for (const HeldDirection::Term &term : held.terms)
+          rest.terms.push_back(
+            {term.support, term.expression, -overlap * term.factor});
+      }
+    const double length = rest.direction.norm();
+    if (length < same_direction)
+      {
+        redundant.push_back({rule.body, rule.node, direction});
+        return;
+      }
+    rest.direction /= length;
+    for (HeldDirection::Term &term : rest.terms)
+      term.factor /= length;
+    rule.held.push_back(rest);
+  }
+
+  void
+  NodeRules::add_contact(NodeRule &rule, const ContactNode &node)
+  {
+    const std::vector<Tensor<1, 3>> held = directions(rule.held);
+    const double normal_left = remainder(node.n, held).norm();
+    if (normal_left < same_direction)
+      {
+        ++n_held;
+        return;
+      }
+    if (normal_left < 1 - same_direction)
+      throw InputError(
+        "Support '" +
+        bodies.supports[rule.held.back().terms.front().support].name +
+        "' holds the contact node at " + to_text(node.position) + " of body '" +
+        bodies.names[node.body] + "' along " + to_text(held.back()) +
+        ", neither along its contact normal " + to_text(node.n) +
+        " nor across it. Take the node out of the support or of the contact.");
+
+    rule.contact_node = &node;
+    const unsigned int n_left =
+      bodies.dim - 1 - static_cast<unsigned int>(held.size());
+    if (n_left == 2)
+      add_both_tangents(rule, node);
+    else if (n_left == 1)
+      add_one_tangent(rule,
+                      node,
+                      bodies.dim == 2 ? node.t1 :
+                                        cross_product_3d(node.n, held[0]));
+    add_cone(rule, node.n, 1);
+  }
+
+  double
+  NodeRules::displacement(const HeldDirection &held,
+                          const Point<3>      &p,
+                          const double         t) const
+  {
+    double sum = 0;
+    for (const HeldDirection::Term &term : held.terms)
+      sum +=
+        term.factor *
+        bodies.supports[term.support].displacement[term.expression](p, t);
+    return sum;
+  }
+
+  void
+  NodeRules::check_redundant(const std::vector<double> &times) const
+  {
+    for (const Redundant &r : redundant)
+      {
+        const auto rule = std::lower_bound(
+          sorted.begin(),
+          sorted.end(),
+          std::make_pair(r.body, r.node),
+          [](const NodeRule &a, const std::pair<unsigned int, unsigned int> &b) {
+            return std::make_pair(a.body, a.node) < b;
+          });
+        const Point<3> p = bodies.structures[r.body]->position(r.node);
+        for (const double t : times)
+          {
+            const double wanted = displacement(r.held, p, t);
+            double       given = 0, size = std::abs(wanted);
+            for (const HeldDirection &held : rule->held)
+              {
+                const double u = displacement(held, p, t);
+                given += u * (held.direction * r.held.direction);
+                size = std::max(size, std::abs(u));
+              }
+            if (std::abs(given - wanted) > 1e-9 * size)
+              throw InputError(
+                "Support '" +
+                bodies.supports[r.held.terms.front().support].name +
+                "', Displacement: the node at " + to_text(p) + " of body '" +
+                bodies.names[r.body] + "' should move by " + to_text(wanted) +
+                " along " + to_text(r.held.direction) + " at t = " +
+                to_text(t) + ", but another support moves it by " +
+                to_text(given) + ". Let the supports agree where they meet.");
+          }
+      }
+  }
+} // namespace conetact

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/analysis.h"
+#include "conetact/application/command_line.h"
+#include "conetact/application/log.h"
+#include "conetact/application/scene.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/process.h"
+#include "conetact/base/text.h"
+#include "conetact/output/atomic_file.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <iostream>
+#include <new>
+#include <sstream>
+
+namespace
+{
+  using namespace conetact;
+
+  std::filesystem::path
+  make_folder(const CommandLine &line, const Scene &scene)
+  {
+    const std::filesystem::path folder =
+      line.folder.empty() ? std::filesystem::path("output") / scene.name() :
+                            line.folder;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || !std::filesystem::is_directory(folder))
+      throw WriteError("The folder " + folder.string() +
+                       " cannot be made: " + error.message() +
+                       ". Choose another one with -o.");
+    return folder;
+  }
+
+  void
+  run(const CommandLine &line)
+  {
+    Log   log(line.quiet);
+    Scene scene(line);
+    if (line.print_parameters)
+      {
+        std::cout << scene.documentation();
+        return;
+      }
+    ProcessSession::set_threads(scene.threads);
+    log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
+    scene.build();
+    log.time("bodies, obstacles, contacts");
+    Analysis analysis(scene, log);
+    log.time("contact nodes and supports");
+    analysis.report();
+    if (line.dry_run)
+      return;
+
+    const std::filesystem::path folder = make_folder(line, scene);
+    log.open(folder);
+    write_atomically(folder / "used.prm", scene.values());
+    analysis.run(folder, line.quiet);
+    log.say("Results are in " + folder.string());
+  }
+
+  int
+  say(const std::string &sentence, const int code)
+  {
+    std::cerr << "conetact: " << sentence << std::endl;
+    return code;
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  ProcessSession process;
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  try
+    {
+      const CommandLine line = parse_command_line(argc, argv);
+      if (line.answer.empty())
+        run(line);
+      else
+        std::cout << line.answer;
+      return 0;
+    }
+  catch (const InputError &error)
+    {
+      return say(error.what(), 1);
+    }
+  catch (const AnalysisError &error)
+    {
+      return say(error.what(), 2);
+    }
+  catch (const WriteError &error)
+    {
+      return say(error.what(), 3);
+    }
+  catch (const std::bad_alloc &)
+    {
+      return say("The scene needs more memory than there is. Use a coarser "
+                 "mesh or fewer contact nodes.",
+                 2);
+    }
+  catch (const dealii::ExceptionBase &error)
+    {
+      std::ostringstream text;
+      error.print_info(text);
+      return say("deal.II refuses the scene: " + one_line(text.str()), 1);
+    }
+  catch (const std::exception &error)
+    {
+      return say(error.what(), 1);
+    }
+}

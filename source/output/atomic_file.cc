@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/output/atomic_file.h"
+
+#include "conetact/base/errors.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace conetact
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    [[noreturn]] void
+    fail(const fs::path &file, const std::error_code &error)
+    {
+      throw WriteError("Cannot write " + file.string() + " (" +
+                       error.message() +
+                       "): free some disk space or choose another folder; "
+                       "what was written before is intact.");
+    }
+
+    [[noreturn]] void
+    fail(const fs::path &file)
+    {
+      fail(file, std::error_code(errno, std::generic_category()));
+    }
+
+    // POSIX calls, because streams hide why a write failed.
+    void
+    write_file(const fs::path &file, const std::string_view text)
+    {
+      const int fd =
+        ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+      if (fd < 0)
+        fail(file);
+      for (std::string_view rest = text; !rest.empty();)
+        {
+          const ssize_t n = ::write(fd, rest.data(), rest.size());
+          if (n < 0 && errno == EINTR)
+            continue;
+          if (n < 0)
+            {
+              const std::error_code error(errno, std::generic_category());
+              ::close(fd);
+              fail(file, error);
+            }
+          rest.remove_prefix(static_cast<std::size_t>(n));
+        }
+      // Some file systems report a full disk only here.
+      if (::close(fd) != 0)
+        fail(file);
+    }
+  } // namespace
+
+
+
+  void
+  write_atomically(const fs::path                              &file,
+                   const std::function<void(const fs::path &)> &write)
+  {
+    const fs::path  temporary = file.string() + ".tmp";
+    std::error_code error;
+    try
+      {
+        write(temporary);
+        fs::rename(temporary, file, error);
+        if (error)
+          fail(file, error);
+      }
+    catch (...)
+      {
+        fs::remove(temporary, error);
+        throw;
+      }
+  }
+
+
+
+  void
+  write_atomically(const fs::path &file, const std::string_view text)
+  {
+    write_atomically(file, [text](const fs::path &temporary) {
+      write_file(temporary, text);
+    });
+  }
+} // namespace conetact

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/output/csv.h"
+
+#include "conetact/base/errors.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace conetact
+{
+  void
+  append_number(std::string &text, const double number)
+  {
+    if (number == 0.) // most entries of a table; and no -0
+      {
+        text += '0';
+        return;
+      }
+    std::array<char, 32> buffer;
+    const auto           end = std::to_chars(buffer.data(),
+                                   buffer.data() + buffer.size(),
+                                   number,
+                                   std::chars_format::general,
+                                   15)
+                       .ptr;
+    text.append(buffer.data(), end);
+  }
+
+
+
+  const char *
+  state_name(const NodeState state)
+  {
+    switch (state)
+      {
+        case NodeState::open:
+          return "open";
+        case NodeState::stick:
+          return "stick";
+        case NodeState::slip:
+          return "slip";
+      }
+    return "";
+  }
+
+
+
+  std::string
+  safe_name(const std::string &name)
+  {
+    const auto is_safe = [](const char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+             (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    };
+    std::string safe = name;
+    std::replace_if(
+      safe.begin(), safe.end(), [&](const char c) { return !is_safe(c); }, '_');
+    return safe;
+  }
+
+
+
+  void
+  NoiseFloor::see(const double value)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+
+
+
+  double
+  NoiseFloor::clean(const double value) const
+  {
+    return std::abs(value) < 1e-9 * largest ? 0. : value;
+  }
+
+
+
+  CsvRow::CsvRow(std::string &table, const std::string &place)
+    : text(table)
+    , where(place)
+  {}
+
+
+
+  void
+  CsvRow::separate()
+  {
+    if (!first)
+      text += ',';
+    first = false;
+  }
+
+
+
+  void
+  CsvRow::add(const char *column, const double value)
+  {
+    if (!std::isfinite(value))
+      throw AnalysisError(where + ": the value of " + column +
+                          " is not a finite number; this increment is not "
+                          "written, all increments before it are.");
+    separate();
+    append_number(text, value);
+  }
+
+
+
+  void
+  CsvRow::add(const unsigned int value)
+  {
+    separate();
+    text += std::to_string(value);
+  }
+
+
+
+  void
+  CsvRow::add(const std::string &value)
+  {
+    separate();
+    text += value;
+  }
+
+
+
+  void
+  CsvRow::end()
+  {
+    text += '\n';
+  }
+} // namespace conetact

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/output/output.h"
+
+#include "conetact/output/graphics.h"
+#include "conetact/output/increment_table.h"
+#include "conetact/output/reaction_table.h"
+
+namespace conetact
+{
+  namespace
+  {
+    template <typename T>
+    std::unique_ptr<Output>
+    create(const RunDescription &run)
+    {
+      return std::make_unique<T>(run);
+    }
+  } // namespace
+
+
+
+  // In this order they write: tables first, for a picture may fill the disk.
+  const std::vector<OutputRow> &
+  output_table()
+  {
+    static const std::vector<OutputRow> table = {
+      {"reactions",
+       "reactions.csv: gap, displacements, reactions and state of each contact "
+       "node",
+       create<ReactionTable>},
+      {"increments",
+       "increments.csv: iterations, residuals, numbers of states and resultants",
+       create<IncrementTable>},
+      {"graphics",
+       "solution.pvd, contact.pvd and VTU files of bodies and contact nodes",
+       create<Graphics>}};
+    return table;
+  }
+} // namespace conetact

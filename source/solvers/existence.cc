@@ -1,0 +1,462 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/existence.h"
+
+#include "conetact/solvers/cone.h"
+#include "conetact/solvers/null_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace conetact
+{
+  using Eigen::Index;
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+
+  namespace
+  {
+    constexpr double negligible = 1e-10; ///< of a load: not a proof
+    constexpr double noise      = 1e-12; ///< of the largest force: round-off
+
+    /** A coefficient that stands for "no slip whatever the reaction". */
+    constexpr double rough = std::numeric_limits<double>::infinity();
+
+
+
+    /** Projection on a friction cone and one element of its derivative. */
+    void
+    project_node(const SmallVector &x,
+                 const double       mu,
+                 SmallVector       &value,
+                 SmallMatrix       &derivative)
+    {
+      const Index  t = x.size() - 1;
+      const double a = x.head(t).norm(), n = x[t];
+      derivative.setZero(t + 1, t + 1);
+      value.setZero(t + 1);
+      if (mu == rough || mu == 0)
+        {
+          derivative.topLeftCorner(t, t).diagonal().setConstant(mu == 0 ? 0 :
+                                                                          1);
+          derivative(t, t) = n > 0 ? 1 : 0;
+          value            = derivative * x;
+        }
+      else if (a <= mu * n)
+        {
+          derivative.setIdentity(t + 1, t + 1);
+          value = x;
+        }
+      else if (mu * a > -n) // the mantle
+        {
+          const double      height = (mu * a + n) / (1 + mu * mu);
+          const SmallVector e      = x.head(t) / a;
+          SmallVector       ray(t + 1);
+          ray << mu * e, 1;
+          value      = height * ray;
+          derivative = ray * ray.transpose() / (1 + mu * mu);
+          derivative.topLeftCorner(t, t) +=
+            mu * height / a * (SmallMatrix::Identity(t, t) - e * e.transpose());
+        }
+    }
+  } // namespace
+
+
+
+  /** The nearest resultant that reactions can reach: z = R^T r + c. */
+  struct ExistenceCheck::Reach
+  {
+    VectorXd z;
+    VectorXd r;
+  };
+
+
+
+  namespace
+  {
+    /**
+     * One proximal step: z = c + R^T P(r - sigma R z), the gradient of a
+     * strongly convex function of z. Writes the new r.
+     */
+    class ProximalStep
+    {
+    public:
+      ProximalStep(const ContactSystem &layout,
+                   const MatrixXd      &null_space,
+                   const VectorXd      &load,
+                   const VectorXd      &friction)
+        : system(layout)
+        , R(null_space)
+        , c(load)
+        , mu(friction)
+      {}
+
+      void
+      solve(const double sigma, VectorXd &z, VectorXd &r)
+      {
+        const VectorXd old = r;
+        evaluate(sigma, old, z);
+        for (unsigned int i = 0; i < 50; ++i)
+          {
+            const double size = gradient.norm();
+            if (size <= 2e-15 * (1 + sigma * z.norm()))
+              break;
+            const VectorXd step  = -hessian.ldlt().solve(gradient);
+            const double   slope = gradient.dot(step);
+            const double   start = value;
+            const VectorXd from  = z;
+            for (double tau = 1; tau > 1e-12; tau *= .5)
+              {
+                z = from + tau * step;
+                evaluate(sigma, old, z);
+                // near the end the value is round-off, the gradient is not
+                if (value <= start + 1e-4 * tau * slope ||
+                    gradient.norm() <= .5 * size)
+                  break;
+              }
+            if (-slope <= 1e-14 * start && gradient.norm() > .5 * size)
+              break; // round-off
+          }
+        r = projected;
+      }
+
+    private:
+      void
+      evaluate(const double sigma, const VectorXd &r, const VectorXd &z)
+      {
+        const VectorXd x = r - sigma * (R * z);
+        projected.resize(x.size());
+        hessian = MatrixXd::Identity(z.size(), z.size());
+        SmallVector p;
+        SmallMatrix D;
+        for (Index i = 0; i < system.n_nodes(); ++i)
+          {
+            const Index begin = system.first[i],
+                        size  = system.first[i + 1] - begin;
+            project_node(x.segment(begin, size), mu[i], p, D);
+            projected.segment(begin, size) = p;
+            if (p.isZero(0))
+              continue;
+            const auto rows = R.middleRows(begin, size);
+            hessian.noalias() += sigma * rows.transpose() * (D * rows).eval();
+          }
+        gradient = z - c - R.transpose() * projected;
+        value    = .5 * z.squaredNorm() - c.dot(z) +
+                projected.squaredNorm() / (2 * sigma);
+      }
+
+      const ContactSystem &system;
+      const MatrixXd      &R;
+      const VectorXd      &c;
+      const VectorXd      &mu;
+
+      VectorXd projected, gradient;
+      MatrixXd hessian;
+      double   value = 0;
+    };
+  } // namespace
+
+
+
+  ExistenceCheck::ExistenceCheck(std::shared_ptr<const ContactSystem> layout,
+                                 std::vector<Frame> node_frames)
+    : system(std::move(layout))
+    , frames(std::move(node_frames))
+    , R(system->n_unknowns(), 0)
+  {
+    if (system->form == Form::stiffness && system->null_space.cols() > 0)
+      R = orthonormal_basis(system->null_space);
+  }
+
+
+
+  ExistenceCheck::Reach
+  ExistenceCheck::reach(const VectorXd &c, const VectorXd &mu) const
+  {
+    Reach        result{c, VectorXd::Zero(R.rows())};
+    const double size = c.norm();
+    if (!(size > 0))
+      return result;
+    const VectorXd unit = c / size;
+    ProximalStep   step(*system, R, unit, mu);
+    VectorXd       z = unit, &r = result.r;
+    double         sigma = 1;
+    for (unsigned int i = 0; i < 60; ++i)
+      {
+        const VectorXd old = r;
+        step.solve(sigma, z, r);
+        // by how much z fails to prove that it is the nearest
+        const double error = (r - old).norm() / sigma;
+        if (z.norm() <= 1e-13 || error <= 1e-14 * z.norm())
+          break;
+        // sigma z, not sigma, decides on speed and on cancellation
+        sigma = std::min(10 * sigma, 1e3 / z.norm());
+      }
+    r *= size;
+    result.z = z * size;
+    return result;
+  }
+
+
+
+  bool
+  ExistenceCheck::proves(const VectorXd &w, const VectorXd &c) const
+  {
+    const VectorXd v    = R * w;
+    const double   size = v.lpNorm<Eigen::Infinity>();
+    for (Index i = 0; i < system->n_nodes(); ++i)
+      {
+        const Index  t    = system->n_tangents(i);
+        const double slip = v.segment(system->first[i], t).norm();
+        if (v[system->normal(i)] < system->mu[i] * slip - 1e-9 * size)
+          return false;
+      }
+    return c.dot(w) > 0;
+  }
+
+
+
+  /* A small z has lost digits to the load it was left over from. Seen as a
+     load of its own it is reached by nothing: its nearest point is the cone's
+     vertex, up to exactly these digits. */
+  VectorXd
+  ExistenceCheck::sharpen(const VectorXd &z) const
+  {
+    return reach(z, system->mu).z.normalized();
+  }
+
+
+
+  /* Newton's method on the distance along a line: it is convex, so that the
+     zeros of its tangents come down to the limit from above. */
+  double
+  ExistenceCheck::limit(const VectorXd &from,
+                        const VectorXd &to,
+                        VectorXd       &w) const
+  {
+    const VectorXd rate = to - from;
+    double         s    = 1;
+    for (unsigned int i = 0; i < 100; ++i)
+      {
+        const double slope = rate.dot(w);
+        const double next  = slope > 0 ? -from.dot(w) / slope : 0.;
+        if (!(next > 0))
+          return 0;
+        if (next >= s * (1 - 1e-15))
+          return s;
+        s                = next;
+        const VectorXd c = from + s * rate;
+        const VectorXd z = reach(c, system->mu).z;
+        // the direction of a smaller remainder would mean little
+        if (z.norm() <= 1e-9 * c.norm())
+          return s;
+        w = sharpen(z);
+      }
+    return s;
+  }
+
+
+
+  /* The distance falls with the friction; its derivative is what the reactions
+     at their cones' mantle would gain. */
+  void
+  ExistenceCheck::find_needed_friction(const VectorXd &c,
+                                       Existence      &result) const
+  {
+    const double   zero = noise * c.norm();
+    const double   most = system->mu.maxCoeff();
+    const VectorXd mu =
+      most > 0 ? system->mu : VectorXd::Ones(system->mu.size());
+    const VectorXd no_slip =
+      mu.unaryExpr([](const double m) { return m > 0 ? rough : 0.; });
+    if (reach(c, no_slip).z.norm() > 100 * zero)
+      return;
+
+    double low = most > 0 ? 1 : 0, high = std::max(2 * low, 1.);
+    while (reach(c, high * mu).z.norm() > zero)
+      {
+        low = high;
+        if ((high *= 2) * mu.maxCoeff() > 1e6)
+          return;
+      }
+    double factor = .5 * (low + high);
+    for (unsigned int i = 0; i < 100 && high - low > 1e-12 * high; ++i)
+      {
+        const Reach  at       = reach(c, factor * mu);
+        const double distance = at.z.norm();
+        if (distance <= zero)
+          {
+            high   = factor;
+            factor = .5 * (low + high);
+            continue;
+          }
+        low                 = factor;
+        const VectorXd v    = R * at.z / distance;
+        double         gain = 0;
+        for (Index j = 0; j < system->n_nodes(); ++j)
+          {
+            const Index begin = system->first[j], t = system->n_tangents(j);
+            gain -= v.segment(begin, t).dot(at.r.segment(begin, t)) / factor;
+          }
+        const double step = distance / gain;
+        if (step > 0 && step <= 1e-11 * factor)
+          high = std::min(high, factor + step);
+        factor = step > 0 && low + step < high ? low + step : .5 * (low + high);
+      }
+    if (most > 0)
+      result.friction_factor = high;
+    result.friction_needed = high * mu.maxCoeff();
+  }
+
+
+
+  /* The resultants of a load that presses all contacts alike: where a load
+     has no start of its own, its limit on the way from here names the motion.
+   */
+  VectorXd
+  ExistenceCheck::even_pressure(const double force) const
+  {
+    VectorXd sum = VectorXd::Zero(R.cols());
+    for (Index i = 0; i < system->n_nodes(); ++i)
+      sum -= R.row(system->normal(i)).transpose();
+    return sum.norm() > 1e-6 ? VectorXd(sum * (force / sum.norm())) : sum;
+  }
+
+
+
+  Existence
+  ExistenceCheck::check(const VectorXd &load,
+                        const VectorXd &start,
+                        const double    reference_force) const
+  {
+    Existence result;
+    if (R.cols() == 0)
+      return result;
+    const VectorXd c     = R.transpose() * load;
+    const VectorXd c0    = R.transpose() * start;
+    const double   floor = noise * std::max(reference_force, load.norm());
+    if (c.norm() <= floor)
+      return result;
+    const VectorXd z = reach(c, system->mu).z;
+    result.distance  = z.norm();
+    if (result.distance <= std::max(negligible * c.norm(), floor))
+      return result;
+    const VectorXd w = sharpen(z);
+    if (!proves(w, c))
+      return result;
+
+    result.admissible = false;
+    result.w          = w;
+    result.fraction   = c0.norm() > floor ? limit(c0, c, result.w) : 0.;
+    if (result.fraction < 1e-9)
+      {
+        result.fraction = 0;
+        result.w        = w;
+        find_needed_friction(c, result);
+        // a load that pulls all contacts open does not slide first
+        name_motion(result);
+        if (result.motion != Motion::lifts_off)
+          limit(even_pressure(c.norm()), c, result.w);
+      }
+    if (!proves(result.w, c))
+      result.w = w;
+    name_motion(result);
+    return result;
+  }
+
+
+
+  void
+  ExistenceCheck::name_motion(Existence &result) const
+  {
+    VectorXd &v = result.v;
+    v           = R * result.w;
+    result.w /= v.lpNorm<Eigen::Infinity>();
+    v /= v.lpNorm<Eigen::Infinity>();
+    result.moving = moving_nodes(v);
+    result.tight.clear();
+    for (const Index i : result.moving)
+      {
+        const double slip =
+          v.segment(system->first[i], system->n_tangents(i)).norm();
+        if (v[system->normal(i)] <= system->mu[i] * slip + 1e-6)
+          result.tight.push_back(i);
+      }
+    if (result.tight.empty())
+      result.motion = Motion::lifts_off;
+    else if (is_translation(v, result.tight))
+      result.motion = Motion::slides;
+    else
+      result.motion = result.tight.size() == result.moving.size() ?
+                        Motion::turns :
+                        Motion::tips;
+  }
+
+
+
+  /* All nodes of the body with the largest motion, those at rest included:
+     nodes that R R^T couples, directly or through others. */
+  std::vector<Index>
+  ExistenceCheck::moving_nodes(const VectorXd &v) const
+  {
+    Index       largest = 0, start = 0;
+    const Index n = system->n_nodes();
+    v.cwiseAbs().maxCoeff(&largest);
+    while (system->first[start + 1] <= largest)
+      ++start;
+    std::vector<char>  seen(static_cast<std::size_t>(n), 0);
+    std::vector<Index> queue              = {start};
+    seen[static_cast<std::size_t>(start)] = 1;
+    for (std::size_t k = 0; k < queue.size() && Index(queue.size()) < n; ++k)
+      {
+        const Index    i = queue[k], size = system->n_tangents(i) + 1;
+        const auto     own     = R.middleRows(system->first[i], size);
+        const MatrixXd coupled = R * own.transpose();
+        for (Index j = 0; j < n; ++j)
+          {
+            const Index begin = system->first[j],
+                        rows  = system->first[j + 1] - begin;
+            if (!seen[static_cast<std::size_t>(j)] &&
+                coupled.middleRows(begin, rows).norm() >
+                  1e-10 * own.norm() * R.middleRows(begin, rows).norm())
+              {
+                seen[static_cast<std::size_t>(j)] = 1;
+                queue.push_back(j);
+              }
+          }
+      }
+    std::sort(queue.begin(), queue.end());
+    return queue;
+  }
+
+
+
+  bool
+  ExistenceCheck::is_translation(const VectorXd           &v,
+                                 const std::vector<Index> &nodes) const
+  {
+    const auto motion = [&](const Index i) -> SmallVector {
+      return v.segment(system->first[i], system->n_tangents(i) + 1);
+    };
+    Index reference = nodes[0];
+    for (const Index i : nodes)
+      if (system->n_tangents(i) > system->n_tangents(reference))
+        reference = i;
+    const SmallVector u = motion(reference);
+    if (u.norm() < 1e-6)
+      return false;
+    for (const Index i : nodes)
+      {
+        SmallVector expected = u.tail(std::min(u.size(), motion(i).size()));
+        if (!frames.empty())
+          expected = frames[static_cast<std::size_t>(i)].transpose() *
+                     (frames[static_cast<std::size_t>(reference)] * u);
+        if ((motion(i).tail(expected.size()) - expected).norm() > 1e-6)
+          return false;
+      }
+    return true;
+  }
+} // namespace conetact

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/null_space.h"
+
+#include <cmath>
+#include <utility>
+
+namespace conetact
+{
+  namespace
+  {
+    /** P^T A P = [L; M] [L; M]^T + (what is below the tolerance). */
+    struct PivotedCholesky
+    {
+      Eigen::MatrixXd                          factor; ///< n x rank
+      Eigen::PermutationMatrix<Eigen::Dynamic> order;
+      Eigen::Index                             rank = 0;
+    };
+
+
+
+    PivotedCholesky
+    factorize(Eigen::MatrixXd A, const double tolerance)
+    {
+      const Eigen::Index n = A.rows();
+      PivotedCholesky    result;
+      result.order.setIdentity(n);
+      auto &order = result.order.indices();
+      for (; result.rank < n; ++result.rank)
+        {
+          const Eigen::Index k    = result.rank;
+          Eigen::Index       best = 0;
+          if (A.diagonal().tail(n - k).maxCoeff(&best) <= tolerance)
+            break;
+          best += k;
+          if (best != k)
+            {
+              A.row(k).swap(A.row(best));
+              A.col(k).swap(A.col(best));
+              std::swap(order[k], order[best]);
+            }
+          const Eigen::Index m = n - k - 1;
+          A.col(k).tail(m + 1) /= std::sqrt(A(k, k));
+          A.bottomRightCorner(m, m).selfadjointView<Eigen::Lower>().rankUpdate(
+            A.col(k).tail(m), -1.);
+          // both triangles are kept for the exchanges
+          for (Eigen::Index j = k + 1; j < n; ++j)
+            A.row(j).tail(n - j) = A.col(j).tail(n - j).transpose();
+        }
+      result.factor = A.leftCols(result.rank);
+      return result;
+    }
+  } // namespace
+
+
+
+  Eigen::MatrixXd
+  orthonormal_basis(const Eigen::MatrixXd &columns, const double tolerance)
+  {
+    if (columns.cols() == 0)
+      return columns;
+    // columns of different units (translations, rotations) count alike
+    Eigen::MatrixXd scaled = columns;
+    for (Eigen::Index j = 0; j < scaled.cols(); ++j)
+      if (scaled.col(j).squaredNorm() > 0)
+        scaled.col(j).normalize();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
+    qr.setThreshold(tolerance);
+    return Eigen::MatrixXd(
+      qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank()));
+  }
+
+
+
+  Eigen::MatrixXd
+  null_space_basis(const Eigen::MatrixXd &K, const double tolerance)
+  {
+    const Eigen::Index n    = K.rows();
+    const double       zero = tolerance * tolerance * K.diagonal().maxCoeff();
+    const Eigen::VectorXd scale = K.diagonal().unaryExpr(
+      [zero](const double d) { return d > zero ? 1 / std::sqrt(d) : 0.; });
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * K * scale.asDiagonal();
+
+    const PivotedCholesky cholesky = factorize(scaled, tolerance);
+    const Eigen::Index    rank = cholesky.rank, k = n - rank;
+    const auto L = cholesky.factor.topRows(rank).triangularView<Eigen::Lower>();
+
+    // [L; M] [L; M]^T (-L^-T M^T; I) = 0
+    Eigen::MatrixXd basis(n, k);
+    basis.bottomRows(k).setIdentity();
+    basis.topRows(rank) =
+      -L.transpose().solve(cholesky.factor.bottomRows(k).transpose());
+    // one step of refinement with the leading block
+    const Eigen::MatrixXd permuted =
+      cholesky.order.transpose() * scaled * cholesky.order;
+    Eigen::MatrixXd residual = permuted.topRows(rank) * basis;
+    L.solveInPlace(residual);
+    L.transpose().solveInPlace(residual);
+    basis.topRows(rank) -= residual;
+
+    basis = cholesky.order * basis;
+    // entries without any stiffness move freely
+    for (Eigen::Index i = 0; i < n; ++i)
+      basis.row(i) *= scale[i] > 0 ? scale[i] : 1.;
+    return orthonormal_basis(basis, 1e-14);
+  }
+} // namespace conetact

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/structures/body_table.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/structures/continuum.h"
+#include "conetact/structures/grids.h"
+
+#include <deal.II/grid/tria.h>
+
+namespace conetact
+{
+  using dealii::ParameterHandler;
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    /** "continuum|frame" and a list with descriptions for the manual. */
+    template <class Row>
+    std::pair<std::string, std::string>
+    choices(const std::vector<Row> &table)
+    {
+      std::pair<std::string, std::string> result;
+      for (const Row &row : table)
+        {
+          const bool first = result.first.empty();
+          result.first += (first ? "" : "|") + std::string(row.name);
+          result.second += (first ? "" : "; ") + std::string(row.name) + ": " +
+                           row.description;
+        }
+      return result;
+    }
+
+    template <class Row>
+    const Row &
+    find_row(const std::vector<Row> &table, const std::string &name)
+    {
+      for (const Row &row : table)
+        if (row.name == name)
+          return row;
+      throw InputError("There is no '" + name + "'."); // a pattern forbids it
+    }
+
+
+
+    void
+    declare_continuum(ParameterHandler &prm)
+    {
+      const auto elements = choices(element_table<2>());
+      prm.declare_entry("Element",
+                        element_table<2>().front().name,
+                        Patterns::Selection(elements.first),
+                        "Kind of elements. " + elements.second + ". [-]");
+      declare_mesh(prm);
+      declare_material(prm);
+    }
+
+    template <int dim>
+    std::unique_ptr<Structure>
+    make_continuum(const MeshParameters  &mesh,
+                   const ElasticMaterial &material,
+                   const std::string     &element)
+    {
+      return std::make_unique<Continuum<dim>>(make_mesh<dim>(mesh),
+                                              material,
+                                              find_row(element_table<dim>(),
+                                                       element));
+    }
+
+    std::unique_ptr<Structure>
+    create_continuum(ParameterHandler            &prm,
+                     const unsigned int           dim,
+                     const std::filesystem::path &folder,
+                     const std::string           &name)
+    {
+      const std::string     body     = "Body '" + name + "'";
+      const std::string     element  = prm.get("Element");
+      const ElasticMaterial material = parse_material(prm, body);
+      const MeshParameters  mesh     = parse_mesh(prm, dim, folder, body);
+      switch (dim)
+        {
+          case 2:
+            return make_continuum<2>(mesh, material, element);
+          case 3:
+            return make_continuum<3>(mesh, material, element);
+          default:
+            throw InputError("Dimension: " + std::to_string(dim) +
+                             " is neither 2 nor 3.");
+        }
+    }
+  } // namespace
+
+  const std::vector<BodyRow> &
+  body_table()
+  {
+    static const std::vector<BodyRow> table = {
+      {"continuum",
+       "linear elastic solid on a mesh of quadrilaterals or hexahedra",
+       &declare_continuum,
+       &create_continuum}};
+    return table;
+  }
+
+  void
+  declare_body(ParameterHandler &prm)
+  {
+    const auto kinds = choices(body_table());
+    prm.declare_entry("Kind",
+                      body_table().front().name,
+                      Patterns::Selection(kinds.first),
+                      "Kind of body. " + kinds.second + ". [-]");
+    for (const BodyRow &row : body_table())
+      row.declare(prm);
+  }
+
+  std::unique_ptr<Structure>
+  create_body(ParameterHandler            &prm,
+              const unsigned int           dim,
+              const std::filesystem::path &folder,
+              const std::string           &name)
+  {
+    return find_row(body_table(), prm.get("Kind"))
+      .create(prm, dim, folder, name);
+  }
+} // namespace conetact

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/structures/continuum_matrices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Bytes of matrices that belong to one cell only and are kept. */
+    constexpr std::size_t room_for_single_cells = 256u << 20;
+
+    /** Vertices relative to the first one, and how exactly they are known. */
+    template <int dim>
+    struct Outline
+    {
+      std::array<double, dim *((1 << dim) - 1)> x;
+      double                                    tolerance;
+
+      explicit Outline(const std::array<Point<dim>, (1 << dim)> &vertices)
+      {
+        double size = 0, distance = 0;
+        for (unsigned int i = 0; i < x.size(); ++i)
+          {
+            x[i]     = vertices[1 + i / dim][i % dim] - vertices[0][i % dim];
+            size     = std::max(size, std::abs(x[i]));
+            distance = std::max(distance, std::abs(vertices[0][i % dim]));
+          }
+        // round-off of the coordinates themselves
+        tolerance =
+          1e-12 * size + 8 * std::numeric_limits<double>::epsilon() * distance;
+      }
+
+      /** A number that is (nearly) equal for congruent cells only. */
+      double
+      key() const
+      {
+        double key = 0;
+        for (unsigned int i = 0; i < x.size(); ++i)
+          key += x[i] * std::cos(1. + 3. * i);
+        return key;
+      }
+
+      bool
+      equals(const Outline &other) const
+      {
+        for (unsigned int i = 0; i < x.size(); ++i)
+          if (!(std::abs(x[i] - other.x[i]) <= tolerance))
+            return false;
+        return true;
+      }
+    };
+  } // namespace
+
+  template <int dim>
+  CellMatrices<dim>::CellMatrices(
+    const ContinuumMesh<dim>           &of_mesh,
+    const Element                      &formulation,
+    const typename Element::Elasticity &elasticity)
+    : mesh(of_mesh)
+    , element(formulation)
+    , c(elasticity)
+  {
+    find_shapes();
+    keep_matrices();
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::find_shapes()
+  {
+    std::vector<Outline<dim>>           known;
+    std::multimap<double, unsigned int> by_key;
+    shape_of_cell.reserve(mesh.cells.size());
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      {
+        const Outline<dim> outline(mesh.vertices(mesh.cells[cell]));
+        unsigned int       shape = cell > 0 ? shape_of_cell.back() : 0;
+        if (known.empty() || !outline.equals(known[shape]))
+          {
+            const double key   = outline.key();
+            const double range = outline.tolerance * outline.x.size();
+            const auto   end   = by_key.upper_bound(key + range);
+            const auto   found =
+              std::find_if(by_key.lower_bound(key - range),
+                           end,
+                           [&](const auto &entry) {
+                             return outline.equals(known[entry.second]);
+                           });
+            shape = found != end ? found->second : n_shapes();
+            if (found == end)
+              {
+                known.push_back(outline);
+                shapes.push_back({cell});
+                by_key.emplace(key, shape);
+              }
+          }
+        shape_of_cell.push_back(shape);
+        ++shapes[shape].n_cells;
+      }
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::keep_matrices()
+  {
+    std::size_t room = room_for_single_cells / sizeof(typename Element::Matrix);
+    for (Shape &shape : shapes)
+      if (shape.n_cells > 1 || room > 0)
+        {
+          room -= shape.n_cells == 1;
+          shape.matrix = static_cast<int>(matrices.size());
+          matrices.push_back(compute(shape.first_cell));
+        }
+  }
+
+  template <int dim>
+  typename ElementFormulation<dim>::Matrix
+  CellMatrices<dim>::compute(const unsigned int cell) const
+  {
+    return element.stiffness(mesh.vertices(mesh.cells[cell]), c);
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::for_each(const ElementVisitor &visit) const
+  {
+    std::vector<unsigned int> dofs(Element::n_dofs);
+    typename Element::Matrix  single;
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      {
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          dofs[i] = dim * mesh.cells[cell][i / dim] + i % dim;
+        const int matrix = shapes[shape_of_cell[cell]].matrix;
+        if (matrix < 0)
+          single = compute(cell);
+        visit(dofs,
+              matrix < 0 ? single.data() :
+                           matrices[static_cast<std::size_t>(matrix)].data());
+      }
+  }
+
+  template class CellMatrices<2>;
+  template class CellMatrices<3>;
+} // namespace conetact

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/structures/mesh_parameters.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  using dealii::ParameterHandler;
+  using dealii::Point;
+  using dealii::Tensor;
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    void
+    declare_source(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Generator",
+        "",
+        Patterns::Anything(),
+        "Name of a function of deal.II's GridGenerator that makes the mesh, "
+        "such as hyper_rectangle, subdivided_hyper_rectangle, hyper_ball or "
+        "plate_with_a_hole. Either this or File must be given. [-]");
+      prm.declare_entry(
+        "Arguments",
+        "",
+        Patterns::Anything(),
+        "All arguments of that function, also those with a default, "
+        "separated by ':'; the components of points and lists by ','. For "
+        "subdivided_hyper_rectangle: '50, 50 : 0, 0 : 80, 80 : true' (cells "
+        "a direction, two corners, boundary ids 0 to 3 for left, right, "
+        "bottom, top). [length]");
+      prm.declare_entry(
+        "File",
+        "",
+        Patterns::Anything(),
+        "A file with a mesh of quadrilaterals (2D) or hexahedra (3D), "
+        "relative to the scene's folder. Known by extension: Gmsh (.msh, "
+        "ASCII, versions 1, 2 and 4; physical groups of lines or surfaces "
+        "become boundary ids), .vtk, .vtu, .unv, .inp (Abaqus and UCD), .ucd, "
+        ".xda, .dbmesh, Tecplot's .dat. [length]");
+    }
+
+    void
+    declare_refinement(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Global refinements",
+        "0",
+        Patterns::Integer(0, 12),
+        "How many times each cell is divided in 4 (2D) or 8 (3D). Curved "
+        "bodies of a generator are refined to the curved shape. [-]");
+      prm.declare_entry(
+        "Refinement boxes",
+        "",
+        Patterns::Anything(),
+        "Boxes in which the mesh is refined further: two corners and the "
+        "number of divisions, 'x0, y0 : x1, y1 : levels ; ...' (3D: three "
+        "coordinates a corner), in the scene's coordinates. Cells that "
+        "reach into a box are refined; nodes that hang on a coarser cell "
+        "follow it. [length]");
+    }
+
+    void
+    declare_placement(ParameterHandler &prm)
+    {
+      prm.declare_entry("Scale",
+                        "1",
+                        Patterns::Anything(),
+                        "Factor on all coordinates of the mesh, above 0. The "
+                        "mesh is scaled, then rotated, then moved. [-]");
+      prm.declare_entry(
+        "Rotation",
+        "0",
+        Patterns::Anything(),
+        "Rotation about the origin, counter-clockwise: an angle about z, or "
+        "in 3D an axis and an angle, 'x, y, z, angle'. [degrees]");
+      prm.declare_entry("Translation",
+                        "0",
+                        Patterns::Anything(),
+                        "Where the origin moves, 'x, y' (2D) or 'x, y, z' "
+                        "(3D); 0 for nowhere. [length]");
+      prm.declare_entry(
+        "Boundary ids",
+        "",
+        Patterns::Anything(),
+        "Boundary ids of faces by conditions, 'id: condition ; ...', such as "
+        "'7: y > 79.9 && x < 40 ; 8: abs(x) < 1e-6': a face of the finished "
+        "mesh whose centre (x, y, z in the scene's coordinates) satisfies a "
+        "condition gets its id. Later ones win; other faces keep theirs. [-]");
+    }
+
+    /** Sine and cosine that are exact at multiples of a right angle. */
+    std::pair<double, double>
+    sine_cosine(const double degrees)
+    {
+      const double rest = std::remainder(degrees, 90.);
+      double       s    = std::sin(rest * dealii::numbers::PI / 180);
+      double       c    = std::cos(rest * dealii::numbers::PI / 180);
+      const auto   quarters =
+        std::lround(std::remainder(degrees - rest, 360.) / 90.);
+      for (long i = 0; i < (quarters + 4) % 4; ++i)
+        {
+          std::swap(s, c);
+          c = -c;
+        }
+      return {s, c};
+    }
+
+    /** Rodrigues' formula. */
+    Tensor<2, 3>
+    rotation_about(const Tensor<1, 3> &axis, const double degrees)
+    {
+      const auto   sc       = sine_cosine(degrees);
+      const auto   n        = axis / axis.norm();
+      Tensor<2, 3> rotation = (1 - sc.second) * outer_product(n, n);
+      for (unsigned int d = 0; d < 3; ++d)
+        {
+          rotation[d][d] += sc.second;
+          rotation[d][(d + 1) % 3] -= sc.first * n[(d + 2) % 3];
+          rotation[d][(d + 2) % 3] += sc.first * n[(d + 1) % 3];
+        }
+      return rotation;
+    }
+
+    Tensor<2, 3>
+    parse_rotation(const std::string &text,
+                   const unsigned int dim,
+                   const std::string &entry)
+    {
+      const std::vector<double> numbers = to_numbers(text, entry);
+      Tensor<1, 3>              axis({0, 0, 1});
+      if (dim == 3 && numbers.size() == 4)
+        axis = Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
+      else if (numbers.size() != 1)
+        throw InputError(entry + ": '" + text + "' is not " +
+                         (dim == 2 ? "one angle in degrees. Give one number." :
+                                     "an angle in degrees, nor an axis and " +
+                                       std::string("an angle. Give 1 number "
+                                                   "or 4.")));
+      if (axis.norm() == 0)
+        throw InputError(entry + ": the axis has length zero. Give a vector " +
+                         "such as 0, 0, 1.");
+      return rotation_about(axis, numbers.back());
+    }
+
+    Tensor<1, 3>
+    parse_translation(const std::string &text,
+                      const unsigned int dim,
+                      const std::string &entry)
+    {
+      // so that the default, and 2D scenes lifted to 3D, need no care
+      const std::vector<double> numbers = to_numbers(text, entry);
+      if (std::all_of(numbers.begin(), numbers.end(), [](const double x) {
+            return x == 0;
+          }))
+        return {};
+      return to_vector(text, dim, entry);
+    }
+
+    double
+    parse_scale(const std::string &text, const std::string &entry)
+    {
+      const double scale = to_number(text, entry);
+      if (!(scale > 0))
+        throw InputError(entry + ": " + to_text(scale) +
+                         " is not positive. Give a factor above 0.");
+      return scale;
+    }
+
+    std::vector<MeshParameters::Box>
+    parse_boxes(const std::string &text,
+                const unsigned int dim,
+                const std::string &entry)
+    {
+      std::vector<MeshParameters::Box> boxes;
+      for (const std::string &part : split(text, ';'))
+        {
+          const std::vector<std::string> fields = split(part, ':');
+          if (fields.size() != 3)
+            throw InputError(
+              entry + ": '" + part +
+              "' is not a box. Write two corners and the " +
+              "number of levels, separated by ':', such as " +
+              (dim == 2 ? "0, 0 : 1, 1 : 2." : "0, 0, 0 : 1, 1, 1 : 2."));
+          const Tensor<1, 3> a      = to_vector(fields[0], dim, entry);
+          const Tensor<1, 3> b      = to_vector(fields[1], dim, entry);
+          const double       levels = to_number(fields[2], entry);
+          if (!(levels >= 0 && levels <= 12 && levels == std::floor(levels)))
+            throw InputError(entry + ": '" + fields[2] +
+                             "' is not a number of levels. Give a whole " +
+                             "number from 0 to 12.");
+          MeshParameters::Box box;
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              box.lower[d] = std::min(a[d], b[d]);
+              box.upper[d] = std::max(a[d], b[d]);
+            }
+          box.levels = static_cast<unsigned int>(levels);
+          boxes.push_back(box);
+        }
+      return boxes;
+    }
+
+    std::vector<MeshParameters::Tag>
+    parse_tags(const std::string &text, const std::string &entry)
+    {
+      std::vector<MeshParameters::Tag> tags;
+      for (const std::string &part : split(text, ';'))
+        {
+          const auto colon = part.find(':');
+          if (colon == std::string::npos)
+            throw InputError(entry + ": '" + part +
+                             "' is not an id and a condition. Write " +
+                             "'id: condition', such as 7: y > 79.9.");
+          const auto        ids       = to_ids(part.substr(0, colon), entry);
+          const std::string condition = trim(part.substr(colon + 1));
+          Expression        expression(condition, entry);
+          if (ids.size() != 1)
+            throw InputError(entry + ": '" + part +
+                             "' has several ids. Give one a condition.");
+          if (expression.uses_time())
+            throw InputError(entry + ": '" + condition +
+                             "' depends on time. A condition knows x, y and " +
+                             "z only.");
+          tags.push_back({*ids.begin(), condition, std::move(expression)});
+        }
+      return tags;
+    }
+
+    void
+    check_source(const MeshParameters &mesh)
+    {
+      if (mesh.generator.empty() == mesh.file.empty())
+        throw InputError(mesh.where + "Generator: " +
+                         (mesh.file.empty() ?
+                            "there is no mesh. Set Generator or File." :
+                            "both Generator and File are set. Remove one."));
+      if (!mesh.file.empty() && !mesh.arguments.empty())
+        throw InputError(mesh.where + "Arguments: a file takes no arguments. " +
+                         "Remove them.");
+    }
+  } // namespace
+
+  void
+  declare_mesh(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Mesh");
+    declare_source(prm);
+    declare_refinement(prm);
+    declare_placement(prm);
+    prm.leave_subsection();
+  }
+
+  MeshParameters
+  parse_mesh(ParameterHandler            &prm,
+             const unsigned int           dim,
+             const std::filesystem::path &folder,
+             const std::string           &body)
+  {
+    MeshParameters mesh;
+    mesh.where      = body + ", Mesh/";
+    const auto text = [&](const char *entry) { return trim(prm.get(entry)); };
+
+    prm.enter_subsection("Mesh");
+    mesh.generator = text("Generator");
+    mesh.arguments = text("Arguments");
+    if (!text("File").empty())
+      mesh.file = folder / text("File");
+    check_source(mesh);
+    mesh.global_refinements =
+      static_cast<unsigned int>(prm.get_integer("Global refinements"));
+    mesh.boxes = parse_boxes(text("Refinement boxes"),
+                             dim,
+                             mesh.where + "Refinement boxes");
+    mesh.scale = parse_scale(text("Scale"), mesh.where + "Scale");
+    mesh.rotation =
+      parse_rotation(text("Rotation"), dim, mesh.where + "Rotation");
+    mesh.translation =
+      parse_translation(text("Translation"), dim, mesh.where + "Translation");
+    mesh.tags = parse_tags(text("Boundary ids"), mesh.where + "Boundary ids");
+    prm.leave_subsection();
+    return mesh;
+  }
+} // namespace conetact

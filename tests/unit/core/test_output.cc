@@ -1,0 +1,465 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a run leaves on disk: columns, numbers, whole files at every moment.
+
+#include "conetact/base/errors.h"
+#include "conetact/output/atomic_file.h"
+#include "conetact/output/csv.h"
+#include "conetact/output/output.h"
+#include "conetact/output/progress.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+using namespace conetact;
+namespace fs = std::filesystem;
+
+namespace
+{
+  using Rows = std::vector<std::vector<std::string>>;
+
+  std::string
+  read(const fs::path &file)
+  {
+    std::ifstream      in(file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+
+  Rows
+  read_csv(const fs::path &file)
+  {
+    Rows               rows;
+    std::istringstream in(read(file));
+    for (std::string line; std::getline(in, line);)
+      {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+          rows.back().push_back(cell);
+      }
+    return rows;
+  }
+
+  std::string
+  cell(const Rows &rows, const std::size_t row, const std::string &column)
+  {
+    const auto &names = rows.at(0);
+    const auto  c     = std::find(names.begin(), names.end(), column);
+    if (c == names.end())
+      return "no column " + column;
+    return rows.at(row).at(static_cast<std::size_t>(c - names.begin()));
+  }
+
+  // A body that draws its displacements as bare numbers, or fails to.
+  class Sketch : public Structure
+  {
+  public:
+    bool fails = false;
+
+    unsigned int
+    n_nodes() const override
+    {
+      return 1;
+    }
+    unsigned int
+    n_components() const override
+    {
+      return 2;
+    }
+    Point<3>
+    position(const unsigned int) const override
+    {
+      return {};
+    }
+    const std::vector<HangingNode> &
+    hanging_nodes() const override
+    {
+      static const std::vector<HangingNode> none;
+      return none;
+    }
+    void
+    for_each_element(const ElementVisitor &) const override
+    {}
+    BoundaryIds
+    boundary_ids() const override
+    {
+      return {};
+    }
+    Surface
+    surface(const BoundaryIds &) const override
+    {
+      return {};
+    }
+    void
+    add_traction(const BoundaryIds &,
+                 const SurfaceField &,
+                 Eigen::VectorXd &) const override
+    {}
+    void
+    add_body_force(const VectorField &, Eigen::VectorXd &) const override
+    {}
+    bool
+    add_point_force(const Point<3> &,
+                    const Tensor<1, 3> &,
+                    Eigen::VectorXd &) const override
+    {
+      return false;
+    }
+    void
+    visit_springs(const BoundaryIds &,
+                  const SurfaceTensorField &,
+                  const ElementVisitor &) const override
+    {}
+    void
+    write_graphics(const Eigen::VectorXd &u,
+                   const double,
+                   const fs::path &file) const override
+    {
+      std::ofstream(file) << u.transpose();
+      if (fails)
+        throw WriteError("full");
+    }
+    std::string
+    description() const override
+    {
+      return "";
+    }
+  };
+
+  class OutputTest : public ::testing::Test
+  {
+  protected:
+    void
+    SetUp() override
+    {
+      const auto *test = testing::UnitTest::GetInstance()->current_test_info();
+      run.folder =
+        fs::temp_directory_path() /
+        ("conetact-output-" + std::to_string(::getpid()) + '-' + test->name());
+      fs::create_directories(run.folder);
+      run.contacts     = {"left side"};
+      run.bodies       = {"my block"};
+      run.structures   = {&body};
+      run.n_increments = 3;
+    }
+
+    void
+    TearDown() override
+    {
+      fs::remove_all(run.folder);
+    }
+
+    IncrementRecord
+    record(const unsigned int increment) const
+    {
+      IncrementRecord r;
+      r.increment       = increment;
+      r.time            = .5 * increment;
+      r.report.solver   = "smoothing";
+      r.report.residual = 1e-12;
+      r.contacts.resize(run.contacts.size());
+      r.contacts[0].force = Tensor<1, 3>({0., 30., 0.});
+      r.loads.force       = Tensor<1, 3>({1e-9, -30., 0.});
+      r.displacements     = {Eigen::VectorXd::Constant(2, .25)};
+      for (unsigned int i = 0; i < 2; ++i)
+        {
+          ContactRow row;
+          row.node     = i;
+          row.position = Point<3>(.1 + i, 0, 0);
+          row.normal   = Tensor<1, 3>({0., 1., 0.});
+          row.t1       = Tensor<1, 3>({1., 0., 0.});
+          row.t2       = Tensor<1, 3>({0., 0., -1.});
+          row.area     = .5;
+          row.reaction = Tensor<1, 3>({20. - 10. * i, -1. / 3, 7.});
+          row.state    = i == 0 ? NodeState::stick : NodeState::slip;
+          r.rows.push_back(row);
+        }
+      return r;
+    }
+
+    std::unique_ptr<Output>
+    create(const std::string &name) const
+    {
+      for (const OutputRow &row : output_table())
+        if (row.name == name)
+          return row.create(run);
+      return nullptr;
+    }
+
+    std::set<std::string>
+    files() const
+    {
+      std::set<std::string> names;
+      for (const auto &entry : fs::directory_iterator(run.folder))
+        names.insert(entry.path().filename());
+      return names;
+    }
+
+    Sketch         body;
+    RunDescription run;
+  };
+
+  // No file may grow beyond some bytes: what a full disk looks like.
+  class FullDisk
+  {
+  public:
+    explicit FullDisk(const rlim_t bytes)
+      : handler(std::signal(SIGXFSZ, SIG_IGN))
+    {
+      ::getrlimit(RLIMIT_FSIZE, &limit);
+      const struct rlimit small = {bytes, limit.rlim_max};
+      ::setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~FullDisk()
+    {
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      std::signal(SIGXFSZ, handler);
+    }
+
+  private:
+    void (*handler)(int);
+    struct rlimit limit;
+  };
+
+
+
+  std::string
+  number(const double x)
+  {
+    std::string text;
+    append_number(text, x);
+    return text;
+  }
+
+  TEST(Csv, NumbersAreThoseOfPrintf15g)
+  {
+    EXPECT_EQ(number(0.), "0");
+    EXPECT_EQ(number(-0.), "0");
+    EXPECT_EQ(number(3.), "3");
+    EXPECT_EQ(number(-.1), "-0.1");
+    EXPECT_EQ(number(1. / 3), "0.333333333333333");
+    for (const double x : {1e300, -2.5e-7, 123456789012345678., 5e-324, 1e15})
+      {
+        char expected[40];
+        std::snprintf(expected, sizeof(expected), "%.15g", x);
+        EXPECT_EQ(number(x), expected);
+      }
+  }
+
+  TEST(Csv, NoiseIsJudgedByTheLargestOfTheRun)
+  {
+    NoiseFloor floor;
+    floor.see(-100);
+    floor.see(1);
+    EXPECT_EQ(floor.clean(.9e-7), 0.);
+    EXPECT_EQ(floor.clean(-1.1e-7), -1.1e-7);
+  }
+
+
+
+  TEST_F(OutputTest, ReactionColumnsAndRows)
+  {
+    run.contacts     = {"bottom"};
+    const auto table = create("reactions");
+    EXPECT_EQ(read_csv(run.folder / "reactions.csv").size(), 1u);
+    table->write(record(1));
+    table->write(record(2));
+
+    const Rows rows = read_csv(run.folder / "reactions.csv");
+    ASSERT_EQ(rows.size(), 5u);
+    EXPECT_EQ(read(run.folder / "reactions.csv")
+                .rfind("increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,"
+                       "u_n,u_t1,u_t2,du_t1,du_t2,r_n,r_t1,r_t2,state\n",
+                       0),
+              0u);
+    for (const auto &row : rows)
+      EXPECT_EQ(row.size(), 20u);
+    EXPECT_EQ(cell(rows, 3, "increment"), "2");
+    EXPECT_EQ(cell(rows, 3, "time"), "1");
+    EXPECT_EQ(cell(rows, 3, "contact"), "bottom");
+    EXPECT_EQ(cell(rows, 4, "x"), "1.1");
+    EXPECT_EQ(cell(rows, 4, "r_n"), "10");
+    EXPECT_EQ(cell(rows, 4, "r_t1"), "-0.333333333333333");
+    EXPECT_EQ(cell(rows, 4, "r_t2"), "0"); // in 2D, whatever it holds
+    EXPECT_EQ(cell(rows, 4, "state"), "slip");
+    EXPECT_EQ(files(), std::set<std::string>{"reactions.csv"});
+  }
+
+  TEST_F(OutputTest, ThreeDimensionsHaveASecondTangent)
+  {
+    run.dim          = 3;
+    const auto table = create("reactions");
+    table->write(record(1));
+    const Rows rows = read_csv(run.folder / "reactions.csv");
+    EXPECT_EQ(cell(rows, 1, "r_t2"), "7");
+  }
+
+  TEST_F(OutputTest, SmallForcesAreWrittenZeroSmallDisplacementsNot)
+  {
+    const auto      table = create("reactions");
+    IncrementRecord r     = record(1);
+    r.rows[1].reaction[0] = 1e-9;
+    r.rows[1].reaction[1] = -1e-20;
+    r.rows[1].u[0]        = 1e-18;
+    table->write(r);
+    const Rows rows = read_csv(run.folder / "reactions.csv");
+    EXPECT_EQ(cell(rows, 2, "r_n"), "0");
+    EXPECT_EQ(cell(rows, 2, "r_t1"), "0");
+    EXPECT_EQ(cell(rows, 2, "u_n"), "1e-18");
+  }
+
+  TEST_F(OutputTest, NonFiniteNumbersAreRefused)
+  {
+    for (const char *name : {"reactions", "increments"})
+      for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::infinity()})
+        {
+          const auto table = create(name);
+          table->write(record(1));
+          const fs::path  file   = run.folder / (std::string(name) + ".csv");
+          const auto      before = read(file);
+          IncrementRecord r      = record(2);
+          r.rows[0].u[1]         = bad;
+          r.balance              = bad;
+          EXPECT_THROW(table->write(r), AnalysisError);
+          EXPECT_EQ(read(file), before);
+        }
+  }
+
+  TEST_F(OutputTest, IncrementColumns)
+  {
+    const auto table = create("increments");
+    table->write(record(1));
+    const Rows rows = read_csv(run.folder / "increments.csv");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].size(), 12u + 3 * 6 + 1);
+    EXPECT_EQ(rows[1].size(), rows[0].size());
+    EXPECT_EQ(rows[0][12], "left_side_f_x");
+    EXPECT_EQ(rows[0].back(), "balance");
+    EXPECT_EQ(cell(rows, 1, "solver"), "smoothing");
+    EXPECT_EQ(cell(rows, 1, "residual"), "1e-12");
+    EXPECT_EQ(cell(rows, 1, "open"), "0");
+    EXPECT_EQ(cell(rows, 1, "stick"), "1");
+    EXPECT_EQ(cell(rows, 1, "slip"), "1");
+    EXPECT_EQ(cell(rows, 1, "left_side_f_y"), "30");
+    EXPECT_EQ(cell(rows, 1, "loads_f_x"), "0"); // noise
+    EXPECT_EQ(cell(rows, 1, "supports_m_z"), "0");
+  }
+
+
+
+  TEST_F(OutputTest, AFullDiskLeavesTheLastTable)
+  {
+    const auto table = create("reactions");
+    table->write(record(1));
+    const std::string before = read(run.folder / "reactions.csv");
+    {
+      const FullDisk full(before.size());
+      EXPECT_THROW(table->write(record(2)), WriteError);
+    }
+    EXPECT_EQ(read(run.folder / "reactions.csv"), before);
+    EXPECT_EQ(files(), std::set<std::string>{"reactions.csv"});
+  }
+
+  TEST_F(OutputTest, AMissingFolderIsAWriteError)
+  {
+    run.folder /= "missing";
+    EXPECT_THROW(create("increments"), WriteError);
+    run.folder = run.folder.parent_path();
+  }
+
+
+
+  TEST_F(OutputTest, PicturesOfEveryNthIncrement)
+  {
+    run.vtu_every       = 2;
+    const auto graphics = create("graphics");
+    for (unsigned int i = 1; i <= 5; ++i)
+      graphics->write(record(i));
+    EXPECT_EQ(files(),
+              (std::set<std::string>{"contact-0002.vtu",
+                                     "contact-0004.vtu",
+                                     "contact.pvd",
+                                     "solution-my_block-0002.vtu",
+                                     "solution-my_block-0004.vtu",
+                                     "solution.pvd"}));
+    EXPECT_EQ(read(run.folder / "solution-my_block-0002.vtu"), "0.25 0.25");
+    const std::string pvd = read(run.folder / "solution.pvd");
+    EXPECT_NE(pvd.find("timestep=\"1\" group=\"\" part=\"0\" name=\"my_block\" "
+                       "file=\"solution-my_block-0002.vtu\""),
+              std::string::npos);
+    EXPECT_NE(read(run.folder / "contact.pvd").find("contact-0004.vtu"),
+              std::string::npos);
+  }
+
+  TEST_F(OutputTest, NoPicturesAndNoOldOnes)
+  {
+    std::ofstream(run.folder / "solution.pvd") << "of an older run";
+    run.vtu_every       = 0;
+    const auto graphics = create("graphics");
+    graphics->write(record(1));
+    EXPECT_TRUE(files().empty());
+  }
+
+  TEST_F(OutputTest, AFailedPictureIsNotListed)
+  {
+    const auto graphics = create("graphics");
+    graphics->write(record(1));
+    body.fails = true;
+    EXPECT_THROW(graphics->write(record(2)), WriteError);
+    EXPECT_EQ(read(run.folder / "solution.pvd").find("0002"),
+              std::string::npos);
+    EXPECT_EQ(files(),
+              (std::set<std::string>{"contact-0001.vtu",
+                                     "contact.pvd",
+                                     "solution-my_block-0001.vtu",
+                                     "solution.pvd"}));
+  }
+
+  TEST_F(OutputTest, ContactVtuHoldsItsArrays)
+  {
+    const auto graphics = create("graphics");
+    graphics->write(record(1));
+    const std::string vtu = read(run.folder / "contact-0001.vtu");
+    for (const char *name : {"reaction",
+                             "traction",
+                             "slip",
+                             "u",
+                             "normal",
+                             "gap",
+                             "state",
+                             "contact"})
+      EXPECT_NE(vtu.find("Name=\"" + std::string(name) + '"'),
+                std::string::npos);
+    EXPECT_NE(vtu.find("</VTKFile>"), std::string::npos);
+    EXPECT_NE(vtu.find("NumberOfPoints=\"2\""), std::string::npos);
+  }
+
+
+
+  TEST_F(OutputTest, ProgressLine)
+  {
+    const std::string line = progress_line(record(1), 4, 30);
+    EXPECT_NE(line.find("[#####               ] 1/4"), std::string::npos);
+    EXPECT_NE(line.find("open 0, stick 1, slip 1"), std::string::npos);
+    EXPECT_NE(line.find("90 s left"), std::string::npos);
+  }
+
+  TEST_F(OutputTest, NoProgressIntoAFile)
+  {
+    testing::internal::CaptureStdout(); // standard output is a file now
+    Progress progress(run, false);
+    progress.write(record(1));
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  }
+} // namespace

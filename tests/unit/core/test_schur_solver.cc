@@ -1,0 +1,462 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/process.h"
+#include "conetact/contact/elimination_order.h"
+#include "conetact/contact/schur_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+  using conetact::ProcessSession;
+  using conetact::SchurSolver;
+  using conetact::SingularMatrix;
+  using Eigen::Index;
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+  using LongMatrix   = Eigen::Matrix<long double, -1, -1>;
+  using SparseMatrix = Eigen::SparseMatrix<double>;
+
+  struct System
+  {
+    SparseMatrix              upper;
+    std::vector<unsigned int> node_of;
+  };
+
+  // Springs between neighbors, their diagonals too, of a grid of nodes: each
+  // carries stretch and, weakly, transverse motion as well (`shear` = 0: a
+  // truss). Nodes are numbered with the last direction slowest and from the
+  // top, so that the bottom plane comes last, as contact nodes do; the top
+  // plane hangs on springs of stiffness `support`. Null vectors of A without
+  // supports and with shear = 0: rigid motions.
+  struct Lattice
+  {
+    std::vector<Index> n;
+    double             shear     = .1;
+    double             support   = 1.;
+    double             contrast  = 1.; // stiffness of the lower half
+    double             stiffness = 1.;
+
+    Index
+    dim() const
+    {
+      return static_cast<Index>(n.size());
+    }
+
+    Index
+    n_nodes() const
+    {
+      return std::accumulate(n.begin(),
+                             n.end(),
+                             Index(1),
+                             std::multiplies<Index>());
+    }
+
+    VectorXd
+    point(Index node) const
+    {
+      VectorXd x(dim());
+      for (Index d = 0; d < dim(); ++d)
+        {
+          x[d] = static_cast<double>(node % n[d]);
+          node /= n[d];
+        }
+      return x;
+    }
+
+    System
+    assemble() const;
+  };
+
+  System
+  Lattice::assemble() const
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](const Index i, const Index j, const MatrixXd &block) {
+      for (Index a = 0; a < dim(); ++a)
+        for (Index b = 0; b < dim(); ++b)
+          if (i * dim() + a <= j * dim() + b)
+            entries.emplace_back(i * dim() + a, j * dim() + b, block(a, b));
+    };
+    const MatrixXd identity = MatrixXd::Identity(dim(), dim());
+    for (Index i = 0; i < n_nodes(); ++i)
+      {
+        for (Index j = i + 1; j < n_nodes(); ++j)
+          {
+            const VectorXd x = point(j) - point(i);
+            if (x.cwiseAbs().maxCoeff() > 1.)
+              continue;
+            const VectorXd t = x.normalized();
+            const bool     lower =
+              2 * point(i)[dim() - 1] > point(n_nodes() - 1)[dim() - 1];
+            const MatrixXd k = stiffness * (lower ? contrast : 1.) *
+                               (t * t.transpose() + shear * identity);
+            add(i, i, k);
+            add(j, j, k);
+            add(i, j, -k);
+          }
+        if (point(i)[dim() - 1] == 0.)
+          add(i, i, stiffness * support * identity);
+      }
+    System system;
+    system.upper.resize(n_nodes() * dim(), n_nodes() * dim());
+    system.upper.setFromTriplets(entries.begin(), entries.end());
+    for (Index i = 0; i < system.upper.cols(); ++i)
+      system.node_of.push_back(static_cast<unsigned int>(i / dim()));
+    return system;
+  }
+
+  MatrixXd
+  dense(const SparseMatrix &upper)
+  {
+    return MatrixXd(upper).selfadjointView<Eigen::Upper>();
+  }
+
+  LongMatrix
+  exact_schur_complement(const MatrixXd &matrix, const Index n_schur)
+  {
+    const LongMatrix A = matrix.cast<long double>();
+    const Index      f = A.cols() - n_schur;
+    return A.bottomRightCorner(n_schur, n_schur) -
+           A.bottomLeftCorner(n_schur, f) *
+             A.topLeftCorner(f, f).llt().solve(A.topRightCorner(f, n_schur));
+  }
+
+  double
+  relative_difference(const LongMatrix &a, const LongMatrix &b)
+  {
+    return static_cast<double>((a - b).norm() / b.norm());
+  }
+
+  // S, reduce and expand against dense algebra in long double.
+  void
+  check_against_dense(const System &system,
+                      const Index   n_schur,
+                      const double  tolerance = 1e-13)
+  {
+    const MatrixXd A = dense(system.upper);
+    const Index    n = A.cols(), f = n - n_schur;
+    SchurSolver    solver(system.upper, n_schur, system.node_of);
+    const MatrixXd S = solver.take_schur_complement();
+    ASSERT_EQ(S.rows(), n_schur);
+    ASSERT_EQ(S.cols(), n_schur);
+    if (n_schur > 0)
+      {
+        EXPECT_LT(relative_difference(S.cast<long double>(),
+                                      exact_schur_complement(A, n_schur)),
+                  tolerance);
+        EXPECT_EQ((S - S.transpose()).norm(), 0.);
+      }
+
+    // more columns than are treated at once
+    const Index      k       = 131;
+    const MatrixXd   b       = MatrixXd::Random(n, k);
+    const MatrixXd   u_C     = MatrixXd::Random(n_schur, k);
+    const LongMatrix A_long  = A.cast<long double>();
+    const auto       A_FF    = A_long.topLeftCorner(f, f).llt();
+    const MatrixXd   reduced = solver.reduce(b);
+    ASSERT_EQ(reduced.rows(), n_schur);
+    ASSERT_EQ(reduced.cols(), k);
+    if (n_schur > 0)
+      {
+        LongMatrix expected = b.bottomRows(n_schur).cast<long double>();
+        if (f > 0)
+          expected -= A_long.bottomLeftCorner(n_schur, f) *
+                      A_FF.solve(b.topRows(f).cast<long double>());
+        EXPECT_LT(relative_difference(reduced.cast<long double>(), expected),
+                  tolerance);
+      }
+    const MatrixXd u = solver.expand(b, u_C);
+    EXPECT_EQ((u.bottomRows(n_schur) - u_C).norm(), 0.);
+    if (f > 0)
+      {
+        const LongMatrix load =
+          b.topRows(f).cast<long double>() -
+          A_long.topRightCorner(f, n_schur) * u_C.cast<long double>();
+        EXPECT_LT(relative_difference(u.topRows(f).cast<long double>(),
+                                      A_FF.solve(load)),
+                  tolerance);
+      }
+  }
+
+  void
+  expect_singular(const System &system, const Index n_schur)
+  {
+    EXPECT_THROW(SchurSolver(system.upper, n_schur, system.node_of),
+                 SingularMatrix);
+  }
+
+  void
+  expect_regular(const System &system, const Index n_schur)
+  {
+    EXPECT_NO_THROW(SchurSolver(system.upper, n_schur, system.node_of));
+  }
+} // namespace
+
+
+
+TEST(SchurSolver, AgreesWithDenseAlgebra)
+{
+  check_against_dense(Lattice{{12, 9}}.assemble(), 24);
+  check_against_dense(Lattice{{5, 6, 5}}.assemble(), 90);
+  check_against_dense(Lattice{{3, 3, 8}}.assemble(), 27);
+}
+
+
+
+TEST(SchurSolver, TakesAnyNumberOfSchurUnknowns)
+{
+  const System system = Lattice{{4, 5}}.assemble();
+  const Index  n      = system.upper.cols();
+  for (const Index n_schur : {0, 1, 2, 3, 20, 37, 38, 39, 40})
+    check_against_dense(system, n_schur);
+  EXPECT_EQ(n, 40);
+}
+
+
+
+TEST(SchurSolver, TakesTinySystems)
+{
+  for (Index n = 1; n < 5; ++n)
+    {
+      System system;
+      system.upper.resize(n, n);
+      for (Index i = 0; i < n; ++i)
+        {
+          system.upper.insert(i, i) = 2. + static_cast<double>(i);
+          if (i > 0)
+            system.upper.insert(i - 1, i) = -1.;
+          system.node_of.push_back(4000000000U + static_cast<unsigned int>(i));
+        }
+      for (Index n_schur = 0; n_schur <= n; ++n_schur)
+        check_against_dense(system, n_schur);
+    }
+}
+
+
+
+TEST(SchurSolver, TakesUncoupledUnknownsAndAnEmptyMatrix)
+{
+  System system;
+  system.upper.resize(7, 7);
+  system.upper.setIdentity();
+  system.upper *= 3.;
+  system.node_of = {0, 0, 1, 2, 2, 3, 3};
+  check_against_dense(system, 0);
+  check_against_dense(system, 4);
+  SchurSolver none(SparseMatrix(0, 0), 0, {});
+  EXPECT_EQ(none.take_schur_complement().size(), 0);
+  EXPECT_EQ(none.reduce(MatrixXd(0, 3)).cols(), 3);
+  EXPECT_EQ(none.expand(MatrixXd(0, 3), MatrixXd(0, 3)).cols(), 3);
+}
+
+
+
+// A contact node may keep one of its unknowns among the eliminated ones, and
+// unknowns of a node need not stand together.
+TEST(SchurSolver, TakesNodesOnBothSides)
+{
+  const System                        by_node = Lattice{{5, 4}}.assemble();
+  const Index                         n       = by_node.upper.cols();
+  System                              system; // all x, then all y
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto place = [n](const Index i) { return (i % 2) * (n / 2) + i / 2; };
+  for (Index column = 0; column < n; ++column)
+    for (SparseMatrix::InnerIterator entry(by_node.upper, column); entry;
+         ++entry)
+      {
+        const Index i = place(entry.row()), j = place(column);
+        entries.emplace_back(std::min(i, j), std::max(i, j), entry.value());
+      }
+  system.upper.resize(n, n);
+  system.upper.setFromTriplets(entries.begin(), entries.end());
+  for (Index i = 0; i < n; ++i)
+    system.node_of.push_back(static_cast<unsigned int>(i % (n / 2)));
+  check_against_dense(system, 5);
+  check_against_dense(system, 20);
+  check_against_dense(system, 33);
+}
+
+
+
+TEST(SchurSolver, TakesAMatrixThatIsNotCompressed)
+{
+  System system = Lattice{{4, 4}}.assemble();
+  system.upper.uncompress();
+  system.upper.reserve(Eigen::VectorXi::Constant(system.upper.cols(), 50));
+  check_against_dense(system, 8);
+}
+
+
+
+TEST(SchurSolver, ReducesWithoutLoadsOnEliminatedUnknowns)
+{
+  const System system = Lattice{{4, 5}}.assemble();
+  SchurSolver  solver(system.upper, 8, system.node_of);
+  MatrixXd     b = MatrixXd::Zero(40, 2);
+  b.bottomRows(8).setRandom();
+  EXPECT_EQ(solver.reduce(b), b.bottomRows(8));
+  EXPECT_EQ(solver.expand(MatrixXd::Zero(40, 1), MatrixXd::Zero(8, 1)).norm(),
+            0.);
+}
+
+
+
+TEST(SchurSolver, SolverOutlivesItsMatrixAndItsSchurComplement)
+{
+  auto           system = std::make_unique<System>(Lattice{{6, 6}}.assemble());
+  SchurSolver    solver(system->upper, 12, system->node_of);
+  const MatrixXd b        = MatrixXd::Random(72, 3);
+  const MatrixXd expected = solver.reduce(b);
+  system.reset();
+  {
+    const MatrixXd gone = solver.take_schur_complement();
+  }
+  EXPECT_EQ(solver.reduce(b), expected);
+  EXPECT_GT(solver.factor_bytes(), 60 * sizeof(double));
+}
+
+
+
+// Rigid motions of a floating body stay null vectors of its Schur complement.
+TEST(SchurSolver, KeepsNullVectors)
+{
+  Lattice lattice{{5, 5, 6}};
+  lattice.shear          = 0.;
+  lattice.support        = 0.;
+  const System   system  = lattice.assemble();
+  const Index    n_schur = 75;
+  SchurSolver    solver(system.upper, n_schur, system.node_of);
+  const MatrixXd S = solver.take_schur_complement();
+  MatrixXd       motions(n_schur, 6);
+  for (Index i = 0; i < n_schur / 3; ++i)
+    {
+      const Eigen::Vector3d x =
+        lattice.point(lattice.n_nodes() - n_schur / 3 + i);
+      for (Index d = 0; d < 3; ++d)
+        {
+          const Eigen::Vector3d e           = Eigen::Vector3d::Unit(d);
+          motions.block<3, 1>(3 * i, d)     = e;
+          motions.block<3, 1>(3 * i, 3 + d) = e.cross(x);
+        }
+    }
+  EXPECT_LT((S * motions).norm(), 3e-15 * S.norm() * motions.norm());
+  EXPECT_LT(relative_difference(S.cast<long double>(),
+                                exact_schur_complement(dense(system.upper),
+                                                       n_schur)),
+            1e-14);
+}
+
+
+
+TEST(SchurSolver, RefusesBodiesThatCanMove)
+{
+  for (const double stiffness : {1e-9, 1., 1e12})
+    {
+      Lattice floating{{6, 5}};
+      floating.stiffness = stiffness;
+      floating.support   = 0.;
+      expect_singular(floating.assemble(), 0);
+      floating.shear = 0.; // now it can turn about the held corner
+      expect_singular(floating.assemble(), 2);
+      expect_regular(floating.assemble(), 4);
+
+      Lattice block{{7, 6, 8}};
+      block.stiffness = stiffness;
+      block.support   = 0.;
+      block.shear     = 0.;
+      for (const Index held : {0, 1, 2, 3, 6})
+        expect_singular(block.assemble(), held);
+      expect_regular(block.assemble(), 3 * 7 * 6);
+    }
+}
+
+
+
+TEST(SchurSolver, AcceptsSlenderAndContrastingBodies)
+{
+  for (const double stiffness : {1e-9, 1., 1e12})
+    {
+      Lattice beam{{3, 200}};
+      beam.stiffness = stiffness;
+      beam.shear     = 0.;
+      expect_regular(beam.assemble(), 0);
+      beam.contrast = 1e6;
+      expect_regular(beam.assemble(), 0);
+      beam.contrast = 1e-6;
+      expect_regular(beam.assemble(), 0);
+    }
+}
+
+
+
+TEST(SchurSolver, RefusesAnEmptyRowAndANegativeDiagonal)
+{
+  System system               = Lattice{{4, 4}}.assemble();
+  system.upper.coeffRef(3, 3) = -1.;
+  expect_singular(system, 8);
+  System empty;
+  empty.upper.resize(3, 3);
+  empty.upper.insert(0, 0) = 1.;
+  empty.upper.insert(2, 2) = 1.;
+  empty.node_of            = {0, 1, 2};
+  expect_singular(empty, 1);
+  System indefinite;
+  indefinite.upper.resize(3, 3);
+  indefinite.upper.setIdentity();
+  indefinite.upper.insert(0, 1) = 2.;
+  indefinite.node_of            = {0, 1, 2};
+  expect_singular(indefinite, 1);
+}
+
+
+
+TEST(SchurSolver, RefusesWrongSizes)
+{
+  const System system = Lattice{{3, 3}}.assemble();
+  EXPECT_THROW(SchurSolver(system.upper, 19, system.node_of),
+               std::invalid_argument);
+  EXPECT_THROW(SchurSolver(system.upper, 3, {0, 1}), std::invalid_argument);
+}
+
+
+
+TEST(SchurSolver, DoesNotDependOnTheNumberOfThreads)
+{
+  const System       system = Lattice{{7, 7, 7}}.assemble();
+  const unsigned int before = ProcessSession::n_threads();
+  ProcessSession::set_threads(1);
+  const MatrixXd one =
+    SchurSolver(system.upper, 147, system.node_of).take_schur_complement();
+  ProcessSession::set_threads(4);
+  const MatrixXd four =
+    SchurSolver(system.upper, 147, system.node_of).take_schur_complement();
+  ProcessSession::set_threads(before);
+  EXPECT_LT((one - four).norm(), 1e-13 * one.norm());
+}
+
+
+
+TEST(EliminationOrder, IsAPermutationWithNodesInOnePiece)
+{
+  const System           system = Lattice{{6, 5, 4}}.assemble();
+  const Index            f      = system.upper.cols() - 40;
+  const std::vector<int> places =
+    conetact::elimination_order(system.upper, f, system.node_of);
+  std::vector<int> sorted = places;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    EXPECT_EQ(sorted[i], static_cast<int>(i));
+  for (std::size_t i = static_cast<std::size_t>(f); i < places.size(); ++i)
+    EXPECT_EQ(places[i], static_cast<int>(i));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(f); ++i)
+    if (system.node_of[i] == system.node_of[i - 1])
+      {
+        EXPECT_EQ(places[i], places[i - 1] + 1);
+      }
+}
