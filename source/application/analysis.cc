@@ -8,6 +8,8 @@
 #include "conetact/contact/equilibrium.h"
 #include "conetact/output/progress.h"
 
+#include <algorithm>
+
 namespace conetact
 {
   Analysis::Analysis(const Scene &s, Log &l)
@@ -64,95 +66,151 @@ namespace conetact
     outputs.push_back(std::make_unique<Progress>(run, quiet));
   }
 
+  std::size_t
+  Analysis::batch_size() const
+  {
+    // Recovering displacements of several increments in one solve is cheaper;
+    // large scenes write each increment sooner.
+    const Eigen::Index n = model.coordinates.n_unknowns();
+    return static_cast<std::size_t>(
+      std::clamp<Eigen::Index>(2000000 / std::max<Eigen::Index>(n, 1), 1, 16));
+  }
+
   void
   Analysis::run(const std::filesystem::path &folder, const bool quiet)
   {
     create_outputs(folder, quiet);
+    std::vector<Pending> batch;
     for (unsigned int k = 1; k <= scene.times.size(); ++k)
       {
-        const IncrementRecord record = increment(k);
-        for (const auto &output : outputs)
-          output->write(record);
-        log.time("increment " + std::to_string(k) + " of " +
-                 std::to_string(scene.times.size()) + ", " +
-                 record.report.solver + ": " +
-                 std::to_string(record.report.iterations) +
-                 " linear solves, residual " +
-                 to_text(record.report.residual) + ", equilibrium " +
-                 to_text(record.equilibrium));
+        try
+          {
+            batch.push_back(solve(k));
+          }
+        catch (const AnalysisError &)
+          {
+            finish(batch);
+            throw;
+          }
+        if (batch.size() == batch_size() || k == scene.times.size())
+          finish(batch);
       }
+    log.note("skipped: reductions of " +
+             std::to_string(scene.times.size() -
+                            model.condensation().n_reductions()) +
+             " of " + std::to_string(scene.times.size()) +
+             " load cases, combinations of others");
   }
 
-  IncrementRecord
-  Analysis::increment(const unsigned int k)
+  Analysis::Pending
+  Analysis::solve(const unsigned int k)
   {
-    IncrementRecord record;
-    record.increment = k;
-    record.time      = scene.times[k - 1];
-    const Eigen::VectorXd forces = scene.forces(record.time);
-    const Condensation   &condensation = model.condensation();
+    Pending increment;
+    increment.record.increment = k;
+    increment.record.time      = scene.times[k - 1];
+    increment.forces           = scene.forces(increment.record.time);
+    Condensation &condensation = model.condensation();
     if (k == 1)
       log.time("condensation: order, factor and Schur complement, factor of " +
                to_text(condensation.factor_bytes() / 1e6) + " MB");
-    const Condensation::Load load =
-      condensation.reduce(forces, model.coordinates.prescribed(record.time));
+    increment.load = condensation.reduce(
+      increment.forces, model.coordinates.prescribed(increment.record.time));
+    increment.record.report = solve_contact(increment.load, increment);
+    increment.contact       = history.displacements();
+    return increment;
+  }
 
-    const ContactState    state = solve_contact(load, record);
-    const Eigen::VectorXd u =
-      condensation.expand(load, history.displacements());
-    const Equilibrium equilibrium = check_equilibrium(scene.bodies,
-                                                      model.elastic,
-                                                      model.coordinates,
-                                                      u,
-                                                      state.r,
-                                                      forces,
-                                                      record.time,
-                                                      scene.contact_names.size(),
-                                                      history.reference_force());
-    history.note_force(equilibrium.largest_force);
-    record.equilibrium = equilibrium.residual;
-    record.balance     = equilibrium.balance;
-    record.contacts    = equilibrium.contacts;
-    record.supports    = equilibrium.supports;
-    record.loads       = equilibrium.loads;
+  SolverReport
+  Analysis::solve_contact(const Condensation::Load &load, Pending &increment)
+  {
+    ContactState &state = increment.state;
+    state               = history.start();
+    SolverReport report;
+    if (state.v.size() == 0)
+      {
+        report.converged = true;
+        report.solver    = "linear";
+        return report;
+      }
+    const ContactProblem problem = history.problem(load);
+    report                       = solver->solve(problem, state);
+    report.residual              = contact_residual(problem, state);
+    if (!report.converged || !(report.residual <= scene.solver.tolerance))
+      fail(increment.record,
+           report.reason.empty() ?
+             "the residual is " + to_text(report.residual) :
+             report.reason);
+    increment.record.errors = kanno_errors(problem, state);
+    history.advance(state);
+    return report;
+  }
+
+  void
+  Analysis::finish(std::vector<Pending> &batch)
+  {
+    if (batch.empty())
+      return;
+    std::vector<Condensation::Load> loads;
+    std::vector<Eigen::VectorXd>    contact;
+    for (Pending &increment : batch)
+      {
+        loads.push_back(std::move(increment.load));
+        contact.push_back(std::move(increment.contact));
+      }
+    const Eigen::MatrixXd u = model.condensation().expand(loads, contact);
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      {
+        batch[i].contact = std::move(contact[i]);
+        check(batch[i], u.col(static_cast<Eigen::Index>(i)));
+        write(batch[i].record);
+      }
+    batch.clear();
+  }
+
+  void
+  Analysis::check(Pending &increment, const Eigen::VectorXd &u)
+  {
+    IncrementRecord  &record = increment.record;
+    const Equilibrium e      = check_equilibrium(scene.bodies,
+                                            model.elastic,
+                                            model.coordinates,
+                                            u,
+                                            increment.state.r,
+                                            increment.forces,
+                                            record.time,
+                                            scene.contact_names.size(),
+                                            largest_force);
+    largest_force            = std::max(largest_force, e.largest_force);
+    record.equilibrium       = e.residual;
+    record.balance           = e.balance;
+    record.contacts          = e.contacts;
+    record.supports          = e.supports;
+    record.loads             = e.loads;
     if (!(record.equilibrium <= scene.solver.tolerance))
       fail(record,
            "the uncondensed equilibrium is violated by " +
              to_text(record.equilibrium) +
-             " of the largest nodal force: the stiffness is too badly "
+             " of the largest nodal force, since the stiffness is badly "
              "conditioned");
     record.rows =
-      contact_rows.rows(state, history.displacements(), u, record.time);
+      contact_rows.rows(increment.state, increment.contact, u, record.time);
     for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
       record.displacements.push_back(
         u.segment(model.coordinates.offset(b),
                   scene.bodies.structures[b]->n_dofs()));
-    return record;
   }
 
-  ContactState
-  Analysis::solve_contact(const Condensation::Load &load,
-                          IncrementRecord          &record)
+  void
+  Analysis::write(const IncrementRecord &record)
   {
-    ContactState state = history.start();
-    if (state.v.size() == 0)
-      {
-        record.report.converged = true;
-        record.report.solver    = "linear";
-        return state;
-      }
-    const ContactProblem problem = history.problem(load);
-    record.report                = solver->solve(problem, state);
-    record.report.residual       = contact_residual(problem, state);
-    if (!record.report.converged ||
-        !(record.report.residual <= scene.solver.tolerance))
-      fail(record,
-           record.report.reason.empty() ?
-             "the residual is " + to_text(record.report.residual) :
-             record.report.reason);
-    record.errors = kanno_errors(problem, state);
-    history.advance(state);
-    return state;
+    for (const auto &output : outputs)
+      output->write(record);
+    log.time("increment " + std::to_string(record.increment) + " of " +
+             std::to_string(scene.times.size()) + ", " +
+             record.report.solver + ": " +
+             std::to_string(record.report.iterations) +
+             " linear solves, residual " + to_text(record.report.residual) +
+             ", equilibrium " + to_text(record.equilibrium));
   }
 
   void

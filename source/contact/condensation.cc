@@ -5,15 +5,33 @@
 
 namespace conetact
 {
+  namespace
+  {
+    /** More different loads than this are forgotten and begun anew. */
+    constexpr std::size_t largest_basis = 8;
+
+    double
+    mean_diagonal(const Eigen::SparseMatrix<double> &matrix)
+    {
+      return matrix.rows() == 0 ?
+               1. :
+               matrix.diagonal().sum() / static_cast<double>(matrix.rows());
+    }
+  } // namespace
+
   Condensation::Condensation(const ElasticSystem   &e,
                              const Coordinates     &c,
                              const Eigen::MatrixXd &null_space)
     : elastic(e)
     , coordinates(c)
-    , solver(std::make_unique<SchurSolver>(assemble(elastic, coordinates),
-                                           coordinates.n_contact_unknowns(),
-                                           coordinates.node_of_unknowns()))
   {
+    const Eigen::SparseMatrix<double> stiffness =
+      assemble(elastic, coordinates);
+    stiffness_scale = mean_diagonal(stiffness);
+    solver = std::make_unique<SchurSolver>(stiffness,
+                                           coordinates.n_contact_unknowns(),
+                                           coordinates.node_of_unknowns());
+
     auto system        = std::make_shared<ContactSystem>(coordinates.layout());
     system->matrix     = solver->take_schur_complement();
     system->null_space = null_space;
@@ -22,22 +40,66 @@ namespace conetact
 
   Condensation::Load
   Condensation::reduce(const Eigen::VectorXd &forces,
-                       const Eigen::VectorXd &prescribed) const
+                       const Eigen::VectorXd &prescribed)
   {
-    Load load;
-    load.prescribed = prescribed;
-    load.b          = prescribed.isZero(0) ?
-                        coordinates.restrict(forces) :
-                        coordinates.restrict(
-                 forces - elastic.internal_forces(prescribed));
-    load.f          = solver->reduce(load.b);
+    const Eigen::Index n = coordinates.n_dofs();
+    Eigen::VectorXd    rest(2 * n);
+    rest.head(n) = forces;
+    rest.tail(n) = stiffness_scale * prescribed;
+
+    const double size = rest.norm();
+    Load         load{prescribed,
+              Eigen::VectorXd::Zero(coordinates.n_unknowns()),
+              Eigen::VectorXd::Zero(coordinates.n_contact_unknowns())};
+    const auto   project = [&] {
+      for (std::size_t i = 0; i < basis.size(); ++i)
+        {
+          const double part = basis[i].dot(rest);
+          rest -= part * basis[i];
+          load.b += part * basis_b[i];
+          load.f += part * basis_f[i];
+        }
+    };
+    project();
+    project(); // twice is enough for orthogonality to round-off
+    const double norm = rest.norm();
+    if (norm <= 1e-15 * size)
+      return load;
+
+    if (basis.size() == largest_basis)
+      {
+        basis.clear();
+        basis_b.clear();
+        basis_f.clear();
+      }
+    rest /= norm;
+    basis.push_back(rest);
+    basis_b.push_back(coordinates.restrict(
+      rest.head(n) - elastic.internal_forces(rest.tail(n) / stiffness_scale)));
+    basis_f.push_back(solver->reduce(basis_b.back()));
+    ++n_reduced;
+    load.b += norm * basis_b.back();
+    load.f += norm * basis_f.back();
     return load;
   }
 
-  Eigen::VectorXd
-  Condensation::expand(const Load &load, const Eigen::VectorXd &contact) const
+  Eigen::MatrixXd
+  Condensation::expand(const std::vector<Load>            &loads,
+                       const std::vector<Eigen::VectorXd> &contact) const
   {
-    return coordinates.expand(solver->expand(load.b, contact)) +
-           load.prescribed;
+    const auto      n = static_cast<Eigen::Index>(loads.size());
+    Eigen::MatrixXd b(coordinates.n_unknowns(), n);
+    Eigen::MatrixXd q_contact(coordinates.n_contact_unknowns(), n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      {
+        b.col(k)         = loads[static_cast<std::size_t>(k)].b;
+        q_contact.col(k) = contact[static_cast<std::size_t>(k)];
+      }
+    const Eigen::MatrixXd q = solver->expand(b, q_contact);
+    Eigen::MatrixXd       u(coordinates.n_dofs(), n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      u.col(k) = coordinates.expand(q.col(k)) +
+                 loads[static_cast<std::size_t>(k)].prescribed;
+    return u;
   }
 } // namespace conetact

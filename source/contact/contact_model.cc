@@ -16,8 +16,8 @@ namespace conetact
     , motions(bodies, rules, coordinates)
   {}
 
-  const Condensation &
-  ContactModel::condensation() const
+  Condensation &
+  ContactModel::condensation()
   {
     if (!condensed)
       condensed = std::make_unique<Condensation>(elastic,
@@ -26,7 +26,7 @@ namespace conetact
     return *condensed;
   }
 
-  ContactHistory::ContactHistory(const ContactModel &m)
+  ContactHistory::ContactHistory(ContactModel &m)
     : model(m)
     , initial_gap(m.coordinates.layout().n_nodes())
     , q(Eigen::VectorXd::Zero(m.coordinates.n_contact_unknowns()))
@@ -48,7 +48,7 @@ namespace conetact
   }
 
   ContactProblem
-  ContactHistory::problem(const Condensation::Load &load) const
+  ContactHistory::problem(const Condensation::Load &load)
   {
     const auto    &system = model.condensation().system();
     ContactProblem problem;
@@ -59,6 +59,8 @@ namespace conetact
     for (Eigen::Index i = 0; i < system->n_nodes(); ++i)
       problem.gap[i] = initial_gap[i] + q[system->normal(i)];
     problem.reference_force = largest;
+    if (load.f.size() > 0)
+      largest = std::max(largest, load.f.cwiseAbs().maxCoeff());
     return problem;
   }
 
@@ -84,11 +86,7 @@ namespace conetact
       q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i];
     r      = end.r;
     states = end.node;
-  }
-
-  void
-  ContactHistory::note_force(const double force)
-  {
-    largest = std::max(largest, force);
+    if (r.size() > 0)
+      largest = std::max(largest, r.cwiseAbs().maxCoeff());
   }
 } // namespace conetact

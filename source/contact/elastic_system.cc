@@ -12,7 +12,7 @@ namespace conetact
     using RowMajorMatrix =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-    /** f += k u on the dofs of one element. */
+    /** f += k u on the dofs of one element, k symmetric. */
     void
     multiply(const std::vector<unsigned int> &dofs,
              const double                    *matrix,
@@ -20,14 +20,17 @@ namespace conetact
              Eigen::VectorXd                 &local,
              Eigen::VectorXd                 &f)
     {
-      const auto n = static_cast<Eigen::Index>(dofs.size());
-      local.resize(2 * n);
-      for (Eigen::Index i = 0; i < n; ++i)
-        local[i] = u[dofs[static_cast<std::size_t>(i)]];
-      local.tail(n).noalias() =
-        Eigen::Map<const RowMajorMatrix>(matrix, n, n) * local.head(n);
-      for (Eigen::Index i = 0; i < n; ++i)
-        f[dofs[static_cast<std::size_t>(i)]] += local[n + i];
+      const std::size_t n = dofs.size();
+      local.setZero(static_cast<Eigen::Index>(n));
+      double *const sum = local.data();
+      for (std::size_t j = 0; j < n; ++j, matrix += n)
+        {
+          const double u_j = u[dofs[j]];
+          for (std::size_t i = 0; i < n; ++i)
+            sum[i] += matrix[i] * u_j;
+        }
+      for (std::size_t i = 0; i < n; ++i)
+        f[dofs[i]] += sum[i];
     }
 
     /** An element in the unknowns q: C^T k C on the unknowns it touches. */

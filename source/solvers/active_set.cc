@@ -75,9 +75,9 @@ namespace conetact
         if (set.state == NodeState::stick)
           continue;
         // The stiffness of the node: scale is 1/sqrt(c) or sqrt(c).
-        const double c = relation->stiffness() ?
-                           1 / (scale(first) * scale(first)) :
-                           scale(first) * scale(first);
+        const double      c = relation->stiffness() ?
+                                1 / (scale(first) * scale(first)) :
+                                scale(first) * scale(first);
         const SmallVector z =
           state.r.segment(first, nt) - c * state.v.segment(first, nt);
         if (z.norm() == 0)
@@ -85,7 +85,7 @@ namespace conetact
             set.state = NodeState::stick;
             continue;
           }
-        set.direction = z.normalized();
+        set.direction    = z.normalized();
         const bool moves = state.v.segment(first, nt).norm() > 0;
         set.ratio =
           moves ? std::min(1.,
@@ -131,6 +131,38 @@ namespace conetact
 
 
 
+  namespace
+  {
+    /**
+     * The part of the slip law's derivative that turns with z_t. Exact would be
+     * ratio (1 - e e^T), and that is what this tends to. Far from the solution
+     * the reaction itself, cut back to the cone, takes the place of one e:
+     * without this a node that has to slip the other way spoils the step (Hueber,
+     * Stadler, Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
+     */
+    SmallMatrix
+    turning_part(const SmallVector &e, const double ratio, const double limit, const SmallVector &reaction)
+    {
+      const Index n = e.size();
+      if (n < 2)
+        return SmallMatrix::Zero(n, n);
+      const double norm  = reaction.norm();
+      const double size  = limit > norm ? norm / limit : 1.;
+      SmallVector  r     = SmallVector::Zero(n);
+      double       cosine = 0;
+      if (norm > 0)
+        {
+          r      = reaction * (size / norm);
+          cosine = e.dot(reaction) / norm;
+        }
+      const double damping = cosine < 0 ? 1 / (1 - cosine * size) : 1.;
+      return ratio *
+             (SmallMatrix::Identity(n, n) - damping * r * e.transpose());
+    }
+  } // namespace
+
+
+
   std::vector<NodeLaw>
   ActiveSet::laws(const std::vector<Set> &sets,
                   const Array            &p,
@@ -162,16 +194,19 @@ namespace conetact
           }
         if (set.state == NodeState::slip && nt > 0)
           {
-            // r_t = mu r_n e + ratio (1 - e e^T)(r_t - v_t)
-            const SmallVector &e = set.direction;
-            SmallMatrix        T =
-              set.ratio * (SmallMatrix::Identity(nt, nt) - e * e.transpose());
-            if (nt == 1)
-              T.setZero();
-            A.topLeftCorner(nt, nt)  = T;
-            B.topLeftCorner(nt, nt)  = SmallMatrix::Identity(nt, nt) - T;
-            B.topRightCorner(nt, 1)  = -system.mu(i) * e;
-            h.head(nt) = -(A.topRows(nt) * vi + B.topRows(nt) * ri);
+            const double      mu = system.mu(i), zn = ri(nt) - vi(nt);
+            const SmallMatrix T =
+              turning_part(set.direction, set.ratio, mu * zn, ri.head(nt));
+            A.topLeftCorner(nt, nt) = T;
+            B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
+            A.topRightCorner(nt, 1) = mu * set.direction;
+            B.topRightCorner(nt, 1) = -A.topRightCorner(nt, 1);
+            // A first guess of the states may not go with z: then the law is
+            // asked for at the end of the step, not its increment.
+            if (zn > 0)
+              h.head(nt) = mu * zn * set.direction - ri.head(nt);
+            else
+              h.head(nt) = -(A.topRows(nt) * vi + B.topRows(nt) * ri);
           }
         NodeLaw &law = result[at(i)];
         law.p        = relation->stiffness() ? A : B;
@@ -193,9 +228,9 @@ namespace conetact
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index       first = system.first[i], nt = system.n_tangents(i);
-        const SmallVector ri = r.segment(first, nt + 1);
-        SmallVector       z  = ri - v.segment(first, nt + 1);
-        const double      zn = std::max(z(nt), 0.);
+        const SmallVector ri    = r.segment(first, nt + 1);
+        SmallVector       z     = ri - v.segment(first, nt + 1);
+        const double      zn    = std::max(z(nt), 0.);
         const double      limit = system.mu(i) * zn, norm = z.head(nt).norm();
         if (norm > limit)
           z.head(nt) *= limit / norm;
@@ -210,7 +245,8 @@ namespace conetact
 
   namespace
   {
-    /** States, and signs of slip in 2D: what makes two Newton matrices equal. */
+    /** States, and signs of slip in 2D: what makes two Newton matrices equal.
+     */
     template <typename Sets>
     std::string
     signature(const Sets &sets)
@@ -235,9 +271,9 @@ namespace conetact
   ActiveSet::iterate(Array &p, Array &d, std::vector<Set> &sets)
   {
     SolverReport          report;
-    const double          goal = std::max(1e-3 * options.tolerance, 1e-14);
+    const double          goal = std::max(.05 * options.tolerance, 1e-14);
     std::set<std::string> seen;
-    std::string           current = signature(sets);
+    std::string           current  = signature(sets);
     double                residual = std::numeric_limits<double>::infinity();
     bool                  damped   = false;
     unsigned int          stalls   = 0;
@@ -253,7 +289,10 @@ namespace conetact
       {
         seen.insert(current);
         Array dp;
-        if (!newton.solve(*relation, laws(sets, p, d), none, goal, dp))
+        // What Newton gains anyway, or what is left to gain if that is less.
+        const double precision =
+          std::min(1e-2, std::max(.1 * residual, .3 * goal / residual));
+        if (!newton.solve(*relation, laws(sets, p, d), none, precision, dp))
           {
             report.reason = "singular tangent";
             return report;

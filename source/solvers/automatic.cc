@@ -104,9 +104,9 @@ namespace conetact
   SolverReport
   Automatic::solve_whole(const ContactProblem &problem, ContactState &state)
   {
-    ContactState       trial  = state;
-    SolverReport       report = active_set.solve(problem, trial);
-    const std::string  first_reason = report.reason;
+    ContactState      trial        = state;
+    SolverReport      report       = active_set.solve(problem, trial);
+    const std::string first_reason = report.reason;
     if (!report.converged)
       {
         trial                     = state;
@@ -140,7 +140,7 @@ namespace conetact
     report.substeps         = 0;
     while (done < 1)
       {
-        const double next = std::min(1., done + size);
+        const double next  = std::min(1., done + size);
         ContactState trial = now;
         trial.v            = start_of(system, part.gap);
         // What has slipped so far is part of the load of the next part.
@@ -159,7 +159,7 @@ namespace conetact
               break;
             continue;
           }
-        residual = std::max(residual, one.residual);
+        residual      = std::max(residual, one.residual);
         report.solver = one.solver;
         ++report.substeps;
         slip += slips_of(system, trial.v);

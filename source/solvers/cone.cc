@@ -96,13 +96,14 @@ namespace conetact
   SmoothedProjection
   smoothed_projection(const SmallVector &z, const double m)
   {
-    const Spectrum s   = spectrum(z);
-    const double   s1  = std::hypot(s.l1, 2 * m), s2 = std::hypot(s.l2, 2 * m);
-    const double   g1  = smoothed_positive_part(s.l1, m),
-                 g2    = smoothed_positive_part(s.l2, m);
-    const double h1    = smoothed_positive_part(-s.l1, m),
-                 h2    = smoothed_positive_part(-s.l2, m);
-    const double slope = .5 * (s.l1 >= 0 ? h1 / s1 - h2 / s2 : g2 / s2 - g1 / s1);
+    const Spectrum s  = spectrum(z);
+    const double   s1 = std::hypot(s.l1, 2 * m), s2 = std::hypot(s.l2, 2 * m);
+    const double   g1 = smoothed_positive_part(s.l1, m),
+                 g2   = smoothed_positive_part(s.l2, m);
+    const double h1   = smoothed_positive_part(-s.l1, m),
+                 h2   = smoothed_positive_part(-s.l2, m);
+    const double slope =
+      .5 * (s.l1 >= 0 ? h1 / s1 - h2 / s2 : g2 / s2 - g1 / s1);
 
     SmoothedProjection result;
     result.value = g1 * s.u1 + g2 * s.u2;

@@ -83,8 +83,9 @@ namespace conetact
                                    rho * state.v.norm(),
                                    rho * problem.gap.norm(),
                                    problem.reference_force});
-    const double error = std::max(law_residual(problem, state, rho).norm(),
-                                  relation_residual(problem, state, rho).norm());
+    const double error =
+      std::max(law_residual(problem, state, rho).norm(),
+               relation_residual(problem, state, rho).norm());
     if (error == 0)
       return 0;
     const double result = error / scale;
@@ -130,16 +131,17 @@ namespace conetact
            const double          tolerance)
   {
     const ContactSystem &system = *problem.system;
-    const double limit = tolerance * std::max(largest(state.v), largest(problem.gap));
+    const double         limit =
+      tolerance * std::max(largest(state.v), largest(problem.gap));
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const double slip =
           state.v.segment(system.first[i], system.n_tangents(i)).norm();
-        result[static_cast<std::size_t>(i)] =
-          state.r(system.normal(i)) <= 0 ? NodeState::open :
-          slip > limit                   ? NodeState::slip :
-                                           NodeState::stick;
+        result[static_cast<std::size_t>(i)] = state.r(system.normal(i)) <= 0 ?
+                                                NodeState::open :
+                                              slip > limit ? NodeState::slip :
+                                                             NodeState::stick;
       }
     return result;
   }

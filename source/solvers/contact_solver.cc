@@ -5,10 +5,8 @@
 
 #include "conetact/solvers/active_set.h"
 #include "conetact/solvers/automatic.h"
+#include "conetact/solvers/gauss_seidel.h"
 #include "conetact/solvers/smoothing_newton.h"
-#if __has_include("conetact/solvers/gauss_seidel.h")
-#  include "conetact/solvers/gauss_seidel.h"
-#endif
 
 #include <stdexcept>
 
@@ -27,11 +25,9 @@ namespace conetact
       {"smoothing",
        "smoothing and regularisation of the cones, robust from any start",
        &make_smoothing_newton},
-#if __has_include("conetact/solvers/gauss_seidel.h")
       {"gauss-seidel",
        "node by node, slow: a baseline to compare with",
        &make_gauss_seidel},
-#endif
     };
     return table;
   }

@@ -21,17 +21,17 @@ namespace conetact
     VectorXd
     mean_diagonal(const ContactSystem &system)
     {
-      const Index  n     = system.n_nodes();
-      const double all   = system.n_unknowns() > 0 ?
-                             system.matrix.trace() /
-                             static_cast<double>(system.n_unknowns()) :
-                             1.;
-      const double mean  = all > 0 ? all : 1.;
+      const Index  n = system.n_nodes();
+      const double all =
+        system.n_unknowns() > 0 ?
+          system.matrix.trace() / static_cast<double>(system.n_unknowns()) :
+          1.;
+      const double mean = all > 0 ? all : 1.;
       VectorXd     result(n);
       for (Index i = 0; i < n; ++i)
         {
           const Index  first = system.first[i], dim = system.n_tangents(i) + 1;
-          const double m     = system.matrix.diagonal().segment(first, dim).sum() /
+          const double m = system.matrix.diagonal().segment(first, dim).sum() /
                            static_cast<double>(dim);
           result(i) = m > 1e-12 * mean ? m : mean;
         }
@@ -58,8 +58,8 @@ namespace conetact
             }
           double *out = y.data();
           for (Index i = 0; i < n; ++i)
-            out[i] += c[0] * a[0][i] + c[1] * a[1][i] + c[2] * a[2][i] +
-                      c[3] * a[3][i];
+            out[i] +=
+              c[0] * a[0][i] + c[1] * a[1][i] + c[2] * a[2][i] + c[3] * a[3][i];
         }
       for (; k < columns.size(); ++k)
         y += x(columns[k]) * A.col(columns[k]);
@@ -82,8 +82,7 @@ namespace conetact
       }
     const VectorXd mean = mean_diagonal(*contact_system);
     for (Index i = 0; i < mean.size(); ++i)
-      scale
-        .segment(contact_system->first[i], contact_system->n_tangents(i) + 1)
+      scale.segment(contact_system->first[i], contact_system->n_tangents(i) + 1)
         .setConstant(1 / std::sqrt(mean(i)));
   }
 
@@ -103,9 +102,9 @@ namespace conetact
     if (scale.size() > 0)
       {
         const double mean = scale.mean();
-        alpha             = std::max(alpha,
-                         problem.reference_force *
-                           (stiffness() ? mean : 1 / mean));
+        alpha =
+          std::max(alpha,
+                   problem.reference_force * (stiffness() ? mean : 1 / mean));
       }
     if (!(alpha > 0))
       alpha = 1;

@@ -5,10 +5,9 @@
 
 #include <lapacke.h>
 
-
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace conetact
 {
@@ -16,6 +15,9 @@ namespace conetact
   {
     using Eigen::Index;
     using Eigen::VectorXd;
+
+    /** Below this size a factorisation costs less than its reuse. */
+    constexpr Index reuse_from = 500;
 
     /** Does row k of the law say what unknown k is, and nothing else? */
     bool
@@ -35,7 +37,8 @@ namespace conetact
       pivots.resize(static_cast<std::size_t>(n));
       if (!A.allFinite())
         return false;
-      if (LAPACKE_dgetrf(LAPACK_COL_MAJOR, n, n, A.data(), n, pivots.data()) != 0)
+      if (LAPACKE_dgetrf(LAPACK_COL_MAJOR, n, n, A.data(), n, pivots.data()) !=
+          0)
         return false;
       const auto pivot = A.diagonal().cwiseAbs();
       return n == 0 || pivot.minCoeff() > 1e-13 * pivot.maxCoeff();
@@ -92,6 +95,33 @@ namespace conetact
 
 
 
+  /** J += P + shift D, block by block. */
+  template <typename Matrix>
+  void
+  NewtonSystem::add_node_blocks(const std::vector<NodeLaw> &laws,
+                                const double                shift,
+                                Matrix                     &J) const
+  {
+    using Number = typename Matrix::Scalar;
+    for (std::size_t a = 0; a < row.size(); ++a)
+      {
+        const Row     &r   = row[a];
+        const NodeLaw &law = laws[static_cast<std::size_t>(r.node)];
+        const auto     add = [&](const std::size_t b) {
+          const Index k = row[b].local;
+          J(static_cast<Index>(a), static_cast<Index>(b)) +=
+            static_cast<Number>(law.p(r.local, k) + shift * law.d(r.local, k));
+        };
+        // Rows of a node are neighbours.
+        for (std::size_t b = a; b < row.size() && row[b].node == r.node; ++b)
+          add(b);
+        for (std::size_t b = a; b > 0 && row[b - 1].node == r.node; --b)
+          add(b - 1);
+      }
+  }
+
+
+
   template <typename Matrix>
   void
   NewtonSystem::assemble(const LinearRelation       &relation,
@@ -99,51 +129,48 @@ namespace conetact
                          const double                shift,
                          Matrix                     &J) const
   {
-    using Number                 = typename Matrix::Scalar;
-    const ContactSystem   &system = relation.system();
-    const Eigen::VectorXd &scale  = relation.column_scale();
-    const Index            n      = static_cast<Index>(unknown.size());
-    // Row a of the result is three consecutive rows of M with three weights.
-    std::vector<Index>                 start(unknown.size());
-    std::vector<std::array<double, 3>> weight(unknown.size());
-    for (std::size_t a = 0; a < unknown.size(); ++a)
+    using Number                = typename Matrix::Scalar;
+    const ContactSystem &system = relation.system();
+    const Array         &scale  = relation.column_scale();
+    const std::size_t    n      = unknown.size();
+
+    // Row a of the result is three consecutive rows of M with three weights,
+    // zero where the node is smaller.
+    struct Weights
+    {
+      Number       w[3];
+      std::int32_t start;
+    };
+    std::vector<Weights> weights(n);
+    for (std::size_t a = 0; a < n; ++a)
       {
-        const NodeLaw &law = laws[static_cast<std::size_t>(row[a].node)];
-        start[a]           = system.first[row[a].node];
+        const NodeLaw &law   = laws[static_cast<std::size_t>(row[a].node)];
+        const Index    start = system.first[row[a].node];
+        weights[a].start     = static_cast<std::int32_t>(start);
         for (Index k = 0; k < 3; ++k)
-          weight[a][static_cast<std::size_t>(k)] =
-            k < law.d.cols() ? law.d(row[a].local, k) * scale(start[a] + k) : 0.;
+          weights[a].w[k] =
+            k < law.d.cols() ?
+              static_cast<Number>(law.d(row[a].local, k) * scale(start + k)) :
+              0;
       }
 
-    J.resize(n, n);
-    const Index last = system.n_unknowns() - 1;
-    for (Index b = 0; b < n; ++b)
+    J.resize(static_cast<Index>(n), static_cast<Index>(n));
+    Eigen::Matrix<Number, Eigen::Dynamic, 1> column =
+      Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(system.n_unknowns() + 2);
+    for (std::size_t b = 0; b < n; ++b)
       {
-        const Index   global = unknown[static_cast<std::size_t>(b)];
-        const double *column = system.matrix.col(global).data();
-        const double  s      = scale(global);
-        for (std::size_t a = 0; a < unknown.size(); ++a)
+        const Index global = unknown[b];
+        column.head(system.n_unknowns()) =
+          (scale(global) * system.matrix.col(global)).template cast<Number>();
+        Number *out = J.col(static_cast<Index>(b)).data();
+        for (std::size_t a = 0; a < n; ++a)
           {
-            // Weights are zero where a node is smaller; only stay inside.
-            const Index i0 = start[a], i1 = std::min(i0 + 1, last),
-                        i2 = std::min(i0 + 2, last);
-            J(static_cast<Index>(a), b) = static_cast<Number>(
-              s * (weight[a][0] * column[i0] + weight[a][1] * column[i1] +
-                   weight[a][2] * column[i2]));
+            const Number *c = column.data() + weights[a].start;
+            out[a] = weights[a].w[0] * c[0] + weights[a].w[1] * c[1] +
+                     weights[a].w[2] * c[2];
           }
       }
-    for (Index a = 0; a < n; ++a)
-      {
-        const Row     &r   = row[static_cast<std::size_t>(a)];
-        const NodeLaw &law = laws[static_cast<std::size_t>(r.node)];
-        for (Index b = 0; b < n; ++b)
-          {
-            const Row &c = row[static_cast<std::size_t>(b)];
-            if (c.node == r.node)
-              J(a, b) += static_cast<Number>(law.p(r.local, c.local) +
-                                             shift * law.d(r.local, c.local));
-          }
-      }
+    add_node_blocks(laws, shift, J);
   }
 
 
@@ -161,9 +188,43 @@ namespace conetact
       return false;
     x            = right_hand_side;
     const auto n = static_cast<lapack_int>(x.size());
-    LAPACKE_dgetrs(
-      LAPACK_COL_MAJOR, 'N', n, 1, matrix.data(), n, pivots.data(), x.data(), n);
+    LAPACKE_dgetrs(LAPACK_COL_MAJOR,
+                   'N',
+                   n,
+                   1,
+                   matrix.data(),
+                   n,
+                   pivots.data(),
+                   x.data(),
+                   n);
     return x.allFinite();
+  }
+
+
+
+  bool
+  NewtonSystem::solve_with_reuse(const LinearRelation       &relation,
+                                 const std::vector<NodeLaw> &laws,
+                                 const double                precision,
+                                 Array                      &x)
+  {
+    if (static_cast<Index>(unknown.size()) < reuse_from)
+      return false;
+    const double norm = right_hand_side.norm();
+    if (!(norm > 0) || !std::isfinite(norm))
+      return false;
+    Eigen::VectorXf solution;
+    assemble(relation, laws, 0, single);
+    const unsigned int before = reused.n_factorizations();
+    const bool         done   = reused.solve(single,
+                                   unknown,
+                                   (right_hand_side / norm).cast<float>(),
+                                   static_cast<float>(precision),
+                                   solution);
+    factorizations += reused.n_factorizations() - before;
+    if (done)
+      x = norm * solution.cast<double>();
+    return done;
   }
 
 
@@ -175,7 +236,6 @@ namespace conetact
                       const double                precision,
                       Array                      &dp)
   {
-    (void)precision;
     split(relation, laws);
     eliminate(relation, laws, rho, dp);
     if (unknown.empty())
@@ -185,7 +245,8 @@ namespace conetact
     // unique) gets a small multiple of the identity on M. Newton then leaves
     // the undetermined part where it is, and makes up for the rest.
     Array x;
-    bool  solved = solve_directly(relation, laws, 0, x);
+    bool  solved = solve_with_reuse(relation, laws, precision, x) ||
+                  solve_directly(relation, laws, 0, x);
     for (const double shift : {1e-9, 1e-6})
       if (!solved)
         solved = solve_directly(relation, laws, shift, x);

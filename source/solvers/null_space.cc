@@ -84,6 +84,10 @@ namespace conetact
 
     const PivotedCholesky cholesky = factorize(scaled, tolerance);
     const Eigen::Index    rank = cholesky.rank, k = n - rank;
+    if (k == 0)
+      return Eigen::MatrixXd(n, 0);
+    if (rank == 0)
+      return Eigen::MatrixXd::Identity(n, n);
     const auto L = cholesky.factor.topRows(rank).triangularView<Eigen::Lower>();
 
     // [L; M] [L; M]^T (-L^-T M^T; I) = 0

@@ -23,7 +23,10 @@ namespace conetact
 
     /** (axis, tangents) of the second-order cone. */
     SmallVector
-    cone_vector(const double axis, const VectorXd &x, const Index first, const Index nt)
+    cone_vector(const double    axis,
+                const VectorXd &x,
+                const Index     first,
+                const Index     nt)
     {
       SmallVector result(nt + 1);
       result << axis, x.segment(first, nt);
@@ -38,14 +41,14 @@ namespace conetact
     {
       SmallMatrix C, D; ///< I - P' and P'
       SmallVector phi;  ///< x - P(x - y)
-      double      pivot = 0;
+      double      pivot  = 0;
       bool        frozen = false;
     };
   } // namespace
 
 
 
-  SmoothingIteration::SmoothingIteration(const LinearRelation   &linear_relation,
+  SmoothingIteration::SmoothingIteration(const LinearRelation &linear_relation,
                                          const SmoothingOptions &smoothing,
                                          const ContactState     &start)
     : relation(linear_relation)
@@ -67,9 +70,8 @@ namespace conetact
     const Array &r = relation.stiffness() ? x.d : x.p;
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        x.lambda(i) =
-          v.segment(system.first[i], system.n_tangents(i)).norm();
-        x.y(i) = system.mu(i) * r(system.normal(i));
+        x.lambda(i) = v.segment(system.first[i], system.n_tangents(i)).norm();
+        x.y(i)      = system.mu(i) * r(system.normal(i));
       }
     measure();
     best = natural;
@@ -230,22 +232,22 @@ namespace conetact
             const SmallVector xc = cone_vector(x.lambda(i), v, first, nt);
             const SmallVector zc = xc - cone_vector(x.y(i), r, first, nt);
             const SmoothedProjection projected = smoothed_projection(zc, m);
-            c.phi    = xc - projected.value;
-            c.C      = projected.complement;
-            c.D      = projected.derivative;
-            c.pivot  = c.C(0, 0) + eps * c.D(0, 0);
-            c.frozen = c.pivot < freeze;
+            c.phi                              = xc - projected.value;
+            c.C                                = projected.complement;
+            c.D                                = projected.derivative;
+            c.pivot                            = c.C(0, 0) + eps * c.D(0, 0);
+            c.frozen                           = c.pivot < freeze;
 
             SmallVector q = SmallVector::Zero(nt);
             if (!c.frozen)
               q = (c.C.col(0).tail(nt) + eps * c.D.col(0).tail(nt)) / c.pivot;
-            const SmallVector  w = c.D.col(0).tail(nt) - q * c.D(0, 0);
-            const SmallMatrix  C0 = c.C.topRightCorner(1, nt),
-                              D0 = c.D.topRightCorner(1, nt);
-            A.topLeftCorner(nt, nt)  = c.C.bottomRightCorner(nt, nt) - q * C0;
-            B.topLeftCorner(nt, nt)  = c.D.bottomRightCorner(nt, nt) - q * D0;
-            A.topRightCorner(nt, 1)  = -normal_shift(i) * w;
-            B.topRightCorner(nt, 1)  = mu * w;
+            const SmallVector w     = c.D.col(0).tail(nt) - q * c.D(0, 0);
+            const SmallMatrix C0    = c.C.topRightCorner(1, nt),
+                              D0    = c.D.topRightCorner(1, nt);
+            A.topLeftCorner(nt, nt) = c.C.bottomRightCorner(nt, nt) - q * C0;
+            B.topLeftCorner(nt, nt) = c.D.bottomRightCorner(nt, nt) - q * D0;
+            A.topRightCorner(nt, 1) = -normal_shift(i) * w;
+            B.topRightCorner(nt, 1) = mu * w;
             h.head(nt) = -c.phi.tail(nt) + q * c.phi(0) - w * residual.y(i);
           }
         NodeLaw &law = laws[at(i)];
@@ -255,7 +257,7 @@ namespace conetact
         law.p += eps * law.d;
       }
 
-    if (!newton.solve(relation, laws, residual.relation, 1e-10, delta.p))
+    if (!newton.solve(relation, laws, residual.relation, 1e-5, delta.p))
       return false;
     ++iterations;
     delta.d = residual.relation + eps * delta.p;
@@ -270,17 +272,17 @@ namespace conetact
         {
           const Cone  &c     = cones[at(i)];
           const Index  first = system.first[i], nt = system.n_tangents(i);
-          const double y     = system.mu(i) * dr(first + nt) -
+          const double y = system.mu(i) * dr(first + nt) -
                            normal_shift(i) * dv(first + nt) + residual.y(i);
           if (!c.frozen)
             delta.lambda(i) =
               (-c.phi(0) - c.C.row(0).tail(nt).dot(dv.segment(first, nt)) -
-               c.D(0, 0) * y -
-               c.D.row(0).tail(nt).dot(dr.segment(first, nt))) /
+               c.D(0, 0) * y - c.D.row(0).tail(nt).dot(dr.segment(first, nt))) /
               c.pivot;
           delta.y(i) = y + eps * delta.lambda(i);
         }
-    return delta.p.allFinite() && delta.d.allFinite() && delta.lambda.allFinite();
+    return delta.p.allFinite() && delta.d.allFinite() &&
+           delta.lambda.allFinite();
   }
 
 
@@ -301,7 +303,7 @@ namespace conetact
     double tau = 1;
     for (int cuts = 0;; ++cuts, tau *= options.rho)
       {
-        Point trial    = x;
+        Point trial = x;
         trial.lambda += tau * delta.lambda;
         trial.y += tau * delta.y;
         trial.p += tau * delta.p;
@@ -332,14 +334,14 @@ namespace conetact
   SmoothingIteration::shrink()
   {
     ++outer;
-    const double k = static_cast<double>(outer);
-    const double h = natural;
+    const double k   = static_cast<double>(outer);
+    const double h   = natural;
     double       bar = std::numeric_limits<double>::infinity();
     if (options.kappahat * h < 1)
       bar = .5 * smallest_eigenvalue() * std::sqrt(options.kappahat * h);
     const double power = std::pow(options.etabar, k);
-    m   = std::min({options.kappa * h * h, options.m0 * power, bar});
-    eps = std::min(options.kappa * h * h, options.eps0 * power);
+    m    = std::min({options.kappa * h * h, options.m0 * power, bar});
+    eps  = std::min(options.kappa * h * h, options.eps0 * power);
     beta = options.beta0 * std::pow(options.eta, k);
     m    = std::max(m, options.scaled ? 1e-14 : 1e-16);
     eps  = std::max(eps, options.scaled ? 1e-13 : 0.);

@@ -8,7 +8,6 @@
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
@@ -44,6 +43,38 @@ namespace conetact
       for (const auto &face : mesh.faces)
         if (ids.count(face.id) > 0)
           visit(face);
+    }
+
+    /**
+     * The nearest active cell, by its index, and where the point lies in it;
+     * the number of cells if the point is in none. A plain loop: GridTools'
+     * search is slow for points outside and sets up maps each time.
+     */
+    template <int dim>
+    std::pair<unsigned int, Point<dim>>
+    locate(const dealii::Triangulation<dim> &triangulation, const Point<dim> &p)
+    {
+      const auto &mapping = dealii::StaticMappingQ1<dim>::mapping;
+      std::pair<unsigned int, Point<dim>> found(triangulation.n_active_cells(),
+                                                Point<dim>());
+      double                              nearest = point_tolerance;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->bounding_box().point_inside(p, point_tolerance))
+          try
+            {
+              const Point<dim> unit =
+                mapping.transform_real_to_unit_cell(cell, p);
+              const double distance =
+                dealii::GeometryInfo<dim>::distance_to_unit_cell(unit);
+              if (distance < nearest)
+                {
+                  nearest = distance;
+                  found   = {cell->active_cell_index(), unit};
+                }
+            }
+          catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
+            {} // far outside a distorted cell
+      return found;
     }
 
     /** Moves what hanging nodes have to the nodes that they follow. */
@@ -200,19 +231,14 @@ namespace conetact
       p[d] = point[d];
     if (point.distance(to_space(p)) > 0) // off the plane of a 2D body
       return false;
-    const auto [cell, unit] = dealii::GridTools::find_active_cell_around_point(
-      dealii::StaticMappingQ1<dim>::mapping,
-      *triangulation,
-      p,
-      {},
-      point_tolerance);
-    if (cell == triangulation->end())
+    const auto [cell, unit] = locate(*triangulation, p);
+    if (cell == triangulation->n_active_cells())
       return false;
 
     std::array<double, ContinuumMesh<dim>::n_cell_nodes> shape;
     for (unsigned int v = 0; v < shape.size(); ++v)
       shape[v] = dealii::GeometryInfo<dim>::d_linear_shape_function(unit, v);
-    distribute<dim>(mesh.cells[cell->active_cell_index()], shape, force, f);
+    distribute<dim>(mesh.cells[cell], shape, force, f);
     return true;
   }
 

@@ -40,22 +40,40 @@ namespace conetact
     run(const std::filesystem::path &folder, const bool quiet);
 
   private:
+    /** An increment whose displacements are still to be recovered. */
+    struct Pending
+    {
+      IncrementRecord    record;
+      Eigen::VectorXd    forces; ///< nodal loads, all dofs
+      Condensation::Load load;
+      ContactState       state;
+      Eigen::VectorXd    contact; ///< displacements of contact unknowns
+    };
     void
     create_outputs(const std::filesystem::path &folder, const bool quiet);
-    IncrementRecord
-    increment(const unsigned int k);
-    ContactState
-    solve_contact(const Condensation::Load &load, IncrementRecord &record);
+    std::size_t
+    batch_size() const;
+    Pending
+    solve(const unsigned int k);
+    SolverReport
+    solve_contact(const Condensation::Load &load, Pending &increment);
+    void
+    finish(std::vector<Pending> &batch);
+    void
+    check(Pending &increment, const Eigen::VectorXd &u);
+    void
+    write(const IncrementRecord &record);
     [[noreturn]] void
     fail(const IncrementRecord &record, const std::string &why) const;
 
     const Scene                         &scene;
     Log                                 &log;
-    const ContactModel                   model;
+    ContactModel                         model;
     ContactHistory                       history;
     ContactRows                          contact_rows;
     std::unique_ptr<ContactSolver>       solver;
     std::vector<std::unique_ptr<Output>> outputs;
+    double largest_force = 0; ///< nodal force of the increments so far [force]
   };
 } // namespace conetact
 

@@ -9,6 +9,7 @@
 #include "conetact/contact/schur_solver.h"
 
 #include <memory>
+#include <vector>
 
 namespace conetact
 {
@@ -42,14 +43,27 @@ namespace conetact
       Eigen::VectorXd b;          ///< C^T (f - K d), all unknowns [force]
       Eigen::VectorXd f;          ///< condensed, contact unknowns [force]
     };
-    /** `forces` are nodal forces on all dofs, `prescribed` is d(t). */
+    /**
+     * `forces` are nodal forces on all dofs, `prescribed` is d(t). A load case
+     * that is a linear combination of earlier ones costs no solve.
+     */
     Load
-    reduce(const Eigen::VectorXd &forces,
-           const Eigen::VectorXd &prescribed) const;
+    reduce(const Eigen::VectorXd &forces, const Eigen::VectorXd &prescribed);
 
-    /** Displacements of all dofs from those of the contact unknowns. */
-    Eigen::VectorXd
-    expand(const Load &load, const Eigen::VectorXd &contact) const;
+    /**
+     * Displacements of all dofs, a column for each load case and its contact
+     * unknowns.
+     */
+    Eigen::MatrixXd
+    expand(const std::vector<Load>            &loads,
+           const std::vector<Eigen::VectorXd> &contact) const;
+
+    /** Load cases that were reduced by the solver. */
+    unsigned int
+    n_reductions() const
+    {
+      return n_reduced;
+    }
 
     double
     factor_bytes() const
@@ -62,6 +76,14 @@ namespace conetact
     const Coordinates                   &coordinates;
     std::unique_ptr<SchurSolver>         solver;
     std::shared_ptr<const ContactSystem> contact_system;
+
+    /**
+     * What is known of load cases: an orthonormal basis of those seen,
+     * (forces, stiffness x prescribed displacements), and what they reduce to.
+     */
+    double                       stiffness_scale;
+    std::vector<Eigen::VectorXd> basis, basis_b, basis_f;
+    unsigned int                 n_reduced = 0;
   };
 } // namespace conetact
 

@@ -30,11 +30,12 @@ namespace conetact
     const ElasticSystem elastic;
     const RigidMotions  motions;
 
-    const Condensation &
-    condensation() const;
+    /** Made when first asked for. */
+    Condensation &
+    condensation();
 
   private:
-    mutable std::unique_ptr<const Condensation> condensed;
+    std::unique_ptr<Condensation> condensed;
   };
 
   /**
@@ -45,20 +46,17 @@ namespace conetact
   class ContactHistory
   {
   public:
-    explicit ContactHistory(const ContactModel &model);
+    explicit ContactHistory(ContactModel &model);
 
     /** The increment that ends with `load`. */
     ContactProblem
-    problem(const Condensation::Load &load) const;
+    problem(const Condensation::Load &load);
     /** Where it starts: v = (0, gap), reactions and states so far. */
     ContactState
     start() const;
     /** Takes over the end of an increment. */
     void
     advance(const ContactState &end);
-    /** The largest nodal force of a finished increment [force]. */
-    void
-    note_force(const double force);
 
     /** Relative displacements of the contact unknowns since the start. */
     const Eigen::VectorXd &
@@ -66,21 +64,15 @@ namespace conetact
     {
       return q;
     }
-    double
-    reference_force() const
-    {
-      return largest;
-    }
-
   private:
     Eigen::VectorXd
     shift() const;
 
-    const ContactModel    &model;
+    ContactModel          &model;
     Eigen::VectorXd        initial_gap; ///< of each node with unknowns
     Eigen::VectorXd        q, r;
     std::vector<NodeState> states;
-    double                 largest = 0;
+    double                 largest = 0; ///< reaction or load so far [force]
   };
 } // namespace conetact
 

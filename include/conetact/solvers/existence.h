@@ -5,6 +5,7 @@
 #define conetact_solvers_existence_h
 
 #include "conetact/solvers/contact_problem.h"
+#include "conetact/solvers/reach.h"
 
 #include <Eigen/Dense>
 
@@ -63,11 +64,6 @@ namespace conetact
    * sufficient: Coulomb friction is not associated and the proof dilates; it is
    * exact where all contact normals are equal. It refuses only with a proof in
    * hand. Works with forces in any unit.
-   *
-   * Method: proximal point iteration on r; each step is a strongly convex
-   * problem in z, as small as the null space, solved by a semismooth Newton
-   * method (Rockafellar, Math. Oper. Res. 1 (1976) 97-116; Qi, Sun, Math.
-   * Program. 58 (1993) 353-367).
    */
   class ExistenceCheck
   {
@@ -103,7 +99,6 @@ namespace conetact
     }
 
   private:
-    struct Reach;
     Reach
     reach(const Eigen::VectorXd &c, const Eigen::VectorXd &mu) const;
     bool

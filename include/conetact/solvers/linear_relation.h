@@ -77,7 +77,7 @@ namespace conetact
 
   private:
     std::shared_ptr<const ContactSystem> contact_system;
-    bool   has_units;
+    bool                                 has_units;
     Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
     double alpha = 1; ///< sqrt(force x length)
     Array  scaled_load;

@@ -6,6 +6,7 @@
 
 #include "conetact/solvers/cone.h"
 #include "conetact/solvers/linear_relation.h"
+#include "conetact/solvers/reused_factor.h"
 
 #include <vector>
 
@@ -65,11 +66,21 @@ namespace conetact
 
     template <typename Matrix>
     void
+    add_node_blocks(const std::vector<NodeLaw> &laws,
+                    const double                shift,
+                    Matrix                     &J) const;
+    template <typename Matrix>
+    void
     assemble(const LinearRelation       &relation,
              const std::vector<NodeLaw> &laws,
              const double                shift,
              Matrix                     &J) const;
 
+    bool
+    solve_with_reuse(const LinearRelation       &relation,
+                     const std::vector<NodeLaw> &laws,
+                     const double                precision,
+                     Array                      &x);
     bool
     solve_directly(const LinearRelation       &relation,
                    const std::vector<NodeLaw> &laws,
@@ -84,6 +95,8 @@ namespace conetact
     std::vector<Row>   row;     ///< the same, by node
     Array              right_hand_side;
     Eigen::MatrixXd    matrix;
+    Eigen::MatrixXf    single;
+    ReusedFactor       reused;
     unsigned int       factorizations = 0;
   };
 } // namespace conetact

@@ -90,7 +90,9 @@ namespace conetact
     defect(const Point &point) const;
     /** Residual of the cones of node i, smoothed or (m = 0) not. */
     double
-    squared_cone_residual(const Point &point, const Index i, const double m) const;
+    squared_cone_residual(const Point &point,
+                          const Index  i,
+                          const double m) const;
     double
     merit(const Point &point, const Defect &defect, const double m) const;
     void
@@ -109,9 +111,9 @@ namespace conetact
     NewtonSystem           newton;
     Point                  x;
     double                 m, eps, beta;
-    double                 natural    = 0;
-    double                 best       = 0;
-    unsigned int           outer      = 0, stalls = 0;
+    double                 natural = 0;
+    double                 best    = 0;
+    unsigned int           outer = 0, stalls = 0;
     unsigned int           iterations = 0;
     bool                   inside     = false; ///< in the inner loop
     std::string            why;

@@ -18,17 +18,17 @@ namespace conetact
 {
   struct RandomOptions
   {
-    Form         form       = Form::stiffness;
-    Eigen::Index n_nodes    = 10;
-    int          tangents   = 2;   ///< 0, 1, 2; -1: any of them, node by node
-    double       mu_max     = 1;   ///< mu is uniform between 0 and this
-    double       zero_mu    = 0;   ///< share of nodes without friction
-    Eigen::Index nullity    = 0;   ///< dimension of the null space
-    double       coupling   = .5;  ///< 0: block diagonal; 1: mostly coupled
+    Form         form     = Form::stiffness;
+    Eigen::Index n_nodes  = 10;
+    int          tangents = 2;  ///< 0, 1, 2; -1: any of them, node by node
+    double       mu_max   = 1;  ///< mu is uniform between 0 and this
+    double       zero_mu  = 0;  ///< share of nodes without friction
+    Eigen::Index nullity  = 0;  ///< dimension of the null space
+    double       coupling = .5; ///< 0: block diagonal; 1: mostly coupled
     double       open = .3, slip = .3; ///< shares of the states
-    unsigned int seed       = 1;
-    double       length     = 1;   ///< unit of length
-    double       force      = 1;   ///< unit of force
+    unsigned int seed   = 1;
+    double       length = 1; ///< unit of length
+    double       force  = 1; ///< unit of force
   };
 
   struct RandomProblem
@@ -49,9 +49,9 @@ namespace conetact
     }
 
     inline Eigen::MatrixXd
-    random_matrix(Random             &random,
-                  const Eigen::Index  rows,
-                  const Eigen::Index  columns)
+    random_matrix(Random            &random,
+                  const Eigen::Index rows,
+                  const Eigen::Index columns)
     {
       Eigen::MatrixXd result(rows, columns);
       for (Eigen::Index j = 0; j < columns; ++j)
@@ -62,11 +62,11 @@ namespace conetact
 
     /** Symmetric, positive (semi)definite. */
     inline Eigen::MatrixXd
-    random_operator(Random             &random,
-                    const Eigen::Index  n,
-                    const Eigen::Index  nullity,
-                    const double        coupling,
-                    Eigen::MatrixXd    &null_space)
+    random_operator(Random            &random,
+                    const Eigen::Index n,
+                    const Eigen::Index nullity,
+                    const double       coupling,
+                    Eigen::MatrixXd   &null_space)
     {
       const Eigen::Index    rank = std::min(n, 8 + n / 4);
       const Eigen::MatrixXd B    = random_matrix(random, n, rank);
@@ -88,10 +88,10 @@ namespace conetact
     }
 
     inline void
-    random_node(Random              &random,
-                const RandomOptions &o,
-                const double         mu,
-                const NodeState      node,
+    random_node(Random                     &random,
+                const RandomOptions        &o,
+                const double                mu,
+                const NodeState             node,
                 Eigen::Ref<Eigen::VectorXd> v,
                 Eigen::Ref<Eigen::VectorXd> r)
     {
@@ -140,7 +140,8 @@ namespace conetact
     const Eigen::Index n = system->n_unknowns();
     system->mu.resize(o.n_nodes);
     for (Eigen::Index i = 0; i < o.n_nodes; ++i)
-      system->mu(i) = uniform(random) < o.zero_mu ? 0. : o.mu_max * uniform(random);
+      system->mu(i) =
+        uniform(random) < o.zero_mu ? 0. : o.mu_max * uniform(random);
     system->matrix =
       random_operator(random, n, o.nullity, o.coupling, system->null_space);
     if (o.form == Form::compliance)
@@ -169,9 +170,9 @@ namespace conetact
     s.r *= o.force;
     const bool stiffness = o.form == Form::stiffness;
     system->matrix *= stiffness ? o.force / o.length : o.length / o.force;
-    result.problem.load = stiffness ? (system->matrix * s.v - s.r).eval() :
-                                      (s.v - system->matrix * s.r).eval();
-    result.problem.gap  = Eigen::VectorXd::Zero(o.n_nodes);
+    result.problem.load   = stiffness ? (system->matrix * s.v - s.r).eval() :
+                                        (s.v - system->matrix * s.r).eval();
+    result.problem.gap    = Eigen::VectorXd::Zero(o.n_nodes);
     result.problem.system = system;
     return result;
   }

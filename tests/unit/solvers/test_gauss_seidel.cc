@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/solvers/gauss_seidel.h"
+#include "conetact/solvers/local_coulomb.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// conetact-fclib: solves contact problems in files of FCLib.
+
+#include "conetact/base/errors.h"
+#include "conetact/fclib/fclib_file.h"
+#include "conetact/solvers/contact_solver.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace
+{
+  using namespace conetact;
+
+  struct CommandLine
+  {
+    std::string   file, output;
+    SolverOptions options;
+    bool          guess = false;
+    bool          help  = false;
+  };
+
+  std::string
+  usage()
+  {
+    std::string text =
+      "usage: conetact-fclib solve FILE.hdf5 [options]\n"
+      "Solves the local frictional contact problem of an FCLib file.\n"
+      "  --solver NAME      one of the methods below, automatic by default\n"
+      "  --tolerance T      on the residual, without units; 1e-10 by default\n"
+      "  --guess            start from the first guess in the file\n"
+      "  --store            store the solution in FILE.hdf5\n"
+      "  --output FILE      store problem and solution in another file\n"
+      "Exit codes: 0 solved, 1 wrong arguments or file, 2 not converged, "
+      "3 cannot write.\n"
+      "Methods:\n";
+    for (const SolverRow &row : solver_table())
+      text += "  " + std::string(row.name) + ": " + row.description + "\n";
+    return text;
+  }
+
+  double
+  read_tolerance(const std::string &text)
+  {
+    char        *end   = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != 0 || !(value > 0) || !(value < 1))
+      throw InputError("--tolerance needs a number between 0 and 1, not '" +
+                       text + "'.");
+    return value;
+  }
+
+  void
+  check_solver(const std::string &name)
+  {
+    std::string names;
+    for (const SolverRow &row : solver_table())
+      {
+        if (name == row.name)
+          return;
+        names += std::string(names.empty() ? "" : ", ") + row.name;
+      }
+    throw InputError("There is no solver '" + name +
+                     "'; choose one of: " + names + ".");
+  }
+
+  CommandLine
+  read_arguments(const int argc, char **argv)
+  {
+    CommandLine              line;
+    std::vector<std::string> words(argv + 1, argv + argc);
+    bool                     store = false;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      {
+        const auto value = [&]() -> const std::string & {
+          if (i + 1 >= words.size())
+            throw InputError("The option " + words[i] + " needs a value.");
+          return words[++i];
+        };
+        const std::string word = words[i];
+        if (word == "--help" || word == "-h")
+          line.help = true;
+        else if (word == "--solver")
+          line.options.method = value();
+        else if (word == "--tolerance")
+          line.options.tolerance = read_tolerance(value());
+        else if (word == "--output")
+          line.output = value();
+        else if (word == "--store")
+          store = true;
+        else if (word == "--guess")
+          line.guess = true;
+        else if (word.size() > 1 && word[0] == '-')
+          throw InputError("There is no option '" + word + "'.");
+        else if (i > 0 && line.file.empty())
+          line.file = word;
+        else if (i > 0 || word != "solve")
+          throw InputError("'" + word + "' is not understood here.");
+      }
+    if (line.help)
+      return line;
+    if (words.empty() || words[0] != "solve")
+      throw InputError("The first argument must be the command 'solve'.");
+    if (line.file.empty())
+      throw InputError("Which file is to be solved?");
+    if (store && !line.output.empty())
+      throw InputError("--store and --output exclude each other.");
+    check_solver(line.options.method);
+    if (store)
+      line.output = line.file;
+    return line;
+  }
+
+  int
+  solve(const CommandLine &line)
+  {
+    const ContactProblem problem = read_fclib(line.file);
+    const Eigen::Index   n       = problem.system->n_unknowns();
+    const Eigen::Index   n_c     = problem.system->n_nodes();
+    ContactState         state;
+    state.v = state.r = Eigen::VectorXd::Zero(n);
+    if (line.guess)
+      {
+        const auto guess = read_fclib_guess(line.file, problem);
+        if (!guess)
+          throw InputError("The file '" + line.file + "' holds no guess.");
+        state = *guess;
+      }
+
+    const auto         start = std::chrono::steady_clock::now();
+    const SolverReport report =
+      make_solver(line.options)->solve(problem, state);
+    const std::chrono::duration<double> time =
+      std::chrono::steady_clock::now() - start;
+    const double residual = contact_residual(problem, state);
+    const bool solved = report.converged && residual <= line.options.tolerance;
+
+    std::cout << "contacts   " << n_c << " (" << n / n_c << "D)\n"
+              << "solver     "
+              << (report.solver.empty() ? line.options.method : report.solver)
+              << "\niterations " << report.iterations << "\ntime       "
+              << time.count() << " s\nresidual   " << residual << '\n';
+    if (!solved)
+      {
+        std::cerr << "Not converged: "
+                  << (report.reason.empty() ? "the residual is too large" :
+                                              report.reason)
+                  << '\n';
+        return 2;
+      }
+    if (!line.output.empty())
+      {
+        store_fclib_solution(problem, state, line.file, line.output);
+        std::cout << "solution in " << line.output << '\n';
+      }
+    return 0;
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  try
+    {
+      const CommandLine line = read_arguments(argc, argv);
+      if (line.help)
+        {
+          std::cout << usage();
+          return 0;
+        }
+      return solve(line);
+    }
+  catch (const WriteError &error)
+    {
+      std::cerr << error.what() << '\n';
+      return 3;
+    }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "The problem is too large for the memory of this machine.\n";
+      return 1;
+    }
+  catch (const std::exception &error)
+    {
+      std::cerr << error.what()
+                << "\nconetact-fclib --help explains the use.\n";
+      return 1;
+    }
+}

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/reach.h"
+
+#include "conetact/solvers/cone.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  using Eigen::Index;
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+
+  namespace
+  {
+    /** Projection on a friction cone and one element of its derivative. */
+    void
+    project_node(const SmallVector &x,
+                 const double       mu,
+                 SmallVector       &value,
+                 SmallMatrix       &derivative)
+    {
+      const Index  t = x.size() - 1;
+      const double a = x.head(t).norm(), n = x[t];
+      derivative.setZero(t + 1, t + 1);
+      value.setZero(t + 1);
+      if (mu == no_slip_friction || mu == 0)
+        {
+          derivative.topLeftCorner(t, t).diagonal().setConstant(mu == 0 ? 0 :
+                                                                          1);
+          derivative(t, t) = n > 0 ? 1 : 0;
+          value            = derivative * x;
+        }
+      else if (a <= mu * n)
+        {
+          derivative.setIdentity(t + 1, t + 1);
+          value = x;
+        }
+      else if (mu * a > -n) // the mantle
+        {
+          const double      height = (mu * a + n) / (1 + mu * mu);
+          const SmallVector e      = x.head(t) / a;
+          SmallVector       ray(t + 1);
+          ray << mu * e, 1;
+          value      = height * ray;
+          derivative = ray * ray.transpose() / (1 + mu * mu);
+          derivative.topLeftCorner(t, t) +=
+            mu * height / a * (SmallMatrix::Identity(t, t) - e * e.transpose());
+        }
+    }
+
+
+
+    /**
+     * One proximal step: z = c + R^T P(r - sigma R z), the gradient of a
+     * strongly convex function of z. Writes the new r.
+     */
+    class ProximalStep
+    {
+    public:
+      ProximalStep(const ContactSystem &layout,
+                   const MatrixXd      &null_space,
+                   const VectorXd      &load,
+                   const VectorXd      &friction)
+        : system(layout)
+        , R(null_space)
+        , c(load)
+        , mu(friction)
+      {}
+
+      void
+      solve(const double sigma, VectorXd &z, VectorXd &r)
+      {
+        const VectorXd old = r;
+        evaluate(sigma, old, z);
+        for (unsigned int i = 0; i < 50; ++i)
+          {
+            const double size = gradient.norm();
+            if (size <= 2e-15 * (1 + sigma * z.norm()))
+              break;
+            const VectorXd step  = -hessian.ldlt().solve(gradient);
+            const double   slope = gradient.dot(step);
+            const double   start = value;
+            const VectorXd from  = z;
+            for (double tau = 1; tau > 1e-12; tau *= .5)
+              {
+                z = from + tau * step;
+                evaluate(sigma, old, z);
+                // near the end the value is round-off, the gradient is not
+                if (value <= start + 1e-4 * tau * slope ||
+                    gradient.norm() <= .5 * size)
+                  break;
+              }
+            if (-slope <= 1e-14 * start && gradient.norm() > .5 * size)
+              break; // round-off
+          }
+        r = projected;
+      }
+
+    private:
+      void
+      evaluate(const double sigma, const VectorXd &r, const VectorXd &z)
+      {
+        const VectorXd x = r - sigma * (R * z);
+        projected.resize(x.size());
+        hessian = MatrixXd::Identity(z.size(), z.size());
+        SmallVector p;
+        SmallMatrix D;
+        for (Index i = 0; i < system.n_nodes(); ++i)
+          {
+            const Index begin = system.first[i],
+                        size  = system.first[i + 1] - begin;
+            project_node(x.segment(begin, size), mu[i], p, D);
+            projected.segment(begin, size) = p;
+            if (p.isZero(0))
+              continue;
+            const auto rows = R.middleRows(begin, size);
+            hessian.noalias() += sigma * rows.transpose() * (D * rows).eval();
+          }
+        gradient = z - c - R.transpose() * projected;
+        value    = .5 * z.squaredNorm() - c.dot(z) +
+                projected.squaredNorm() / (2 * sigma);
+      }
+
+      const ContactSystem &system;
+      const MatrixXd      &R;
+      const VectorXd      &c;
+      const VectorXd      &mu;
+
+      VectorXd projected, gradient;
+      MatrixXd hessian;
+      double   value = 0;
+    };
+  } // namespace
+
+
+
+  Reach
+  nearest_reach(const ContactSystem &layout,
+                const MatrixXd      &R,
+                const VectorXd      &c,
+                const VectorXd      &mu)
+  {
+    Reach        result{c, VectorXd::Zero(R.rows())};
+    const double size = c.norm();
+    if (!(size > 0))
+      return result;
+    const VectorXd unit = c / size;
+    ProximalStep   step(layout, R, unit, mu);
+    VectorXd       z = unit, &r = result.r;
+    double         sigma = 1;
+    for (unsigned int i = 0; i < 60; ++i)
+      {
+        const VectorXd old = r;
+        step.solve(sigma, z, r);
+        // by how much z fails to prove that it is the nearest
+        const double error = (r - old).norm() / sigma;
+        if (z.norm() <= 1e-13 || error <= 1e-14 * z.norm())
+          break;
+        // sigma z, not sigma, decides on speed and on cancellation
+        sigma = std::min(10 * sigma, 1e3 / z.norm());
+      }
+    r *= size;
+    result.z = z * size;
+    return result;
+  }
+} // namespace conetact

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/reused_factor.h"
+
+#include <lapacke.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+
+    /** Vectors of the Krylov space: beyond, a new factor is cheaper. */
+    constexpr Index max_directions = 30;
+
+    /** Rotates (a, b) to (r, 0). */
+    struct Rotation
+    {
+      float c = 1, s = 0;
+      Rotation(const float a, const float b)
+      {
+        const float r = std::hypot(a, b);
+        if (r > 0)
+          {
+            c = a / r;
+            s = b / r;
+          }
+      }
+      void
+      apply(float &a, float &b) const
+      {
+        const float t = c * a + s * b;
+        b             = -s * a + c * b;
+        a             = t;
+      }
+    };
+  } // namespace
+
+
+
+  bool
+  ReusedFactor::factorize(const Matrix &A, const std::vector<Index> &numbers)
+  {
+    const auto n   = static_cast<lapack_int>(A.rows());
+    factor         = A;
+    factor_numbers = numbers;
+    pivots.resize(numbers.size());
+    ++factorizations;
+    const lapack_int info =
+      LAPACKE_sgetrf(LAPACK_COL_MAJOR, n, n, factor.data(), n, pivots.data());
+    const auto pivot = factor.diagonal().cwiseAbs();
+    const bool good  = info == 0 && pivot.minCoeff() > 1e-6f * pivot.maxCoeff();
+    if (!good)
+      factor_numbers.clear();
+    return good;
+  }
+
+
+
+  void
+  ReusedFactor::match(const Matrix &A, const std::vector<Index> &numbers)
+  {
+    position.assign(numbers.size(), -1);
+    inverse_diagonal.resize(A.rows());
+    n_new         = 0;
+    std::size_t k = 0;
+    for (std::size_t a = 0; a < numbers.size(); ++a)
+      {
+        while (k < factor_numbers.size() && factor_numbers[k] < numbers[a])
+          ++k;
+        if (k < factor_numbers.size() && factor_numbers[k] == numbers[a])
+          position[a] = static_cast<Index>(k);
+        else
+          ++n_new;
+        const Index i       = static_cast<Index>(a);
+        const float d       = A(i, i);
+        inverse_diagonal(i) = std::abs(d) > 1e-3f ? 1 / d : 1.f;
+      }
+  }
+
+
+
+  bool
+  ReusedFactor::worth_trying(const Index n) const
+  {
+    const auto old = static_cast<Index>(factor_numbers.size());
+    return old > 0 && n_new <= n / 4 && old <= 2 * n;
+  }
+
+
+
+  ReusedFactor::Vector
+  ReusedFactor::precondition(const Vector &b) const
+  {
+    const auto n = static_cast<lapack_int>(factor.rows());
+    Vector     y = Vector::Zero(n);
+    for (std::size_t a = 0; a < position.size(); ++a)
+      if (position[a] >= 0)
+        y(position[a]) = b(static_cast<Index>(a));
+    LAPACKE_sgetrs_work(LAPACK_COL_MAJOR,
+                        'N',
+                        n,
+                        1,
+                        factor.data(),
+                        n,
+                        pivots.data(),
+                        y.data(),
+                        n);
+    Vector result(b.size());
+    for (std::size_t a = 0; a < position.size(); ++a)
+      {
+        const Index i = static_cast<Index>(a);
+        result(i) =
+          position[a] >= 0 ? y(position[a]) : inverse_diagonal(i) * b(i);
+      }
+    return result;
+  }
+
+
+
+  bool
+  ReusedFactor::gmres(const Matrix &A,
+                      const Vector &b,
+                      const float   precision,
+                      Vector       &x) const
+  {
+    const float norm = b.norm();
+    x                = Vector::Zero(b.size());
+    if (norm == 0)
+      return true;
+    Matrix                V(b.size(), max_directions + 1);
+    Matrix                Z(b.size(), max_directions);
+    Matrix                H = Matrix::Zero(max_directions + 1, max_directions);
+    Vector                g = Vector::Zero(max_directions + 1);
+    std::vector<Rotation> rotations;
+    V.col(0) = b / norm;
+    g(0)     = norm;
+    Index k  = 0;
+    while (k < max_directions && std::abs(g(k)) > precision * norm)
+      {
+        Z.col(k)   = precondition(V.col(k));
+        Vector w   = A * Z.col(k);
+        const auto basis = V.leftCols(k + 1);
+        // Orthogonalised twice: once is not enough in single precision.
+        const Vector once = basis.transpose() * w;
+        w -= basis * once;
+        const Vector again = basis.transpose() * w;
+        w -= basis * again;
+        H.col(k).head(k + 1) = once + again;
+        H(k + 1, k)          = w.norm();
+        if (!(H(k + 1, k) > 0))
+          break;
+        V.col(k + 1) = w / H(k + 1, k);
+        for (Index i = 0; i < k; ++i)
+          rotations[static_cast<std::size_t>(i)].apply(H(i, k), H(i + 1, k));
+        rotations.emplace_back(H(k, k), H(k + 1, k));
+        rotations.back().apply(H(k, k), H(k + 1, k));
+        rotations.back().apply(g(k), g(k + 1));
+        ++k;
+      }
+    const bool done = std::abs(g(k)) <= precision * norm;
+    x               = Z.leftCols(k) * H.topLeftCorner(k, k)
+                          .triangularView<Eigen::Upper>()
+                          .solve(g.head(k));
+    return done && x.allFinite();
+  }
+
+
+
+  bool
+  ReusedFactor::solve(const Matrix             &A,
+                      const std::vector<Index> &numbers,
+                      const Vector             &b,
+                      const float               precision,
+                      Vector                   &x)
+  {
+    const float reachable = std::max(precision, 3e-6f);
+    match(A, numbers);
+    if (worth_trying(A.rows()) && gmres(A, b, reachable, x))
+      return true;
+    if (!factorize(A, numbers))
+      return false;
+    match(A, numbers);
+    return gmres(A, b, std::max(precision, 3e-5f), x);
+  }
+} // namespace conetact

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <gtest/gtest.h>
+
+#include "body_fixture.h"
+
+using namespace conetact;
+using namespace conetact::test;
+
+namespace
+{
+  const std::string square = "Generator = hyper_cube|Arguments = 0:1:true";
+
+  /** Two squares beside each other, lines 7 (bottom left) and 8 (right). */
+  const char *const gmsh_2 = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+7
+1 0 0 0
+2 2 0 0
+3 2 1 0
+4 0 1 0
+5 1 0 0
+6 1 1 0
+9 7 7 0
+$EndNodes
+$Elements
+4
+1 1 2 7 1 1 5
+2 1 2 8 2 2 3
+3 3 2 1 1 1 5 6 4
+4 3 2 1 1 5 2 3 6
+$EndElements
+)";
+  const char *const gmsh_4 = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Entities
+0 2 1 0
+1 0 0 0 1 0 0 1 7 0
+2 2 0 0 2 1 0 1 8 0
+1 0 0 0 2 1 0 1 1 0
+$EndEntities
+$Nodes
+1 6 1 6
+2 1 0 6
+1
+2
+3
+4
+5
+6
+0 0 0
+2 0 0
+2 1 0
+0 1 0
+1 0 0
+1 1 0
+$EndNodes
+$Elements
+3 4 1 4
+1 1 1 1
+1 1 5
+1 2 1 1
+2 2 3
+2 1 3 2
+3 1 5 6 4
+4 5 2 3 6
+$EndElements
+)";
+
+  /** The sentence that refuses these entries; "" if they are taken. */
+  std::string
+  refusal(const unsigned int dim,
+          const std::string &mesh,
+          const std::string &material = "Young modulus = 5|"
+                                        "Poisson ratio = 0.3")
+  {
+    try
+      {
+        make_body(dim, mesh, material);
+        return "";
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        return error.what();
+      }
+  }
+
+  void
+  expect_refusal(const std::string &sentence,
+                 const std::string &entry,
+                 const std::string &fault)
+  {
+    EXPECT_EQ(sentence.find("Body 'block', " + entry), 0) << sentence;
+    EXPECT_NE(sentence.find(fault), std::string::npos) << sentence;
+  }
+} // namespace
+
+TEST(MeshInput, GmshFilesGiveBoundaryIds)
+{
+  for (const char *text : {gmsh_2, gmsh_4})
+    {
+      const auto body = make_body(2, "File = " + write_file("two.msh", text));
+      EXPECT_EQ(body->n_nodes(), 6);
+      EXPECT_EQ(body->boundary_ids(), (BoundaryIds{0, 7, 8}));
+      const Surface bottom = body->surface({7});
+      ASSERT_EQ(bottom.nodes.size(), 2);
+      for (const SurfaceNode &node : bottom.nodes)
+        {
+          EXPECT_EQ(node.position[1], 0);
+          EXPECT_LE(node.position[0], 1);
+        }
+    }
+}
+
+TEST(MeshInput, MeshIsScaledThenRotatedThenMoved)
+{
+  const auto body =
+    make_body(2, square + "|Scale = 2|Rotation = 90|Translation = 10, sqrt(4)");
+  double sum = 0;
+  for (const SurfaceNode &node : body->surface({1}).nodes) // x = 1 before
+    {
+      EXPECT_EQ(node.position[1], 4);
+      sum += node.position[0];
+    }
+  EXPECT_EQ(sum, 18);
+
+  const auto cube = make_body(3,
+                              "Generator = hyper_cube|Arguments = 0:1:true|"
+                              "Rotation = 0, 0, 5, 90|Translation = 0, 0, 7");
+  for (const SurfaceNode &node : cube->surface({1}).nodes)
+    EXPECT_EQ(node.position[1], 1);
+}
+
+TEST(MeshInput, LaterBoundaryIdsWin)
+{
+  const auto body =
+    make_body(2,
+              square + "|Global refinements = 2|Translation = 5, 0|"
+                       "Boundary ids = 7: x > 5.9 ; 8: y > 0.99 && x < 5.5 ; "
+                       "9: (x > 5.9) && (y < 0.2)");
+  EXPECT_EQ(body->boundary_ids(), (BoundaryIds{0, 2, 3, 7, 8, 9}));
+  EXPECT_EQ(body->surface({7}).faces.size(), 3);
+  EXPECT_EQ(body->surface({8}).faces.size(), 2);
+  EXPECT_EQ(body->surface({9}).faces.size(), 1);
+  EXPECT_EQ(body->surface({3}).faces.size(), 2);
+}
+
+TEST(MeshInput, CurvedBodiesAreRefinedOnTheirShape)
+{
+  const auto body =
+    make_body(2,
+              "Generator = hyper_ball|Arguments = 0, 0 : 1 : false|"
+              "Global refinements = 3|Scale = 3|Translation = 0, 3");
+  for (const SurfaceNode &node : body->surface({0}).nodes)
+    EXPECT_NEAR(node.position.distance(Point<3>(0, 3, 0)), 3, 1e-14);
+}
+
+TEST(MeshInput, BoxesRefineWhatTheyReachInto)
+{
+  const std::string mesh  = square + "|Global refinements = 1|Scale = 8|";
+  const auto        count = [&](const std::string &boxes) {
+    const auto body = make_body(2, mesh + "Refinement boxes = " + boxes);
+    return body->description();
+  };
+  EXPECT_EQ(count("0, 0 : 4, 4 : 1"), "7 cells Q1, 14 nodes (2 hanging)");
+  EXPECT_EQ(count("4, 4 : 0, 0 : 0"), "4 cells Q1, 9 nodes");
+  EXPECT_EQ(count("0, 0 : 5, 5 : 1 ; 1, 1 : 2, 2 : 1"),
+            "16 cells Q1, 25 nodes");
+}
+
+TEST(MeshInput, MaterialIsChecked)
+{
+  const auto refuse = [](const std::string &entries) {
+    return refusal(2, square, entries);
+  };
+  const std::string E = "Young modulus = 5|", nu = "Poisson ratio = 0.3|";
+  expect_refusal(refuse("Poisson ratio = .3"),
+                 "Material/Young modulus",
+                 "miss");
+  expect_refusal(refuse(nu + "Young modulus = -1"),
+                 "Material/Young modulus",
+                 "not positive");
+  expect_refusal(refuse(E + "Poisson ratio = 0.5"),
+                 "Material/Poisson ratio",
+                 "incompressible");
+  expect_refusal(refuse(E + "Poisson ratio = -1"),
+                 "Material/Poisson ratio",
+                 "above -1");
+  expect_refusal(refuse(E + nu + "Thickness = 0"),
+                 "Material/Thickness",
+                 "not positive");
+}
+
+TEST(MeshInput, GeneratorsAreChecked)
+{
+  expect_refusal(refusal(2, "Scale = 1"), "Mesh/Generator", "no mesh");
+  expect_refusal(refusal(2, "Generator = foo"), "Mesh/Generator", "'foo'");
+  expect_refusal(refusal(2, "Generator = hyper_cube|Arguments = 0:1"),
+                 "Mesh/Arguments",
+                 "hyper_cube");
+  expect_refusal(refusal(2,
+                         "Generator = subdivided_hyper_rectangle|"
+                         "Arguments = -1, 2 : 0, 0 : 1, 1 : true"),
+                 "Mesh/Arguments",
+                 "negative");
+  expect_refusal(refusal(2, square + "|File = a.msh"),
+                 "Mesh/Generator",
+                 "both");
+}
+
+TEST(MeshInput, PlacementIsChecked)
+{
+  const auto refuse = [](const std::string &entries) {
+    return refusal(2, square + "|" + entries);
+  };
+  expect_refusal(refuse("Scale = 0"), "Mesh/Scale", "not positive");
+  expect_refusal(refuse("Rotation = 1, 2"), "Mesh/Rotation", "one angle");
+  expect_refusal(refuse("Translation = 1"), "Mesh/Translation", "1 components");
+  expect_refusal(refuse("Boundary ids = 7: y >"), "Mesh/Boundary ids", "y >");
+  expect_refusal(refuse("Boundary ids = y > 1"), "Mesh/Boundary ids", "id");
+  expect_refusal(refuse("Boundary ids = 7: t > 1"),
+                 "Mesh/Boundary ids",
+                 "time");
+  expect_refusal(refuse("Boundary ids = 7: y > 1.1"),
+                 "Mesh/Boundary ids",
+                 "no boundary face");
+  expect_refusal(refuse("Refinement boxes = 0, 0 : 1"),
+                 "Mesh/Refinement boxes",
+                 "not a box");
+  expect_refusal(refuse("Refinement boxes = 0, 0 : 1, 1 : -1"),
+                 "Mesh/Refinement boxes",
+                 "levels");
+  expect_refusal(refuse("Refinement boxes = 3, 3 : 4, 4 : 1"),
+                 "Mesh/Refinement boxes",
+                 "no cell");
+  expect_refusal(
+    refusal(3, "Generator = hyper_cube|Arguments = 0:1:true|Rotation=0,0,0,9"),
+    "Mesh/Rotation",
+    "length zero");
+}
+
+TEST(MeshInput, FilesAreChecked)
+{
+  const auto refuse = [](const unsigned int dim,
+                         const std::string &name,
+                         const std::string &text) {
+    return refusal(dim, "File = " + write_file(name, text));
+  };
+  const auto replaced =
+    [](std::string text, const std::string &part, const std::string &by) {
+      return text.replace(text.find(part), part.size(), by);
+    };
+  expect_refusal(refusal(2, "File = none.msh"), "Mesh/File", "no file");
+  expect_refusal(refuse(2, "a.msh", ""), "Mesh/File", "empty");
+  expect_refusal(refuse(2, "a.xyz", "x"), "Mesh/File", "format");
+  expect_refusal(refuse(3, "a.msh", gmsh_2), "Mesh/File", "hexahedra");
+  expect_refusal(refuse(2, "a.msh", std::string(gmsh_4).substr(0, 250)),
+                 "Mesh/File",
+                 "does not end");
+  expect_refusal(refuse(2, "a.msh", replaced(gmsh_2, "2.2 0 8", "2.2 1 8")),
+                 "Mesh/File",
+                 "binary");
+  expect_refusal(
+    refuse(2,
+           "a.msh",
+           replaced(gmsh_2, "4 3 2 1 1 5 2 3 6", "4 2 2 1 1 5 2 3")),
+    "Mesh/File",
+    "not quadrilaterals");
+  expect_refusal(refuse(2,
+                        "a.msh",
+                        replaced(gmsh_2, "6 1 1 0", "6 1.9 0.05 0")),
+                 "Mesh/File",
+                 "distorted");
+}

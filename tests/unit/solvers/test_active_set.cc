@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/active_set.h"
+
+#include <gtest/gtest.h>
+
+#include "random_problem.h"
+
+using namespace conetact;
+
+namespace
+{
+  SolverReport
+  solve(const ContactProblem &problem, ContactState &state)
+  {
+    return make_active_set({})->solve(problem, state);
+  }
+
+  void
+  expect_exact_zeros(const ContactSystem &system, const ContactState &state)
+  {
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const auto node  = state.node[static_cast<std::size_t>(i)];
+        const auto first = system.first[i], nt = system.n_tangents(i);
+        if (node == NodeState::open)
+          {
+            EXPECT_TRUE(state.r.segment(first, nt + 1).isZero(0));
+            continue;
+          }
+        EXPECT_EQ(state.v(system.normal(i)), 0);
+        EXPECT_TRUE(node == NodeState::slip ||
+                    state.v.segment(first, nt).isZero(0));
+      }
+  }
+} // namespace
+
+TEST(ActiveSet, SolvesRandomProblemsExactly)
+{
+  int solved = 0, all = 0;
+  for (const Form form : {Form::stiffness, Form::compliance})
+    for (const int tangents : {0, 1, 2, -1})
+      for (const Eigen::Index n : {1, 5, 30, 120})
+        for (unsigned int seed = 1; seed < 6; ++seed)
+          {
+            RandomOptions o;
+            o.form                     = form;
+            o.tangents                 = tangents;
+            o.n_nodes                  = n;
+            o.seed                     = seed;
+            o.zero_mu                  = .1;
+            const RandomProblem random = random_problem(o);
+            ContactState        state  = unloaded(random.problem);
+            const SolverReport  report = solve(random.problem, state);
+            ++all;
+            // It may cycle: then it says so, and never claims a solution.
+            EXPECT_EQ(report.converged, report.reason.empty());
+            if (!report.converged)
+              continue;
+            ++solved;
+            EXPECT_LE(contact_residual(random.problem, state), 1e-10);
+            expect_exact_zeros(*random.problem.system, state);
+          }
+  EXPECT_GE(solved, (9 * all) / 10);
+}
+
+TEST(ActiveSet, OneStepFromTheRightStates)
+{
+  for (const Form form : {Form::stiffness, Form::compliance})
+    {
+      RandomOptions o;
+      o.form                     = form;
+      o.tangents                 = 1;
+      o.n_nodes                  = 50;
+      const RandomProblem random = random_problem(o);
+      ContactState        state  = random.solution;
+      const SolverReport  report = solve(random.problem, state);
+      EXPECT_TRUE(report.converged);
+      EXPECT_EQ(report.iterations, 1u);
+      EXPECT_LT((state.r - random.solution.r).norm(), 1e-12);
+      EXPECT_LT((state.v - random.solution.v).norm(), 1e-12);
+    }
+}
+
+TEST(ActiveSet, FloatingBodyFliesAway)
+{
+  // Two nodes joined by a spring along the normal, pulled off the ground.
+  auto system    = std::make_shared<ContactSystem>();
+  system->first  = {0, 1, 2};
+  system->matrix = (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
+  system->mu     = Eigen::VectorXd::Zero(2);
+  ContactProblem problem;
+  problem.system            = system;
+  problem.load              = Eigen::Vector2d(.1, .2);
+  problem.gap               = Eigen::VectorXd::Zero(2);
+  ContactState       state  = unloaded(problem);
+  const SolverReport report = solve(problem, state);
+  EXPECT_FALSE(report.converged);
+  EXPECT_FALSE(report.reason.empty());
+}
+
+TEST(ActiveSet, RigidTableOnFourLegs)
+{
+  // W has rank 3: how four legs share the load is not determined, yet any
+  // equilibrium will do.
+  Eigen::MatrixXd G(4, 3);
+  G << 1, 1, 1, 1, 1, -1, 1, -1, -1, 1, -1, 1;
+  auto system    = std::make_shared<ContactSystem>();
+  system->form   = Form::compliance;
+  system->first  = {0, 1, 2, 3, 4};
+  system->matrix = G * G.transpose();
+  system->mu     = Eigen::VectorXd::Zero(4);
+  ContactProblem problem;
+  problem.system            = system;
+  problem.load              = -G * Eigen::Vector3d(4, .5, .25);
+  problem.gap               = Eigen::VectorXd::Zero(4);
+  ContactState       state  = unloaded(problem);
+  const SolverReport report = solve(problem, state);
+  EXPECT_TRUE(report.converged) << report.reason;
+  EXPECT_NEAR(state.r.sum(), 4, 1e-12);
+}
