@@ -8,9 +8,11 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
-#include "conetact/output/atomic_file.h"
+#include "conetact/base/atomic_file.h"
 
 #include <deal.II/base/exceptions.h>
+
+#include <unistd.h>
 
 #include <iostream>
 #include <new>
@@ -21,18 +23,36 @@ namespace
   using namespace conetact;
 
   std::filesystem::path
-  make_folder(const CommandLine &line, const Scene &scene)
+  folder_of(const CommandLine &line, const Scene &scene)
   {
-    const std::filesystem::path folder =
-      line.folder.empty() ? std::filesystem::path("output") / scene.name() :
-                            line.folder;
+    return line.folder.empty() ?
+             std::filesystem::path("output") / scene.name() :
+             line.folder;
+  }
+
+  /** Finds out early, and without writing, that a folder cannot be made. */
+  void
+  check_folder(const std::filesystem::path &folder)
+  {
+    std::filesystem::path existing = std::filesystem::absolute(folder);
+    while (!std::filesystem::exists(existing) && existing.has_relative_path())
+      existing = existing.parent_path();
+    if (!std::filesystem::is_directory(existing) ||
+        access(existing.c_str(), W_OK | X_OK) != 0)
+      throw WriteError("The folder " + folder.string() +
+                       " cannot be made: " + existing.string() +
+                       " is not a folder that can be written to. Choose " +
+                       "another one with -o.");
+  }
+
+  void
+  make_folder(const std::filesystem::path &folder)
+  {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error || !std::filesystem::is_directory(folder))
-      throw WriteError("The folder " + folder.string() +
-                       " cannot be made: " + error.message() +
-                       ". Choose another one with -o.");
-    return folder;
+      throw WriteError("The folder " + folder.string() + " cannot be made: " +
+                       error.message() + ". Choose another one with -o.");
   }
 
   void
@@ -55,7 +75,10 @@ namespace
     if (line.dry_run)
       return;
 
-    const std::filesystem::path folder = make_folder(line, scene);
+    const std::filesystem::path folder = folder_of(line, scene);
+    check_folder(folder);
+    analysis.prepare();
+    make_folder(folder);
     log.open(folder);
     write_atomically(folder / "used.prm", scene.values());
     analysis.run(folder, line.quiet);
@@ -75,6 +98,7 @@ main(int argc, char *argv[])
 {
   ProcessSession process;
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  dealii::deal_II_exceptions::disable_abort_on_exception();
   try
     {
       const CommandLine line = parse_command_line(argc, argv);

@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/equilibrium.h"
+#include "conetact/contact/refusal.h"
 #include "conetact/output/progress.h"
 
 #include <algorithm>
@@ -41,12 +42,24 @@ namespace conetact
       log.note("skipped: friction cones of " + std::to_string(n_no_cone) +
                " contact nodes without friction or with held tangents");
     if (model.rules.n_held_contact_nodes() > 0)
-      log.note("skipped: " +
-               std::to_string(model.rules.n_held_contact_nodes()) +
-               " contact nodes whose normal is held by a support");
+      log.note(
+        "skipped: " + std::to_string(model.rules.n_held_contact_nodes()) +
+        " contact nodes whose normal is held by a support");
     if (model.motions.null_space().cols() > 0)
       log.note(std::to_string(model.motions.null_space().cols()) +
                " rigid motions are held by contact alone");
+  }
+
+  void
+  Analysis::prepare()
+  {
+    scene.check_loads();
+    for (const double t : scene.times)
+      model.coordinates.prescribed(t);
+    log.time("loads and supports at all times");
+    const double bytes = model.condensation().factor_bytes();
+    log.time("condensation: order, factor and Schur complement, factor of " +
+             to_text(bytes / 1e6) + " MB");
   }
 
   void
@@ -95,11 +108,11 @@ namespace conetact
         if (batch.size() == batch_size() || k == scene.times.size())
           finish(batch);
       }
-    log.note("skipped: reductions of " +
-             std::to_string(scene.times.size() -
-                            model.condensation().n_reductions()) +
-             " of " + std::to_string(scene.times.size()) +
-             " load cases, combinations of others");
+    log.note(
+      "skipped: reductions of " +
+      std::to_string(scene.times.size() - model.condensation().n_reductions()) +
+      " of " + std::to_string(scene.times.size()) +
+      " load cases, combinations of others");
   }
 
   Analysis::Pending
@@ -109,11 +122,7 @@ namespace conetact
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     increment.forces           = scene.forces(increment.record.time);
-    Condensation &condensation = model.condensation();
-    if (k == 1)
-      log.time("condensation: order, factor and Schur complement, factor of " +
-               to_text(condensation.factor_bytes() / 1e6) + " MB");
-    increment.load = condensation.reduce(
+    increment.load             = model.condensation().reduce(
       increment.forces, model.coordinates.prescribed(increment.record.time));
     increment.record.report = solve_contact(increment.load, increment);
     increment.contact       = history.displacements();
@@ -133,8 +142,9 @@ namespace conetact
         return report;
       }
     const ContactProblem problem = history.problem(load);
-    report                       = solver->solve(problem, state);
-    report.residual              = contact_residual(problem, state);
+    check_existence(problem, increment);
+    report          = solver->solve(problem, state);
+    report.residual = contact_residual(problem, state);
     if (!report.converged || !(report.residual <= scene.solver.tolerance))
       fail(increment.record,
            report.reason.empty() ?
@@ -143,6 +153,26 @@ namespace conetact
     increment.record.errors = kanno_errors(problem, state);
     history.advance(state);
     return report;
+  }
+
+  void
+  Analysis::check_existence(const ContactProblem &problem,
+                            const Pending        &increment)
+  {
+    if (model.motions.null_space().cols() == 0)
+      return;
+    if (!existence)
+      {
+        existence =
+          std::make_unique<ExistenceCheck>(make_existence_check(model));
+        last_load = Eigen::VectorXd::Zero(problem.load.size());
+      }
+    const Existence result =
+      existence->check(problem.load, last_load, problem.reference_force);
+    if (!result.admissible)
+      fail(increment.record,
+           "no equilibrium exists, " + describe(result, model));
+    last_load = problem.load;
   }
 
   void
@@ -206,9 +236,8 @@ namespace conetact
     for (const auto &output : outputs)
       output->write(record);
     log.time("increment " + std::to_string(record.increment) + " of " +
-             std::to_string(scene.times.size()) + ", " +
-             record.report.solver + ": " +
-             std::to_string(record.report.iterations) +
+             std::to_string(scene.times.size()) + ", " + record.report.solver +
+             ": " + std::to_string(record.report.iterations) +
              " linear solves, residual " + to_text(record.report.residual) +
              ", equilibrium " + to_text(record.equilibrium));
   }
@@ -216,9 +245,10 @@ namespace conetact
   void
   Analysis::fail(const IncrementRecord &record, const std::string &why) const
   {
-    throw AnalysisError("Increment " + std::to_string(record.increment) +
-                        " of " + std::to_string(scene.times.size()) +
-                        " (t = " + to_text(record.time) + "): " + why +
-                        ". The increments before it are on disk.");
+    throw AnalysisError(
+      "Increment " + std::to_string(record.increment) + " of " +
+      std::to_string(scene.times.size()) + " (t = " + to_text(record.time) +
+      "): " + why + "." +
+      (record.increment > 1 ? " The increments before it are on disk." : ""));
   }
 } // namespace conetact

@@ -47,8 +47,8 @@ converged, all increments before it are on disk; 3 cannot write.
 
     CommandLine line;
     opterr = 0;
-    for (int c; (c = getopt_long(argc, argv, ":o:s:qh", long_options, nullptr)) !=
-                -1;)
+    for (int c;
+         (c = getopt_long(argc, argv, ":o:s:qh", long_options, nullptr)) != -1;)
       switch (c)
         {
           case 'o':

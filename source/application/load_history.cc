@@ -20,7 +20,8 @@ namespace conetact
                          ", not after t = " + to_text(start) +
                          " where it starts. Give ascending times above 0.");
       if (n < 1 || n > 1e7 || n != static_cast<double>(static_cast<long>(n)))
-        throw InputError("Time: " + to_text(n) + " increments are asked for. "
+        throw InputError("Time: " + to_text(n) +
+                         " increments are asked for. "
                          "Give a whole number from 1 to 10000000.");
       for (long k = 1; k <= static_cast<long>(n); ++k)
         times.push_back(k == static_cast<long>(n) ?
@@ -61,7 +62,8 @@ namespace conetact
     std::vector<double> times;
     const std::string   list = prm.get("Times"), stages = prm.get("Stages");
     if (!list.empty() && !stages.empty())
-      throw InputError("Time: both Times and Stages are given. Leave one empty.");
+      throw InputError(
+        "Time: both Times and Stages are given. Leave one empty.");
     for (const double end : to_numbers(list, "Time/Times"))
       append_stage(times, end, 1);
     for (const std::string &stage : split(stages, ','))

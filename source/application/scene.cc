@@ -35,7 +35,8 @@ namespace conetact
     override_lines(const std::string &override)
     {
       const std::size_t equals = override.find('=');
-      if (equals == std::string::npos || trim(override.substr(0, equals)).empty())
+      if (equals == std::string::npos ||
+          trim(override.substr(0, equals)).empty())
         throw InputError("Option -s: '" + override +
                          "' is not Section/Entry=value.");
       std::vector<std::string> path = split(override.substr(0, equals), '/');
@@ -102,11 +103,13 @@ namespace conetact
                         "2",
                         Selection("2|3"),
                         "Dimension of space: 2 (plane strain or stress) or 3.");
-      const auto declare = [&](const std::string &list, const std::string &what) {
+      const auto declare = [&](const std::string &list,
+                               const std::string &what) {
         prm.declare_entry(list,
                           "",
                           Anything(),
-                          "Names of " + what + ", separated by commas; each has "
+                          "Names of " + what +
+                            ", separated by commas; each has "
                             "its own subsection.");
       };
       declare("Bodies", "the elastic bodies");
@@ -175,8 +178,8 @@ namespace conetact
     Handler lists;
     declare_names(lists);
     parse_all(lists, true);
-    bodies.dim   = static_cast<unsigned int>(lists.get_integer("Dimension"));
-    bodies.names = get_names(lists, "Bodies");
+    bodies.dim     = static_cast<unsigned int>(lists.get_integer("Dimension"));
+    bodies.names   = get_names(lists, "Bodies");
     obstacle_names = get_names(lists, "Obstacles");
     contact_names  = get_names(lists, "Contacts");
     support_names  = get_names(lists, "Supports");
@@ -252,8 +255,8 @@ namespace conetact
         create_load(prm, name, dim, bodies.names, bodies.structures));
     });
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
-      contacts.push_back(create_contact(
-        prm, name, bodies.names, bodies.structures, obstacles));
+      contacts.push_back(
+        create_contact(prm, name, bodies.names, bodies.structures, obstacles));
     });
     bodies.contact_nodes =
       find_contact_nodes(contacts, bodies.names, bodies.structures, dim);
@@ -303,12 +306,16 @@ namespace conetact
     return all;
   }
 
-  bool
-  Scene::forces_use_time() const
+  void
+  Scene::check_loads() const
   {
+    forces(times.front());
     for (const Load &load : loads)
-      if (load.uses_time())
-        return true;
-    return false;
+      for (const Expression &value : load.value)
+        for (const double t : times)
+          value(load.kind == Load::Kind::point_force ?
+                  load.point :
+                  bodies.structures[load.body]->position(0),
+                t);
   }
 } // namespace conetact

@@ -57,7 +57,8 @@ namespace conetact
         p.mu.DefineFun("if", choose);
         p.mu.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
         p.mu.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
-        p.mu.DefineFun("pow", static_cast<double (*)(double, double)>(std::pow));
+        p.mu.DefineFun("pow",
+                       static_cast<double (*)(double, double)>(std::pow));
         p.mu.SetExpr(p.text);
         for (const auto &[name, address] : p.mu.GetUsedVar())
           {

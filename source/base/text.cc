@@ -123,9 +123,8 @@ namespace conetact
     const std::vector<double> numbers = to_numbers(inner, entry);
     if (numbers.size() != dim)
       throw InputError(entry + ": '" + trim(text) + "' has " +
-                       std::to_string(numbers.size()) +
-                       " components. Give " + std::to_string(dim) +
-                       " numbers, separated by commas.");
+                       std::to_string(numbers.size()) + " components. Give " +
+                       std::to_string(dim) + " numbers, separated by commas.");
     dealii::Tensor<1, 3> vector;
     for (unsigned int d = 0; d < dim; ++d)
       vector[d] = numbers[d];

@@ -28,7 +28,7 @@ namespace conetact
     const Eigen::SparseMatrix<double> stiffness =
       assemble(elastic, coordinates);
     stiffness_scale = mean_diagonal(stiffness);
-    solver = std::make_unique<SchurSolver>(stiffness,
+    solver          = std::make_unique<SchurSolver>(stiffness,
                                            coordinates.n_contact_unknowns(),
                                            coordinates.node_of_unknowns());
 

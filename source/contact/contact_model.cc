@@ -3,12 +3,13 @@
 
 #include "conetact/contact/contact_model.h"
 
+#include "conetact/base/errors.h"
+
 #include <algorithm>
 
 namespace conetact
 {
-  ContactModel::ContactModel(const Bodies              &b,
-                             const std::vector<double> &times)
+  ContactModel::ContactModel(const Bodies &b, const std::vector<double> &times)
     : bodies(b)
     , rules(bodies, times)
     , coordinates(bodies, rules)
@@ -19,10 +20,20 @@ namespace conetact
   Condensation &
   ContactModel::condensation()
   {
-    if (!condensed)
-      condensed = std::make_unique<Condensation>(elastic,
-                                                 coordinates,
-                                                 motions.null_space());
+    try
+      {
+        if (!condensed)
+          condensed = std::make_unique<Condensation>(elastic,
+                                                     coordinates,
+                                                     motions.null_space());
+      }
+    catch (const SingularMatrix &)
+      {
+        throw InputError("Some part of a body can move although supports and "
+                         "contact nodes hold all bodies: a piece that is not "
+                         "joined to the rest, or a mechanism. Join it, or add "
+                         "a Support.");
+      }
     return *condensed;
   }
 

@@ -58,8 +58,8 @@ namespace conetact
     e_y[1] = e_z[2] = 1;
     if (dim == 2)
       return {Tensor<1, 3>({n[1], -n[0], 0.}), e_z};
-    Tensor<1, 3> t1 = std::abs(n[2]) > .9 ? cross_product_3d(e_y, n) :
-                                            cross_product_3d(n, e_z);
+    Tensor<1, 3> t1 =
+      std::abs(n[2]) > .9 ? cross_product_3d(e_y, n) : cross_product_3d(n, e_z);
     t1 /= t1.norm();
     return {t1, cross_product_3d(n, t1)};
   }
@@ -148,16 +148,15 @@ namespace conetact
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact &contact = contacts[c];
-        const Surface  surface =
-          structures[contact.body]->surface(contact.ids);
+        const Surface  surface = structures[contact.body]->surface(contact.ids);
         for (const SurfaceNode &s : surface.nodes)
           {
             const auto [other, is_new] =
               contact_of.insert({{contact.body, s.node}, c});
             if (!is_new)
               throw InputError(
-                "Contact '" + contacts[other->second].name +
-                "' and contact '" + contact.name + "' both hold the node at " +
+                "Contact '" + contacts[other->second].name + "' and contact '" +
+                contact.name + "' both hold the node at " +
                 to_text(s.position) + " of body '" + bodies[contact.body] +
                 "'. A node stands in one contact only: change Boundary ids.");
             ContactNode node;

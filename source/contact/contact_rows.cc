@@ -94,16 +94,16 @@ namespace conetact
         row.u[0] = q[layout.normal(index)];
         row.du   = in_frame(node, tangential(rule, first, state.v)) +
                  (other - other_before[i]);
-        row.du[0]       = row.u[0] - last[i].u[0];
-        row.reaction    = in_frame(node,
-                                reaction_vector(model.coordinates, i, state.r));
+        row.du[0] = row.u[0] - last[i].u[0];
+        row.reaction =
+          in_frame(node, reaction_vector(model.coordinates, i, state.r));
         row.state       = state.node[i];
         other_before[i] = other;
         if (layout.n_tangents(index) == 0 && row.state != NodeState::open)
-          row.state = std::hypot(row.du[1], row.du[2]) >
-                          round_off * relative.norm() ?
-                        NodeState::slip :
-                        NodeState::stick;
+          row.state =
+            std::hypot(row.du[1], row.du[2]) > round_off * relative.norm() ?
+              NodeState::slip :
+              NodeState::stick;
       }
     last = rows;
     return rows;

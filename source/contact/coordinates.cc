@@ -26,9 +26,8 @@ namespace conetact
   Eigen::Index
   Coordinates::dof(const unsigned int body, const unsigned int node) const
   {
-    return dof_offset[body] +
-           node * static_cast<Eigen::Index>(
-                    bodies.structures[body]->n_components());
+    return dof_offset[body] + node * static_cast<Eigen::Index>(
+                                       bodies.structures[body]->n_components());
   }
 
   void
@@ -40,7 +39,7 @@ namespace conetact
     for (const Structure *structure : bodies.structures)
       for (unsigned int i = 0; i < structure->n_nodes(); ++i, ++n)
         {
-          const NodeRule    *rule     = rule_of_node[n];
+          const NodeRule    *rule = rule_of_node[n];
           const unsigned int n_rotations =
             structure->n_components() - bodies.dim;
           const std::size_t n_own =
@@ -163,8 +162,7 @@ namespace conetact
     return u;
   }
 
-  Eigen::VectorXd
-  Coordinates::restrict(const Eigen::VectorXd &f) const
+  Eigen::VectorXd Coordinates::restrict(const Eigen::VectorXd &f) const
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(n_unknowns());
     for (Eigen::Index i = 0; i < n_dofs(); ++i)

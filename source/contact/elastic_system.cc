@@ -146,8 +146,8 @@ namespace conetact
     upper_pattern(const Connectivity &c, const Eigen::Index n)
     {
       Eigen::SparseMatrix<double> upper(n, n);
-      std::vector<int>            rows, last_seen(static_cast<std::size_t>(n), -1);
-      std::vector<int>            all_rows;
+      std::vector<int> rows, last_seen(static_cast<std::size_t>(n), -1);
+      std::vector<int> all_rows;
       all_rows.reserve(c.unknowns.size() * 2);
       int *const outer = upper.outerIndexPtr();
       outer[0]         = 0;
@@ -186,10 +186,10 @@ namespace conetact
 
     /** Adds an element; `unknowns` ascend, `order` are their places in it. */
     void
-    scatter(const std::vector<Eigen::Index>  &unknowns,
-            const std::vector<Eigen::Index>  &order,
-            const double                     *matrix,
-            Eigen::SparseMatrix<double>      &upper)
+    scatter(const std::vector<Eigen::Index> &unknowns,
+            const std::vector<Eigen::Index> &order,
+            const double                    *matrix,
+            Eigen::SparseMatrix<double>     &upper)
     {
       const std::size_t n     = unknowns.size();
       const int *const  outer = upper.outerIndexPtr();
@@ -227,7 +227,9 @@ namespace conetact
             return support.spring(p, normal);
           },
           [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-            Spring spring{dofs, {matrix, matrix + dofs.size() * dofs.size()}, s};
+            Spring spring{dofs,
+                          {matrix, matrix + dofs.size() * dofs.size()},
+                          s};
             for (unsigned int &dof : spring.dofs)
               dof += offset;
             springs.push_back(std::move(spring));
@@ -295,8 +297,7 @@ namespace conetact
             const auto   along = support.directions_at(node.normal);
             Tensor<1, 3> motion;
             for (std::size_t e = 0; e < along.size(); ++e)
-              motion +=
-                support.displacement[e](node.position, t) * along[e];
+              motion += support.displacement[e](node.position, t) * along[e];
             for (unsigned int c = 0; c < bodies.dim; ++c)
               ground[dof_offset[support.body] +
                      node.node *
@@ -350,16 +351,15 @@ namespace conetact
           order[i] = static_cast<Eigen::Index>(i);
         if (plain)
           {
-            std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-              return unknowns[static_cast<std::size_t>(a)] <
-                     unknowns[static_cast<std::size_t>(b)];
-            });
+            std::sort(order.begin(),
+                      order.end(),
+                      [&](const auto a, const auto b) {
+                        return unknowns[static_cast<std::size_t>(a)] <
+                               unknowns[static_cast<std::size_t>(b)];
+                      });
             std::sort(unknowns.begin(), unknowns.end());
           }
-        scatter(unknowns,
-                order,
-                plain ? matrix : element.matrix.data(),
-                upper);
+        scatter(unknowns, order, plain ? matrix : element.matrix.data(), upper);
       });
     return upper;
   }

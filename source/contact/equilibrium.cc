@@ -90,7 +90,8 @@ namespace conetact
     Eigen::VectorXd       internal = elastic.internal_forces(u);
     const Eigen::VectorXd ground   = elastic.ground_forces(t);
 
-    Eigen::VectorXd unbalanced = coordinates.restrict(internal - loads - ground);
+    Eigen::VectorXd unbalanced =
+      coordinates.restrict(internal - loads - ground);
     unbalanced.tail(r.size()) -= r;
 
     Eigen::VectorXd rest = internal - loads - ground;
@@ -114,8 +115,8 @@ namespace conetact
           const Eigen::Index dof = coordinates.dof(rule.body, rule.node);
           Tensor<1, 3>       force;
           for (const HeldDirection &held : rule.held)
-            force += (at_node(rest, dof, dim) * held.direction) *
-                     held.direction;
+            force +=
+              (at_node(rest, dof, dim) * held.direction) * held.direction;
           add(e.supports,
               bodies.structures[rule.body]->position(rule.node),
               force);
@@ -123,15 +124,14 @@ namespace conetact
 
     const Eigen::VectorXd springs = ground - elastic.spring_forces(u);
     double                reach   = 0;
-    for_each_node(bodies,
-                  coordinates,
-                  [&](const Eigen::Index dof, const Point<3> &p) {
-                    add(e.supports, p, at_node(springs, dof, dim));
-                    add(e.loads, p, at_node(loads, dof, dim));
-                    e.largest_force = std::max(
-                      e.largest_force, at_node(internal, dof, dim).norm());
-                    reach = std::max(reach, p.norm());
-                  });
+    for_each_node(
+      bodies, coordinates, [&](const Eigen::Index dof, const Point<3> &p) {
+        add(e.supports, p, at_node(springs, dof, dim));
+        add(e.loads, p, at_node(loads, dof, dim));
+        e.largest_force =
+          std::max(e.largest_force, at_node(internal, dof, dim).norm());
+        reach = std::max(reach, p.norm());
+      });
 
     const double scale = std::max(e.largest_force, reference_force);
     if (scale > 0 && unbalanced.size() > 0)

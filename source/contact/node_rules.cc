@@ -175,7 +175,7 @@ namespace conetact
   NodeRules::add_contact(NodeRule &rule, const ContactNode &node)
   {
     const std::vector<Tensor<1, 3>> held = directions(rule.held);
-    const double normal_left = remainder(node.n, held).norm();
+    const double normal_left             = remainder(node.n, held).norm();
     if (normal_left < same_direction)
       {
         ++n_held;
@@ -210,9 +210,8 @@ namespace conetact
   {
     double sum = 0;
     for (const HeldDirection::Term &term : held.terms)
-      sum +=
-        term.factor *
-        bodies.supports[term.support].displacement[term.expression](p, t);
+      sum += term.factor *
+             bodies.supports[term.support].displacement[term.expression](p, t);
     return sum;
   }
 
@@ -221,13 +220,14 @@ namespace conetact
   {
     for (const Redundant &r : redundant)
       {
-        const auto rule = std::lower_bound(
-          sorted.begin(),
-          sorted.end(),
-          std::make_pair(r.body, r.node),
-          [](const NodeRule &a, const std::pair<unsigned int, unsigned int> &b) {
-            return std::make_pair(a.body, a.node) < b;
-          });
+        const auto rule =
+          std::lower_bound(sorted.begin(),
+                           sorted.end(),
+                           std::make_pair(r.body, r.node),
+                           [](const NodeRule                              &a,
+                              const std::pair<unsigned int, unsigned int> &b) {
+                             return std::make_pair(a.body, a.node) < b;
+                           });
         const Point<3> p = bodies.structures[r.body]->position(r.node);
         for (const double t : times)
           {
@@ -245,8 +245,8 @@ namespace conetact
                 bodies.supports[r.held.terms.front().support].name +
                 "', Displacement: the node at " + to_text(p) + " of body '" +
                 bodies.names[r.body] + "' should move by " + to_text(wanted) +
-                " along " + to_text(r.held.direction) + " at t = " +
-                to_text(t) + ", but another support moves it by " +
+                " along " + to_text(r.held.direction) +
+                " at t = " + to_text(t) + ", but another support moves it by " +
                 to_text(given) + ". Let the supports agree where they meet.");
           }
       }

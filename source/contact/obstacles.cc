@@ -120,9 +120,10 @@ namespace conetact
       create(Handler &prm, const unsigned int dim, const std::string &in)
       {
         const Tensor<1, 3> n = unit_vector(prm, "Normal", dim, in);
-        return std::make_unique<HalfSpace>(
-          prm.get("Point").empty() ? Point<3>() : point(prm, "Point", dim, in),
-          n);
+        return std::make_unique<HalfSpace>(prm.get("Point").empty() ?
+                                             Point<3>() :
+                                             point(prm, "Point", dim, in),
+                                           n);
       }
 
     private:
@@ -155,7 +156,8 @@ namespace conetact
         const double distance = arm.norm();
         if (distance <= 1e-12 * radius)
           throw InputError(entry + ": a contact node stands at its centre, " +
-                           to_text(p) + ", where no point of the surface is "
+                           to_text(p) +
+                           ", where no point of the surface is "
                            "the closest. Move the obstacle or the body.");
         const double side = inside ? -1 : 1;
         return {side * (distance - radius), side / distance * arm};
@@ -197,25 +199,26 @@ namespace conetact
       static Shape
       create_sphere(Handler &prm, const unsigned int dim, const std::string &in)
       {
-        return std::make_unique<Round>(
-          prm.get("Center").empty() ? Point<3>() :
-                                      point(prm, "Center", dim, in),
-          Tensor<1, 3>(),
-          get_radius(prm, in),
-          prm.get("Side") == "inside",
-          in + "Center");
+        return std::make_unique<Round>(prm.get("Center").empty() ?
+                                         Point<3>() :
+                                         point(prm, "Center", dim, in),
+                                       Tensor<1, 3>(),
+                                       get_radius(prm, in),
+                                       prm.get("Side") == "inside",
+                                       in + "Center");
       }
       static Shape
       create_cylinder(Handler           &prm,
                       const unsigned int dim,
                       const std::string &in)
       {
-        return std::make_unique<Round>(
-          prm.get("Point").empty() ? Point<3>() : point(prm, "Point", dim, in),
-          unit_vector(prm, "Axis", 3, in),
-          get_radius(prm, in),
-          prm.get("Side") == "inside",
-          in + "Point");
+        return std::make_unique<Round>(prm.get("Point").empty() ?
+                                         Point<3>() :
+                                         point(prm, "Point", dim, in),
+                                       unit_vector(prm, "Axis", 3, in),
+                                       get_radius(prm, in),
+                                       prm.get("Side") == "inside",
+                                       in + "Point");
       }
 
     private:
@@ -249,7 +252,8 @@ namespace conetact
         const double norm = gradient.norm();
         if (norm == 0 || !std::isfinite(norm))
           throw InputError(entry + ": the gradient vanishes at the contact " +
-                           "node " + to_text(p) + ". Give a function whose "
+                           "node " + to_text(p) +
+                           ". Give a function whose "
                            "gradient is not zero near its surface.");
         return {phi(p) / norm, gradient / norm};
       }
@@ -265,10 +269,10 @@ namespace conetact
       static Shape
       create(Handler &prm, const unsigned int dim, const std::string &in)
       {
-        return std::make_unique<Implicit>(
-          Expression(prm.get("Function"), in + "Function"),
-          dim,
-          in + "Function");
+        return std::make_unique<Implicit>(Expression(prm.get("Function"),
+                                                     in + "Function"),
+                                          dim,
+                                          in + "Function");
       }
 
     private:

@@ -3,16 +3,12 @@
 
 #include "conetact/contact/schur_solver.h"
 
-#include "conetact/base/process.h"
 #include "conetact/contact/elimination_order.h"
-
-#include <dmumps_c.h>
+#include "conetact/contact/free_motion.h"
+#include "conetact/contact/mumps.h"
 
 #include <algorithm>
-#include <cmath>
-#include <new>
 #include <numeric>
-#include <random>
 #include <string>
 
 namespace conetact
@@ -28,107 +24,6 @@ namespace conetact
     // products, few enough to need little memory beside the factor.
     constexpr Index columns_at_once = 64;
 
-    // A strain energy below this part of the sum of its terms taken without
-    // signs is rounding.
-    constexpr double rounding = 1e-15;
-
-    [[noreturn]] void
-    throw_singular(const std::string &what)
-    {
-      throw SingularMatrix("With the contact unknowns held, " + what +
-                           " can still move without resistance: the stiffness "
-                           "is not positive definite. Too few supports or "
-                           "contact nodes hold the body.");
-    }
-
-
-
-    // One instance of MUMPS. What it complains of becomes exceptions.
-    class Mumps
-    {
-    public:
-      Mumps()
-      {
-        data.sym          = 1; // positive definite
-        data.par          = 1;
-        data.comm_fortran = ProcessSession::require_mpi();
-        run(-1);
-        control(1) = control(2) = control(3) = -1; // silent
-        control(4)                           = 0;
-        control(7)                           = 1;  // the order is given
-        control(8)                           = 0;  // scaling costs accuracy
-        control(14)                          = 20; // spare workspace [%]
-        control(28)                          = 1;  // sequential analysis
-      }
-
-      ~Mumps()
-      {
-        if (ProcessSession::mpi_is_running())
-          call(-2);
-      }
-
-      Mumps(const Mumps &) = delete;
-      Mumps &
-      operator=(const Mumps &) = delete;
-
-      // ICNTL and INFOG, counted from 1 as in the manual of MUMPS.
-      int &
-      control(const int i)
-      {
-        return data.icntl[i - 1];
-      }
-
-      int
-      info(const int i) const
-      {
-        return data.infog[i - 1];
-      }
-
-      void
-      run(const int job)
-      {
-        call(job);
-        throw_errors();
-      }
-
-      // The workspace is estimated by the analysis, and may be short.
-      void
-      factorize()
-      {
-        for (call(2); (info(1) == -8 || info(1) == -9) && control(14) < 2000;
-             call(2))
-          control(14) *= 3;
-        throw_errors();
-        if (info(12) > 0) // negative pivots
-          throw_singular("a part of the body");
-      }
-
-      DMUMPS_STRUC_C data{};
-
-    private:
-      void
-      call(const int job)
-      {
-        data.job = job;
-        dmumps_c(&data);
-      }
-
-      void
-      throw_errors() const
-      {
-        if (info(1) == -5 || info(1) == -7 || info(1) == -13)
-          throw std::bad_alloc();
-        if (info(1) == -10)
-          throw_singular("a part of the body");
-        if (info(1) < 0)
-          throw std::runtime_error("MUMPS gives up with its error " +
-                                   std::to_string(info(1)) + " (" +
-                                   std::to_string(info(2)) + ").");
-      }
-    };
-
-
-
     void
     check_input(const SparseMatrix              &upper,
                 const Index                      n_schur,
@@ -139,6 +34,10 @@ namespace conetact
           node_of.size() != static_cast<std::size_t>(upper.cols()))
         throw std::invalid_argument("The sizes of a matrix, of its Schur "
                                     "complement and of its nodes disagree.");
+      for (Index column = 0; column < upper.cols(); ++column)
+        for (SparseMatrix::InnerIterator entry(upper, column); entry; ++entry)
+          if (entry.row() > column)
+            throw std::invalid_argument("Only the upper triangle is wanted.");
     }
 
     // Copies the upper triangle to the lower one, by blocks that fit into the
@@ -177,10 +76,6 @@ namespace conetact
     void
     factorize(const SparseMatrix &upper, std::vector<int> order);
 
-    void
-    refuse_free_motion(const SparseMatrix              &upper,
-                       const std::vector<unsigned int> &node_of);
-
     // MUMPS' ways to treat the right-hand sides b, which it overwrites.
     enum Phase
     {
@@ -212,12 +107,16 @@ namespace conetact
     const VectorXd diagonal = upper.diagonal();
     for (Index i = 0; i < n_eliminated; ++i)
       if (!(diagonal[i] > 0.))
-        throw_singular("node " + std::to_string(node_of[i]));
+        throw_free_motion("node " + std::to_string(node_of[i]));
 
     mumps = std::make_unique<Mumps>();
     factorize(upper, elimination_order(upper, n_eliminated, node_of));
     mirror_upper_triangle(schur);
-    refuse_free_motion(upper, node_of);
+
+    MatrixXd v = MatrixXd::Zero(n, 1), none = MatrixXd::Zero(n_schur, 1);
+    v.topRows(n_eliminated) = probe_load(diagonal.head(n_eliminated));
+    solve(eliminated_only, v, none);
+    refuse_free_motion(upper, v.topRows(n_eliminated), node_of);
   }
 
 
@@ -258,48 +157,10 @@ namespace conetact
         data.listvar_schur = schur_unknowns.data();
         data.schur         = schur.data();
       }
-    mumps->run(1);
+    mumps->analyse();
     mumps->factorize();
     data.irn = data.jcn = data.perm_in = nullptr;
     data.a                             = nullptr;
-  }
-
-
-
-  // The pivots of a singular matrix are small, positive and no smaller than
-  // those of some slender beam. What a beam does not have is a displacement
-  // whose strain energy is lost in rounding. One step of inverse iteration
-  // finds it where it exists; scaled by the diagonal, it depends neither on
-  // units nor on the contrast of stiffness.
-  void
-  SchurSolver::Implementation::refuse_free_motion(
-    const SparseMatrix              &upper,
-    const std::vector<unsigned int> &node_of)
-  {
-    const VectorXd   scale = upper.diagonal().head(n_eliminated).cwiseSqrt();
-    std::minstd_rand random;
-    constexpr double range = std::minstd_rand::max();
-    MatrixXd         v     = MatrixXd::Zero(n, 1);
-    for (Index i = 0; i < n_eliminated; ++i)
-      v(i) = scale[i] * (2. * static_cast<double>(random()) / range - 1.);
-    MatrixXd reduced = MatrixXd::Zero(n_schur, 1);
-    solve(eliminated_only, v, reduced);
-
-    long double energy = 0., without_signs = 0.;
-    for (Index column = 0; column < n_eliminated; ++column)
-      for (SparseMatrix::InnerIterator entry(upper, column); entry; ++entry)
-        {
-          const long double twice = entry.row() == column ? 1. : 2.;
-          const long double term =
-            twice * entry.value() * v(entry.row()) * v(column);
-          energy += term;
-          without_signs += std::abs(term);
-        }
-    if (energy > rounding * without_signs)
-      return;
-    Index where = 0;
-    v.col(0).head(n_eliminated).cwiseProduct(scale).cwiseAbs().maxCoeff(&where);
-    throw_singular("what surrounds node " + std::to_string(node_of[where]));
   }
 
 
@@ -317,7 +178,7 @@ namespace conetact
     data.lredrhs         = static_cast<int>(n_schur);
     mumps->control(26)   = phase;
     mumps->control(27)   = static_cast<int>(columns_at_once);
-    mumps->run(3);
+    mumps->solve();
   }
 
 

@@ -5,7 +5,7 @@
 #include "conetact/fclib/fclib_file.h"
 #include "conetact/fclib/hdf5_file.h"
 #include "conetact/fclib/order.h"
-#include "conetact/output/atomic_file.h"
+#include "conetact/base/atomic_file.h"
 
 #include <filesystem>
 #include <fstream>

@@ -3,7 +3,7 @@
 
 #include "conetact/output/graphics.h"
 
-#include "conetact/output/atomic_file.h"
+#include "conetact/base/atomic_file.h"
 #include "conetact/output/csv.h"
 
 #include <deal.II/base/data_out_base.h>

@@ -3,7 +3,7 @@
 
 #include "conetact/output/increment_table.h"
 
-#include "conetact/output/atomic_file.h"
+#include "conetact/base/atomic_file.h"
 
 #include <array>
 

@@ -3,6 +3,8 @@
 
 #include "conetact/solvers/automatic.h"
 
+#include "conetact/solvers/gauss_seidel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -59,8 +61,27 @@ namespace conetact
 
 
 
-  SolverReport
-  Automatic::globalize(const ContactProblem &problem, ContactState &state)
+  bool
+  Automatic::polish(const ContactProblem &problem,
+                    ContactState         &state,
+                    SolverReport         &report)
+  {
+    if (!state.v.allFinite() || !state.r.allFinite())
+      return false;
+    const SolverReport exact = active_set.polish(problem, state);
+    count(report, exact);
+    report.converged = exact.converged;
+    report.residual  = exact.residual;
+    return exact.converged;
+  }
+
+
+
+  bool
+  Automatic::smooth(const ContactProblem &problem,
+                    ContactState         &state,
+                    const double          m0,
+                    SolverReport         &report)
   {
     if (!relation || !relation->is(problem.system))
       relation.emplace(problem.system);
@@ -68,57 +89,72 @@ namespace conetact
 
     SmoothingOptions smoothing = options.smoothing;
     smoothing.scaled           = true;
+    smoothing.m0 = smoothing.eps0 = m0;
     SmoothingIteration iteration(*relation, smoothing, state);
-    SolverReport       report;
-    ContactState       trial = state;
-    for (double target = 1e-2; target >= .5 * options.tolerance; target *= 1e-2)
+    ContactState       trial  = state;
+    bool               solved = false, going = true;
+    for (double target = 1e-2; going && !solved && target > .1 * options.tolerance;
+         target *= 1e-2)
       {
-        const bool reached = iteration.advance(target);
+        going = iteration.advance(target);
         iteration.get(trial);
-        if (trial.v.allFinite() && trial.r.allFinite())
-          {
-            const SolverReport polish = active_set.polish(problem, trial);
-            count(report, polish);
-            if (polish.converged)
-              {
-                report.converged = true;
-                report.residual  = polish.residual;
-                report.solver    = "smoothing";
-                state            = trial;
-                break;
-              }
-          }
-        if (!reached)
-          break;
+        solved = polish(problem, trial, report);
       }
     report.iterations += iteration.n_iterations();
     report.factorizations += iteration.n_factorizations();
-    if (!report.converged)
-      report.reason =
-        iteration.failure().empty() ? "residual stalled" : iteration.failure();
-    return report;
+    report.solver = "smoothing";
+    report.reason = iteration.failure();
+    if (solved)
+      state = trial;
+    return solved;
+  }
+
+
+
+  bool
+  Automatic::relax(const ContactProblem &problem,
+                   ContactState         &state,
+                   const unsigned int    sweeps,
+                   SolverReport         &report)
+  {
+    SolverOptions few                         = options;
+    few.max_sweeps                            = sweeps;
+    ContactState                         trial = state;
+    const std::unique_ptr<ContactSolver> solver = make_gauss_seidel(few);
+    solver->solve(problem, trial);
+    report.solver = "gauss-seidel";
+    if (!polish(problem, trial, report))
+      return false;
+    state = trial;
+    return true;
   }
 
 
 
   SolverReport
-  Automatic::solve_whole(const ContactProblem &problem, ContactState &state)
+  Automatic::solve_whole(const ContactProblem &problem,
+                         ContactState         &state,
+                         const bool            thorough)
   {
-    ContactState      trial        = state;
-    SolverReport      report       = active_set.solve(problem, trial);
-    const std::string first_reason = report.reason;
-    if (!report.converged)
-      {
-        trial                     = state;
-        const SolverReport second = globalize(problem, trial);
-        count(report, second);
-        report.converged = second.converged;
-        report.residual  = second.residual;
-        report.solver    = second.solver;
-        report.reason    = second.converged ? "" : second.reason;
-      }
+    ContactState trial  = state;
+    SolverReport report = active_set.solve(problem, trial);
     if (report.converged)
-      state = trial;
+      {
+        state = trial;
+        return report;
+      }
+    // A few nodes that cannot make up their mind are what node by node is good
+    // at; the smoothing sees all nodes at once.
+    bool solved = relax(problem, state, 30, report) ||
+                  smooth(problem, state, options.smoothing.m0, report);
+    if (!solved && thorough)
+      solved = relax(problem, state, 300, report) ||
+               smooth(problem, state, 100 * options.smoothing.m0, report);
+    report.converged = solved;
+    if (solved)
+      report.reason.clear();
+    else if (report.reason.empty())
+      report.reason = "residual stalled";
     return report;
   }
 
@@ -149,7 +185,7 @@ namespace conetact
           part.load -= system.matrix * slip;
         else
           part.load -= slip;
-        const SolverReport one = solve_whole(part, trial);
+        const SolverReport one = solve_whole(part, trial, false);
         count(report, one);
         if (!one.converged)
           {
@@ -193,7 +229,7 @@ namespace conetact
   {
     // Here is the place to ask whether an equilibrium can exist at all.
 
-    SolverReport report = solve_whole(problem, state);
+    SolverReport report = solve_whole(problem, state, true);
     if (report.converged || problem.system->n_unknowns() == 0)
       return report;
     if (options.max_substeps < 2)

@@ -6,7 +6,8 @@
 #include "conetact/solvers/local_coulomb.h"
 
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace conetact
@@ -15,7 +16,9 @@ namespace conetact
   {
     /**
      * The loop over the nodes. It keeps the unknown x, that is r in compliance
-     * and v in stiffness form, and its image y = matrix x +- load.
+     * and v in stiffness form, its image y = matrix x +- load, and what the
+     * node's own solution says y should be: with that one the contact law
+     * holds exactly, and the linear relation up to the residual.
      */
     class GaussSeidel : public ContactSolver
     {
@@ -40,7 +43,7 @@ namespace conetact
       SolverOptions                        options;
       std::shared_ptr<const ContactSystem> system;
       std::vector<LocalCoulomb>            local;
-      Eigen::VectorXd                      x, y;
+      Eigen::VectorXd                      x, y, y_of_node;
     };
 
 
@@ -74,8 +77,9 @@ namespace conetact
       const bool             compliance = system->form == Form::compliance;
       const Eigen::VectorXd &given      = compliance ? state.r : state.v;
       const Eigen::Index     n          = system->n_unknowns();
-      x = given.size() == n ? given : Eigen::VectorXd::Zero(n);
-      y = system->matrix * x + (compliance ? 1. : -1.) * problem.load;
+      x         = given.size() == n ? given : Eigen::VectorXd::Zero(n);
+      y         = system->matrix * x + (compliance ? 1. : -1.) * problem.load;
+      y_of_node = y;
     }
 
 
@@ -98,6 +102,7 @@ namespace conetact
             compliance ? LocalCoulomb::Vector(y.segment(begin, size) - own) :
                          LocalCoulomb::Vector(own - y.segment(begin, size));
           local[i].solve(q, v, r);
+          y_of_node.segment(begin, size) = compliance ? v : r;
           const LocalCoulomb::Vector step =
             (compliance ? r : v) - x.segment(begin, size);
           if (step.isZero(0))
@@ -117,8 +122,8 @@ namespace conetact
     {
       const bool compliance = system->form == Form::compliance;
       y       = system->matrix * x + (compliance ? 1. : -1.) * problem.load;
-      state.r = compliance ? x : y;
-      state.v = compliance ? y : x;
+      state.r = compliance ? x : y_of_node;
+      state.v = compliance ? y_of_node : x;
     }
 
 
@@ -141,9 +146,9 @@ namespace conetact
               report.iterations < options.max_sweeps)
             continue;
           write(problem, state);
-          if (!state.v.allFinite() || !state.r.allFinite())
-            break;
           report.residual = contact_residual(problem, state);
+          if (!std::isfinite(report.residual))
+            break;
           if (report.residual <= options.tolerance)
             {
               report.converged = true;
@@ -151,9 +156,10 @@ namespace conetact
               return report;
             }
         }
-      report.reason =
-        "Gauss-Seidel stopped after " + std::to_string(report.iterations) +
-        " sweeps at a residual of " + std::to_string(report.residual);
+      std::ostringstream reason;
+      reason << "Gauss-Seidel stopped after " << report.iterations
+             << " sweeps at a residual of " << report.residual;
+      report.reason = reason.str();
       return report;
     }
   } // namespace

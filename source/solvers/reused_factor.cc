@@ -97,6 +97,8 @@ namespace conetact
   ReusedFactor::precondition(const Vector &b) const
   {
     const auto n = static_cast<lapack_int>(factor.rows());
+    if (factor_numbers.empty())
+      return inverse_diagonal.cwiseProduct(b);
     Vector     y = Vector::Zero(n);
     for (std::size_t a = 0; a < position.size(); ++a)
       if (position[a] >= 0)
@@ -180,6 +182,9 @@ namespace conetact
   {
     const float reachable = std::max(precision, 3e-6f);
     match(A, numbers);
+    // A first step is far from the solution: its matrix is not worth keeping.
+    if (factor_numbers.empty() && precision >= 5e-3f && gmres(A, b, reachable, x))
+      return true;
     if (worth_trying(A.rows()) && gmres(A, b, reachable, x))
       return true;
     if (!factorize(A, numbers))

@@ -23,9 +23,9 @@ namespace conetact
                     const unsigned int dim,
                     const std::string &entry)
     {
-      const std::string  axes = std::string("xyz").substr(0, dim);
-      const std::size_t  axis = text.size() == 1 ? axes.find(text) : axes.npos;
-      Tensor<1, 3>       direction;
+      const std::string axes = std::string("xyz").substr(0, dim);
+      const std::size_t axis = text.size() == 1 ? axes.find(text) : axes.npos;
+      Tensor<1, 3>      direction;
       if (axis != axes.npos)
         direction[static_cast<unsigned int>(axis)] = 1;
       else if (!text.empty() && text.front() == '(')
@@ -51,10 +51,9 @@ namespace conetact
         while (expressions.size() < n)
           expressions.push_back(Expression("0", entry));
       if (expressions.size() != n)
-        throw InputError(entry + ": '" + text + "' has " +
-                         std::to_string(expressions.size()) +
-                         " expressions. Give " + std::to_string(n) +
-                         ", separated by ';'.");
+        throw InputError(
+          entry + ": '" + text + "' has " + std::to_string(expressions.size()) +
+          " expressions. Give " + std::to_string(n) + ", separated by ';'.");
       return expressions;
     }
 
@@ -83,14 +82,6 @@ namespace conetact
     for (const Tensor<1, 3> &direction : directions_at(outward_normal))
       result += outer_product(direction, direction);
     return (*stiffness)(p)*result;
-  }
-
-  bool
-  Load::uses_time() const
-  {
-    return std::any_of(value.begin(), value.end(), [](const Expression &e) {
-      return e.uses_time();
-    });
   }
 
   void
@@ -240,9 +231,10 @@ namespace conetact
     const std::string directions = prm.get("Directions");
     support.normal               = directions == "normal";
     if (!support.normal)
-      for (const std::string &part : split(
-             directions.empty() ? (dim == 2 ? "x, y" : "x, y, z") : directions,
-             ','))
+      for (const std::string &part :
+           split(directions.empty() ? (dim == 2 ? "x, y" : "x, y, z") :
+                                      directions,
+                 ','))
         support.directions.push_back(
           parse_direction(part, dim, in + "Directions"));
 

@@ -10,6 +10,7 @@
 #include "conetact/contact/contact_rows.h"
 #include "conetact/output/output.h"
 #include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/existence.h"
 
 #include <filesystem>
 #include <memory>
@@ -30,6 +31,13 @@ namespace conetact
     /** Sizes and what will be skipped, to the log. */
     void
     report() const;
+
+    /**
+     * All that may find the scene wrong: loads at all times, condensation.
+     * Throws InputError.
+     */
+    void
+    prepare();
 
     /**
      * Runs all increments; results go to `folder`, which must exist. Throws
@@ -53,6 +61,8 @@ namespace conetact
     create_outputs(const std::filesystem::path &folder, const bool quiet);
     std::size_t
     batch_size() const;
+    void
+    check_existence(const ContactProblem &problem, const Pending &increment);
     Pending
     solve(const unsigned int k);
     SolverReport
@@ -72,6 +82,8 @@ namespace conetact
     ContactHistory                       history;
     ContactRows                          contact_rows;
     std::unique_ptr<ContactSolver>       solver;
+    std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
+    Eigen::VectorXd                      last_load; ///< condensed, before
     std::vector<std::unique_ptr<Output>> outputs;
     double largest_force = 0; ///< nodal force of the increments so far [force]
   };

@@ -31,7 +31,8 @@ namespace conetact
      */
     explicit Scene(const CommandLine &line);
 
-    /** Makes bodies, obstacles, contacts, supports, loads. Throws InputError. */
+    /** Makes bodies, obstacles, contacts, supports, loads. Throws InputError.
+     */
     void
     build();
 
@@ -48,9 +49,12 @@ namespace conetact
     /** Nodal forces of all loads at time t, on all dofs of all bodies. */
     Eigen::VectorXd
     forces(const double t) const;
-    /** Whether forces() are the same at all times. */
-    bool
-    forces_use_time() const;
+    /**
+     * Evaluates all loads at the first time, and at one point at all others.
+     * Throws InputError where one is not finite or a point is outside.
+     */
+    void
+    check_loads() const;
 
     Bodies                   bodies;
     std::vector<std::string> contact_names;

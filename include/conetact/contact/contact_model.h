@@ -64,6 +64,7 @@ namespace conetact
     {
       return q;
     }
+
   private:
     Eigen::VectorXd
     shift() const;

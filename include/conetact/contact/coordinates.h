@@ -82,8 +82,7 @@ namespace conetact
     Eigen::VectorXd
     expand(const Eigen::VectorXd &q) const;
     /** C^T f. */
-    Eigen::VectorXd
-    restrict(const Eigen::VectorXd &f) const;
+    Eigen::VectorXd restrict(const Eigen::VectorXd &f) const;
     /** Moves nodal forces of hanging nodes to their masters. */
     void
     unhang(Eigen::VectorXd &f) const;
@@ -110,7 +109,7 @@ namespace conetact
     void
     number_unknowns();
     void
-    write_rows();
+                                  write_rows();
     const Bodies                 &bodies;
     const NodeRules              &node_rules;
     std::vector<Eigen::Index>     dof_offset;

@@ -24,7 +24,7 @@ namespace conetact
    * @f$ A = \begin{pmatrix} A_{FF} & A_{FC}\\ A_{CF} & A_{CC}\end{pmatrix} @f$
    * once by MUMPS, with the unknowns C ordered last, and lets the solver
    * return the Schur complement
-   * @f$ S = A_{CC} - A_{CF} A_{FF}^{-1} A_{FC} @f$ itself (NUMERICS 6).
+   * @f$ S = A_{CC} - A_{CF} A_{FF}^{-1} A_{FC} @f$ itself.
    * A_FF must be positive definite, A and S may be singular. The unknowns C
    * are the last ones of A.
    */

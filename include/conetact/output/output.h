@@ -14,7 +14,7 @@
 
 namespace conetact
 {
-  /** A contact node at the end of an increment, in the terms of NUMERICS 1. */
+  /** A contact node at the end of an increment. */
   struct ContactRow
   {
     unsigned int contact = 0; ///< index into RunDescription::contacts
@@ -24,9 +24,9 @@ namespace conetact
     Tensor<1, 3> t1, t2;      ///< tangents (2D: t2 = e_z)
     double       area = 0;    ///< tributary area [length^2]
     double       gap  = 0;    ///< at the end of the increment [length]
-    Tensor<1, 3> u;        ///< (u_n, u_t1, u_t2), total, relative [length]
-    Tensor<1, 3> du;       ///< the same of this increment
-    Tensor<1, 3> reaction; ///< (r_n, r_t1, r_t2) on the body [force]
+    Tensor<1, 3> u;           ///< (u_n, u_t1, u_t2), total, relative [length]
+    Tensor<1, 3> du;          ///< the same of this increment
+    Tensor<1, 3> reaction;    ///< (r_n, r_t1, r_t2) on the body [force]
     NodeState    state = NodeState::open;
   };
 
@@ -62,9 +62,9 @@ namespace conetact
     std::vector<std::string>       contacts; ///< names
     std::vector<std::string>       bodies;   ///< names
     std::vector<const Structure *> structures;
-    unsigned int                   dim = 2;
-    unsigned int n_increments          = 0;
-    unsigned int vtu_every             = 1; ///< 0: never
+    unsigned int                   dim          = 2;
+    unsigned int                   n_increments = 0;
+    unsigned int                   vtu_every    = 1; ///< 0: never
   };
 
   /** Something that writes each finished increment; throws WriteError. */

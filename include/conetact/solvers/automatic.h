@@ -12,8 +12,8 @@
 
 /**
  * The order of methods that loses nothing: scale; active set from the last
- * states; smoothing to globalise, with an active set attempt on the way; and
- * where the whole increment cannot be solved, the increment in parts. The load
+ * states; a few sweeps of Gauss-Seidel, then smoothing to globalise, each with
+ * an active set attempt to make the result exact; and where the whole increment cannot be solved, the increment in parts. The load
  * of a part lies on the line between the loads at start and end,
  * @f$b(s) = b_0 + s (b_1 - b_0)@f$, where b0 follows from the state at the
  * start: @f$b_0 = K v_0 - r_0@f$ with @f$v_0 = (0, g_0)@f$ (compliance:
@@ -33,11 +33,27 @@ namespace conetact
   private:
     /** The increment, or a part of it, in one. */
     SolverReport
-    solve_whole(const ContactProblem &problem, ContactState &state);
+    solve_whole(const ContactProblem &problem,
+                ContactState         &state,
+                const bool            thorough);
 
-    /** Smoothing with attempts of the active set on the way. */
-    SolverReport
-    globalize(const ContactProblem &problem, ContactState &state);
+    /** Active set from an estimate of the end of the increment. */
+    bool
+    polish(const ContactProblem &problem,
+           ContactState         &state,
+           SolverReport         &report);
+    /** Smoothing from m0 on, with attempts to polish on the way. */
+    bool
+    smooth(const ContactProblem &problem,
+           ContactState         &state,
+           const double          m0,
+           SolverReport         &report);
+    /** Some sweeps of Gauss-Seidel, then polish. */
+    bool
+    relax(const ContactProblem &problem,
+          ContactState         &state,
+          const unsigned int    sweeps,
+          SolverReport         &report);
 
     SolverReport
     solve_in_parts(const ContactProblem &problem, ContactState &state);

@@ -115,18 +115,18 @@ namespace conetact
   /** What a solver says of itself. No solver is believed: see residual(). */
   struct SolverReport
   {
-    bool         converged  = false;
-    std::string  reason;              ///< why not, a sentence; empty on success
-    std::string  solver;              ///< name of the method that succeeded
-    unsigned int iterations     = 0;  ///< linear solves
-    unsigned int factorizations = 0;  ///< of matrices of contact unknowns
-    unsigned int substeps       = 1;  ///< parts the increment was cut into
-    double       residual       = 0;  ///< contact_residual() of the result
+    bool         converged = false;
+    std::string  reason;             ///< why not, a sentence; empty on success
+    std::string  solver;             ///< name of the method that succeeded
+    unsigned int iterations     = 0; ///< linear solves
+    unsigned int factorizations = 0; ///< of matrices of contact unknowns
+    unsigned int substeps       = 1; ///< parts the increment was cut into
+    double       residual       = 0; ///< contact_residual() of the result
   };
 
   /**
-   * The measure of every result, outside all solvers and free of units
-   * (NUMERICS 3): with @f$\rho = tr K / n@f$ (compliance: n / tr W),
+   * The measure of every result, outside all solvers and free of units: with
+   * @f$\rho = tr K / n@f$ (compliance: n / tr W),
    * @f[ e = |r - P_C(r - \rho (\Delta u_t, g + \mu |\Delta u_t|))| /
    *         \max(|r|, \rho |v|, \rho |g_0|, f_{ref}) , @f]
    * or the residual of the linear relation over the same scale, whichever is

@@ -13,7 +13,8 @@
 namespace conetact
 {
   /**
-   * Parameters of the smoothing and regularisation method, NUMERICS 3. The
+   * Parameters of the smoothing and regularisation method, Hayashi,
+   * Yamashita, Fukushima, SIAM J. Optim. 15 (2005) 593-615. The
    * defaults are those of the scaled form; with `scaled = false` the published
    * form is used, whose iteration counts depend on the units.
    */

@@ -56,8 +56,6 @@ namespace conetact
     Point<3>                point; ///< point force
     std::vector<Expression> value; ///< a component each; pressure: one
 
-    bool
-    uses_time() const;
     /** Adds the nodal forces at time t. */
     void
     add(const Structure &structure, const double t, Eigen::VectorXd &f) const;

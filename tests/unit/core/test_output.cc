@@ -4,7 +4,7 @@
 // What a run leaves on disk: columns, numbers, whole files at every moment.
 
 #include "conetact/base/errors.h"
-#include "conetact/output/atomic_file.h"
+#include "conetact/base/atomic_file.h"
 #include "conetact/output/csv.h"
 #include "conetact/output/output.h"
 #include "conetact/output/progress.h"

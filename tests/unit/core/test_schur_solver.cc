@@ -416,12 +416,14 @@ TEST(SchurSolver, RefusesAnEmptyRowAndANegativeDiagonal)
 
 
 
-TEST(SchurSolver, RefusesWrongSizes)
+TEST(SchurSolver, RefusesWrongInput)
 {
   const System system = Lattice{{3, 3}}.assemble();
   EXPECT_THROW(SchurSolver(system.upper, 19, system.node_of),
                std::invalid_argument);
   EXPECT_THROW(SchurSolver(system.upper, 3, {0, 1}), std::invalid_argument);
+  const SparseMatrix lower = system.upper.transpose();
+  EXPECT_THROW(SchurSolver(lower, 6, system.node_of), std::invalid_argument);
 }
 
 

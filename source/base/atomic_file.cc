@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/output/atomic_file.h"
+#include "conetact/base/atomic_file.h"
 
 #include "conetact/base/errors.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_output_atomic_file_h
-#define conetact_output_atomic_file_h
+#ifndef conetact_base_atomic_file_h
+#define conetact_base_atomic_file_h
 
 #include <filesystem>
 #include <functional>

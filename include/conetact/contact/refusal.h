@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_refusal_h
+#define conetact_contact_refusal_h
+
+#include "conetact/contact/contact_model.h"
+#include "conetact/solvers/existence.h"
+
+#include <string>
+
+namespace conetact
+{
+  /** The existence check of a model's contact system, in its node frames. */
+  ExistenceCheck
+  make_existence_check(ContactModel &model);
+
+  /**
+   * What happens physically where no equilibrium exists: "body 'block' slides
+   * along (1, 0, 0): of this increment's load friction can carry at most
+   * 0.62".
+   */
+  std::string
+  describe(const Existence &refusal, const ContactModel &model);
+} // namespace conetact
+
+#endif

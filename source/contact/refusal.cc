@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/refusal.h"
+
+#include "conetact/base/text.h"
+
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Sum of the slips of the contacts that stay touching. */
+    Tensor<1, 3>
+    slip_direction(const Existence &refusal, const ContactModel &model)
+    {
+      const ContactSystem &layout = model.coordinates.layout();
+      Tensor<1, 3>         sum;
+      for (const Eigen::Index i : refusal.tight)
+        {
+          const auto      k    = static_cast<std::size_t>(i);
+          const NodeRule &rule = *model.coordinates.contact_rules()[k];
+          for (Eigen::Index c = 0; c < layout.n_tangents(i); ++c)
+            sum += refusal.v[layout.first[k] + c] *
+                   rule.contact[static_cast<std::size_t>(c)];
+        }
+      return sum;
+    }
+
+    /** The rigid motion of the proof: the body that moves most. */
+    RigidMotions::Motion
+    rigid_motion(const Existence &refusal, const ContactModel &model)
+    {
+      return model.motions.motion(
+        model.motions.null_space().colPivHouseholderQr().solve(refusal.v));
+    }
+
+    std::string
+    what_happens(const Existence &refusal, const ContactModel &model)
+    {
+      RigidMotions::Motion motion = rigid_motion(refusal, model);
+      const std::string    body =
+        "body '" + model.bodies.names[motion.body] + "' ";
+      switch (refusal.motion)
+        {
+          case Motion::slides:
+            motion.translation = slip_direction(refusal, model);
+            motion.rotation    = Tensor<1, 3>();
+            return body + "slides " + describe(motion);
+          case Motion::tips:
+            motion.translation = Tensor<1, 3>();
+            return body + "tips over, turning " + describe(motion);
+          case Motion::turns:
+            motion.translation = Tensor<1, 3>();
+            return body + "turns " + describe(motion);
+          default:
+            return body + "lifts off, moving " + describe(motion);
+        }
+    }
+  } // namespace
+
+  ExistenceCheck
+  make_existence_check(ContactModel &model)
+  {
+    std::vector<ExistenceCheck::Frame> frames;
+    for (const NodeRule *rule : model.coordinates.contact_rules())
+      {
+        ExistenceCheck::Frame frame(
+          3, static_cast<Eigen::Index>(rule->contact.size()));
+        for (Eigen::Index c = 0; c < frame.cols(); ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            frame(d, c) = rule->contact[static_cast<std::size_t>(c)][d];
+        frames.push_back(frame);
+      }
+    return ExistenceCheck(model.condensation().system(), std::move(frames));
+  }
+
+  std::string
+  describe(const Existence &refusal, const ContactModel &model)
+  {
+    std::string text = what_happens(refusal, model);
+    if (refusal.fraction > 1e-9)
+      return text + ": of this increment's load " +
+             (refusal.motion == Motion::slides ||
+                  refusal.motion == Motion::turns ?
+                "friction" :
+                "contact") +
+             " can carry at most " + to_text(refusal.fraction);
+    if (refusal.friction_needed)
+      return text + ": a friction coefficient of " +
+             to_text(*refusal.friction_needed) + " would be needed to hold it";
+    return text + ": no friction could hold it";
+  }
+} // namespace conetact
