@@ -103,7 +103,7 @@ namespace
     block.upper.reserve(Eigen::VectorXi::Constant(3 * n_nodes, 42));
     for (int node = 0; node < n_nodes; ++node)
       {
-        const std::array<int, 3> x{node % m, node / m % m, node / (m * m)};
+        const std::array<int, 3> x = {{node % m, node / m % m, node / (m * m)}};
         std::array<Eigen::Matrix3d, 27> stencil;
         stencil.fill(Eigen::Matrix3d::Zero());
         for (int own = 0; own < 8; ++own) // corner of the cell that is `node`
@@ -173,13 +173,13 @@ namespace
       std::fprintf(stderr, "CHOLMOD: status %d\n", common.status);
     cholmod_free_factor(&L, &common);
     cholmod_finish(&common);
-    return {t1 - t0, t2 - t1};
+    return {{t1 - t0, t2 - t1}};
   }
 #else
   std::array<double, 2>
   time_cholmod(const Block &, const std::vector<int> &)
   {
-    return {0., 0.};
+    return {{0., 0.}};
   }
 #endif
 
@@ -242,6 +242,8 @@ main(int argc, char **argv)
     sizes = {20, 24, 30, 40};
 
   const conetact::ProcessSession session(n_threads);
+  const Block                    tiny = assemble(2); // starts MPI
+  conetact::SchurSolver(tiny.upper, tiny.n_schur, tiny.node_of);
   std::printf("%s seconds; factor in GB; 11 right-hand sides; the ratios are "
               "with and without CHOLMOD's analysis\n"
               "  n unknowns  Schur    METIS  S,METIS   reduce   expand   "

@@ -123,7 +123,8 @@ namespace conetact
     increment.record.time      = scene.times[k - 1];
     increment.forces           = scene.forces(increment.record.time);
     increment.load             = model.condensation().reduce(
-      increment.forces, model.coordinates.prescribed(increment.record.time));
+      increment.forces + model.elastic.ground_forces(increment.record.time),
+      model.coordinates.prescribed(increment.record.time));
     increment.record.report = solve_contact(increment.load, increment);
     increment.contact       = history.displacements();
     return increment;

@@ -9,6 +9,7 @@
 #include "conetact/base/text.h"
 #include "conetact/structures/body_table.h"
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -309,13 +310,20 @@ namespace conetact
   void
   Scene::check_loads() const
   {
-    forces(times.front());
     for (const Load &load : loads)
-      for (const Expression &value : load.value)
+      {
+        const Structure &structure = *bodies.structures[load.body];
+        Eigen::VectorXd  f         = Eigen::VectorXd::Zero(structure.n_dofs());
+        const bool       still =
+          std::none_of(load.value.begin(),
+                       load.value.end(),
+                       [](const Expression &e) { return e.uses_time(); });
         for (const double t : times)
-          value(load.kind == Load::Kind::point_force ?
-                  load.point :
-                  bodies.structures[load.body]->position(0),
-                t);
+          {
+            load.add(structure, t, f);
+            if (still)
+              break;
+          }
+      }
   }
 } // namespace conetact

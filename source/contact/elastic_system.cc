@@ -3,6 +3,8 @@
 
 #include "conetact/contact/elastic_system.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 
 namespace conetact
@@ -207,6 +209,30 @@ namespace conetact
             }
         }
     }
+
+    /**
+     * Where the far ends of springs along any directions e have moved by d_e:
+     * the u without part across all of them with sum (u.e) e = sum d_e e.
+     */
+    Tensor<1, 3>
+    far_end(const Support      &support,
+            const Point<3>     &p,
+            const Tensor<1, 3> &normal,
+            const double        t)
+    {
+      Tensor<1, 3>    right;
+      Eigen::Matrix3d left  = Eigen::Matrix3d::Zero();
+      const auto      along = support.directions_at(normal);
+      for (std::size_t e = 0; e < along.size(); ++e)
+        {
+          const Eigen::Vector3d v(along[e][0], along[e][1], along[e][2]);
+          left += v * v.transpose();
+          right += support.displacement[e](p, t) * along[e];
+        }
+      const Eigen::Vector3d u = left.completeOrthogonalDecomposition().solve(
+        Eigen::Vector3d(right[0], right[1], right[2]));
+      return Tensor<1, 3>({u[0], u[1], u[2]});
+    }
   } // namespace
 
   ElasticSystem::ElasticSystem(const Bodies &b)
@@ -294,10 +320,8 @@ namespace conetact
         const auto       surface   = structure.surface(support.ids);
         for (const SurfaceNode &node : surface.nodes)
           {
-            const auto   along = support.directions_at(node.normal);
-            Tensor<1, 3> motion;
-            for (std::size_t e = 0; e < along.size(); ++e)
-              motion += support.displacement[e](node.position, t) * along[e];
+            const Tensor<1, 3> motion =
+              far_end(support, node.position, node.normal, t);
             for (unsigned int c = 0; c < bodies.dim; ++c)
               ground[dof_offset[support.body] +
                      node.node *

@@ -50,8 +50,8 @@ namespace conetact
     Eigen::VectorXd
     forces(const double t) const;
     /**
-     * Evaluates all loads at the first time, and at one point at all others.
-     * Throws InputError where one is not finite or a point is outside.
+     * Evaluates all loads at all times. Throws InputError where one is not
+     * finite or a point is outside.
      */
     void
     check_loads() const;
