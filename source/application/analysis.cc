@@ -35,6 +35,11 @@ namespace conetact
             std::to_string(scene.times.size()) + " increments");
     if (layout.n_nodes() == 0)
       log.note("skipped: condensation, no node may touch anything");
+    for (std::size_t c = 0; c < scene.n_free_nodes.size(); ++c)
+      if (scene.n_free_nodes[c] > 0)
+        log.note("Contact " + scene.contact_names[c] + ": " +
+                 std::to_string(scene.n_free_nodes[c]) +
+                 " nodes face no master and stay free");
     Eigen::Index n_no_cone = 0;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       n_no_cone += layout.n_tangents(i) == 0;

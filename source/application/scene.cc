@@ -4,6 +4,7 @@
 #include "conetact/application/scene.h"
 
 #include "conetact/application/load_history.h"
+#include "conetact/application/scene_text.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
@@ -31,57 +32,6 @@ namespace conetact
       return text.str();
     }
 
-    /** "A/B/Entry=value" as lines of a scene file. */
-    std::string
-    override_lines(const std::string &override)
-    {
-      const std::size_t equals = override.find('=');
-      if (equals == std::string::npos ||
-          trim(override.substr(0, equals)).empty())
-        throw InputError("Option -s: '" + override +
-                         "' is not Section/Entry=value.");
-      std::vector<std::string> path = split(override.substr(0, equals), '/');
-      std::string              begin, end;
-      for (std::size_t i = 0; i + 1 < path.size(); ++i)
-        {
-          begin += "subsection " + path[i] + "\n";
-          end += "end\n";
-        }
-      return begin + "set " + path.back() + " = " +
-             trim(override.substr(equals + 1)) + "\n" + end;
-    }
-
-    /** The sentence of a deal.II exception, without its framing. */
-    std::string
-    sentence(const dealii::ExceptionBase &error)
-    {
-      std::ostringstream stream;
-      error.print_info(stream);
-      return one_line(stream.str());
-    }
-
-    /**
-     * Reads text with the handler; `file` is named in messages. Lines of
-     * overrides are numbered as they are, one text each.
-     */
-    void
-    parse(Handler           &prm,
-          const std::string &text,
-          const std::string &file,
-          const bool         skip_undefined)
-    {
-      std::istringstream stream(text);
-      try
-        {
-          prm.parse_input(stream, file, "", skip_undefined);
-        }
-      catch (const dealii::ExceptionBase &error)
-        {
-          throw InputError(sentence(error) + " Entries and their meaning are "
-                                             "listed by --parameters.");
-        }
-    }
-
     std::vector<std::string>
     get_names(Handler &prm, const std::string &list)
     {
@@ -89,7 +39,8 @@ namespace conetact
       std::set<std::string>    seen;
       for (const std::string &name : names)
         if (name.empty())
-          throw InputError(list + ": a name is missing between two commas.");
+          throw InputError(list + ": a name is missing beside a comma. "
+                                  "Remove the comma, or add the name.");
         else if (!seen.insert(name).second)
           throw InputError(list + ": '" + name +
                            "' stands there twice. Give each one its own name.");
@@ -159,18 +110,18 @@ namespace conetact
     read_names();
     declare();
     parse_all(prm, false);
+    if (bodies.names.empty())
+      throw InputError("Bodies: the scene names no body. Add for example "
+                       "'set Bodies = block' and 'subsection Body block'.");
     read_options();
   }
 
   void
   Scene::parse_all(Handler &handler, const bool skip_undefined) const
   {
-    parse(handler, text, file.string(), skip_undefined);
+    parse_scene_text(handler, text, file.string(), skip_undefined);
     for (const std::string &override : overrides)
-      parse(handler,
-            override_lines(override),
-            "option -s " + override,
-            skip_undefined);
+      parse_override(handler, override, skip_undefined);
   }
 
   void
@@ -185,9 +136,6 @@ namespace conetact
     contact_names  = get_names(lists, "Contacts");
     support_names  = get_names(lists, "Supports");
     load_names     = get_names(lists, "Loads");
-    if (bodies.names.empty())
-      throw InputError("Bodies: the scene names no body. Add for example "
-                       "'set Bodies = block' and 'subsection Body block'.");
   }
 
   void
@@ -259,8 +207,10 @@ namespace conetact
       contacts.push_back(
         create_contact(prm, name, bodies.names, bodies.structures, obstacles));
     });
-    bodies.contact_nodes =
+    ContactNodes found =
       find_contact_nodes(contacts, bodies.names, bodies.structures, dim);
+    bodies.contact_nodes = std::move(found.nodes);
+    n_free_nodes         = std::move(found.n_free);
   }
 
   std::string

@@ -47,6 +47,9 @@ namespace conetact
     Parser &p = *parser;
     p.text    = trim(text);
     p.entry   = entry;
+    if (p.text.empty())
+      throw InputError(entry + ": an expression is missing. Give a number or " +
+                       "a function of x, y, z, t.");
     try
       {
         p.mu.DefineVar("x", &p.x);
@@ -109,6 +112,12 @@ namespace conetact
   Expression::uses_time() const
   {
     return parser->uses_time;
+  }
+
+  bool
+  Expression::uses_space() const
+  {
+    return parser->uses_space;
   }
 
   bool

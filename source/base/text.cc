@@ -94,7 +94,7 @@ namespace conetact
   to_number(const std::string &text, const std::string &entry)
   {
     if (trim(text).empty())
-      throw InputError(entry + ": a number is missing.");
+      throw InputError(entry + ": a number is missing. Give one.");
     const Expression expression(text, entry);
     if (!expression.is_constant())
       throw InputError(entry + ": '" + trim(text) +
@@ -121,6 +121,9 @@ namespace conetact
         split(inner, ',').size() == 1)
       inner = inner.substr(1, inner.size() - 2);
     const std::vector<double> numbers = to_numbers(inner, entry);
+    if (numbers.empty())
+      throw InputError(entry + " is empty. Give " + std::to_string(dim) +
+                       " numbers, separated by commas.");
     if (numbers.size() != dim)
       throw InputError(entry + ": '" + trim(text) + "' has " +
                        std::to_string(numbers.size()) + " components. Give " +

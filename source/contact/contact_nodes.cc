@@ -5,9 +5,11 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/master_surface.h"
 #include "conetact/structures/actions.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace conetact
@@ -44,6 +46,89 @@ namespace conetact
                                node.mu_1;
     }
 
+    const Obstacle &
+    find_obstacle(const std::string           &name,
+                  const std::vector<Obstacle> &obstacles,
+                  const std::string           &in)
+    {
+      std::vector<std::string> names;
+      for (const Obstacle &obstacle : obstacles)
+        {
+          names.push_back(obstacle.name);
+          if (name == obstacle.name)
+            return obstacle;
+        }
+      throw InputError(
+        in + "Obstacle: " +
+        (name.empty() ? "it is empty" : "there is no obstacle '" + name + "'") +
+        ". Give " + (names.empty() ? "" : "one of " + join(names) + ", or ") +
+        "a Master body.");
+    }
+
+    void
+    find_master(dealii::ParameterHandler             &prm,
+                const std::string                    &in,
+                const std::vector<std::string>       &bodies,
+                const std::vector<const Structure *> &structures,
+                Contact                              &contact)
+    {
+      if (!prm.get("Obstacle").empty())
+        throw InputError(in + "Obstacle: there is a Master body too. Leave one "
+                              "of them empty.");
+      contact.master =
+        find_body(prm.get("Master body"), bodies, in + "Master body");
+      contact.master_ids      = find_boundary(prm.get("Master boundary ids"),
+                                         *structures[contact.master],
+                                         bodies[contact.master],
+                                         in + "Master boundary ids");
+      const std::string reach = prm.get("Reach");
+      contact.reach = reach.empty() ? std::numeric_limits<double>::max() :
+                                      to_number(reach, in + "Reach");
+      if (!prm.get("Gap").empty())
+        contact.gap.emplace(prm.get("Gap"), in + "Gap");
+      if (structures[contact.body]->surface(contact.ids).two_sided &&
+          !structures[contact.master]->surface(contact.master_ids).two_sided)
+        throw InputError(in + "Body: '" + bodies[contact.body] +
+                         "' is a frame and its master a continuum. Exchange "
+                         "them: the continuum's nodes meet the frame.");
+      if (contact.body == contact.master)
+        for (const SurfaceNode &a :
+             structures[contact.body]->surface(contact.ids).nodes)
+          for (const SurfaceNode &b :
+               structures[contact.body]->surface(contact.master_ids).nodes)
+            if (a.node == b.node)
+              throw InputError(in + "Master boundary ids: the node at " +
+                               to_text(a.position) +
+                               " lies on both sides of the contact. Give "
+                               "boundaries without common nodes.");
+    }
+
+    /** Gap and normal of a node against its obstacle or master body. */
+    bool
+    face_opponent(ContactNode         &node,
+                  const SurfaceNode   &s,
+                  const Contact       &contact,
+                  const MasterSurface *master,
+                  const double         node_spacing)
+    {
+      if (contact.obstacle != nullptr)
+        {
+          const auto closest =
+            contact.obstacle->shape->closest(s.position, node_spacing);
+          node.gap = closest.gap;
+          node.n   = closest.normal;
+          return true;
+        }
+      auto foot = master->foot(s.position, s.normal, contact.reach);
+      if (!foot)
+        return false;
+      node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
+      node.n       = foot->normal;
+      node.master  = contact.master;
+      node.masters = std::move(foot->masters);
+      return true;
+    }
+
     double
     spacing(const double area, const unsigned int dim)
     {
@@ -77,7 +162,29 @@ namespace conetact
     prm.declare_entry("Obstacle",
                       "",
                       Anything(),
-                      "Name of the rigid obstacle they may touch.");
+                      "Name of the rigid obstacle they may touch. Empty: "
+                      "another body.");
+    prm.declare_entry("Master body",
+                      "",
+                      Anything(),
+                      "Instead of Obstacle: name of the body they may touch. "
+                      "Where meshes differ, let Body be the finer or softer "
+                      "one; where a frame meets a continuum, the continuum.");
+    prm.declare_entry("Master boundary ids",
+                      "",
+                      Anything(),
+                      "Boundary ids of the master body.");
+    prm.declare_entry("Reach",
+                      "",
+                      Anything(),
+                      "Nodes further than this from the master's faces stay "
+                      "free. Empty: no limit. [length]");
+    prm.declare_entry("Gap",
+                      "",
+                      Anything(),
+                      "Gap to the master body as a function of x, y, z; "
+                      "negative: an interference. Empty: from geometry. "
+                      "[length]");
     prm.declare_entry("Friction coefficient",
                       "0",
                       Anything(),
@@ -111,17 +218,10 @@ namespace conetact
                                 *structures[contact.body],
                                 bodies[contact.body],
                                 in + "Boundary ids");
-    std::vector<std::string> names;
-    for (const Obstacle &obstacle : obstacles)
-      {
-        names.push_back(obstacle.name);
-        if (prm.get("Obstacle") == obstacle.name)
-          contact.obstacle = &obstacle;
-      }
-    if (contact.obstacle == nullptr)
-      throw InputError(in + "Obstacle: there is no obstacle '" +
-                       prm.get("Obstacle") + "'. Give one of: " + join(names) +
-                       ".");
+    if (prm.get("Master body").empty())
+      contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
+    else
+      find_master(prm, in, bodies, structures, contact);
 
     contact.friction.emplace(prm.get("Friction coefficient"),
                              in + "Friction coefficient");
@@ -137,20 +237,40 @@ namespace conetact
     return contact;
   }
 
-  std::vector<ContactNode>
+  ContactNodes
   find_contact_nodes(const std::vector<Contact>           &contacts,
                      const std::vector<std::string>       &bodies,
                      const std::vector<const Structure *> &structures,
                      const unsigned int                    dim)
   {
-    std::vector<ContactNode>                                      nodes;
+    ContactNodes                                                  result;
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> contact_of;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact &contact = contacts[c];
         const Surface  surface = structures[contact.body]->surface(contact.ids);
+        std::optional<MasterSurface> master;
+        if (contact.obstacle == nullptr)
+          master.emplace(*structures[contact.master], contact.master_ids);
+        result.n_free.push_back(0);
         for (const SurfaceNode &s : surface.nodes)
           {
+            ContactNode node;
+            node.contact  = c;
+            node.body     = contact.body;
+            node.node     = s.node;
+            node.position = s.position;
+            node.area     = s.area;
+            node.obstacle = contact.obstacle;
+            if (!face_opponent(node,
+                               s,
+                               contact,
+                               master ? &*master : nullptr,
+                               spacing(s.area, dim)))
+              {
+                ++result.n_free.back();
+                continue;
+              }
             const auto [other, is_new] =
               contact_of.insert({{contact.body, s.node}, c});
             if (!is_new)
@@ -159,23 +279,11 @@ namespace conetact
                 contact.name + "' both hold the node at " +
                 to_text(s.position) + " of body '" + bodies[contact.body] +
                 "'. A node stands in one contact only: change Boundary ids.");
-            ContactNode node;
-            node.contact  = c;
-            node.body     = contact.body;
-            node.node     = s.node;
-            node.position = s.position;
-            node.area     = s.area;
-            node.obstacle = contact.obstacle;
-            const auto closest =
-              contact.obstacle->shape->closest(s.position,
-                                               spacing(s.area, dim));
-            node.gap                   = closest.gap;
-            node.n                     = closest.normal;
             std::tie(node.t1, node.t2) = tangents(node.n, dim);
             set_friction(node, contact);
-            nodes.push_back(node);
+            result.nodes.push_back(std::move(node));
           }
       }
-    return nodes;
+    return result;
   }
 } // namespace conetact

@@ -74,6 +74,20 @@ namespace conetact
   {
     const ContactSystem    &layout = model.coordinates.layout();
     std::vector<ContactRow> rows   = last;
+    const auto              at_dof = [&](const Eigen::Index dof) {
+      Tensor<1, 3> displacement;
+      for (unsigned int c = 0; c < model.bodies.dim; ++c)
+        displacement[c] = u[dof + c];
+      return displacement;
+    };
+    const auto opponent_motion = [&](const ContactNode &node) {
+      if (node.obstacle != nullptr)
+        return node.obstacle->displacement_at(t);
+      Tensor<1, 3> motion;
+      for (const auto &[master, weight] : node.masters)
+        motion += weight * at_dof(model.coordinates.dof(node.master, master));
+      return motion;
+    };
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
         const NodeRule    &rule  = *model.coordinates.contact_rules()[i];
@@ -83,9 +97,7 @@ namespace conetact
         const Eigen::Index dof   = model.coordinates.dof(rule.body, rule.node);
         ContactRow        &row   = rows[i];
 
-        Tensor<1, 3> relative = -node.obstacle->displacement_at(t);
-        for (unsigned int c = 0; c < model.bodies.dim; ++c)
-          relative[c] += u[dof + c];
+        const Tensor<1, 3> relative = at_dof(dof) - opponent_motion(node);
         const Tensor<1, 3> other =
           in_frame(node, other_tangential(rule, relative));
 

@@ -3,6 +3,9 @@
 
 #include "conetact/contact/coordinates.h"
 
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
 namespace conetact
 {
   Coordinates::Coordinates(const Bodies &b, const NodeRules &r)
@@ -78,49 +81,72 @@ namespace conetact
     row_start.reserve(static_cast<std::size_t>(n_dofs()) + 1);
     entries.reserve(static_cast<std::size_t>(n_dofs()));
     row_start.push_back(0);
-
-    const auto add_directions = [&](const std::vector<Tensor<1, 3>> &directions,
-                                    const Eigen::Index               first,
-                                    const unsigned int               c) {
-      for (std::size_t k = 0; k < directions.size(); ++k)
-        if (directions[k][c] != 0)
-          entries.push_back(
-            {first + static_cast<Eigen::Index>(k), directions[k][c]});
-    };
-    const auto add_own = [&](const std::size_t n, const unsigned int c) {
-      const NodeRule *rule = rule_of_node[n];
-      if (rule == nullptr)
-        entries.push_back({first_unknown[n] + c, 1.});
-      else if (c >= bodies.dim)
-        entries.push_back({first_unknown[n] + c - bodies.dim +
-                             static_cast<Eigen::Index>(rule->free.size()),
-                           1.});
-      else
-        {
-          add_directions(rule->free, first_unknown[n], c);
-          add_directions(rule->contact, first_contact[n], c);
-        }
-    };
-
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         for (unsigned int c = 0; c < bodies.structures[body]->n_components();
              ++c)
           {
-            const std::size_t n    = node_offset[body] + i;
-            const NodeRule   *rule = rule_of_node[n];
-            if (rule == nullptr || rule->masters.empty())
-              add_own(n, c);
-            else
-              for (const auto &[master, weight] : rule->masters)
-                {
-                  const std::size_t begin = entries.size();
-                  add_own(node_offset[body] + master, c);
-                  for (std::size_t k = begin; k < entries.size(); ++k)
-                    entries[k].factor *= weight;
-                }
+            append_row(body, i, c, 1., 0);
             row_start.push_back(entries.size());
           }
+  }
+
+  void
+  Coordinates::append_own(const std::size_t  n,
+                          const unsigned int c,
+                          const double       factor)
+  {
+    const NodeRule &rule = *rule_of_node[n];
+    if (c >= bodies.dim)
+      {
+        entries.push_back({first_unknown[n] + c - bodies.dim +
+                             static_cast<Eigen::Index>(rule.free.size()),
+                           factor});
+        return;
+      }
+    const auto add = [&](const std::vector<Tensor<1, 3>> &directions,
+                         const Eigen::Index               first) {
+      for (std::size_t k = 0; k < directions.size(); ++k)
+        if (directions[k][c] != 0)
+          entries.push_back(
+            {first + static_cast<Eigen::Index>(k), factor * directions[k][c]});
+    };
+    add(rule.free, first_unknown[n]);
+    add(rule.contact, first_contact[n]);
+  }
+
+  void
+  Coordinates::append_row(const unsigned int body,
+                          const unsigned int node,
+                          const unsigned int c,
+                          const double       factor,
+                          const unsigned int depth)
+  {
+    const std::size_t n    = node_offset[body] + node;
+    const NodeRule   *rule = rule_of_node[n];
+    if (rule == nullptr)
+      {
+        entries.push_back({first_unknown[n] + c, factor});
+        return;
+      }
+    if (depth > bodies.structures.size() + 2)
+      throw InputError("Body '" + bodies.names[body] + "': its node at " +
+                       to_text(bodies.structures[body]->position(node)) +
+                       " follows other bodies in a circle of contacts. Let "
+                       "Body and Master body change roles in one of them.");
+    if (rule->masters.empty())
+      append_own(n, c, factor);
+    for (const auto &[master, weight] : rule->masters)
+      append_row(body, master, c, factor * weight, depth + 1);
+    if (c < bodies.dim && rule->contact_node != nullptr)
+      for (unsigned int d = 0; d < bodies.dim; ++d)
+        if (const double part = rule->left_free(c, d); part != 0)
+          for (const auto &[master, weight] : rule->contact_node->masters)
+            append_row(rule->contact_node->master,
+                       master,
+                       d,
+                       factor * part * weight,
+                       depth + 1);
   }
 
   Eigen::VectorXd
@@ -129,22 +155,37 @@ namespace conetact
     Eigen::VectorXd d = Eigen::VectorXd::Zero(n_dofs());
     for (const NodeRule &rule : node_rules.rules())
       {
-        const Point<3> p = bodies.structures[rule.body]->position(rule.node);
-        Tensor<1, 3>   u;
-        if (rule.contact_node != nullptr)
-          u = rule.contact_node->obstacle->displacement_at(t);
-        for (const HeldDirection &held : rule.held)
-          u += (node_rules.displacement(held, p, t) - u * held.direction) *
-               held.direction;
+        const Tensor<1, 3> u     = prescribed(rule.body, rule.node, t);
+        const Eigen::Index first = dof(rule.body, rule.node);
         for (unsigned int c = 0; c < bodies.dim; ++c)
-          d[dof(rule.body, rule.node) + c] = u[c];
+          d[first + c] = u[c];
       }
-    for (const NodeRule &rule : node_rules.rules())
-      for (const auto &[master, weight] : rule.masters)
-        for (unsigned int c = 0; c < bodies.dim; ++c)
-          d[dof(rule.body, rule.node) + c] +=
-            weight * d[dof(rule.body, master) + c];
     return d;
+  }
+
+  Tensor<1, 3>
+  Coordinates::prescribed(const unsigned int body,
+                          const unsigned int node,
+                          const double       t) const
+  {
+    Tensor<1, 3>    u;
+    const NodeRule *rule = rule_of_node[node_offset[body] + node];
+    if (rule == nullptr)
+      return u;
+    for (const auto &[master, weight] : rule->masters)
+      u += weight * prescribed(body, master, t);
+    if (const ContactNode *contact = rule->contact_node)
+      {
+        if (contact->obstacle != nullptr)
+          u = contact->obstacle->displacement_at(t);
+        for (const auto &[master, weight] : contact->masters)
+          u += weight * prescribed(contact->master, master, t);
+      }
+    const Point<3> p = bodies.structures[body]->position(node);
+    for (const HeldDirection &held : rule->held)
+      u += (node_rules.displacement(held, p, t) - u * held.direction) *
+           held.direction;
+    return u;
   }
 
   Eigen::VectorXd

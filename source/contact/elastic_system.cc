@@ -84,7 +84,7 @@ namespace conetact
                   std::lower_bound(element.unknowns.begin(),
                                    element.unknowns.end(),
                                    entry->unknown) -
-                    element.unknowns.begin()) = entry->factor;
+                    element.unknowns.begin()) += entry->factor;
           }
         half.noalias() = Eigen::Map<const RowMajorMatrix>(matrix, n, n) * map;
         element.matrix.noalias() = map.transpose() * half;

@@ -48,12 +48,13 @@ namespace conetact
       Tensor<1, 3> moment = e.supports.moment + e.loads.moment;
       double       largest =
         std::max({floor, e.supports.force.norm(), e.loads.force.norm()});
-      for (const Resultant &contact : e.contacts)
-        {
-          force += contact.force;
-          moment += contact.moment;
-          largest = std::max(largest, contact.force.norm());
-        }
+      for (const auto *side : {&e.contacts, &e.masters})
+        for (const Resultant &contact : *side)
+          {
+            force += contact.force;
+            moment += contact.moment;
+            largest = std::max(largest, contact.force.norm());
+          }
       if (largest == 0)
         return 0;
       return std::max(force.norm() / largest,
@@ -95,9 +96,9 @@ namespace conetact
     unbalanced.tail(r.size()) -= r;
 
     Eigen::VectorXd rest = internal - loads - ground;
-    coordinates.unhang(rest);
     coordinates.unhang(internal);
     e.contacts.resize(n_contacts);
+    e.masters.resize(n_contacts);
     for (std::size_t i = 0; i < coordinates.contact_rules().size(); ++i)
       {
         const NodeRule    &rule  = *coordinates.contact_rules()[i];
@@ -108,7 +109,18 @@ namespace conetact
             force);
         for (unsigned int c = 0; c < dim; ++c)
           rest[dof + c] -= force[c];
+        const ContactNode &node = *rule.contact_node;
+        for (const auto &[master, weight] : node.masters)
+          {
+            const Eigen::Index m = coordinates.dof(node.master, master);
+            add(e.masters[node.contact],
+                bodies.structures[node.master]->position(master),
+                -weight * force);
+            for (unsigned int c = 0; c < dim; ++c)
+              rest[m + c] += weight * force[c];
+          }
       }
+    coordinates.unhang(rest);
     for (const NodeRule &rule : coordinates.rules().rules())
       if (!rule.held.empty())
         {

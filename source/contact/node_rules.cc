@@ -104,6 +104,15 @@ namespace conetact
     }
   } // namespace
 
+  double
+  NodeRule::left_free(const unsigned int c, const unsigned int d) const
+  {
+    double part = c == d ? 1 : 0;
+    for (const HeldDirection &h : held)
+      part -= h.direction[c] * h.direction[d];
+    return part;
+  }
+
   NodeRules::NodeRules(const Bodies &b, const std::vector<double> &times)
     : bodies(b)
   {

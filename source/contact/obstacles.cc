@@ -362,6 +362,11 @@ namespace conetact
         obstacle.shape = row.create(prm, dim, in);
     obstacle.displacement =
       parse_expressions(prm.get("Displacement"), in + "Displacement");
+    for (const Expression &d : obstacle.displacement)
+      if (d.uses_space())
+        throw InputError(in + "Displacement: '" + prm.get("Displacement") +
+                         "' depends on position. A rigid obstacle moves as a "
+                         "whole: use t only.");
     const bool still =
       obstacle.displacement.size() == 1 && obstacle.displacement[0].is_zero();
     if (!still && obstacle.displacement.size() != dim)

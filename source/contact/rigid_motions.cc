@@ -130,9 +130,19 @@ namespace conetact
     for (const NodeRule *rule : coordinates.contact_rules())
       for (const Tensor<1, 3> &dual : rule->dual)
         {
-          fill_row(rule->body, rule->contact_node->position, dual);
-          seen.row(i++) =
+          const ContactNode &node = *rule->contact_node;
+          fill_row(rule->body, node.position, dual);
+          seen.row(i) =
             row.transpose() * free_modes.middleRows(rule->body * n_one, n_one);
+          for (const auto &[master, weight] : node.masters)
+            {
+              fill_row(node.master,
+                       bodies.structures[node.master]->position(master),
+                       weight * dual);
+              seen.row(i) -= row.transpose() *
+                             free_modes.middleRows(node.master * n_one, n_one);
+            }
+          ++i;
         }
     const Eigen::MatrixXd unseen = null_columns(seen.transpose() * seen);
     if (unseen.cols() > 0)

@@ -81,7 +81,12 @@ namespace conetact
     Tensor<2, 3> result;
     for (const Tensor<1, 3> &direction : directions_at(outward_normal))
       result += outer_product(direction, direction);
-    return (*stiffness)(p)*result;
+    const double k = (*stiffness)(p);
+    if (k < 0)
+      throw InputError("Support '" + name + "', Stiffness: it is " +
+                       to_text(k) + " at " + to_text(p) +
+                       ". Give a value of 0 or more.");
+    return k * result;
   }
 
   void

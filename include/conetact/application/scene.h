@@ -58,10 +58,12 @@ namespace conetact
 
     Bodies                   bodies;
     std::vector<std::string> contact_names;
-    std::vector<double>      times;
-    SolverOptions            solver;
-    unsigned int             vtu_every = 1;
-    unsigned int             threads   = 1;
+    /** Nodes of each contact that face no master body. */
+    std::vector<unsigned int> n_free_nodes;
+    std::vector<double>       times;
+    SolverOptions             solver;
+    unsigned int              vtu_every = 1;
+    unsigned int              threads   = 1;
 
   private:
     void

@@ -36,6 +36,8 @@ namespace conetact
 
     bool
     uses_time() const;
+    bool
+    uses_space() const;
     /** Whether the value is the same at all points and times. */
     bool
     is_constant() const;

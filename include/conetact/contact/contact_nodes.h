@@ -17,13 +17,20 @@
 
 namespace conetact
 {
-  /** Boundary ids of a body that may touch an obstacle, with friction. */
+  /**
+   * Boundary ids of a body that may touch an obstacle or another body, with
+   * friction.
+   */
   struct Contact
   {
     std::string     name;
     unsigned int    body = 0; ///< index
     BoundaryIds     ids;
-    const Obstacle *obstacle = nullptr;
+    const Obstacle *obstacle = nullptr; ///< none: a master body
+    unsigned int    master   = 0;       ///< index of the master body
+    BoundaryIds     master_ids;
+    double          reach = 0;     ///< of the search for master faces [length]
+    std::optional<Expression> gap; ///< prescribed [length]
 
     /** Friction coefficient along the first axis, of position. */
     std::optional<Expression> friction;
@@ -46,7 +53,11 @@ namespace conetact
     Tensor<1, 3>    n, t1, t2;
     double          area = 0; ///< tributary [length^2]
     double          gap  = 0; ///< undeformed, negative: interference [length]
-    const Obstacle *obstacle = nullptr;
+    const Obstacle *obstacle = nullptr; ///< none: a pair of bodies
+
+    /** The face of the master body that it faces: nodes and weights. */
+    unsigned int                                 master = 0;
+    std::vector<std::pair<unsigned int, double>> masters;
 
     /**
      * Principal friction coefficients and their axes in the tangent plane
@@ -70,11 +81,18 @@ namespace conetact
   std::pair<Tensor<1, 3>, Tensor<1, 3>>
   tangents(const Tensor<1, 3> &n, const unsigned int dim);
 
+  struct ContactNodes
+  {
+    std::vector<ContactNode> nodes;
+    /** Nodes of each contact that face no master, and stay free. */
+    std::vector<unsigned int> n_free;
+  };
+
   /**
    * All nodes of all contacts, contact by contact. Throws InputError where a
    * node stands in two contacts, or friction is negative.
    */
-  std::vector<ContactNode>
+  ContactNodes
   find_contact_nodes(const std::vector<Contact>           &contacts,
                      const std::vector<std::string>       &bodies,
                      const std::vector<const Structure *> &structures,

@@ -109,7 +109,20 @@ namespace conetact
     void
     number_unknowns();
     void
-                                  write_rows();
+    write_rows();
+    void
+    append_row(const unsigned int body,
+               const unsigned int node,
+               const unsigned int c,
+               const double       factor,
+               const unsigned int depth);
+    void
+    append_own(const std::size_t n, const unsigned int c, const double factor);
+    Tensor<1, 3>
+    prescribed(const unsigned int body,
+               const unsigned int node,
+               const double       t) const;
+
     const Bodies                 &bodies;
     const NodeRules              &node_rules;
     std::vector<Eigen::Index>     dof_offset;

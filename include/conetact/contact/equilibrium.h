@@ -21,6 +21,7 @@ namespace conetact
     double balance       = 0; ///< sum of all forces and moments, relative
 
     std::vector<Resultant> contacts; ///< reactions on the bodies, by contact
+    std::vector<Resultant> masters;  ///< the same on their master bodies
     Resultant              supports; ///< on the bodies, with foundations
     Resultant              loads;    ///< on the bodies
   };

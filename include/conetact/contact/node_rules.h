@@ -54,6 +54,13 @@ namespace conetact
     const ContactNode        *contact_node = nullptr; ///< if `contact` is not
                                                       ///< empty
     double mu = 0; ///< of the cone in the coordinates `contact`
+
+    /**
+     * Entry (c, d) of the projection on what no support holds: the part of a
+     * master's motion that the node follows.
+     */
+    double
+    left_free(const unsigned int c, const unsigned int d) const;
   };
 
   /**

@@ -6,17 +6,16 @@
 
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/newton_system.h"
+#include "conetact/solvers/node_sets.h"
 
 #include <optional>
-#include <vector>
 
 /**
- * Semismooth Newton method for @f$z = r - c\,v@f$: node i is open where
- * @f$z_n \le 0@f$, sticks where @f$|z_t| \le \mu z_n@f$, else slips with
- * @f$r_t = \mu r_n z_t/|z_t|@f$ (Alart and Curnier, Comput. Methods Appl. Mech.
- * Engrg. 92 (1991) 353-375), c the mean diagonal stiffness of the node. In 2D
- * a step is exact as soon as the states are; in 3D the direction of slip is
- * linearised exactly. All in the scaled variables of LinearRelation, c = 1.
+ * Semismooth Newton method of Alart and Curnier (see NodeSets) with full steps,
+ * from the states of the last increment. In 2D a step is exact as soon as the
+ * states are; in 3D the direction of slip converges quadratically. Where state
+ * sets come again the step is cut to what reduces the residual, and where that
+ * does not help either the report says so. The zeros of the result are exact.
  */
 namespace conetact
 {
@@ -40,42 +39,28 @@ namespace conetact
     using Index = Eigen::Index;
     using Array = Eigen::VectorXd;
 
-    /** What a node is taken for, and where it slips to. */
-    struct Set
+    /** Where the iteration stands; p and d as in LinearRelation. */
+    struct Point
     {
-      NodeState   state = NodeState::open;
-      SmallVector direction; ///< unit, of z_t; zero without friction
-      double      ratio = 0; ///< mu z_n / |z_t|, at most 1
+      Array    p, d;
+      NodeSets sets;
+      double   residual = 0;
     };
 
     void
     attach(const ContactProblem &problem);
-    std::vector<Set>
-    first_sets(const ContactState &state) const;
-    std::vector<Set>
-    sets_of(const Array &p, const Array &d) const;
-    std::vector<NodeLaw>
-    laws(const std::vector<Set> &sets, const Array &p, const Array &d) const;
-
-    /** Norm of r - P(z), the residual of the law. */
-    double
-    law_residual(const Array &p, const Array &d) const;
-
+    /** d = M p + l. */
+    Array
+    dual(const Array &p) const;
+    Point
+    point_at(const Array &p) const;
     SolverReport
-    run(const ContactProblem &problem,
-        Array                &p,
-        Array                &d,
-        std::vector<Set>     &sets,
-        ContactState         &state);
-    SolverReport
-    iterate(Array &p, Array &d, std::vector<Set> &sets);
-    void
-    finish(const ContactProblem   &problem,
-           const std::vector<Set> &sets,
-           Array                  &p,
-           Array                  &d,
-           ContactState           &state,
-           SolverReport           &report) const;
+    run(const ContactProblem &problem, Point &point, ContactState &state);
+    /** The reason for failure; empty if the law holds. */
+    std::string
+    iterate(Point &point, SolverReport &report);
+    bool
+    step(Point &point, const bool damped, const double goal);
 
     SolverOptions                 options;
     std::optional<LinearRelation> relation;

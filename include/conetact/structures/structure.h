@@ -45,6 +45,7 @@ namespace conetact
   {
     std::vector<SurfaceNode> nodes;
     std::vector<SurfaceFace> faces;
+    bool two_sided = false; ///< a line or sheet that may be touched on both
   };
 
   /** A node that hangs on a coarser cell: u = sum of weight * u(node). */

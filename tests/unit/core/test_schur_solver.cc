@@ -2,114 +2,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/base/process.h"
-#include "conetact/contact/elimination_order.h"
 #include "conetact/contact/schur_solver.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <memory>
+
+#include "lattice.h"
 
 namespace
 {
+  using conetact::Lattice;
   using conetact::ProcessSession;
   using conetact::SchurSolver;
-  using conetact::SingularMatrix;
+  using conetact::System;
   using Eigen::Index;
   using Eigen::MatrixXd;
-  using Eigen::VectorXd;
   using LongMatrix   = Eigen::Matrix<long double, -1, -1>;
   using SparseMatrix = Eigen::SparseMatrix<double>;
-
-  struct System
-  {
-    SparseMatrix              upper;
-    std::vector<unsigned int> node_of;
-  };
-
-  // Springs between neighbors, their diagonals too, of a grid of nodes: each
-  // carries stretch and, weakly, transverse motion as well (`shear` = 0: a
-  // truss). Nodes are numbered with the last direction slowest and from the
-  // top, so that the bottom plane comes last, as contact nodes do; the top
-  // plane hangs on springs of stiffness `support`. Null vectors of A without
-  // supports and with shear = 0: rigid motions.
-  struct Lattice
-  {
-    std::vector<Index> n;
-    double             shear     = .1;
-    double             support   = 1.;
-    double             contrast  = 1.; // stiffness of the lower half
-    double             stiffness = 1.;
-
-    Index
-    dim() const
-    {
-      return static_cast<Index>(n.size());
-    }
-
-    Index
-    n_nodes() const
-    {
-      return std::accumulate(n.begin(),
-                             n.end(),
-                             Index(1),
-                             std::multiplies<Index>());
-    }
-
-    VectorXd
-    point(Index node) const
-    {
-      VectorXd x(dim());
-      for (Index d = 0; d < dim(); ++d)
-        {
-          x[d] = static_cast<double>(node % n[d]);
-          node /= n[d];
-        }
-      return x;
-    }
-
-    System
-    assemble() const;
-  };
-
-  System
-  Lattice::assemble() const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&](const Index i, const Index j, const MatrixXd &block) {
-      for (Index a = 0; a < dim(); ++a)
-        for (Index b = 0; b < dim(); ++b)
-          if (i * dim() + a <= j * dim() + b)
-            entries.emplace_back(i * dim() + a, j * dim() + b, block(a, b));
-    };
-    const MatrixXd identity = MatrixXd::Identity(dim(), dim());
-    for (Index i = 0; i < n_nodes(); ++i)
-      {
-        for (Index j = i + 1; j < n_nodes(); ++j)
-          {
-            const VectorXd x = point(j) - point(i);
-            if (x.cwiseAbs().maxCoeff() > 1.)
-              continue;
-            const VectorXd t = x.normalized();
-            const bool     lower =
-              2 * point(i)[dim() - 1] > point(n_nodes() - 1)[dim() - 1];
-            const MatrixXd k = stiffness * (lower ? contrast : 1.) *
-                               (t * t.transpose() + shear * identity);
-            add(i, i, k);
-            add(j, j, k);
-            add(i, j, -k);
-          }
-        if (point(i)[dim() - 1] == 0.)
-          add(i, i, stiffness * support * identity);
-      }
-    System system;
-    system.upper.resize(n_nodes() * dim(), n_nodes() * dim());
-    system.upper.setFromTriplets(entries.begin(), entries.end());
-    for (Index i = 0; i < system.upper.cols(); ++i)
-      system.node_of.push_back(static_cast<unsigned int>(i / dim()));
-    return system;
-  }
 
   MatrixXd
   dense(const SparseMatrix &upper)
@@ -182,19 +93,6 @@ namespace
                                       A_FF.solve(load)),
                   tolerance);
       }
-  }
-
-  void
-  expect_singular(const System &system, const Index n_schur)
-  {
-    EXPECT_THROW(SchurSolver(system.upper, n_schur, system.node_of),
-                 SingularMatrix);
-  }
-
-  void
-  expect_regular(const System &system, const Index n_schur)
-  {
-    EXPECT_NO_THROW(SchurSolver(system.upper, n_schur, system.node_of));
   }
 } // namespace
 
@@ -354,68 +252,6 @@ TEST(SchurSolver, KeepsNullVectors)
 
 
 
-TEST(SchurSolver, RefusesBodiesThatCanMove)
-{
-  for (const double stiffness : {1e-9, 1., 1e12})
-    {
-      Lattice floating{{6, 5}};
-      floating.stiffness = stiffness;
-      floating.support   = 0.;
-      expect_singular(floating.assemble(), 0);
-      floating.shear = 0.; // now it can turn about the held corner
-      expect_singular(floating.assemble(), 2);
-      expect_regular(floating.assemble(), 4);
-
-      Lattice block{{7, 6, 8}};
-      block.stiffness = stiffness;
-      block.support   = 0.;
-      block.shear     = 0.;
-      for (const Index held : {0, 1, 2, 3, 6})
-        expect_singular(block.assemble(), held);
-      expect_regular(block.assemble(), 3 * 7 * 6);
-    }
-}
-
-
-
-TEST(SchurSolver, AcceptsSlenderAndContrastingBodies)
-{
-  for (const double stiffness : {1e-9, 1., 1e12})
-    {
-      Lattice beam{{3, 200}};
-      beam.stiffness = stiffness;
-      beam.shear     = 0.;
-      expect_regular(beam.assemble(), 0);
-      beam.contrast = 1e6;
-      expect_regular(beam.assemble(), 0);
-      beam.contrast = 1e-6;
-      expect_regular(beam.assemble(), 0);
-    }
-}
-
-
-
-TEST(SchurSolver, RefusesAnEmptyRowAndANegativeDiagonal)
-{
-  System system               = Lattice{{4, 4}}.assemble();
-  system.upper.coeffRef(3, 3) = -1.;
-  expect_singular(system, 8);
-  System empty;
-  empty.upper.resize(3, 3);
-  empty.upper.insert(0, 0) = 1.;
-  empty.upper.insert(2, 2) = 1.;
-  empty.node_of            = {0, 1, 2};
-  expect_singular(empty, 1);
-  System indefinite;
-  indefinite.upper.resize(3, 3);
-  indefinite.upper.setIdentity();
-  indefinite.upper.insert(0, 1) = 2.;
-  indefinite.node_of            = {0, 1, 2};
-  expect_singular(indefinite, 1);
-}
-
-
-
 TEST(SchurSolver, RefusesWrongInput)
 {
   const System system = Lattice{{3, 3}}.assemble();
@@ -440,25 +276,4 @@ TEST(SchurSolver, DoesNotDependOnTheNumberOfThreads)
     SchurSolver(system.upper, 147, system.node_of).take_schur_complement();
   ProcessSession::set_threads(before);
   EXPECT_LT((one - four).norm(), 1e-13 * one.norm());
-}
-
-
-
-TEST(EliminationOrder, IsAPermutationWithNodesInOnePiece)
-{
-  const System           system = Lattice{{6, 5, 4}}.assemble();
-  const Index            f      = system.upper.cols() - 40;
-  const std::vector<int> places =
-    conetact::elimination_order(system.upper, f, system.node_of);
-  std::vector<int> sorted = places;
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    EXPECT_EQ(sorted[i], static_cast<int>(i));
-  for (std::size_t i = static_cast<std::size_t>(f); i < places.size(); ++i)
-    EXPECT_EQ(places[i], static_cast<int>(i));
-  for (std::size_t i = 1; i < static_cast<std::size_t>(f); ++i)
-    if (system.node_of[i] == system.node_of[i - 1])
-      {
-        EXPECT_EQ(places[i], places[i - 1] + 1);
-      }
 }

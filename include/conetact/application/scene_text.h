@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_application_scene_text_h
+#define conetact_application_scene_text_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace conetact
+{
+  /**
+   * Reads a scene's text with the handler. With `skip_undefined`, entries and
+   * subsections that are not declared are passed over. Throws InputError whose
+   * sentence names `file` and the line, the fault, and what may stand there
+   * instead: the declared name that is most alike.
+   */
+  void
+  parse_scene_text(dealii::ParameterHandler &prm,
+                   const std::string        &text,
+                   const std::string        &file,
+                   const bool                skip_undefined);
+
+  /**
+   * Sets one entry, "A/B/Entry=value" of the command line. Throws InputError,
+   * also where the entry is not declared, unless `skip_undefined`.
+   */
+  void
+  parse_override(dealii::ParameterHandler &prm,
+                 const std::string        &override,
+                 const bool                skip_undefined);
+} // namespace conetact
+
+#endif

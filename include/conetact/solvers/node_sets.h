@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_node_sets_h
+#define conetact_solvers_node_sets_h
+
+#include "conetact/solvers/newton_system.h"
+
+#include <string>
+#include <vector>
+
+/**
+ * What the nodes are taken for in a step of the active set method, read off
+ * @f$z = r - v@f$ in the scaled variables of LinearRelation: open where
+ * @f$z_n \le 0@f$, stick where @f$|z_t| \le \mu z_n@f$, else slip along z_t
+ * with @f$r_t = \mu z_n z_t/|z_t|@f$ (Alart and Curnier, Comput. Methods Appl.
+ * Mech. Engrg. 92 (1991) 353-375), and the law linearised there. Points are
+ * (p, d) as in LinearRelation.
+ */
+namespace conetact
+{
+  struct NodeSet
+  {
+    NodeState   state = NodeState::open;
+    SmallVector direction; ///< unit, of z_t; zero without friction
+    double      ratio = 0; ///< mu z_n / |z_t|, at most 1
+  };
+  using NodeSets = std::vector<NodeSet>;
+
+  /** From the states of the last increment; all stick if there are none. */
+  NodeSets
+  sets_of_state(const LinearRelation &relation, const ContactState &state);
+
+  NodeSets
+  sets_of_point(const LinearRelation  &relation,
+                const Eigen::VectorXd &p,
+                const Eigen::VectorXd &d);
+
+  std::vector<NodeLaw>
+  linearized_laws(const LinearRelation  &relation,
+                  const NodeSets        &sets,
+                  const Eigen::VectorXd &p,
+                  const Eigen::VectorXd &d);
+
+  /** Norm of r - P(z) over the larger of |p| and |d|. */
+  double
+  law_residual(const LinearRelation  &relation,
+               const Eigen::VectorXd &p,
+               const Eigen::VectorXd &d);
+
+  /** Writes the zeros of the sets into p and d: they hold but for round-off. */
+  void
+  set_exact_zeros(const LinearRelation &relation,
+                  const NodeSets       &sets,
+                  Eigen::VectorXd      &p,
+                  Eigen::VectorXd      &d);
+
+  /** States, and signs of slip in 2D: what makes two steps the same. */
+  std::string
+  signature(const NodeSets &sets);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/scene_text.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <utility>
+
+namespace conetact
+{
+  namespace
+  {
+    using Handler = dealii::ParameterHandler;
+
+    /** One line of a scene and where it stands. */
+    struct Line
+    {
+      enum class Kind
+      {
+        none, ///< blank or a comment
+        set,
+        subsection,
+        end,
+        unknown
+      };
+      Kind                     kind = Kind::none;
+      std::string              name, text;
+      std::vector<std::string> path; ///< of subsections around it
+    };
+
+    /** What is behind a keyword, if the line starts with it. */
+    bool
+    starts_with(const std::string &text,
+                const std::string &word,
+                std::string       &rest)
+    {
+      std::string start = text.substr(0, word.size());
+      for (char &c : start)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      if (start != word ||
+          (text.size() > word.size() && text[word.size()] != ' ' &&
+           text[word.size()] != '\t'))
+        return false;
+      rest = one_line(text.substr(word.size()));
+      return true;
+    }
+
+    std::vector<Line>
+    read_lines(const std::string &text)
+    {
+      std::vector<Line>        lines;
+      std::vector<std::string> path;
+      std::istringstream       stream(text);
+      for (std::string raw; std::getline(stream, raw);)
+        {
+          Line line;
+          line.text = trim(raw.substr(0, raw.find('#')));
+          line.path = path;
+          if (starts_with(line.text, "set", line.name))
+            {
+              line.kind = Line::Kind::set;
+              line.name = trim(line.name.substr(0, line.name.find('=')));
+            }
+          else if (starts_with(line.text, "subsection", line.name))
+            {
+              line.kind = Line::Kind::subsection;
+              path.push_back(line.name);
+            }
+          else if (starts_with(line.text, "end", line.name))
+            {
+              line.kind = Line::Kind::end;
+              if (!path.empty())
+                path.pop_back();
+            }
+          else if (!line.text.empty())
+            line.kind = Line::Kind::unknown;
+          lines.push_back(std::move(line));
+        }
+      return lines;
+    }
+
+    /** Levenshtein's: how many letters must be changed. */
+    std::size_t
+    distance(const std::string &a, const std::string &b)
+    {
+      std::vector<std::size_t> last(b.size() + 1);
+      for (std::size_t j = 0; j <= b.size(); ++j)
+        last[j] = j;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        {
+          std::vector<std::size_t> next = {i + 1};
+          for (std::size_t j = 0; j < b.size(); ++j)
+            next.push_back(std::min({next[j] + 1,
+                                     last[j + 1] + 1,
+                                     last[j] + (a[i] == b[j] ? 0 : 1)}));
+          last = std::move(next);
+        }
+      return last.back();
+    }
+
+    /** Declared names of one kind in the subsection `path`. */
+    std::vector<std::string>
+    declared(const Handler                  &prm,
+             const Line::Kind                kind,
+             const std::vector<std::string> &path)
+    {
+      std::ostringstream stream;
+      prm.print_parameters(stream, Handler::ShortText);
+      std::vector<std::string> names;
+      for (const Line &line : read_lines(stream.str()))
+        if (line.kind == kind && line.path == path)
+          names.push_back(line.name);
+      return names;
+    }
+
+    std::string
+    nearest(const std::string &name, const std::vector<std::string> &names)
+    {
+      std::string best;
+      std::size_t least = name.size() / 2 + 1;
+      for (const std::string &other : names)
+        if (distance(name, other) < least)
+          {
+            best  = other;
+            least = distance(name, other);
+          }
+      return best;
+    }
+
+    std::string
+    in_section(const std::vector<std::string> &path)
+    {
+      return path.empty() ? "" : " in '" + join(path, "/") + "'";
+    }
+
+    /** "Contact bottom" belongs to the list Contacts. */
+    std::string
+    list_of(const std::string &subsection, std::string &name)
+    {
+      for (const auto &[kind, list] :
+           {std::make_pair("Body ", "Bodies"),
+            std::make_pair("Obstacle ", "Obstacles"),
+            std::make_pair("Contact ", "Contacts"),
+            std::make_pair("Support ", "Supports"),
+            std::make_pair("Load ", "Loads")})
+        if (subsection.rfind(kind, 0) == 0)
+          {
+            name = subsection.substr(std::string(kind).size());
+            return list;
+          }
+      return {};
+    }
+
+    std::string
+    undeclared(const Handler &prm, const Line &line)
+    {
+      std::string       name;
+      const bool        entry = line.kind == Line::Kind::set;
+      const std::string what  = entry ? "entry" : "subsection";
+      std::string       text =
+        "there is no " + what + " '" + line.name + "'" + in_section(line.path);
+      const std::string list =
+        line.path.empty() && !entry ? list_of(line.name, name) : "";
+      if (!list.empty())
+        text += ", since the list " + list + " does not name '" + name + "'";
+      const std::string other =
+        nearest(line.name, declared(prm, line.kind, line.path));
+      if (!other.empty())
+        return text + ". Did you mean '" + other + "'?";
+      if (!list.empty())
+        return text + ". Add it there, or remove the subsection.";
+      return text + ". Option --parameters lists what may stand there.";
+    }
+
+    /** "[Double 0...1 (inclusive)]" as a request. */
+    std::string
+    request(std::string pattern)
+    {
+      pattern = trim(pattern);
+      if (pattern.size() > 1 && pattern.front() == '[' && pattern.back() == ']')
+        pattern = trim(pattern.substr(1, pattern.size() - 2));
+      const auto behind = [&](const std::string &start) {
+        return trim(pattern.substr(start.size()));
+      };
+      const auto is = [&](const std::string &start) {
+        return pattern.rfind(start, 0) == 0;
+      };
+      const auto range = [](std::string text) {
+        for (const std::string part : {" (inclusive)"})
+          if (text.find(part) != text.npos)
+            text.erase(text.find(part));
+        const auto dots = text.find("...");
+        if (dots == text.npos)
+          return std::string();
+        const std::string upper = text.substr(dots + 3);
+        return upper == "2147483647" || upper == "MAX_DOUBLE" ?
+                 ", " + text.substr(0, dots) + " or more" :
+                 " from " + text.substr(0, dots) + " to " + upper;
+      };
+      if (is("Selection"))
+        return "Give one of: " + join(split(behind("Selection"), '|')) + ".";
+      if (is("Integer range"))
+        return "Give a whole number" + range(behind("Integer range")) + ".";
+      if (is("Integer"))
+        return "Give a whole number.";
+      if (is("Double"))
+        return "Give a number" + range(behind("Double")) + ".";
+      if (is("Bool"))
+        return "Give true or false.";
+      return "Give what fits the pattern " + pattern + ".";
+    }
+
+    /** The value and the pattern that it does not match, of deal.II's text. */
+    std::string
+    mismatch(const std::string &message, const Line &line)
+    {
+      const std::string pattern = "does not match the given pattern:";
+      const auto        equals  = line.text.find('=');
+      const std::string value =
+        equals == line.text.npos ? "" : trim(line.text.substr(equals + 1));
+      return line.name + in_section(line.path) + ": '" + value +
+             "' is not possible. " +
+             request(
+               message.substr(message.find(pattern) + pattern.size()));
+    }
+
+    std::string
+    sentence(const Handler     &prm,
+             const Line        &line,
+             const std::string &message)
+    {
+      if (message.find("does not match the given pattern") != message.npos)
+        return mismatch(message, line);
+      if (message.find("no such subsection") != message.npos ||
+          message.find("No entry with name") != message.npos)
+        return undeclared(prm, line);
+      if (line.kind == Line::Kind::end)
+        return "'" + line.text + "' ends no subsection. Remove it, or add "
+               "the line 'subsection NAME' before.";
+      return "'" + line.text + "' is not understood. Write 'set Entry = " +
+             "value', 'subsection NAME' or 'end'.";
+    }
+
+    /** Where a subsection that is not ended begins. */
+    std::string
+    unbalanced(const std::vector<Line> &lines)
+    {
+      std::vector<std::size_t> open;
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        if (lines[i].kind == Line::Kind::subsection)
+          open.push_back(i);
+        else if (lines[i].kind == Line::Kind::end && !open.empty())
+          open.pop_back();
+      if (open.empty())
+        return ": an 'end' ends no subsection. Remove it.";
+      return ", line " + std::to_string(open.back() + 1) + ": subsection '" +
+             lines[open.back()].name + "' has no 'end'. Add it.";
+    }
+
+    /** Number of the line that deal.II names, or 0. */
+    std::size_t
+    line_number(const std::string &message)
+    {
+      const std::string start = "Line <";
+      if (message.rfind(start, 0) != 0)
+        return 0;
+      std::istringstream stream(message.substr(start.size()));
+      std::size_t        number = 0;
+      stream >> number;
+      return number;
+    }
+
+    std::string
+    message_of(const dealii::ExceptionBase &error)
+    {
+      std::ostringstream stream;
+      error.print_info(stream);
+      return one_line(stream.str());
+    }
+  } // namespace
+
+  void
+  parse_scene_text(Handler           &prm,
+                   const std::string &text,
+                   const std::string &file,
+                   const bool         skip_undefined)
+  {
+    std::istringstream stream(text);
+    try
+      {
+        prm.parse_input(stream, file, "", skip_undefined);
+      }
+    catch (const dealii::ExceptionBase &error)
+      {
+        const std::vector<Line> lines   = read_lines(text);
+        const std::string       message = message_of(error);
+        const std::size_t       number  = line_number(message);
+        if (number > 0 && number <= lines.size())
+          throw InputError(file + ", line " + std::to_string(number) + ": " +
+                           sentence(prm, lines[number - 1], message));
+        if (message.find("unequal numbers of 'subsection'") != message.npos)
+          throw InputError(file + unbalanced(lines));
+        throw InputError(file + ": " + message);
+      }
+  }
+
+  void
+  parse_override(Handler           &prm,
+                 const std::string &override,
+                 const bool         skip_undefined)
+  {
+    const std::string        start  = "Option -s '" + override + "': ";
+    const std::size_t        equals = override.find('=');
+    std::vector<std::string> path =
+      split(override.substr(0, equals == override.npos ? 0 : equals), '/');
+    for (std::string &part : path)
+      part = one_line(part);
+    if (path.empty() || std::count(path.begin(), path.end(), "") > 0)
+      throw InputError(start + "it is not Section/Entry=value. Write for " +
+                       "example -s \"Time/End=2\".");
+
+    Line line;
+    line.kind = Line::Kind::set;
+    line.name = path.back();
+    path.pop_back();
+    std::string begin, end;
+    for (const std::string &part : path)
+      {
+        begin += "subsection " + part + "\n";
+        end += "end\n";
+      }
+    line.text =
+      "set " + line.name + " = " + one_line(override.substr(equals + 1));
+    line.path = path;
+    std::istringstream stream(begin + line.text + "\n" + end);
+    try
+      {
+        prm.parse_input(stream, "", "", skip_undefined);
+      }
+    catch (const dealii::ExceptionBase &error)
+      {
+        const std::string message = message_of(error);
+        const std::size_t number  = line_number(message);
+        if (number > 0 && number <= path.size())
+          {
+            line.kind = Line::Kind::subsection;
+            line.name = path[number - 1];
+            line.path.resize(number - 1);
+          }
+        throw InputError(start + sentence(prm, line, message));
+      }
+  }
+} // namespace conetact

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/node_sets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    std::size_t
+    at(const Index i)
+    {
+      return static_cast<std::size_t>(i);
+    }
+
+    /** Displacements and reactions of a point, whichever is p. */
+    struct Fields
+    {
+      const VectorXd &v, &r;
+      Fields(const LinearRelation &relation,
+             const VectorXd       &p,
+             const VectorXd       &d)
+        : v(relation.stiffness() ? p : d)
+        , r(relation.stiffness() ? d : p)
+      {}
+    };
+
+    /**
+     * Slip as the last increment left it. Its size is not known if the
+     * increment is new: then half of z_t is taken for slip.
+     */
+    NodeSet
+    slip_of_state(const SmallVector &slip,
+                  const SmallVector &reaction,
+                  const double       limit,
+                  const double       stiffness)
+    {
+      NodeSet           set;
+      const SmallVector z    = reaction - stiffness * slip;
+      const double      norm = z.norm();
+      set.state              = NodeState::stick;
+      set.direction          = SmallVector::Zero(slip.size());
+      if (norm == 0)
+        return set;
+      set.state     = NodeState::slip;
+      set.direction = z / norm;
+      set.ratio     = .5;
+      if (slip.norm() > 0)
+        set.ratio = std::min(1., std::max(0., limit) / norm);
+      return set;
+    }
+
+    /**
+     * The part of the slip law's derivative that turns with z_t. Exact would
+     * be ratio (1 - e e^T), and that is what this tends to. Far from the
+     * solution the reaction itself, cut back to the cone, takes the place of
+     * one e: without this, a node that has to slip the other way spoils the
+     * step (Hueber, Stadler, Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
+     */
+    SmallMatrix
+    turning_part(const NodeSet     &set,
+                 const double       limit,
+                 const SmallVector &reaction)
+    {
+      const SmallVector &e = set.direction;
+      const Index        n = e.size();
+      if (n < 2)
+        return SmallMatrix::Zero(n, n);
+      const double norm   = reaction.norm();
+      const double size   = limit > norm ? norm / limit : 1.;
+      SmallVector  r      = SmallVector::Zero(n);
+      double       cosine = 0;
+      if (norm > 0)
+        {
+          r      = reaction * (size / norm);
+          cosine = e.dot(reaction) / norm;
+        }
+      const double damping = cosine < 0 ? 1 / (1 - cosine * size) : 1.;
+      return set.ratio *
+             (SmallMatrix::Identity(n, n) - damping * r * e.transpose());
+    }
+
+    /** A dv + B dr = h. */
+    struct Law
+    {
+      SmallMatrix A, B;
+      SmallVector h;
+    };
+
+    Law
+    law_of(const NodeSet     &set,
+           const double       mu,
+           const SmallVector &v,
+           const SmallVector &r)
+    {
+      const Index       nt   = v.size() - 1;
+      const SmallMatrix zero = SmallMatrix::Zero(nt + 1, nt + 1);
+      const SmallMatrix one  = SmallMatrix::Identity(nt + 1, nt + 1);
+      if (set.state == NodeState::open)
+        return {zero, one, -r};
+      Law law{one, zero, -v};
+      if (set.state == NodeState::stick || nt == 0)
+        return law;
+
+      // r_t = mu z_n e, with z_n and e linearised
+      const double      zn = r(nt) - v(nt);
+      const SmallMatrix T  = turning_part(set, mu * zn, r.head(nt));
+      law.A.topLeftCorner(nt, nt) = T;
+      law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
+      law.A.topRightCorner(nt, 1) = mu * set.direction;
+      law.B.topRightCorner(nt, 1) = -law.A.topRightCorner(nt, 1);
+      // A first guess of the states may not go with z: then the law is asked
+      // for at the end of the step.
+      if (zn > 0)
+        law.h.head(nt) = mu * zn * set.direction - r.head(nt);
+      else
+        law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
+      return law;
+    }
+  } // namespace
+
+
+
+  NodeSets
+  sets_of_state(const LinearRelation &relation, const ContactState &state)
+  {
+    const ContactSystem &system = relation.system();
+    NodeSets             sets(at(system.n_nodes()));
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        NodeSet    &set   = sets[at(i)];
+        const Index first = system.first[i], nt = system.n_tangents(i);
+        set.state = state.node.empty() ? NodeState::stick : state.node[at(i)];
+        set.direction = SmallVector::Zero(nt);
+        if (set.state == NodeState::open || nt == 0)
+          continue;
+        if (system.mu(i) == 0)
+          set.state = NodeState::slip;
+        else if (set.state == NodeState::slip)
+          {
+            const double s = relation.column_scale()(first);
+            set            = slip_of_state(state.v.segment(first, nt),
+                                state.r.segment(first, nt),
+                                system.mu(i) * state.r(first + nt),
+                                relation.stiffness() ? 1 / (s * s) : s * s);
+          }
+      }
+    return sets;
+  }
+
+
+
+  NodeSets
+  sets_of_point(const LinearRelation &relation,
+                const VectorXd       &p,
+                const VectorXd       &d)
+  {
+    const ContactSystem &system = relation.system();
+    const Fields         x(relation, p, d);
+    NodeSets             sets(at(system.n_nodes()));
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index       first = system.first[i], nt = system.n_tangents(i);
+        const SmallVector z =
+          x.r.segment(first, nt + 1) - x.v.segment(first, nt + 1);
+        NodeSet &set  = sets[at(i)];
+        set.direction = SmallVector::Zero(nt);
+        if (!(z(nt) > 0))
+          continue;
+        const double norm  = z.head(nt).norm();
+        const double limit = system.mu(i) * z(nt);
+        set.state          = NodeState::stick;
+        if (nt == 0 || (norm <= limit && limit > 0))
+          continue;
+        set.state = NodeState::slip;
+        if (limit > 0)
+          {
+            set.direction = z.head(nt) / norm;
+            set.ratio     = limit / norm;
+          }
+      }
+    return sets;
+  }
+
+
+
+  std::vector<NodeLaw>
+  linearized_laws(const LinearRelation &relation,
+                  const NodeSets       &sets,
+                  const VectorXd       &p,
+                  const VectorXd       &d)
+  {
+    const ContactSystem &system = relation.system();
+    const Fields         x(relation, p, d);
+    std::vector<NodeLaw> result(sets.size());
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index first = system.first[i], dim = system.n_tangents(i) + 1;
+        const Law   law   = law_of(sets[at(i)],
+                               system.mu(i),
+                               x.v.segment(first, dim),
+                               x.r.segment(first, dim));
+        result[at(i)].p   = relation.stiffness() ? law.A : law.B;
+        result[at(i)].d   = relation.stiffness() ? law.B : law.A;
+        result[at(i)].h   = law.h;
+      }
+    return result;
+  }
+
+
+
+  double
+  law_residual(const LinearRelation &relation,
+               const VectorXd       &p,
+               const VectorXd       &d)
+  {
+    const ContactSystem &system = relation.system();
+    const Fields         x(relation, p, d);
+    double               sum = 0;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index       first = system.first[i], nt = system.n_tangents(i);
+        const SmallVector r  = x.r.segment(first, nt + 1);
+        SmallVector       z  = r - x.v.segment(first, nt + 1);
+        const double      zn = std::max(z(nt), 0.), limit = system.mu(i) * zn;
+        const double      norm = z.head(nt).norm();
+        if (norm > limit)
+          z.head(nt) *= limit / norm;
+        z(nt) = zn;
+        sum += (r - z).squaredNorm();
+      }
+    const double scale = std::max(p.norm(), d.norm());
+    return sum > 0 ? std::sqrt(sum) / scale : sum;
+  }
+
+
+
+  void
+  set_exact_zeros(const LinearRelation &relation,
+                  const NodeSets       &sets,
+                  VectorXd             &p,
+                  VectorXd             &d)
+  {
+    const ContactSystem &system = relation.system();
+    VectorXd            &v      = relation.stiffness() ? p : d;
+    VectorXd            &r      = relation.stiffness() ? d : p;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index     first = system.first[i], nt = system.n_tangents(i);
+        const NodeState node  = sets[at(i)].state;
+        if (node == NodeState::open)
+          r.segment(first, nt + 1).setZero();
+        else
+          v(first + nt) = 0;
+        if (node == NodeState::stick)
+          v.segment(first, nt).setZero();
+        if (node == NodeState::slip && system.mu(i) == 0)
+          r.segment(first, nt).setZero();
+      }
+  }
+
+
+
+  std::string
+  signature(const NodeSets &sets)
+  {
+    std::string result;
+    result.reserve(sets.size());
+    for (const NodeSet &set : sets)
+      {
+        const bool backwards = set.state == NodeState::slip &&
+                               set.direction.size() == 1 &&
+                               set.direction(0) < 0;
+        result += backwards ? '-' :
+                              static_cast<char>('0' + static_cast<int>(set.state));
+      }
+    return result;
+  }
+} // namespace conetact
