@@ -18,9 +18,29 @@ namespace conetact
     , log(l)
     , model(scene.bodies, scene.times)
     , history(model)
-    , contact_rows(model)
+    , contact_rows(model, scene.master_side)
     , solver(make_solver(scene.solver))
-  {}
+  {
+    refuse_empty_contacts();
+  }
+
+  void
+  Analysis::refuse_empty_contacts() const
+  {
+    std::vector<bool> empty(scene.contact_names.size(), true);
+    for (const NodeRule *rule : model.coordinates.contact_rules())
+      empty[rule->contact_node->contact] = false;
+    for (std::size_t c = 0; c < empty.size(); ++c)
+      if (empty[c])
+        throw InputError(
+          "Contact '" + scene.contact_names[c] +
+          "' has no node that may touch: " +
+          (scene.n_free_nodes[c] > 0 ?
+             "none faces the master. Check Master boundary ids and the gap " :
+             "supports hold all of them along its normal. Take them out of "
+             "the supports") +
+          std::string(", or remove the contact."));
+  }
 
   void
   Analysis::report() const
@@ -60,7 +80,10 @@ namespace conetact
   {
     scene.check_loads();
     for (const double t : scene.times)
-      model.coordinates.prescribed(t);
+      {
+        model.coordinates.prescribed(t);
+        model.elastic.ground_forces(t);
+      }
     log.time("loads and supports at all times");
     const double bytes = model.condensation().factor_bytes();
     log.time("condensation: order, factor and Schur complement, factor of " +
@@ -73,7 +96,7 @@ namespace conetact
   {
     RunDescription run;
     run.folder       = folder;
-    run.contacts     = scene.contact_names;
+    run.contacts     = scene.contact_sides;
     run.bodies       = scene.bodies.names;
     run.structures   = scene.bodies.structures;
     run.dim          = scene.bodies.dim;
@@ -220,8 +243,14 @@ namespace conetact
     record.equilibrium       = e.residual;
     record.balance           = e.balance;
     record.contacts          = e.contacts;
-    record.supports          = e.supports;
-    record.loads             = e.loads;
+    record.contacts.resize(scene.contact_sides.size());
+    for (std::size_t c = 0; c < e.masters.size(); ++c)
+      if (scene.master_side[c] != c)
+        record.contacts[scene.master_side[c]] = e.masters[c];
+    if (record.body_balance = e.body_balance; record.body_balance.size() == 1)
+      record.body_balance.clear();
+    record.supports = e.supports;
+    record.loads    = e.loads;
     if (!(record.equilibrium <= scene.solver.tolerance))
       fail(record,
            "the uncondensed equilibrium is violated by " +

@@ -206,7 +206,20 @@ namespace conetact
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
       contacts.push_back(
         create_contact(prm, name, bodies.names, bodies.structures, obstacles));
+      if (dim == 2 && contacts.back().second_friction)
+        throw InputError("Contact '" + name +
+                         "', Second friction coefficient: "
+                         "there is one tangent only in 2D. Leave it empty.");
     });
+    contact_sides = contact_names;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        const bool pair = contacts[c].obstacle == nullptr;
+        master_side.push_back(
+          pair ? static_cast<unsigned int>(contact_sides.size()) : c);
+        if (pair)
+          contact_sides.push_back(contact_names[c] + "_master");
+      }
     ContactNodes found =
       find_contact_nodes(contacts, bodies.names, bodies.structures, dim);
     bodies.contact_nodes = std::move(found.nodes);

@@ -124,11 +124,15 @@ namespace conetact
       std::string best;
       std::size_t least = name.size() / 2 + 1;
       for (const std::string &other : names)
-        if (distance(name, other) < least)
-          {
-            best  = other;
-            least = distance(name, other);
-          }
+        {
+          const bool        begins  = other.rfind(name, 0) == 0;
+          const std::size_t changes = begins ? 1 : distance(name, other);
+          if (changes < least)
+            {
+              best  = other;
+              least = changes;
+            }
+        }
       return best;
     }
 
@@ -142,12 +146,11 @@ namespace conetact
     std::string
     list_of(const std::string &subsection, std::string &name)
     {
-      for (const auto &[kind, list] :
-           {std::make_pair("Body ", "Bodies"),
-            std::make_pair("Obstacle ", "Obstacles"),
-            std::make_pair("Contact ", "Contacts"),
-            std::make_pair("Support ", "Supports"),
-            std::make_pair("Load ", "Loads")})
+      for (const auto &[kind, list] : {std::make_pair("Body ", "Bodies"),
+                                       std::make_pair("Obstacle ", "Obstacles"),
+                                       std::make_pair("Contact ", "Contacts"),
+                                       std::make_pair("Support ", "Supports"),
+                                       std::make_pair("Load ", "Loads")})
         if (subsection.rfind(kind, 0) == 0)
           {
             name = subsection.substr(std::string(kind).size());
@@ -225,14 +228,11 @@ namespace conetact
         equals == line.text.npos ? "" : trim(line.text.substr(equals + 1));
       return line.name + in_section(line.path) + ": '" + value +
              "' is not possible. " +
-             request(
-               message.substr(message.find(pattern) + pattern.size()));
+             request(message.substr(message.find(pattern) + pattern.size()));
     }
 
     std::string
-    sentence(const Handler     &prm,
-             const Line        &line,
-             const std::string &message)
+    sentence(const Handler &prm, const Line &line, const std::string &message)
     {
       if (message.find("does not match the given pattern") != message.npos)
         return mismatch(message, line);
@@ -240,7 +240,8 @@ namespace conetact
           message.find("No entry with name") != message.npos)
         return undeclared(prm, line);
       if (line.kind == Line::Kind::end)
-        return "'" + line.text + "' ends no subsection. Remove it, or add "
+        return "'" + line.text +
+               "' ends no subsection. Remove it, or add "
                "the line 'subsection NAME' before.";
       return "'" + line.text + "' is not understood. Write 'set Entry = " +
              "value', 'subsection NAME' or 'end'.";

@@ -5,7 +5,9 @@
 
 #include "conetact/contact/equilibrium.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace conetact
 {
@@ -46,8 +48,10 @@ namespace conetact
     }
   } // namespace
 
-  ContactRows::ContactRows(const ContactModel &m)
+  ContactRows::ContactRows(const ContactModel              &m,
+                           const std::vector<unsigned int> &sides)
     : model(m)
+    , master_side(sides)
     , other_before(m.coordinates.contact_rules().size())
   {
     for (const NodeRule *rule : model.coordinates.contact_rules())
@@ -118,6 +122,61 @@ namespace conetact
               NodeState::stick;
       }
     last = rows;
+    append_masters(rows);
     return rows;
+  }
+
+  void
+  ContactRows::append_masters(std::vector<ContactRow> &rows) const
+  {
+    struct Sum
+    {
+      ContactRow   row;
+      Tensor<1, 3> normal, reaction, u, du; // in space
+      double       weight = 0, largest = 0;
+    };
+    std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
+    for (std::size_t i = 0; i < last.size(); ++i)
+      {
+        const ContactNode &node =
+          *model.coordinates.contact_rules()[i]->contact_node;
+        const ContactRow &row      = last[i];
+        const auto        in_space = [&](const Tensor<1, 3> &v) {
+          return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;
+        };
+        for (const auto &[master, weight] : node.masters)
+          {
+            Sum &sum = sums[{row.contact, master}];
+            if (weight > sum.largest)
+              sum.row.state = row.state;
+            sum.largest  = std::max(sum.largest, weight);
+            sum.row.node = master;
+            sum.row.position =
+              model.bodies.structures[node.master]->position(master);
+            sum.row.area += weight * row.area;
+            sum.row.gap += weight * row.gap;
+            sum.weight += weight;
+            sum.normal -= weight * row.normal;
+            sum.reaction -= weight * in_space(row.reaction);
+            sum.u -= weight * in_space(row.u);
+            sum.du -= weight * in_space(row.du);
+          }
+      }
+    for (auto &[key, sum] : sums)
+      {
+        ContactRow &row          = sum.row;
+        row.contact              = master_side[key.first];
+        row.master               = true;
+        row.normal               = sum.normal / sum.normal.norm();
+        std::tie(row.t1, row.t2) = tangents(row.normal, model.bodies.dim);
+        const auto in_row        = [&](const Tensor<1, 3> &v) {
+          return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
+        };
+        row.gap /= sum.weight;
+        row.u        = in_row(sum.u / sum.weight);
+        row.du       = in_row(sum.du / sum.weight);
+        row.reaction = in_row(sum.reaction);
+        rows.push_back(row);
+      }
   }
 } // namespace conetact

@@ -28,7 +28,7 @@ namespace conetact
       resultant.moment += cross_product_3d(Tensor<1, 3>(p), force);
     }
 
-    /** Calls visit(global first dof, position) for each node of all bodies. */
+    /** Calls visit(body, first dof, position) for each node of all bodies. */
     template <typename Visit>
     void
     for_each_node(const Bodies      &bodies,
@@ -37,28 +37,28 @@ namespace conetact
     {
       for (unsigned int body = 0; body < bodies.structures.size(); ++body)
         for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
-          visit(coordinates.dof(body, i), bodies.structures[body]->position(i));
+          visit(body,
+                coordinates.dof(body, i),
+                bodies.structures[body]->position(i));
     }
 
-    /** Sum of all resultants over the largest force and lever arm. */
+    /** Largest force of the scene's resultants. */
     double
-    balance_of(const Equilibrium &e, const double reach, const double floor)
+    largest_resultant(const Equilibrium &e)
     {
-      Tensor<1, 3> force  = e.supports.force + e.loads.force;
-      Tensor<1, 3> moment = e.supports.moment + e.loads.moment;
-      double       largest =
-        std::max({floor, e.supports.force.norm(), e.loads.force.norm()});
-      for (const auto *side : {&e.contacts, &e.masters})
-        for (const Resultant &contact : *side)
-          {
-            force += contact.force;
-            moment += contact.moment;
-            largest = std::max(largest, contact.force.norm());
-          }
-      if (largest == 0)
-        return 0;
-      return std::max(force.norm() / largest,
-                      moment.norm() / (largest * reach));
+      double largest = std::max(e.supports.force.norm(), e.loads.force.norm());
+      for (const Resultant &contact : e.contacts)
+        largest = std::max(largest, contact.force.norm());
+      return largest;
+    }
+
+    /** A sum of forces that should vanish, over a force and a lever arm. */
+    double
+    relative(const Resultant &sum, const double force, const double arm)
+    {
+      return force == 0 ? 0. :
+                          std::max(sum.force.norm() / force,
+                                   sum.moment.norm() / (force * arm));
     }
   } // namespace
 
@@ -97,49 +97,63 @@ namespace conetact
 
     Eigen::VectorXd rest = internal - loads - ground;
     coordinates.unhang(internal);
+    std::vector<Resultant> body_sum(bodies.structures.size());
     e.contacts.resize(n_contacts);
     e.masters.resize(n_contacts);
+    const auto act = [&](Resultant          &resultant,
+                         const unsigned int  body,
+                         const Point<3>     &p,
+                         const Tensor<1, 3> &force) {
+      add(resultant, p, force);
+      add(body_sum[body], p, force);
+    };
+    const auto take_from_rest = [&](const Eigen::Index  dof,
+                                    const Tensor<1, 3> &force) {
+      for (unsigned int c = 0; c < dim; ++c)
+        rest[dof + c] -= force[c];
+    };
+
     for (std::size_t i = 0; i < coordinates.contact_rules().size(); ++i)
       {
         const NodeRule    &rule  = *coordinates.contact_rules()[i];
+        const ContactNode &node  = *rule.contact_node;
         const Tensor<1, 3> force = reaction_vector(coordinates, i, r);
-        const Eigen::Index dof   = coordinates.dof(rule.body, rule.node);
-        add(e.contacts[rule.contact_node->contact],
-            rule.contact_node->position,
-            force);
-        for (unsigned int c = 0; c < dim; ++c)
-          rest[dof + c] -= force[c];
-        const ContactNode &node = *rule.contact_node;
+        act(e.contacts[node.contact], node.body, node.position, force);
+        take_from_rest(coordinates.dof(rule.body, rule.node), force);
         for (const auto &[master, weight] : node.masters)
           {
-            const Eigen::Index m = coordinates.dof(node.master, master);
-            add(e.masters[node.contact],
+            act(e.masters[node.contact],
+                node.master,
                 bodies.structures[node.master]->position(master),
                 -weight * force);
-            for (unsigned int c = 0; c < dim; ++c)
-              rest[m + c] += weight * force[c];
+            take_from_rest(coordinates.dof(node.master, master),
+                           -weight * force);
           }
       }
     coordinates.unhang(rest);
+
     for (const NodeRule &rule : coordinates.rules().rules())
       if (!rule.held.empty())
         {
-          const Eigen::Index dof = coordinates.dof(rule.body, rule.node);
-          Tensor<1, 3>       force;
+          const Tensor<1, 3> force =
+            at_node(rest, coordinates.dof(rule.body, rule.node), dim);
+          Tensor<1, 3> reaction;
           for (const HeldDirection &held : rule.held)
-            force +=
-              (at_node(rest, dof, dim) * held.direction) * held.direction;
-          add(e.supports,
+            reaction += (force * held.direction) * held.direction;
+          act(e.supports,
+              rule.body,
               bodies.structures[rule.body]->position(rule.node),
-              force);
+              reaction);
         }
 
     const Eigen::VectorXd springs = ground - elastic.spring_forces(u);
     double                reach   = 0;
     for_each_node(
-      bodies, coordinates, [&](const Eigen::Index dof, const Point<3> &p) {
-        add(e.supports, p, at_node(springs, dof, dim));
-        add(e.loads, p, at_node(loads, dof, dim));
+      bodies,
+      coordinates,
+      [&](const unsigned int body, const Eigen::Index dof, const Point<3> &p) {
+        act(e.supports, body, p, at_node(springs, dof, dim));
+        act(e.loads, body, p, at_node(loads, dof, dim));
         e.largest_force =
           std::max(e.largest_force, at_node(internal, dof, dim).norm());
         reach = std::max(reach, p.norm());
@@ -148,7 +162,15 @@ namespace conetact
     const double scale = std::max(e.largest_force, reference_force);
     if (scale > 0 && unbalanced.size() > 0)
       e.residual = unbalanced.cwiseAbs().maxCoeff() / scale;
-    e.balance = balance_of(e, reach, scale);
+    const double force = std::max(scale, largest_resultant(e));
+    Resultant    sum;
+    for (const Resultant &body : body_sum)
+      {
+        e.body_balance.push_back(relative(body, force, reach));
+        sum.force += body.force;
+        sum.moment += body.moment;
+      }
+    e.balance = relative(sum, force, reach);
     return e;
   }
 } // namespace conetact

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/fclib/fclib_file.h"
 #include "conetact/fclib/hdf5_file.h"
 #include "conetact/fclib/order.h"
-#include "conetact/base/atomic_file.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <numeric>
+#include <string>
 #include <vector>
 
 // FCLib's header leaves this to its users.

@@ -24,15 +24,19 @@ namespace conetact
     }
 
     std::string
-    header(const std::vector<std::string> &contacts)
+    header(const std::vector<std::string> &contacts,
+           const std::vector<std::string> &bodies)
     {
       std::string text =
         "increment,time,solver,substeps,iterations,residual,equilibrium,"
         "err1,err2,open,stick,slip,";
       for (const std::string &contact : contacts)
         text += resultant_columns(safe_name(contact));
-      return text + resultant_columns("supports") + resultant_columns("loads") +
-             "balance\n";
+      text += resultant_columns("supports") + resultant_columns("loads");
+      if (bodies.size() > 1)
+        for (const std::string &body : bodies)
+          text += "balance_" + safe_name(body) + ',';
+      return text + "balance\n";
     }
 
     std::array<unsigned int, 3>
@@ -40,7 +44,8 @@ namespace conetact
     {
       std::array<unsigned int, 3> n{};
       for (const ContactRow &row : rows)
-        ++n.at(static_cast<std::size_t>(row.state));
+        if (!row.master)
+          ++n.at(static_cast<std::size_t>(row.state));
       return n;
     }
 
@@ -59,7 +64,7 @@ namespace conetact
 
   IncrementTable::IncrementTable(const RunDescription &description)
     : run(description)
-    , text(header(description.contacts))
+    , text(header(description.contacts, description.bodies))
   {
     write_atomically(description.folder / file_name, text);
   }
@@ -115,6 +120,8 @@ namespace conetact
     for (const unsigned int n : count_states(record.rows))
       csv.add(n);
     for_each_resultant(record, [&](const Resultant &r) { add(csv, r); });
+    for (const double balance : record.body_balance)
+      csv.add("the balance of a body", balance);
     csv.add("balance", record.balance);
     csv.end();
 

@@ -75,8 +75,7 @@ namespace conetact
   {
     // What Newton gains anyway, or what is left to gain if that is less.
     const double precision =
-      std::min(1e-2,
-               std::max(.1 * point.residual, .3 * goal / point.residual));
+      std::min(1e-2, std::max(.1 * point.residual, .3 * goal / point.residual));
     const Array none = Array::Zero(point.p.size());
     Array       dp;
     if (!newton.solve(*relation,

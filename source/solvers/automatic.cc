@@ -93,7 +93,8 @@ namespace conetact
     SmoothingIteration iteration(*relation, smoothing, state);
     ContactState       trial  = state;
     bool               solved = false, going = true;
-    for (double target = 1e-2; going && !solved && target > .1 * options.tolerance;
+    for (double target = 1e-2;
+         going && !solved && target > .1 * options.tolerance;
          target *= 1e-2)
       {
         going = iteration.advance(target);
@@ -117,9 +118,9 @@ namespace conetact
                    const unsigned int    sweeps,
                    SolverReport         &report)
   {
-    SolverOptions few                         = options;
-    few.max_sweeps                            = sweeps;
-    ContactState                         trial = state;
+    SolverOptions few                           = options;
+    few.max_sweeps                              = sweeps;
+    ContactState                         trial  = state;
     const std::unique_ptr<ContactSolver> solver = make_gauss_seidel(few);
     solver->solve(problem, trial);
     report.solver = "gauss-seidel";

@@ -166,7 +166,7 @@ namespace conetact
         for (std::size_t a = 0; a < n; ++a)
           {
             const Number *c = column.data() + weights[a].start;
-            out[a] = weights[a].w[0] * c[0] + weights[a].w[1] * c[1] +
+            out[a]          = weights[a].w[0] * c[0] + weights[a].w[1] * c[1] +
                      weights[a].w[2] * c[2];
           }
       }

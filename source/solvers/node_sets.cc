@@ -109,8 +109,8 @@ namespace conetact
         return law;
 
       // r_t = mu z_n e, with z_n and e linearised
-      const double      zn = r(nt) - v(nt);
-      const SmallMatrix T  = turning_part(set, mu * zn, r.head(nt));
+      const double      zn        = r(nt) - v(nt);
+      const SmallMatrix T         = turning_part(set, mu * zn, r.head(nt));
       law.A.topLeftCorner(nt, nt) = T;
       law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
       law.A.topRightCorner(nt, 1) = mu * set.direction;
@@ -202,13 +202,13 @@ namespace conetact
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index first = system.first[i], dim = system.n_tangents(i) + 1;
-        const Law   law   = law_of(sets[at(i)],
+        const Law   law = law_of(sets[at(i)],
                                system.mu(i),
                                x.v.segment(first, dim),
                                x.r.segment(first, dim));
-        result[at(i)].p   = relation.stiffness() ? law.A : law.B;
-        result[at(i)].d   = relation.stiffness() ? law.B : law.A;
-        result[at(i)].h   = law.h;
+        result[at(i)].p = relation.stiffness() ? law.A : law.B;
+        result[at(i)].d = relation.stiffness() ? law.B : law.A;
+        result[at(i)].h = law.h;
       }
     return result;
   }
@@ -253,7 +253,7 @@ namespace conetact
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index     first = system.first[i], nt = system.n_tangents(i);
-        const NodeState node  = sets[at(i)].state;
+        const NodeState node = sets[at(i)].state;
         if (node == NodeState::open)
           r.segment(first, nt + 1).setZero();
         else
@@ -277,8 +277,9 @@ namespace conetact
         const bool backwards = set.state == NodeState::slip &&
                                set.direction.size() == 1 &&
                                set.direction(0) < 0;
-        result += backwards ? '-' :
-                              static_cast<char>('0' + static_cast<int>(set.state));
+        result += backwards ?
+                    '-' :
+                    static_cast<char>('0' + static_cast<int>(set.state));
       }
     return result;
   }

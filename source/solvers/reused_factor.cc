@@ -99,7 +99,7 @@ namespace conetact
     const auto n = static_cast<lapack_int>(factor.rows());
     if (factor_numbers.empty())
       return inverse_diagonal.cwiseProduct(b);
-    Vector     y = Vector::Zero(n);
+    Vector y = Vector::Zero(n);
     for (std::size_t a = 0; a < position.size(); ++a)
       if (position[a] >= 0)
         y(position[a]) = b(static_cast<Index>(a));
@@ -144,8 +144,8 @@ namespace conetact
     Index k  = 0;
     while (k < max_directions && std::abs(g(k)) > precision * norm)
       {
-        Z.col(k)   = precondition(V.col(k));
-        Vector w   = A * Z.col(k);
+        Z.col(k)         = precondition(V.col(k));
+        Vector     w     = A * Z.col(k);
         const auto basis = V.leftCols(k + 1);
         // Orthogonalised twice: once is not enough in single precision.
         const Vector once = basis.transpose() * w;
@@ -165,9 +165,8 @@ namespace conetact
         ++k;
       }
     const bool done = std::abs(g(k)) <= precision * norm;
-    x               = Z.leftCols(k) * H.topLeftCorner(k, k)
-                          .triangularView<Eigen::Upper>()
-                          .solve(g.head(k));
+    x               = Z.leftCols(k) *
+        H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
     return done && x.allFinite();
   }
 
@@ -183,7 +182,8 @@ namespace conetact
     const float reachable = std::max(precision, 3e-6f);
     match(A, numbers);
     // A first step is far from the solution: its matrix is not worth keeping.
-    if (factor_numbers.empty() && precision >= 5e-3f && gmres(A, b, reachable, x))
+    if (factor_numbers.empty() && precision >= 5e-3f &&
+        gmres(A, b, reachable, x))
       return true;
     if (worth_trying(A.rows()) && gmres(A, b, reachable, x))
       return true;

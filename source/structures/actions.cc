@@ -53,7 +53,8 @@ namespace conetact
       if (expressions.size() != n)
         throw InputError(
           entry + ": '" + text + "' has " + std::to_string(expressions.size()) +
-          " expressions. Give " + std::to_string(n) + ", separated by ';'.");
+          (expressions.size() == 1 ? " expression" : " expressions") +
+          ". Give " + std::to_string(n) + ", separated by ';'.");
       return expressions;
     }
 

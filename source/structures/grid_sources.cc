@@ -71,6 +71,20 @@ namespace conetact
                          "number of cells. Give positive numbers.");
     }
 
+    /** The end of a sentence: how many arguments, or what deal.II has to say.
+     */
+    std::string
+    reason(const std::string &message)
+    {
+      const std::string tuple = "does not match the pattern \"[Tuple of <";
+      const auto        at    = message.find(tuple);
+      if (at == std::string::npos)
+        return ". (" + message + ")";
+      const std::string count = message.substr(at + tuple.size());
+      return " (there are " + count.substr(0, count.find('>')) +
+             "; points and lists have ',' between their components).";
+    }
+
     template <int dim>
     void
     generate(Triangulation<dim> &mesh, const MeshParameters &parameters)
@@ -93,8 +107,8 @@ namespace conetact
           throw InputError(parameters.where + "Arguments: '" +
                            parameters.arguments + "' does not suit " +
                            parameters.generator + " in " + std::to_string(dim) +
-                           "D. Give all its arguments, separated by ':'. (" +
-                           message + ")");
+                           "D. Give all its arguments, separated by ':'" +
+                           reason(message));
         }
     }
 

@@ -57,6 +57,9 @@ namespace conetact
       ContactState       state;
       Eigen::VectorXd    contact; ///< displacements of contact unknowns
     };
+    /** Throws InputError for a contact none of whose nodes may touch. */
+    void
+    refuse_empty_contacts() const;
     void
     create_outputs(const std::filesystem::path &folder, const bool quiet);
     std::size_t

@@ -58,6 +58,12 @@ namespace conetact
 
     Bodies                   bodies;
     std::vector<std::string> contact_names;
+    /**
+     * Names of all contacts, then of the masters' sides of pairs, with their
+     * index there (a contact with an obstacle: its own).
+     */
+    std::vector<std::string>  contact_sides;
+    std::vector<unsigned int> master_side;
     /** Nodes of each contact that face no master body. */
     std::vector<unsigned int> n_free_nodes;
     std::vector<double>       times;

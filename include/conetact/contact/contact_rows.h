@@ -19,9 +19,15 @@ namespace conetact
   class ContactRows
   {
   public:
-    explicit ContactRows(const ContactModel &model);
+    ContactRows(const ContactModel              &model,
+                const std::vector<unsigned int> &master_side);
 
     /**
+     * Rows of all contact nodes; then, for pairs of bodies, those of the
+     * master nodes they meet, whose contact index is that of `master_side`:
+     * reactions there are minus those of the pair's nodes, gaps and
+     * displacements their weighted means.
+     *
      * `state`: end of the increment; `q`: displacements of the contact
      * unknowns since the start; `u`: all dofs; `t`: time.
      */
@@ -32,7 +38,11 @@ namespace conetact
          const double           t);
 
   private:
+    void
+    append_masters(std::vector<ContactRow> &rows) const;
+
     const ContactModel       &model;
+    std::vector<unsigned int> master_side;  ///< of each contact
     std::vector<ContactRow>   last;         ///< of the increment before
     std::vector<Tensor<1, 3>> other_before; ///< its displacements along
                                             ///< directions without a cone

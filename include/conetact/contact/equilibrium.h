@@ -20,6 +20,8 @@ namespace conetact
     double largest_force = 0; ///< largest nodal force of the state [force]
     double balance       = 0; ///< sum of all forces and moments, relative
 
+    std::vector<double> body_balance; ///< the same of each body
+
     std::vector<Resultant> contacts; ///< reactions on the bodies, by contact
     std::vector<Resultant> masters;  ///< the same on their master bodies
     Resultant              supports; ///< on the bodies, with foundations

@@ -27,7 +27,8 @@ namespace conetact
     Tensor<1, 3> u;           ///< (u_n, u_t1, u_t2), total, relative [length]
     Tensor<1, 3> du;          ///< the same of this increment
     Tensor<1, 3> reaction;    ///< (r_n, r_t1, r_t2) on the body [force]
-    NodeState    state = NodeState::open;
+    NodeState    state  = NodeState::open;
+    bool         master = false; ///< the other side of a pair of bodies
   };
 
   /** Force [force] and moment about the origin [force x length]. */
@@ -46,6 +47,9 @@ namespace conetact
     KannoErrors  errors;
     double       equilibrium = 0; ///< uncondensed residual, relative
     double       balance     = 0; ///< sum of all resultants, relative
+
+    /** The same of each body, where there are several. */
+    std::vector<double> body_balance;
 
     std::vector<ContactRow>      rows;
     std::vector<Resultant>       contacts; ///< one a contact

@@ -55,7 +55,10 @@ namespace conetact
     Vector
     precondition(const Vector &b) const;
     bool
-    gmres(const Matrix &A, const Vector &b, const float precision, Vector &x) const;
+    gmres(const Matrix &A,
+          const Vector &b,
+          const float   precision,
+          Vector       &x) const;
 
     Matrix             factor;
     std::vector<int>   pivots;

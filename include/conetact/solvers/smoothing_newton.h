@@ -6,119 +6,21 @@
 
 #include "conetact/solvers/active_set.h"
 #include "conetact/solvers/contact_solver.h"
-#include "conetact/solvers/newton_system.h"
+#include "conetact/solvers/smoothing_iteration.h"
 
 #include <optional>
-#include <vector>
 
 /**
- * Smoothing and regularisation method for the second-order cone
- * complementarity form of friction, [K] (17): for each node
- * @f$x = (\lambda, \Delta u_t, g)@f$ and @f$y = (\mu r_n, r_t, r_n)@f$ are
- * complementary in (second-order cone) x (half line),
- * @f$x - P(x - y) = 0@f$. P is smoothed by m, the linear relation regularised
- * by eps, and both follow the residual to zero (Hayashi, Yamashita, Fukushima,
- * SIAM J. Optim. 15 (2005) 593-615, algorithm 4.1). @f$\lambda@f$ and
- * @f$\mu r_n@f$ are eliminated node by node, so a step solves for the
- * displacements (or reactions) only. Nodes with mu = 0 have no cone.
+ * The smoothing method ([K] (17), see SmoothingIteration) as a solver. The
+ * scaled form iterates on the numbers of LinearRelation and ends with an active
+ * set step that makes zeros exact. The published form iterates on the numbers
+ * of the problem from x = y = 0 until the norm of its natural residual is below
+ * the tolerance, in the units of the problem: its iteration counts depend on
+ * them. There the report counts the method's own linear solves only, without
+ * the final active set step, to be compared with the tables of [K].
  */
 namespace conetact
 {
-  /** The iteration itself, which can be stopped and continued. */
-  class SmoothingIteration
-  {
-  public:
-    using Index = Eigen::Index;
-    using Array = Eigen::VectorXd;
-
-    /** Starts from a state, or in published form from zero. */
-    SmoothingIteration(const LinearRelation   &relation,
-                       const SmoothingOptions &options,
-                       const ContactState     &start);
-
-    /**
-     * Continues until the natural residual is below the target. False if it
-     * has to give up; failure() then says why.
-     */
-    bool
-    advance(const double target);
-
-    void
-    get(ContactState &state) const;
-
-    /** Norm of the natural residual, with neither m nor eps. */
-    double
-    residual() const
-    {
-      return natural;
-    }
-    unsigned int
-    n_iterations() const
-    {
-      return iterations;
-    }
-    unsigned int
-    n_factorizations() const
-    {
-      return newton.n_factorizations();
-    }
-    const std::string &
-    failure() const
-    {
-      return why;
-    }
-
-  private:
-    /** One point of the iteration; p and d as in LinearRelation. */
-    struct Point
-    {
-      Array lambda, y; ///< one a node: lambda and the independent mu r_n
-      Array p, d;
-    };
-    /** Residuals of the relation at a point, linear in the point. */
-    struct Defect
-    {
-      Array relation; ///< n values
-      Array y;        ///< one a node
-    };
-
-    bool
-    has_cone(const Index i) const;
-    double
-    normal_shift(const Index i) const;
-    Defect
-    defect(const Point &point) const;
-    /** Residual of the cones of node i, smoothed or (m = 0) not. */
-    double
-    squared_cone_residual(const Point &point,
-                          const Index  i,
-                          const double m) const;
-    double
-    merit(const Point &point, const Defect &defect, const double m) const;
-    void
-    measure();
-    double
-    smallest_eigenvalue() const;
-    bool
-    step();
-    bool
-    direction(const Defect &residual, Point &delta);
-    void
-    shrink();
-
-    const LinearRelation  &relation;
-    const SmoothingOptions options;
-    NewtonSystem           newton;
-    Point                  x;
-    double                 m, eps, beta;
-    double                 natural = 0;
-    double                 best    = 0;
-    unsigned int           outer = 0, stalls = 0;
-    unsigned int           iterations = 0;
-    bool                   inside     = false; ///< in the inner loop
-    std::string            why;
-  };
-
   class SmoothingNewton : public ContactSolver
   {
   public:
@@ -128,6 +30,11 @@ namespace conetact
     solve(const ContactProblem &problem, ContactState &state) override;
 
   private:
+    void
+    finish(const ContactProblem &problem,
+           ContactState         &state,
+           SolverReport         &report);
+
     SolverOptions                 options;
     ActiveSet                     active_set;
     std::optional<LinearRelation> relation;

@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/smoothing_iteration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    std::size_t
+    at(const Index i)
+    {
+      return static_cast<std::size_t>(i);
+    }
+  } // namespace
+
+
+
+  SmoothingIteration::SmoothingIteration(const LinearRelation &linear_relation,
+                                         const SmoothingOptions &smoothing,
+                                         const ContactState     &start)
+    : relation(linear_relation)
+    , options(smoothing)
+    , m(options.m0)
+    , eps(options.eps0)
+    , beta(options.beta0)
+  {
+    const ContactSystem &system = relation.system();
+    relation.to_scaled(start, x.p, x.d);
+    x.lambda = Array::Zero(system.n_nodes());
+    x.y      = Array::Zero(system.n_nodes());
+    if (!options.scaled)
+      {
+        x.p.setZero();
+        x.d.setZero();
+      }
+    const Array &v = displacements(x);
+    const Array &r = reactions(x);
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        x.lambda(i) = v.segment(system.first[i], system.n_tangents(i)).norm();
+        x.y(i)      = system.mu(i) * r(system.normal(i));
+      }
+    measure();
+    best = natural;
+  }
+
+
+
+  bool
+  SmoothingIteration::has_cone(const Index i) const
+  {
+    return relation.system().mu(i) > 0 && relation.system().n_tangents(i) > 0;
+  }
+
+
+
+  const SmoothingIteration::Array &
+  SmoothingIteration::displacements(const Point &point) const
+  {
+    return relation.stiffness() ? point.p : point.d;
+  }
+
+
+
+  const SmoothingIteration::Array &
+  SmoothingIteration::reactions(const Point &point) const
+  {
+    return relation.stiffness() ? point.d : point.p;
+  }
+
+
+
+  SmallVector
+  SmoothingIteration::cone_displacement(const Point &point, const Index i) const
+  {
+    const Index nt = relation.system().n_tangents(i);
+    SmallVector result(nt + 1);
+    result << point.lambda(i),
+      displacements(point).segment(relation.system().first[i], nt);
+    return result;
+  }
+
+
+
+  SmallVector
+  SmoothingIteration::cone_reaction(const Point &point, const Index i) const
+  {
+    const Index nt = relation.system().n_tangents(i);
+    SmallVector result(nt + 1);
+    result << point.y(i),
+      reactions(point).segment(relation.system().first[i], nt);
+    return result;
+  }
+
+
+
+  /** y = mu (r_n - eps g) + eps lambda: the first row of M x + q + eps x. */
+  double
+  SmoothingIteration::normal_shift(const Index i) const
+  {
+    return relation.stiffness() ? relation.system().mu(i) * eps : 0.;
+  }
+
+
+
+  SmoothingIteration::Defect
+  SmoothingIteration::defect(const Point &point) const
+  {
+    const ContactSystem &system = relation.system();
+    const Array         &v      = displacements(point);
+    const Array         &r      = reactions(point);
+    Defect               result;
+    result.relation = relation.load() + eps * point.p - point.d;
+    relation.multiply_add(point.p, result.relation);
+    result.y = Array::Zero(system.n_nodes());
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      if (has_cone(i))
+        result.y(i) = system.mu(i) * r(system.normal(i)) +
+                      eps * point.lambda(i) -
+                      normal_shift(i) * v(system.normal(i)) - point.y(i);
+    return result;
+  }
+
+
+
+  double
+  SmoothingIteration::squared_cone_residual(const Point &point,
+                                            const Index  i,
+                                            const double m_now) const
+  {
+    const ContactSystem &system = relation.system();
+    const Array         &v      = displacements(point);
+    const Array         &r      = reactions(point);
+    const Index          first = system.first[i], nt = system.n_tangents(i);
+    const double         g = v(first + nt), z = g - r(first + nt);
+    const double         positive =
+      m_now > 0 ? smoothed_positive_part(z, m_now) : std::max(z, 0.);
+    double result = (g - positive) * (g - positive);
+    if (!has_cone(i))
+      return result + r.segment(first, nt).squaredNorm();
+    const SmallVector xc = cone_displacement(point, i);
+    const SmallVector zc = xc - cone_reaction(point, i);
+    const SmallVector projected =
+      m_now > 0 ? smoothed_projection(zc, m_now).value : project(zc);
+    return result + (xc - projected).squaredNorm();
+  }
+
+
+
+  /** |H|, H the residuals of cones and relation together. */
+  double
+  SmoothingIteration::merit(const Point  &point,
+                            const Defect &residual,
+                            const double  m_now) const
+  {
+    double sum = residual.relation.squaredNorm() + residual.y.squaredNorm();
+    for (Index i = 0; i < relation.system().n_nodes(); ++i)
+      sum += squared_cone_residual(point, i, m_now);
+    return std::sqrt(sum);
+  }
+
+
+
+  void
+  SmoothingIteration::measure()
+  {
+    const double kept = eps;
+    eps               = 0;
+    natural           = merit(x, defect(x), 0);
+    eps               = kept;
+    if (!std::isfinite(natural))
+      natural = std::numeric_limits<double>::infinity();
+  }
+
+
+
+  /** Smallest non-zero |eigenvalue| of x - y over all cones. */
+  double
+  SmoothingIteration::smallest_eigenvalue() const
+  {
+    const ContactSystem &system = relation.system();
+    const Array         &v      = displacements(x);
+    const Array         &r      = reactions(x);
+    double               result = std::numeric_limits<double>::infinity();
+    const auto           take   = [&](const double l) {
+      if (std::abs(l) > 1e-300)
+        result = std::min(result, std::abs(l));
+    };
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index first = system.first[i], nt = system.n_tangents(i);
+        take(v(first + nt) - r(first + nt));
+        if (!has_cone(i))
+          continue;
+        const SmallVector z = cone_displacement(x, i) - cone_reaction(x, i);
+        const Spectrum    s = spectrum(z);
+        take(s.l1);
+        take(s.l2);
+      }
+    return result;
+  }
+
+
+
+  SmoothingIteration::Cone
+  SmoothingIteration::linearize_cone(const Index i) const
+  {
+    // lambda is undetermined at open nodes: its pivot vanishes with m and eps,
+    // and a step along it would blow up.
+    const double             freeze = options.scaled ? 1e-8 : 0.;
+    const SmallVector        xc     = cone_displacement(x, i);
+    const SmoothedProjection projected =
+      smoothed_projection(xc - cone_reaction(x, i), m);
+    Cone cone;
+    cone.phi    = xc - projected.value;
+    cone.C      = projected.complement;
+    cone.D      = projected.derivative;
+    cone.pivot  = cone.C(0, 0) + eps * cone.D(0, 0);
+    cone.frozen = cone.pivot < freeze;
+    return cone;
+  }
+
+
+
+  /**
+   * C (dlambda, dv_t) + D (dy, dr_t) = -phi without its first row, from which
+   * dlambda follows, and with dy = mu dr_n - shift dg + eps dlambda + defect.
+   */
+  SmoothingIteration::Law
+  SmoothingIteration::law_of(const Index  i,
+                             const Cone  &cone,
+                             const double y_defect) const
+  {
+    const ContactSystem &system = relation.system();
+    const Array         &v = displacements(x), &r = reactions(x);
+    const Index          first = system.first[i], nt = system.n_tangents(i);
+    Law                  law{SmallMatrix::Zero(nt + 1, nt + 1),
+            SmallMatrix::Zero(nt + 1, nt + 1),
+            SmallVector(nt + 1)};
+
+    const double             z = v(first + nt) - r(first + nt);
+    const SmoothedProjection n =
+      smoothed_projection(SmallVector::Constant(1, z), m);
+    law.A(nt, nt) = n.complement(0, 0);
+    law.B(nt, nt) = n.derivative(0, 0);
+    law.h(nt)     = n.value(0) - v(first + nt);
+    if (!has_cone(i))
+      {
+        law.B.topLeftCorner(nt, nt).setIdentity();
+        law.h.head(nt) = -r.segment(first, nt);
+        return law;
+      }
+
+    const SmallMatrix &C = cone.C, &D = cone.D;
+    SmallVector        q = SmallVector::Zero(nt);
+    if (!cone.frozen)
+      q = (C.col(0).tail(nt) + eps * D.col(0).tail(nt)) / cone.pivot;
+    const SmallVector w = D.col(0).tail(nt) - q * D(0, 0);
+    law.A.topLeftCorner(nt, nt) =
+      C.bottomRightCorner(nt, nt) - q * C.topRightCorner(1, nt);
+    law.B.topLeftCorner(nt, nt) =
+      D.bottomRightCorner(nt, nt) - q * D.topRightCorner(1, nt);
+    law.A.topRightCorner(nt, 1) = -normal_shift(i) * w;
+    law.B.topRightCorner(nt, 1) = system.mu(i) * w;
+    law.h.head(nt) = -cone.phi.tail(nt) + q * cone.phi(0) - w * y_defect;
+    return law;
+  }
+
+
+
+  /** Completes a direction by what was eliminated: lambda and y. */
+  void
+  SmoothingIteration::recover(const std::vector<Cone> &cones,
+                              const Defect            &residual,
+                              Point                   &delta) const
+  {
+    const ContactSystem &system = relation.system();
+    const Array         &v = displacements(delta), &r = reactions(delta);
+    delta.lambda = Array::Zero(system.n_nodes());
+    delta.y      = Array::Zero(system.n_nodes());
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        if (!has_cone(i))
+          continue;
+        const Cone  &cone  = cones[at(i)];
+        const Index  first = system.first[i], nt = system.n_tangents(i);
+        const double y = system.mu(i) * r(first + nt) -
+                         normal_shift(i) * v(first + nt) + residual.y(i);
+        if (!cone.frozen)
+          delta.lambda(i) =
+            -(cone.phi(0) + cone.C.row(0).tail(nt).dot(v.segment(first, nt)) +
+              cone.D(0, 0) * y +
+              cone.D.row(0).tail(nt).dot(r.segment(first, nt))) /
+            cone.pivot;
+        delta.y(i) = y + eps * delta.lambda(i);
+      }
+  }
+
+
+
+  bool
+  SmoothingIteration::direction(const Defect &residual, Point &delta)
+  {
+    const Index          n = relation.system().n_nodes();
+    std::vector<NodeLaw> laws(at(n));
+    std::vector<Cone>    cones(at(n));
+    for (Index i = 0; i < n; ++i)
+      {
+        if (has_cone(i))
+          cones[at(i)] = linearize_cone(i);
+        const Law law = law_of(i, cones[at(i)], residual.y(i));
+        NodeLaw  &out = laws[at(i)];
+        out.p         = relation.stiffness() ? law.A : law.B;
+        out.d         = relation.stiffness() ? law.B : law.A;
+        out.h         = law.h;
+        out.p += eps * out.d;
+      }
+    if (!newton.solve(relation, laws, residual.relation, 1e-5, delta.p))
+      return false;
+    ++iterations;
+    delta.d = residual.relation + eps * delta.p;
+    relation.multiply_add(delta.p, delta.d);
+    recover(cones, residual, delta);
+    return delta.p.allFinite() && delta.d.allFinite() &&
+           delta.lambda.allFinite();
+  }
+
+
+
+  /** One Newton step: the full one if it is good enough, else Armijo. */
+  bool
+  SmoothingIteration::step()
+  {
+    const Defect residual = defect(x);
+    const double start    = merit(x, residual, m);
+    Point        delta;
+    if (!direction(residual, delta))
+      {
+        why = "singular tangent";
+        return false;
+      }
+
+    double tau = 1;
+    for (int cuts = 0;; ++cuts, tau *= options.rho)
+      {
+        Point trial = x;
+        trial.lambda += tau * delta.lambda;
+        trial.y += tau * delta.y;
+        trial.p += tau * delta.p;
+        trial.d += tau * delta.d;
+        const Defect left{(1 - tau) * residual.relation,
+                          (1 - tau) * residual.y};
+        const double value = merit(trial, left, m);
+        const bool   good =
+          (cuts == 0 && value <= beta) ||
+          value * value <= (1 - 2 * options.sigma * tau) * start * start;
+        if (!good && cuts < 30)
+          continue;
+        if (!good)
+          {
+            why = "no descent in the line search";
+            return false;
+          }
+        x      = trial;
+        inside = value > beta;
+        return true;
+      }
+  }
+
+
+
+  /** The next m, eps and beta. */
+  void
+  SmoothingIteration::shrink()
+  {
+    ++outer;
+    const double k   = static_cast<double>(outer);
+    const double h   = natural;
+    double       bar = std::numeric_limits<double>::infinity();
+    if (options.kappahat * h < 1)
+      bar = .5 * smallest_eigenvalue() * std::sqrt(options.kappahat * h);
+    const double power = std::pow(options.etabar, k);
+    m    = std::min({options.kappa * h * h, options.m0 * power, bar});
+    eps  = std::min(options.kappa * h * h, options.eps0 * power);
+    beta = options.beta0 * std::pow(options.eta, k);
+    m    = std::max(m, options.scaled ? 1e-14 : 1e-16);
+    eps  = std::max(eps, options.scaled ? 1e-13 : 0.);
+  }
+
+
+
+  bool
+  SmoothingIteration::advance(const double target)
+  {
+    while (natural > target)
+      {
+        if (iterations >= static_cast<unsigned int>(options.max_iterations) ||
+            stalls > 30 || !std::isfinite(natural))
+          {
+            std::ostringstream text;
+            text.precision(2);
+            text << "residual stalled at " << natural;
+            why = text.str();
+            return false;
+          }
+        if (!step())
+          return false;
+        measure();
+        stalls = natural < .9 * best ? 0 : stalls + 1;
+        best   = std::min(best, natural);
+        if (!inside)
+          shrink();
+      }
+    return true;
+  }
+
+
+
+  void
+  SmoothingIteration::get(ContactState &state) const
+  {
+    relation.from_scaled(x.p, x.d, state);
+  }
+} // namespace conetact
