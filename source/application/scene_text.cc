@@ -50,6 +50,12 @@ namespace conetact
       return true;
     }
 
+    std::string
+    without_comment(const std::string &line)
+    {
+      return trim(line.substr(0, line.find('#')));
+    }
+
     std::vector<Line>
     read_lines(const std::string &text)
     {
@@ -59,8 +65,16 @@ namespace conetact
       for (std::string raw; std::getline(stream, raw);)
         {
           Line line;
-          line.text = trim(raw.substr(0, raw.find('#')));
-          line.path = path;
+          line.text           = without_comment(raw);
+          line.path           = path;
+          std::size_t n_lines = 1; // one that ends with a backslash goes on
+          while (!line.text.empty() && line.text.back() == '\\')
+            {
+              line.text.pop_back();
+              ++n_lines;
+              if (std::getline(stream, raw))
+                line.text = trim(line.text) + " " + without_comment(raw);
+            }
           if (starts_with(line.text, "set", line.name))
             {
               line.kind = Line::Kind::set;
@@ -80,6 +94,7 @@ namespace conetact
           else if (!line.text.empty())
             line.kind = Line::Kind::unknown;
           lines.push_back(std::move(line));
+          lines.resize(lines.size() + n_lines - 1);
         }
       return lines;
     }
@@ -243,6 +258,10 @@ namespace conetact
         return "'" + line.text +
                "' ends no subsection. Remove it, or add "
                "the line 'subsection NAME' before.";
+      std::string file;
+      if (starts_with(line.text, "include", file))
+        return "the file '" + file + "' cannot be included. Check its name; " +
+               "it is searched for in the folder of the run.";
       return "'" + line.text + "' is not understood. Write 'set Entry = " +
              "value', 'subsection NAME' or 'end'.";
     }
@@ -301,7 +320,8 @@ namespace conetact
         const std::vector<Line> lines   = read_lines(text);
         const std::string       message = message_of(error);
         const std::size_t       number  = line_number(message);
-        if (number > 0 && number <= lines.size())
+        const bool here = message.find("of file <" + file) != message.npos;
+        if (here && number > 0 && number <= lines.size())
           throw InputError(file + ", line " + std::to_string(number) + ": " +
                            sentence(prm, lines[number - 1], message));
         if (message.find("unequal numbers of 'subsection'") != message.npos)

@@ -16,6 +16,12 @@ namespace conetact
     using Eigen::Index;
     using Eigen::VectorXd;
 
+    /**
+     * Weight of the residual over the data alone: at a tolerance of 1e-10 they
+     * may be violated by 1e-6 of themselves.
+     */
+    constexpr double runaway = 1e-4;
+
     double
     largest(const VectorXd &x)
     {
@@ -78,7 +84,12 @@ namespace conetact
     if (!state.v.allFinite() || !state.r.allFinite())
       return std::numeric_limits<double>::infinity();
 
-    const double rho   = reference_stiffness(system);
+    const double rho = reference_stiffness(system);
+    const double data =
+      std::max({system.form == Form::stiffness ? problem.load.norm() :
+                                                 rho * problem.load.norm(),
+                rho * problem.gap.norm(),
+                problem.reference_force});
     const double scale = std::max({state.r.norm(),
                                    rho * state.v.norm(),
                                    rho * problem.gap.norm(),
@@ -88,7 +99,9 @@ namespace conetact
                relation_residual(problem, state, rho).norm());
     if (error == 0)
       return 0;
-    const double result = error / scale;
+    double result = error / scale;
+    if (data > 0)
+      result = std::max(result, runaway * error / data);
     return std::isfinite(result) ? result :
                                    std::numeric_limits<double>::infinity();
   }

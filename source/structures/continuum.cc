@@ -33,6 +33,16 @@ namespace conetact
           f[dim * nodes[v] + c] += shape[v] * value[c];
     }
 
+    template <int dim>
+    Eigen::VectorXd
+    nodal_values(const ContinuumMesh<dim> &mesh, const ScalarField &field)
+    {
+      Eigen::VectorXd values(static_cast<Eigen::Index>(mesh.nodes.size()));
+      for (Eigen::Index i = 0; i < values.size(); ++i)
+        values[i] = field(to_space(mesh.nodes[static_cast<std::size_t>(i)]));
+      return values;
+    }
+
     /** Calls back for each face that has one of the ids. */
     template <int dim, class Visitor>
     void
@@ -272,12 +282,46 @@ namespace conetact
 
 
   template <int dim>
+  bool
+  Continuum<dim>::expands() const
+  {
+    return material.expansion != 0;
+  }
+
+  template <int dim>
+  void
+  Continuum<dim>::add_temperature(const ScalarField &change,
+                                  Eigen::VectorXd   &f) const
+  {
+    using Element = ElementFormulation<dim>;
+    const Eigen::VectorXd unit =
+      thickness * material.elasticity(dim) * material.thermal_strain(dim);
+    const Eigen::VectorXd at_nodes = nodal_values(mesh, change);
+    for (const auto &cell : mesh.cells)
+      {
+        typename Element::Strains stresses;
+        for (int v = 0; v < Element::n_vertices; ++v)
+          stresses.col(v) = at_nodes[cell[v]] * unit;
+        const typename Element::Displacements forces =
+          element->forces(mesh.vertices(cell), stresses);
+        for (int i = 0; i < Element::n_dofs; ++i)
+          f[dim * cell[i / dim] + i % dim] += forces[i];
+      }
+  }
+
+  template <int dim>
   void
   Continuum<dim>::write_graphics(const Eigen::VectorXd       &u,
+                                 const Actions               &actions,
                                  const double                 time,
                                  const std::filesystem::path &file) const
   {
-    write_continuum(mesh, *element, material, u, time, file);
+    Eigen::VectorXd temperature =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
+    for (const Action &action : actions)
+      if (action.kind == Action::Kind::temperature)
+        temperature += nodal_values(mesh, action.temperature);
+    write_continuum(mesh, *element, material, u, temperature, time, file);
   }
 
   template <int dim>

@@ -51,6 +51,9 @@ namespace conetact
         for (unsigned int q = 0; q < gauss.size(); ++q)
           {
             at_points.push_back(unit_gradients(gauss.point(q)));
+            for (unsigned int v = 0; v < Base::n_vertices; ++v)
+              shapes(v, q) =
+                GeometryInfo<dim>::d_linear_shape_function(gauss.point(q), v);
             weights.push_back(gauss.weight(q));
           }
         for (unsigned int v = 0; v < Base::n_vertices; ++v)
@@ -74,6 +77,20 @@ namespace conetact
         return k;
       }
 
+      Displacements
+      forces(const Vertices &vertices, const Strains &stresses) const override
+      {
+        Displacements f = Displacements::Zero();
+        StrainMatrix  b;
+        for (unsigned int q = 0; q < at_points.size(); ++q)
+          {
+            const double w =
+              weights[q] * strain_matrix(at_points[q], vertices, b);
+            f += b.transpose() * (w * (stresses * shapes.col(q)));
+          }
+        return f;
+      }
+
       Strains
       strains(const Vertices &vertices, const Displacements &u) const override
       {
@@ -88,9 +105,10 @@ namespace conetact
       }
 
     private:
-      std::vector<Gradients<dim>>                  at_points;
-      std::vector<double>                          weights;
-      std::array<Gradients<dim>, Base::n_vertices> at_vertices;
+      std::vector<Gradients<dim>>                               at_points;
+      std::vector<double>                                       weights;
+      Eigen::Matrix<double, Base::n_vertices, Base::n_vertices> shapes;
+      std::array<Gradients<dim>, Base::n_vertices>              at_vertices;
 
       /** Strains over displacements; returns the Jacobian's determinant. */
       static double

@@ -82,10 +82,12 @@ namespace conetact
     averaged_stresses(const ContinuumMesh<dim>      &mesh,
                       const ElementFormulation<dim> &element,
                       const ElasticMaterial         &material,
-                      const Eigen::VectorXd         &u)
+                      const Eigen::VectorXd         &u,
+                      const Eigen::VectorXd         &temperature)
     {
-      using Element                        = ElementFormulation<dim>;
-      const typename Element::Elasticity c = material.elasticity(dim);
+      using Element                              = ElementFormulation<dim>;
+      const typename Element::Elasticity c       = material.elasticity(dim);
+      const Eigen::VectorXd              thermal = material.thermal_strain(dim);
       const auto      n_nodes = static_cast<Eigen::Index>(mesh.nodes.size());
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Element::n_strains, n_nodes);
       Eigen::VectorXd n_cells = Eigen::VectorXd::Zero(n_nodes);
@@ -95,8 +97,11 @@ namespace conetact
           for (int v = 0; v < Element::n_vertices; ++v)
             u_cell.template segment<dim>(dim * v) =
               u.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
-          const typename Element::Strains stresses =
-            c * element.strains(mesh.vertices(cell), u_cell);
+          typename Element::Strains strains =
+            element.strains(mesh.vertices(cell), u_cell);
+          for (int v = 0; v < Element::n_vertices; ++v)
+            strains.col(v) -= temperature[cell[v]] * thermal;
+          const typename Element::Strains stresses = c * strains;
           for (int v = 0; v < Element::n_vertices; ++v)
             {
               sum.col(cell[v]) += stresses.col(v);
@@ -117,13 +122,15 @@ namespace conetact
     }
 
     Eigen::Matrix3d
-    tensor(const Eigen::VectorXd &s, const ElasticMaterial &material)
+    tensor(const Eigen::VectorXd &s,
+           const double           temperature,
+           const ElasticMaterial &material)
     {
       Eigen::Matrix3d t = Eigen::Matrix3d::Zero();
       if (s.size() == 3)
         {
           t.diagonal() << s[0], s[1],
-            material.out_of_plane_ratio() * (s[0] + s[1]);
+            material.out_of_plane_stress(s[0] + s[1], temperature);
           t(0, 1) = t(1, 0) = s[2];
         }
       else
@@ -151,16 +158,18 @@ namespace conetact
                   const ElementFormulation<dim> &element,
                   const ElasticMaterial         &material,
                   const Eigen::VectorXd         &u,
+                  const Eigen::VectorXd         &temperature,
                   const double                   time,
                   const std::filesystem::path   &file)
   {
     const Eigen::MatrixXd stresses =
-      averaged_stresses(mesh, element, material, u);
+      averaged_stresses(mesh, element, material, u, temperature);
     NodalFields fields = NodalFields::Zero(stresses.cols(), n_fields);
     for (Eigen::Index i = 0; i < fields.rows(); ++i)
       {
         fields.row(i).template head<dim>() = u.segment<dim>(dim * i);
-        const Eigen::Matrix3d stress       = tensor(stresses.col(i), material);
+        const Eigen::Matrix3d stress =
+          tensor(stresses.col(i), temperature[i], material);
         fields.row(i).segment<9>(3) =
           Eigen::Map<const Eigen::Matrix<double, 1, 9>>(stress.data());
         fields(i, 12) = von_mises(stress);
@@ -180,12 +189,14 @@ namespace conetact
                      const ElementFormulation<2> &,
                      const ElasticMaterial &,
                      const Eigen::VectorXd &,
+                     const Eigen::VectorXd &,
                      const double,
                      const std::filesystem::path &);
   template void
   write_continuum<3>(const ContinuumMesh<3> &,
                      const ElementFormulation<3> &,
                      const ElasticMaterial &,
+                     const Eigen::VectorXd &,
                      const Eigen::VectorXd &,
                      const double,
                      const std::filesystem::path &);

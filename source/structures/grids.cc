@@ -175,7 +175,7 @@ namespace conetact
     void
     tag(Triangulation<dim> &mesh, const MeshParameters &parameters)
     {
-      for (const MeshParameters::Tag &tag : parameters.tags)
+      for (const BoundaryTag &tag : parameters.tags)
         {
           bool found = false;
           for (const auto &face : mesh.active_face_iterators())

@@ -53,10 +53,24 @@ namespace conetact
     return c;
   }
 
-  double
-  ElasticMaterial::out_of_plane_ratio() const
+  Eigen::VectorXd
+  ElasticMaterial::thermal_strain(const unsigned int dim) const
   {
-    return plane == Plane::strain ? poisson_ratio : 0;
+    const auto      n      = static_cast<Eigen::Index>(dim);
+    const bool      held   = dim == 2 && plane == Plane::strain;
+    Eigen::VectorXd strain = Eigen::VectorXd::Zero(n * (n + 1) / 2);
+    strain.head(n).setConstant(held ? (1 + poisson_ratio) * expansion :
+                                      expansion);
+    return strain;
+  }
+
+  double
+  ElasticMaterial::out_of_plane_stress(const double sum,
+                                       const double temperature) const
+  {
+    return plane == Plane::strain ?
+             poisson_ratio * sum - young_modulus * expansion * temperature :
+             0;
   }
 
   void
@@ -85,6 +99,11 @@ namespace conetact
                       "2D only: extent of the body along z, above 0. All "
                       "forces of the body are those on this thickness. "
                       "[length]");
+    prm.declare_entry("Expansion coefficient",
+                      "0",
+                      Patterns::Anything(),
+                      "Thermal expansion alpha: strain of a change of "
+                      "temperature by 1 K where nothing resists. [1/K]");
     prm.leave_subsection();
   }
 
@@ -102,6 +121,8 @@ namespace conetact
                            ElasticMaterial::Plane::strain :
                            ElasticMaterial::Plane::stress;
     material.thickness = to_number(prm.get("Thickness"), where + "Thickness");
+    material.expansion = to_number(prm.get("Expansion coefficient"),
+                                   where + "Expansion coefficient");
     prm.leave_subsection();
     check(material, where);
     return material;

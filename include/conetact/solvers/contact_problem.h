@@ -131,7 +131,9 @@ namespace conetact
    *         \max(|r|, \rho |v|, \rho |g_0|, f_{ref}) , @f]
    * or the residual of the linear relation over the same scale, whichever is
    * larger. P_C projects on the friction cones. Zero for the zero solution of
-   * a problem without load.
+   * a problem without load. Where v or r run away along a null space, as they
+   * do if there is no solution, they would hide any error behind their size:
+   * 1e-4 of the error over the data (load, gaps, f_ref) is a lower bound.
    */
   double
   contact_residual(const ContactProblem &problem, const ContactState &state);

@@ -66,8 +66,17 @@ namespace conetact
                   const SurfaceTensorField &stiffness,
                   const ElementVisitor     &visit) const override;
 
+    bool
+    expands() const override;
+    /** The temperature is taken at the nodes and d-linear between them. */
+    void
+    add_temperature(const ScalarField &change,
+                    Eigen::VectorXd   &f) const override;
+
+    using Structure::write_graphics;
     void
     write_graphics(const Eigen::VectorXd       &u,
+                   const Actions               &actions,
                    const double                 time,
                    const std::filesystem::path &file) const override;
     std::string

@@ -41,6 +41,12 @@ namespace conetact
     /** Exactly symmetric. */
     virtual Matrix
     stiffness(const Vertices &vertices, const Elasticity &c) const = 0;
+    /**
+     * Nodal forces @f$\int B^T \sigma\,dx@f$ of stresses that are given at the
+     * vertices and d-linear between them.
+     */
+    virtual Displacements
+    forces(const Vertices &vertices, const Strains &stresses) const = 0;
     /** At the vertices, as this cell sees them. */
     virtual Strains
     strains(const Vertices &vertices, const Displacements &u) const = 0;

@@ -28,6 +28,7 @@ namespace conetact
     double poisson_ratio = .3;            ///< nu
     Plane  plane         = Plane::strain; ///< 2D only
     double thickness     = 1;             ///< 2D only [length]
+    double expansion     = 0;             ///< alpha [1/K]
 
     /**
      * Elasticity matrix of stresses over strains in the order xx, yy, xy (2D,
@@ -37,9 +38,16 @@ namespace conetact
     Eigen::MatrixXd
     elasticity(const unsigned int dim) const;
 
-    /** sigma_zz / (sigma_xx + sigma_yy) of a 2D body. */
+    /**
+     * Strain that 1 K causes where nothing resists, in that order; in plane
+     * strain that of a body held along z, (1 + nu) alpha.
+     */
+    Eigen::VectorXd
+    thermal_strain(const unsigned int dim) const;
+
+    /** sigma_zz of a 2D body from sigma_xx + sigma_yy and temperature. */
     double
-    out_of_plane_ratio() const;
+    out_of_plane_stress(const double sum, const double temperature) const;
   };
 
   /** Entries of `subsection Material`, in the body's subsection. */

@@ -4,11 +4,10 @@
 #ifndef conetact_structures_mesh_parameters_h
 #define conetact_structures_mesh_parameters_h
 
-#include "conetact/base/expression.h"
+#include "conetact/structures/placement.h"
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
 
 #include <filesystem>
 #include <string>
@@ -25,29 +24,19 @@ namespace conetact
       dealii::Point<3> lower, upper; ///< in the scene's coordinates
       unsigned int     levels;
     };
-    /** Faces whose centre satisfies the condition get the id. */
-    struct Tag
-    {
-      unsigned int id;
-      std::string  text;
-      Expression   condition;
-    };
-
-    std::string           where; ///< for messages: "Body 'block', Mesh/"
-    std::string           generator, arguments;
-    std::filesystem::path file; ///< empty: generated
-    unsigned int          global_refinements = 0;
-    std::vector<Box>      boxes;
-    double                scale = 1;
-    dealii::Tensor<2, 3>  rotation; ///< orthogonal matrix
-    dealii::Tensor<1, 3>  translation;
-    std::vector<Tag>      tags;
+    std::string              where; ///< for messages: "Body 'block', Mesh/"
+    std::string              generator, arguments;
+    std::filesystem::path    file; ///< empty: generated
+    unsigned int             global_refinements = 0;
+    std::vector<Box>         boxes;
+    Placement                placement;
+    std::vector<BoundaryTag> tags; ///< of faces, by their centres
 
     /** A point of the mesh as generated or read, scaled, rotated, moved. */
     dealii::Point<3>
     to_scene(const dealii::Point<3> &p) const
     {
-      return dealii::Point<3>(rotation * (scale * p) + translation);
+      return placement.to_scene(p);
     }
   };
 

@@ -55,6 +55,8 @@ namespace conetact
     std::vector<std::pair<unsigned int, double>> masters;
   };
 
+  /** A scalar field of position [units as its user says]. */
+  using ScalarField = std::function<double(const Point<3> &)>;
   /** A vector field of position [units as its user says]. */
   using VectorField = std::function<Tensor<1, 3>(const Point<3> &)>;
   /** A vector field on a surface: of position and outward unit normal. */
@@ -63,6 +65,28 @@ namespace conetact
   /** A second-order field on a surface, such as a stiffness per area. */
   using SurfaceTensorField =
     std::function<Tensor<2, 3>(const Point<3> &, const Tensor<1, 3> &)>;
+
+  /**
+   * What acts inside a body at one time, as far as its stresses depend on more
+   * than its displacements: nodal forces alone do not tell.
+   */
+  struct Action
+  {
+    enum class Kind
+    {
+      traction,    ///< [force/area] on boundary ids
+      body_force,  ///< [force/volume]
+      line_load,   ///< [force/length] on the members of boundary ids
+      point_force, ///< [force] at a point
+      temperature  ///< change of temperature [K]
+    };
+    Kind         kind;
+    BoundaryIds  ids;         ///< traction, line load
+    Point<3>     point;       ///< point force
+    SurfaceField force;       ///< all but temperature
+    ScalarField  temperature; ///< temperature
+  };
+  using Actions = std::vector<Action>;
 
   /**
    * Called for each element with the `n` numbers of its dofs and its symmetric
@@ -104,6 +128,22 @@ namespace conetact
     virtual const std::vector<HangingNode> &
     hanging_nodes() const = 0;
 
+    /**
+     * False for a dof that no element touches, such as the rotation of a node
+     * where only hinges meet: it takes no part in equilibrium and stays zero.
+     */
+    virtual bool
+    has_dof(const unsigned int /*node*/, const unsigned int /*component*/) const
+    {
+      return true;
+    }
+    /** Why a node may move freely, as a hint to the user; empty: no idea. */
+    virtual std::string
+    weakness(const unsigned int /*node*/) const
+    {
+      return {};
+    }
+
     /** All elements, in an order that is the same each time. */
     virtual void
     for_each_element(const ElementVisitor &visit) const = 0;
@@ -131,6 +171,26 @@ namespace conetact
                     const Tensor<1, 3> &force,
                     Eigen::VectorXd    &f) const = 0;
     /**
+     * Adds the nodal forces of a load per length [force/length] on the members
+     * of a frame. False if the boundary ids have no members.
+     */
+    virtual bool
+    add_line_load(const BoundaryIds & /*ids*/,
+                  const SurfaceField & /*load*/,
+                  Eigen::VectorXd & /*f*/) const
+    {
+      return false;
+    }
+    /** Whether the material expands with temperature. */
+    virtual bool
+    expands() const = 0;
+    /**
+     * Adds the nodal forces of a change of temperature [K],
+     * @f$\int B^T C \varepsilon_T\,dx@f$.
+     */
+    virtual void
+    add_temperature(const ScalarField &change, Eigen::VectorXd &f) const = 0;
+    /**
      * Elements of a foundation on a surface: springs of stiffness
      * [force/length/area] between the body and fixed ground.
      */
@@ -140,13 +200,23 @@ namespace conetact
                   const ElementVisitor     &visit) const = 0;
 
     /**
-     * Writes displacement, stress and von Mises stress of the displacements u
-     * (all dofs) to a VTU file. Throws WriteError.
+     * Writes displacement and stresses or section forces of the displacements
+     * u (all dofs), with `actions` at work, to a VTU file. Throws WriteError.
      */
     virtual void
     write_graphics(const Eigen::VectorXd       &u,
+                   const Actions               &actions,
                    const double                 time,
                    const std::filesystem::path &file) const = 0;
+
+    /** The same with nothing at work inside the body. */
+    void
+    write_graphics(const Eigen::VectorXd       &u,
+                   const double                 time,
+                   const std::filesystem::path &file) const
+    {
+      write_graphics(u, {}, time, file);
+    }
 
     /** For log and dry run: "2500 cells Q1, 2601 nodes". */
     virtual std::string
