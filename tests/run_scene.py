@@ -14,6 +14,7 @@ scene and checks the bounds. The head of a scene may say
   # expect error: exit=1 part of the message
   # compare: tolerance=1e-6 bound=1e-8     (defaults 1e-8 and 1e-10)
   # arguments: -s Section/Entry=value
+  # scene: ../../parameter-files/NAME.prm      (run that one instead)
 """
 import csv
 import itertools
@@ -132,6 +133,7 @@ def run_scene(program, folder, scene, mode):
     expect = re.search(r"^# expect error: exit=(\d+) (.*\S)", head, re.M)
     options = dict(re.findall(r"(\w+)=(\S+)", (re.search(r"^# compare: (.*)", head, re.M) or [""])[0]))
     arguments = shlex.split((re.search(r"^# arguments: (.*)", head, re.M) or ["", ""])[1])
+    other = re.search(r"^# scene: (\S+)", head, re.M)
     if expect and mode == "--refresh":
         return []
 
@@ -139,7 +141,8 @@ def run_scene(program, folder, scene, mode):
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     result, golden = work / "result", scene.with_suffix(".table")
-    run = subprocess.run([program, scene, "-o", result, "--quiet", *arguments], cwd=work,
+    file = (scene.parent / other[1]).resolve() if other else scene
+    run = subprocess.run([program, file, "-o", result, "--quiet", *arguments], cwd=work,
                          stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
     print(run.stdout + run.stderr, end="")
     left = [p.name for p in work.iterdir() if p != result]

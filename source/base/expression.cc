@@ -35,8 +35,11 @@ namespace conetact
          const std::string &text,
          const std::string &why)
     {
+      const std::string reason =
+        !why.empty() && why.back() == '.' ? why.substr(0, why.size() - 1) : why;
       throw InputError(entry + ": '" + text + "' is not an expression in " +
-                       "x, y, z, t (" + why + "). Check names, brackets and " +
+                       "x, y, z, t (" + reason +
+                       "). Check names, brackets and " +
                        "operators; powers are written x^2.");
     }
   } // namespace
