@@ -191,7 +191,7 @@ namespace conetact
         if (!one.converged)
           {
             report.reason = one.reason;
-            size /= 2;
+            size /= 4;
             if (size < smallest)
               break;
             continue;

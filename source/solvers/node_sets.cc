@@ -235,8 +235,8 @@ namespace conetact
         z(nt) = zn;
         sum += (r - z).squaredNorm();
       }
-    const double scale = std::max(p.norm(), d.norm());
-    return sum > 0 ? std::sqrt(sum) / scale : sum;
+    // The largest force of the problem or its history is 1.
+    return std::sqrt(sum) / std::max({p.norm(), d.norm(), 1.});
   }
 
 

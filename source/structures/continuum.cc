@@ -283,13 +283,6 @@ namespace conetact
 
   template <int dim>
   bool
-  Continuum<dim>::expands() const
-  {
-    return material.expansion != 0;
-  }
-
-  template <int dim>
-  void
   Continuum<dim>::add_temperature(const ScalarField &change,
                                   Eigen::VectorXd   &f) const
   {
@@ -307,6 +300,7 @@ namespace conetact
         for (int i = 0; i < Element::n_dofs; ++i)
           f[dim * cell[i / dim] + i % dim] += forces[i];
       }
+    return material.expansion != 0;
   }
 
   template <int dim>

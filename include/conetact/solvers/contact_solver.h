@@ -58,7 +58,10 @@ namespace conetact
      * Start of the increment in, end of the increment out (see ContactState).
      * A failure is a report, not an exception; the state is then of no use.
      * The report's residual is contact_residual() of the returned state, and
-     * `converged` is never set where it exceeds the tolerance.
+     * `converged` is never set where it exceeds the tolerance. Where the
+     * increment was cut into parts (`substeps` > 1) it is the largest of the
+     * parts: the slip is then the sum of theirs, and only the states and
+     * reactions are those of the last.
      */
     virtual SolverReport
     solve(const ContactProblem &problem, ContactState &state) = 0;

@@ -42,7 +42,7 @@ namespace conetact
                   const Eigen::VectorXd &p,
                   const Eigen::VectorXd &d);
 
-  /** Norm of r - P(z) over the larger of |p| and |d|. */
+  /** Norm of r - P(z) over the largest of |p|, |d| and 1. */
   double
   law_residual(const LinearRelation  &relation,
                const Eigen::VectorXd &p,

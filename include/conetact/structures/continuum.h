@@ -66,10 +66,8 @@ namespace conetact
                   const SurfaceTensorField &stiffness,
                   const ElementVisitor     &visit) const override;
 
-    bool
-    expands() const override;
     /** The temperature is taken at the nodes and d-linear between them. */
-    void
+    bool
     add_temperature(const ScalarField &change,
                     Eigen::VectorXd   &f) const override;
 

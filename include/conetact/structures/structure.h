@@ -181,15 +181,16 @@ namespace conetact
     {
       return false;
     }
-    /** Whether the material expands with temperature. */
-    virtual bool
-    expands() const = 0;
     /**
      * Adds the nodal forces of a change of temperature [K],
-     * @f$\int B^T C \varepsilon_T\,dx@f$.
+     * @f$\int B^T C \varepsilon_T\,dx@f$. False if nothing expands.
      */
-    virtual void
-    add_temperature(const ScalarField &change, Eigen::VectorXd &f) const = 0;
+    virtual bool
+    add_temperature(const ScalarField & /*change*/,
+                    Eigen::VectorXd & /*f*/) const
+    {
+      return false;
+    }
     /**
      * Elements of a foundation on a surface: springs of stiffness
      * [force/length/area] between the body and fixed ground.

@@ -3,8 +3,8 @@
 
 // What a run leaves on disk: columns, numbers, whole files at every moment.
 
-#include "conetact/base/errors.h"
 #include "conetact/base/atomic_file.h"
+#include "conetact/base/errors.h"
 #include "conetact/output/csv.h"
 #include "conetact/output/output.h"
 #include "conetact/output/progress.h"
@@ -122,6 +122,7 @@ namespace
     {}
     void
     write_graphics(const Eigen::VectorXd &u,
+                   const Actions &,
                    const double,
                    const fs::path &file) const override
     {
