@@ -5,10 +5,10 @@
 #include "conetact/application/command_line.h"
 #include "conetact/application/log.h"
 #include "conetact/application/scene.h"
+#include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
-#include "conetact/base/atomic_file.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -58,7 +58,7 @@ namespace
   void
   run(const CommandLine &line)
   {
-    Log   log(line.quiet);
+    Log   log(line.quiet, line.dry_run);
     Scene scene(line);
     if (line.print_parameters)
       {

@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compares a finished run with the tables of tests/reference to 1e-8.
 
-usage: compare_reference.py 5.1|5.2 FOLDER
+usage: compare_reference.py EXAMPLE FOLDER
 
-5.1 is square-greco.prm, 5.2 is inclined-obstacle.prm: Examples 5.1 and 5.2 of
-Kanno, Martins and Pinto da Costa (2004). Each column is compared relative to
-its largest value, states exactly.
+Examples of Kanno, Martins and Pinto da Costa (2004): 5.1 is square-greco.prm, 5.2
+inclined-obstacle.prm, 5.3-04 to 5.3-12 are double-layer-grid-04.prm to -12.prm, 5.4
+is double-layer-grid-unloading.prm. Each column is compared relative to its
+largest value, states exactly.
 """
 import csv
 import sys
@@ -28,18 +29,18 @@ def read_run(folder):
     for row in read(folder / "reactions.csv"):
         increments.setdefault(int(row["increment"]), []).append(row)
     for rows in increments.values():
-        rows.sort(key=lambda row: float(row["x"]))
+        rows.sort(key=lambda row: (round(float(row["y"]), 6), float(row["x"])))
     return increments
 
 
-def state(row):
+def letters(row):
     """The letters of the reference: t points along +x, so s+ slips to the right."""
     if row["state"] == "slip":
         return "s+" if float(row["du_t1"]) > 0 else "s-"
     return {"open": "o", "stick": "b"}[row["state"]]
 
 
-def compare(rows, reference, columns):
+def compare(rows, reference, columns, state=letters):
     """`columns`: name in the reference -> function of a row of the run."""
     if len(rows) != len(reference):
         return [f"{len(rows)} rows instead of {len(reference)}"]
@@ -48,9 +49,10 @@ def compare(rows, reference, columns):
         old, new = [float(r[name]) for r in reference], [value(r) for r in rows]
         largest = max(map(abs, old))
         error = max(abs(a - b) if a - b == a - b else float("inf") for a, b in zip(old, new))
-        print(f"  {name}: largest {largest:.6g}, error {error / largest:.2g}")
-        if not error <= TOLERANCE * largest:
-            faults.append(f"{name} differs by {error / largest:.3g} of its largest value")
+        error /= largest or 1
+        print(f"  {name}: largest {largest:.6g}, error {error:.2g}")
+        if not error <= TOLERANCE:
+            faults.append(f"{name} differs by {error:.3g} of its largest value")
     for row, other in zip(rows, reference):
         if state(row) != other["state"]:
             faults.append(f"node at x = {row['x']}: state {state(row)} instead of {other['state']}")
@@ -74,7 +76,7 @@ def example_5_1(run):
 
 
 def count_states(rows):
-    states = [state(row) for row in rows]
+    states = [letters(row) for row in rows]
     first = next((i + 1 for i, s in enumerate(states) if s != "o"), 0)
     return [states.count("b"), states.count("s-"), states.count("s+"), states.count("o"), first]
 
@@ -97,9 +99,53 @@ def example_5_2(run):
     return faults
 
 
+# Nodes that stick, slip and are open.
+GRID_STATES = {"5.3-04": [(4, 9, 3)], "5.3-07": [(11, 33, 5)], "5.3-10": [(43, 52, 5)], "5.3-12": [(78, 62, 4)],
+               "5.4": [(88, 56, 0), (104, 40, 0), (96, 48, 0), (92, 52, 0), (80, 64, 0), (24, 120, 0)]}
+GRID_TABLES = {"5.3-04": {1: "kanno-5.3-04.csv"}, "5.3-07": {1: "kanno-5.3-07.csv"},
+               "5.4": {1: "kanno-5.4-m1.csv", 6: "kanno-5.4-m6.csv"}}
+
+
+def asymmetry(rows):
+    """Largest difference of reactions of mirrored nodes over the largest reaction."""
+    at = {(round(float(r["x"]), 6), round(float(r["y"]), 6)): [float(r[c]) for c in ("r_n", "r_t1", "r_t2")] for r in rows}
+    largest = max(abs(x) for r in at.values() for x in r)
+    return max(max(abs(r[0] - at[-x, y][0]), abs(r[1] + at[-x, y][1]), abs(r[2] - at[-x, y][2]),
+                   abs(r[0] - at[x, -y][0]), abs(r[1] - at[x, -y][1]), abs(r[2] + at[x, -y][2]))
+               for (x, y), r in at.items()) / largest
+
+
+def double_layer_grid(example):
+    def check(run):
+        faults = []
+        for increment, expected in enumerate(GRID_STATES[example], 1):
+            rows = run.get(increment, [])
+            counts = tuple(sum(row["state"] == s for row in rows) for s in ("stick", "slip", "open"))
+            print(f"increment {increment}: {counts} nodes stick, slip, are open")
+            if counts != expected:
+                faults.append(f"increment {increment}: {counts} nodes stick, slip, are open instead of {expected}")
+            if example == "5.4" and rows:
+                error = asymmetry(rows)
+                print(f"  asymmetry {error:.2g}")
+                if not error <= 1e-12:
+                    faults.append(f"increment {increment}: asymmetry {error:.3g}")
+        for increment, table in GRID_TABLES.get(example, {}).items():
+            print(table)
+            faults += [f"increment {increment}: {fault}" for fault in compare(
+                run.get(increment, []), read(REFERENCE / table),
+                {"x": column("x"), "y": column("y"), "dux": column("du_t1"), "duy": column("du_t2"),
+                 "dun": lambda row: float(row["gap"]), "rx": column("r_t1"), "ry": column("r_t2"), "rn": column("r_n")},
+                lambda row: {"open": "free"}.get(row["state"], row["state"]))]
+        return faults
+    return check
+
+
+EXAMPLES = {"5.1": example_5_1, "5.2": example_5_2, **{name: double_layer_grid(name) for name in GRID_STATES}}
+
+
 def main(example, folder):
     run = read_run(Path(folder))
-    faults = {"5.1": example_5_1, "5.2": example_5_2}[example](run)
+    faults = EXAMPLES[example](run)
     print("\n".join(faults) or "the run agrees with the reference")
     return 1 if faults else 0
 

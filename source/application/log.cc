@@ -10,13 +10,22 @@
 
 namespace conetact
 {
-  Log::Log(const bool q)
+  Log::Log(const bool q, const bool v)
     : quiet(q)
+    , verbose(v)
     , last(Clock::now())
   {}
 
   void
   Log::note(const std::string &line)
+  {
+    keep(line);
+    if (verbose && !quiet)
+      std::cout << line << std::endl;
+  }
+
+  void
+  Log::keep(const std::string &line)
   {
     if (!file.is_open())
       kept += line + "\n";
@@ -27,7 +36,7 @@ namespace conetact
   void
   Log::say(const std::string &line)
   {
-    note(line);
+    keep(line);
     if (!quiet)
       std::cout << line << std::endl;
   }
@@ -40,7 +49,7 @@ namespace conetact
     last                                        = now;
     char text[40];
     std::snprintf(text, sizeof(text), "%10.4f s  ", seconds.count());
-    note(text + what);
+    keep(text + what);
   }
 
   void

@@ -25,6 +25,17 @@ namespace conetact
 {
   namespace
   {
+    // OpenBLAS starts a thread for each core when it is loaded, and they spin
+    // for a while before they sleep. Runs before any library is initialised:
+    // set_threads() starts those that are wanted.
+    void
+    make_blas_start_alone(int, char **, char **)
+    {
+      setenv("OPENBLAS_NUM_THREADS", "1", /*overwrite=*/0);
+    }
+    __attribute__((section(".preinit_array"), used)) void (
+      *const before_libraries)(int, char **, char **) = make_blas_start_alone;
+
     unsigned int sessions       = 0;
     unsigned int threads        = 1;
     bool         we_initialized = false;
@@ -39,15 +50,19 @@ namespace conetact
       return false;
     }
 
-    // A lone process needs no daemon and talks to nobody. What the user has
-    // set in the environment stays.
+    // A lone process needs no daemon, talks to nobody and is bound to no core:
+    // no need to explore the machine, its buses and displays. What the user
+    // has set in the environment stays.
     void
     make_singleton_cheap()
     {
-      const char *const settings[][2] = {{"OMPI_MCA_ess_singleton_isolated",
-                                          "1"},
-                                         {"OMPI_MCA_btl", "self"},
-                                         {"OMPI_MCA_pml", "ob1"}};
+      const char *const settings[][2] = {
+        {"OMPI_MCA_ess_singleton_isolated", "1"},
+        {"OMPI_MCA_btl", "self"},
+        {"OMPI_MCA_pml", "ob1"},
+        {"OMPI_MCA_op", "^avx"},
+        {"OMPI_MCA_coll", "^adapt,han,inter,monitoring,sm,sync,tuned"},
+        {"HWLOC_SYNTHETIC", "pu:1"}};
       for (const auto &setting : settings)
         setenv(setting[0], setting[1], /*overwrite=*/0);
     }

@@ -3,12 +3,17 @@
 
 #include "conetact/contact/condensation.h"
 
+#include "conetact/solvers/null_space.h"
+
 namespace conetact
 {
   namespace
   {
     /** More different loads than this are forgotten and begun anew. */
     constexpr std::size_t largest_basis = 8;
+
+    /** Mechanisms are searched for in systems up to this size. */
+    constexpr Eigen::Index largest_rank_search = 2000;
 
     double
     mean_diagonal(const Eigen::SparseMatrix<double> &matrix)
@@ -21,7 +26,8 @@ namespace conetact
 
   Condensation::Condensation(const ElasticSystem   &e,
                              const Coordinates     &c,
-                             const Eigen::MatrixXd &null_space)
+                             const Eigen::MatrixXd &null_space,
+                             const bool             find_mechanisms)
     : elastic(e)
     , coordinates(c)
   {
@@ -34,7 +40,10 @@ namespace conetact
 
     auto system        = std::make_shared<ContactSystem>(coordinates.layout());
     system->matrix     = solver->take_schur_complement();
-    system->null_space = null_space;
+    system->null_space = find_mechanisms && coordinates.n_contact_unknowns() <=
+                                              largest_rank_search ?
+                           null_space_basis(system->matrix) :
+                           null_space;
     contact_system     = system;
   }
 

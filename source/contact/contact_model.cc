@@ -17,6 +17,16 @@ namespace conetact
     , motions(bodies, rules, coordinates)
   {}
 
+  bool
+  ContactModel::may_be_mechanism() const
+  {
+    return std::any_of(bodies.structures.begin(),
+                       bodies.structures.end(),
+                       [](const Structure *structure) {
+                         return structure->may_be_mechanism();
+                       });
+  }
+
   Condensation &
   ContactModel::condensation()
   {
@@ -25,7 +35,8 @@ namespace conetact
         if (!condensed)
           condensed = std::make_unique<Condensation>(elastic,
                                                      coordinates,
-                                                     motions.null_space());
+                                                     motions.null_space(),
+                                                     may_be_mechanism());
       }
     catch (const SingularMatrix &)
       {

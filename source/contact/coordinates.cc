@@ -6,6 +6,8 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <algorithm>
+
 namespace conetact
 {
   Coordinates::Coordinates(const Bodies &b, const NodeRules &r)
@@ -38,21 +40,10 @@ namespace conetact
   {
     first_unknown.resize(node_offset.back());
     first_contact.resize(node_offset.back(), -1);
-    std::size_t n = 0;
-    for (const Structure *structure : bodies.structures)
-      for (unsigned int i = 0; i < structure->n_nodes(); ++i, ++n)
-        {
-          const NodeRule    *rule = rule_of_node[n];
-          const unsigned int n_rotations =
-            structure->n_components() - bodies.dim;
-          const std::size_t n_own =
-            n_rotations + (rule ? rule->free.size() : bodies.dim);
-          first_unknown[n] = n_free;
-          n_free += static_cast<Eigen::Index>(n_own);
-          node_of_unknown.insert(node_of_unknown.end(),
-                                 n_own,
-                                 static_cast<unsigned int>(n));
-        }
+    own_unknown.assign(static_cast<std::size_t>(n_dofs()), -1);
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+        number_node(body, i);
 
     std::vector<double> mu;
     for (const ContactNode &node : bodies.contact_nodes)
@@ -73,6 +64,35 @@ namespace conetact
     contact_layout.mu =
       Eigen::Map<Eigen::VectorXd>(mu.data(),
                                   static_cast<Eigen::Index>(mu.size()));
+  }
+
+  void
+  Coordinates::number_node(const unsigned int body, const unsigned int node)
+  {
+    const Structure   &structure = *bodies.structures[body];
+    const std::size_t  n         = node_offset[body] + node;
+    const NodeRule    *rule      = rule_of_node[n];
+    const Eigen::Index before    = n_free;
+    first_unknown[n]             = n_free;
+    if (rule != nullptr)
+      n_free += static_cast<Eigen::Index>(rule->free.size());
+
+    const auto is_held = [&](const unsigned int c) {
+      return rule != nullptr &&
+             std::any_of(rule->rotations.begin(),
+                         rule->rotations.end(),
+                         [c](const NodeRule::HeldRotation &held) {
+                           return held.component == c;
+                         });
+    };
+    for (unsigned int c = rule != nullptr ? bodies.dim : 0;
+         c < structure.n_components();
+         ++c)
+      if (structure.has_dof(node, c) && !is_held(c))
+        own_unknown[static_cast<std::size_t>(dof(body, node)) + c] = n_free++;
+    node_of_unknown.insert(node_of_unknown.end(),
+                           static_cast<std::size_t>(n_free - before),
+                           static_cast<unsigned int>(n));
   }
 
   void
@@ -97,14 +117,7 @@ namespace conetact
                           const double       factor)
   {
     const NodeRule &rule = *rule_of_node[n];
-    if (c >= bodies.dim)
-      {
-        entries.push_back({first_unknown[n] + c - bodies.dim +
-                             static_cast<Eigen::Index>(rule.free.size()),
-                           factor});
-        return;
-      }
-    const auto add = [&](const std::vector<Tensor<1, 3>> &directions,
+    const auto      add  = [&](const std::vector<Tensor<1, 3>> &directions,
                          const Eigen::Index               first) {
       for (std::size_t k = 0; k < directions.size(); ++k)
         if (directions[k][c] != 0)
@@ -124,9 +137,12 @@ namespace conetact
   {
     const std::size_t n    = node_offset[body] + node;
     const NodeRule   *rule = rule_of_node[n];
-    if (rule == nullptr)
+    if (rule == nullptr || c >= bodies.dim)
       {
-        entries.push_back({first_unknown[n] + c, factor});
+        if (const Eigen::Index unknown =
+              own_unknown[static_cast<std::size_t>(dof(body, node)) + c];
+            unknown >= 0)
+          entries.push_back({unknown, factor});
         return;
       }
     if (depth > bodies.structures.size() + 2)
@@ -138,7 +154,7 @@ namespace conetact
       append_own(n, c, factor);
     for (const auto &[master, weight] : rule->masters)
       append_row(body, master, c, factor * weight, depth + 1);
-    if (c < bodies.dim && rule->contact_node != nullptr)
+    if (rule->contact_node != nullptr)
       for (unsigned int d = 0; d < bodies.dim; ++d)
         if (const double part = rule->left_free(c, d); part != 0)
           for (const auto &[master, weight] : rule->contact_node->masters)
@@ -159,6 +175,11 @@ namespace conetact
         const Eigen::Index first = dof(rule.body, rule.node);
         for (unsigned int c = 0; c < bodies.dim; ++c)
           d[first + c] = u[c];
+        for (const NodeRule::HeldRotation &held : rule.rotations)
+          d[first + held.component] =
+            node_rules.angle(held,
+                             bodies.structures[rule.body]->position(rule.node),
+                             t);
       }
     return d;
   }

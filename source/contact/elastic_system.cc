@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact
 {
@@ -294,6 +295,22 @@ namespace conetact
         multiply(dofs, matrix, u, local, f);
       });
     return f;
+  }
+
+  double
+  ElasticSystem::largest_terms(const Eigen::VectorXd &u) const
+  {
+    const Eigen::VectorXd size = u.cwiseAbs();
+    Eigen::VectorXd       sum  = Eigen::VectorXd::Zero(u.size()), local;
+    std::vector<double>   magnitude;
+    for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        magnitude.assign(matrix, matrix + dofs.size() * dofs.size());
+        for (double &entry : magnitude)
+          entry = std::abs(entry);
+        multiply(dofs, magnitude.data(), size, local, sum);
+      });
+    return sum.size() > 0 ? sum.maxCoeff() : 0.;
   }
 
   Eigen::VectorXd

@@ -10,6 +10,13 @@ namespace conetact
 {
   namespace
   {
+    /**
+     * Forces smaller than this part of the terms they are summed up from have
+     * no 12 digits left: bodies that move far with hardly any force, stiff ones
+     * on soft ones.
+     */
+    constexpr double above_rounding = 1e-4;
+
     Tensor<1, 3>
     at_node(const Eigen::VectorXd &f,
             const Eigen::Index     dof,
@@ -19,6 +26,19 @@ namespace conetact
       for (unsigned int c = 0; c < dim; ++c)
         force[c] = f[dof + c];
       return force;
+    }
+
+    /** Moment of the dofs that rotate: theta_z in 2D, x, y, z in 3D. */
+    Tensor<1, 3>
+    moment_at_node(const Eigen::VectorXd &f,
+                   const Eigen::Index     dof,
+                   const unsigned int     dim,
+                   const unsigned int     n_components)
+    {
+      Tensor<1, 3> moment;
+      for (unsigned int c = dim; c < n_components; ++c)
+        moment[dim == 2 ? 2 : c - dim] = f[dof + c];
+      return moment;
     }
 
     void
@@ -60,6 +80,36 @@ namespace conetact
                           std::max(sum.force.norm() / force,
                                    sum.moment.norm() / (force * arm));
     }
+    /**
+     * Moments of dofs that rotate become forces at the end of a body's size, to
+     * be judged with the others.
+     */
+    void
+    divide_moments(const Bodies      &bodies,
+                   const Coordinates &coordinates,
+                   Eigen::VectorXd   &unbalanced)
+    {
+      for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+        {
+          const Structure   &structure = *bodies.structures[body];
+          const unsigned int n         = structure.n_components();
+          if (n == bodies.dim)
+            continue;
+          double size = 0;
+          for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+            size =
+              std::max(size,
+                       structure.position(i).distance(structure.position(0)));
+          for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+            for (unsigned int c = bodies.dim; c < n; ++c)
+              {
+                const auto [begin, end] =
+                  coordinates.row(coordinates.dof(body, i) + c);
+                for (const auto *entry = begin; entry != end; ++entry)
+                  unbalanced[entry->unknown] /= size;
+              }
+        }
+    }
   } // namespace
 
   Tensor<1, 3>
@@ -94,6 +144,7 @@ namespace conetact
     Eigen::VectorXd unbalanced =
       coordinates.restrict(internal - loads - ground);
     unbalanced.tail(r.size()) -= r;
+    divide_moments(bodies, coordinates, unbalanced);
 
     Eigen::VectorXd rest = internal - loads - ground;
     coordinates.unhang(internal);
@@ -145,6 +196,15 @@ namespace conetact
               bodies.structures[rule.body]->position(rule.node),
               reaction);
         }
+    for (const NodeRule &rule : coordinates.rules().rules())
+      for (const NodeRule::HeldRotation &held : rule.rotations)
+        {
+          const unsigned int axis = dim == 2 ? 2 : held.component - dim;
+          const double       moment =
+            rest[coordinates.dof(rule.body, rule.node) + held.component];
+          e.supports.moment[axis] += moment;
+          body_sum[rule.body].moment[axis] += moment;
+        }
 
     const Eigen::VectorXd springs = ground - elastic.spring_forces(u);
     double                reach   = 0;
@@ -154,6 +214,10 @@ namespace conetact
       [&](const unsigned int body, const Eigen::Index dof, const Point<3> &p) {
         act(e.supports, body, p, at_node(springs, dof, dim));
         act(e.loads, body, p, at_node(loads, dof, dim));
+        const Tensor<1, 3> moment = moment_at_node(
+          loads, dof, dim, bodies.structures[body]->n_components());
+        e.loads.moment += moment;
+        body_sum[body].moment += moment;
         e.largest_force =
           std::max(e.largest_force, at_node(internal, dof, dim).norm());
         reach = std::max(reach, p.norm());
@@ -161,7 +225,14 @@ namespace conetact
 
     const double scale = std::max(e.largest_force, reference_force);
     if (scale > 0 && unbalanced.size() > 0)
-      e.residual = unbalanced.cwiseAbs().maxCoeff() / scale;
+      {
+        const double largest = unbalanced.cwiseAbs().maxCoeff();
+        e.residual           = largest / scale;
+        if (e.residual > 1e-12)
+          e.residual =
+            largest /
+            std::max(scale, above_rounding * elastic.largest_terms(u));
+      }
     const double force = std::max(scale, largest_resultant(e));
     Resultant    sum;
     for (const Resultant &body : body_sum)

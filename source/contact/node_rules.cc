@@ -141,6 +141,12 @@ namespace conetact
             const auto along = support.directions_at(node.normal);
             for (std::size_t e = 0; e < along.size(); ++e)
               hold(rule_of(support.body, node.node), {along[e], {{s, e, 1.}}});
+            for (std::size_t r = 0; r < support.rotations.size(); ++r)
+              if (const unsigned int c = support.rotations[r].component;
+                  bodies.structures[support.body]->has_dof(node.node, c))
+                hold_rotation(rule_of(support.body, node.node),
+                              {c, s, r},
+                              times);
           }
       }
 
@@ -178,6 +184,36 @@ namespace conetact
     for (HeldDirection::Term &term : rest.terms)
       term.factor /= length;
     rule.held.push_back(rest);
+  }
+
+  void
+  NodeRules::hold_rotation(NodeRule                     &rule,
+                           const NodeRule::HeldRotation &held,
+                           const std::vector<double>    &times) const
+  {
+    const Point<3> p = bodies.structures[rule.body]->position(rule.node);
+    for (const NodeRule::HeldRotation &other : rule.rotations)
+      if (other.component == held.component)
+        {
+          for (const double t : times)
+            if (std::abs(angle(other, p, t) - angle(held, p, t)) > 1e-12)
+              throw InputError(
+                "Support '" + bodies.supports[held.support].name +
+                "' and another one turn the node at " + to_text(p) +
+                " of body '" + bodies.names[rule.body] +
+                "' by different angles. Let the supports agree "
+                "where they meet.");
+          return;
+        }
+    rule.rotations.push_back(held);
+  }
+
+  double
+  NodeRules::angle(const NodeRule::HeldRotation &held,
+                   const Point<3>               &p,
+                   const double                  t) const
+  {
+    return bodies.supports[held.support].rotations[held.rotation].angle(p, t);
   }
 
   void

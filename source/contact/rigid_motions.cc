@@ -112,10 +112,15 @@ namespace conetact
         row * row.transpose();
     };
     for (const NodeRule &rule : rules.rules())
-      for (const HeldDirection &held : rule.held)
-        hold(rule.body,
-             bodies.structures[rule.body]->position(rule.node),
-             held.direction);
+      {
+        for (const HeldDirection &held : rule.held)
+          hold(rule.body,
+               bodies.structures[rule.body]->position(rule.node),
+               held.direction);
+        for (const NodeRule::HeldRotation &held : rule.rotations)
+          gram(rule.body * n_one + held.component,
+               rule.body * n_one + held.component) += 1;
+      }
     for (const Support &support : bodies.supports)
       if (support.stiffness)
         for (const SurfaceNode &node :

@@ -124,7 +124,8 @@ namespace conetact
         const bool        improved = point.residual < .5 * before;
         current                    = next;
         stalls                     = improved ? 0 : stalls + 1;
-        if (same && (point.residual <= goal || stalls > max_stalls))
+        // Within the goal states may still differ where nothing depends on it.
+        if (point.residual <= goal || (same && stalls > max_stalls))
           break;
         if (!same && !improved && seen.count(next) > 0)
           {

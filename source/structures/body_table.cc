@@ -4,7 +4,10 @@
 #include "conetact/structures/body_table.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/text.h"
 #include "conetact/structures/continuum.h"
+#include "conetact/structures/frame.h"
+#include "conetact/structures/frame_parameters.h"
 #include "conetact/structures/grids.h"
 
 #include <deal.II/grid/tria.h>
@@ -56,6 +59,22 @@ namespace conetact
       declare_material(prm);
     }
 
+    /** So that what a kind of body does not read is not passed over. */
+    void
+    expect_unset(ParameterHandler                &prm,
+                 const std::vector<const char *> &entries,
+                 const std::string               &section,
+                 const std::string               &body)
+    {
+      prm.enter_subsection(section);
+      for (const char *entry : entries)
+        if (!trim(prm.get(entry)).empty())
+          throw InputError(body + ", " + section + "/" + entry +
+                           ": it is not for bodies of this Kind. Remove it, "
+                           "or change Kind.");
+      prm.leave_subsection();
+    }
+
     template <int dim>
     std::unique_ptr<Structure>
     make_continuum(const MeshParameters  &mesh,
@@ -74,7 +93,8 @@ namespace conetact
                      const std::filesystem::path &folder,
                      const std::string           &name)
     {
-      const std::string     body     = "Body '" + name + "'";
+      const std::string body = "Body '" + name + "'";
+      expect_unset(prm, {"Generator", "File", "Nodes"}, "Frame", body);
       const std::string     element  = prm.get("Element");
       const ElasticMaterial material = parse_material(prm, body);
       const MeshParameters  mesh     = parse_mesh(prm, dim, folder, body);
@@ -89,6 +109,17 @@ namespace conetact
                              " is neither 2 nor 3.");
         }
     }
+
+    std::unique_ptr<Structure>
+    create_frame(ParameterHandler            &prm,
+                 const unsigned int           dim,
+                 const std::filesystem::path &folder,
+                 const std::string           &name)
+    {
+      const std::string body = "Body '" + name + "'";
+      expect_unset(prm, {"Generator", "File", "Boundary ids"}, "Mesh", body);
+      return std::make_unique<Frame>(parse_frame(prm, dim, folder, body));
+    }
   } // namespace
 
   const std::vector<BodyRow> &
@@ -98,7 +129,11 @@ namespace conetact
       {"continuum",
        "linear elastic solid on a mesh of quadrilaterals or hexahedra",
        &declare_continuum,
-       &create_continuum}};
+       &create_continuum},
+      {"frame",
+       "bars and beams between nodes, with Sections and subsection Frame",
+       &declare_frame,
+       &create_frame}};
     return table;
   }
 

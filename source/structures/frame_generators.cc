@@ -52,9 +52,10 @@ namespace conetact
       for (unsigned int i = 0; i <= n; ++i)
         {
           FrameNode node;
-          node.name     = std::to_string(i);
-          node.position = Point<3>(a * (double(n - i) / n) + b * (double(i) / n));
-          node.ids      = {0};
+          node.name = std::to_string(i);
+          node.position =
+            Point<3>(a * (double(n - i) / n) + b * (double(i) / n));
+          node.ids = {0};
           model.nodes.push_back(node);
         }
       model.nodes.front().ids.insert(1);
@@ -62,7 +63,7 @@ namespace conetact
       for (unsigned int i = 0; i < n; ++i)
         {
           FrameMember member;
-          member.nodes = {i, i + 1};
+          member.nodes = {{i, i + 1}};
           model.members.push_back(member);
         }
     }
@@ -99,7 +100,7 @@ namespace conetact
     add_member(FrameModel &model, const unsigned int a, const unsigned int b)
     {
       FrameMember member;
-      member.nodes = {a, b};
+      member.nodes = {{a, b}};
       model.members.push_back(member);
     }
 
@@ -129,8 +130,9 @@ namespace conetact
       if (model.dim != 3)
         throw InputError(where + "Generator: a double layer grid needs " +
                          "Dimension = 3.");
-      const auto sizes = arguments.size() == 3 ? to_numbers(arguments[1], entry)
-                                               : std::vector<double>();
+      const auto sizes = arguments.size() == 3 ?
+                           to_numbers(arguments[1], entry) :
+                           std::vector<double>();
       if (sizes.size() != 2)
         throw_arguments(where,
                         "double layer grid",

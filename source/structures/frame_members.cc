@@ -53,10 +53,10 @@ namespace conetact
     , start(model.nodes[ends[0]].position)
     , finish(model.nodes[ends[1]].position)
     , l(start.distance(finish))
-    , axes(local_axes(finish - start,
-                      properties->orientation,
-                      model.nodes[ends[0]].name + "-" +
-                        model.nodes[ends[1]].name))
+    , axes(
+        local_axes(finish - start,
+                   properties->orientation,
+                   model.nodes[ends[0]].name + "-" + model.nodes[ends[1]].name))
   {}
 
   Tensor<1, 3>
@@ -143,7 +143,7 @@ namespace conetact
   Member::Vector
   Member::shape_forces(const double s, const LocalForce &force) const
   {
-    Vector f = Vector::Zero();
+    Vector f        = Vector::Zero();
     f.segment<3>(0) = (1 - s) * force;
     f.segment<3>(6) = s * force;
     if (!bending)
@@ -172,9 +172,8 @@ namespace conetact
       for (unsigned int i = 0; i < gauss.size(); ++i)
         {
           const double s = gauss.point(i)[0];
-          f += shape_forces(s,
-                            gauss.weight(i) * l * axes *
-                              to_eigen(q(point(s))));
+          f +=
+            shape_forces(s, gauss.weight(i) * l * axes * to_eigen(q(point(s))));
         }
     for (const auto &[s, force] : load.points)
       f += shape_forces(s, axes * to_eigen(force));

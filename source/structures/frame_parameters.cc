@@ -129,8 +129,8 @@ namespace conetact
                          "Remove them.");
       reader.read_members(members, where + "Members");
       if (model.members.empty())
-        throw InputError(where + "Members: there are none. Write 'a-b: " +
-                         "section ; ...'.");
+        throw InputError(
+          where + "Members: there are none. Write 'a-b: " + "section ; ...'.");
     }
 
     void
@@ -174,18 +174,19 @@ namespace conetact
     {
       double size = 0;
       for (const FrameNode &node : model.nodes)
-        size = std::max(size,
-                        node.position.distance(model.nodes.front().position));
+        size =
+          std::max(size, node.position.distance(model.nodes.front().position));
       std::vector<bool> used(model.nodes.size(), false);
       for (const FrameMember &member : model.members)
         {
-          const FrameNode &a = model.nodes[member.nodes[0]];
-          const FrameNode &b = model.nodes[member.nodes[1]];
+          const FrameNode &a    = model.nodes[member.nodes[0]];
+          const FrameNode &b    = model.nodes[member.nodes[1]];
           used[member.nodes[0]] = used[member.nodes[1]] = true;
           if (!(a.position.distance(b.position) > 1e-10 * size))
             throw InputError(where + "Members: member " + a.name + "-" +
                              b.name + " has no length, both ends are at " +
-                             to_text(a.position) + ". Move a node or remove "
+                             to_text(a.position) +
+                             ". Move a node or remove "
                              "the member.");
         }
       for (std::size_t i = 0; i < used.size(); ++i)

@@ -29,7 +29,7 @@ namespace conetact
     /** Options after the section of a member. */
     struct Options
     {
-      std::array<bool, 2> hinges = {false, false};
+      std::array<bool, 2> hinges = {{false, false}};
       BoundaryIds         ids;
       unsigned int        n_elements = 1;
 
@@ -111,9 +111,8 @@ namespace conetact
     for (unsigned int number = 1; std::getline(stream, line); ++number)
       {
         const Strings     words = split(line.substr(0, line.find('#')), ',');
-        const std::string at =
-          entry + " (" + file.string() + ", line " + std::to_string(number) +
-          ")";
+        const std::string at    = entry + " (" + file.string() + ", line " +
+                               std::to_string(number) + ")";
         if (words.empty())
           continue;
         const Strings rest(words.begin() + 1, words.end());
@@ -177,10 +176,10 @@ namespace conetact
     member.ids     = options.ids;
     for (std::size_t i = 0; i + 1 < names.size(); ++i)
       {
-        member.nodes  = {find_node(names[i], what),
-                         find_node(names[i + 1], what)};
-        member.hinges = {i == 0 && options.hinges[0],
-                         i + 2 == names.size() && options.hinges[1]};
+        member.nodes = {
+          {find_node(names[i], what), find_node(names[i + 1], what)}};
+        member.hinges = {{i == 0 && options.hinges[0],
+                          i + 2 == names.size() && options.hinges[1]}};
         add_member(member, options.n_elements);
       }
   }
@@ -200,19 +199,18 @@ namespace conetact
           {
             const double s = double(i + 1) / n;
             FrameNode    node;
-            node.name     = model.nodes[ends[0]].name + "-" +
-                            model.nodes[ends[1]].name + "." +
-                            std::to_string(i + 1);
-            node.position = Point<3>((1 - s) * model.nodes[ends[0]].position +
+            node.name = model.nodes[ends[0]].name + "-" +
+                        model.nodes[ends[1]].name + "." + std::to_string(i + 1);
+            node.position  = Point<3>((1 - s) * model.nodes[ends[0]].position +
                                      s * model.nodes[ends[1]].position);
-            node.ids      = common;
+            node.ids       = common;
             piece.nodes[1] = static_cast<unsigned int>(model.nodes.size());
             model.nodes.push_back(node);
           }
         else
           piece.nodes[1] = ends[1];
-        piece.hinges = {i == 0 && member.hinges[0],
-                        i + 1 == n && member.hinges[1]};
+        piece.hinges = {
+          {i == 0 && member.hinges[0], i + 1 == n && member.hinges[1]}};
         model.members.push_back(piece);
         piece.nodes[0] = piece.nodes[1];
       }

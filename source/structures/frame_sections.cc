@@ -83,14 +83,13 @@ namespace conetact
       section.inertia_z = inertia.back();
       if (dim == 2)
         return;
-      section.inertia_y = inertia.front();
+      section.inertia_y   = inertia.front();
       const std::string j = prm.get("Torsion constant");
       const std::string g = prm.get("Shear modulus");
-      section.torsion =
-        (j.empty() ? section.inertia_y + section.inertia_z :
-                     positive(j, where + "Torsion constant")) *
-        (g.empty() ? section.young_modulus / 2.6 :
-                     positive(g, where + "Shear modulus"));
+      section.torsion     = (j.empty() ? section.inertia_y + section.inertia_z :
+                                         positive(j, where + "Torsion constant")) *
+                        (g.empty() ? section.young_modulus / 2.6 :
+                                     positive(g, where + "Shear modulus"));
     }
 
     FrameSection
@@ -103,11 +102,10 @@ namespace conetact
       section.name = name;
       section.young_modulus =
         positive(prm.get("Young modulus"), where + "Young modulus");
-      section.area  = positive(prm.get("Area"), where + "Area");
-      section.width = positive(prm.get("Width"), where + "Width");
-      section.expansion =
-        to_number(prm.get("Expansion coefficient"),
-                  where + "Expansion coefficient");
+      section.area      = positive(prm.get("Area"), where + "Area");
+      section.width     = positive(prm.get("Width"), where + "Width");
+      section.expansion = to_number(prm.get("Expansion coefficient"),
+                                    where + "Expansion coefficient");
       const auto inertia =
         to_numbers(prm.get("Moment of inertia"), where + "Moment of inertia");
       if (!inertia.empty())

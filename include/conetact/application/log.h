@@ -18,7 +18,8 @@ namespace conetact
   class Log
   {
   public:
-    explicit Log(const bool quiet);
+    /** `verbose`: notes go to standard output too. */
+    Log(const bool quiet, const bool verbose);
 
     /** log.txt only. */
     void
@@ -26,7 +27,7 @@ namespace conetact
     /** log.txt and standard output. */
     void
     say(const std::string &line);
-    /** note() with the seconds since the last time() or the start. */
+    /** A note with the seconds since the last time() or the start. */
     void
     time(const std::string &what);
 
@@ -35,8 +36,11 @@ namespace conetact
     open(const std::filesystem::path &folder);
 
   private:
+    void
+    keep(const std::string &line);
+
     using Clock = std::chrono::steady_clock;
-    const bool        quiet;
+    const bool        quiet, verbose;
     Clock::time_point last;
     std::string       kept;
     std::ofstream     file;

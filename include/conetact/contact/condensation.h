@@ -22,12 +22,15 @@ namespace conetact
   {
   public:
     /**
-     * `null_space`: rigid motions in the contact unknowns. Throws
-     * SingularMatrix if a body can move although its contact nodes are fixed.
+     * `null_space`: rigid motions in the contact unknowns; with
+     * `find_mechanisms` other motions without strain are looked for besides.
+     * Throws SingularMatrix if a body can move although its contact nodes are
+     * fixed.
      */
     Condensation(const ElasticSystem   &elastic,
                  const Coordinates     &coordinates,
-                 const Eigen::MatrixXd &null_space);
+                 const Eigen::MatrixXd &null_space,
+                 const bool             find_mechanisms);
 
     /** K, its cones and its null space. */
     const std::shared_ptr<const ContactSystem> &

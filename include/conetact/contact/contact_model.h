@@ -35,6 +35,9 @@ namespace conetact
     condensation();
 
   private:
+    bool
+    may_be_mechanism() const;
+
     std::unique_ptr<Condensation> condensed;
   };
 

@@ -109,6 +109,8 @@ namespace conetact
     void
     number_unknowns();
     void
+    number_node(const unsigned int body, const unsigned int node);
+    void
     write_rows();
     void
     append_row(const unsigned int body,
@@ -132,6 +134,7 @@ namespace conetact
     Eigen::Index                  n_free = 0;
     std::vector<Eigen::Index>     first_unknown; ///< of a node's free ones
     std::vector<Eigen::Index>     first_contact; ///< of a node's contact ones
+    std::vector<Eigen::Index>     own_unknown;   ///< of each dof, or -1
     std::vector<Entry>            entries;
     std::vector<std::size_t>      row_start;
     std::vector<unsigned int>     node_of_unknown;

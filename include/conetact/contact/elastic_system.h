@@ -29,6 +29,12 @@ namespace conetact
     /** K u, the forces that hold the displacements u [force]. */
     Eigen::VectorXd
     internal_forces(const Eigen::VectorXd &u) const;
+    /**
+     * Largest sum of the magnitudes of the terms of K u [force]; its rounding
+     * is that of the forces, however small they are themselves.
+     */
+    double
+    largest_terms(const Eigen::VectorXd &u) const;
     /** Part of it that goes into foundations. */
     Eigen::VectorXd
     spring_forces(const Eigen::VectorXd &u) const;

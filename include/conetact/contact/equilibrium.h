@@ -31,7 +31,9 @@ namespace conetact
   /**
    * `u`: all dofs; `r`: reactions of the contact unknowns; `loads`: nodal
    * forces on all dofs at time `t`; residuals are relative to the larger of
-   * the largest nodal force and `reference_force`.
+   * the largest nodal force and `reference_force`, but never below what
+   * rounding leaves: 1e-4 of the largest sum @f$|K|\,|u|@f$ of a node is a
+   * lower bound of that scale (1e-10 of it are 1e-14 of the terms summed up).
    */
   Equilibrium
   check_equilibrium(const Bodies          &bodies,

@@ -55,6 +55,14 @@ namespace conetact
                                                       ///< empty
     double mu = 0; ///< of the cone in the coordinates `contact`
 
+    /** Rotations that supports prescribe, by index into the scene's lists. */
+    struct HeldRotation
+    {
+      unsigned int component; ///< of the node's dofs
+      std::size_t  support, rotation;
+    };
+    std::vector<HeldRotation> rotations;
+
     /**
      * Entry (c, d) of the projection on what no support holds: the part of a
      * master's motion that the node follows.
@@ -84,6 +92,12 @@ namespace conetact
       return sorted;
     }
 
+    /** What supports prescribe for a rotation at time t [rad]. */
+    double
+    angle(const NodeRule::HeldRotation &held,
+          const Point<3>               &p,
+          const double                  t) const;
+
     /** What supports prescribe along a direction at time t [length]. */
     double
     displacement(const HeldDirection &held,
@@ -107,6 +121,10 @@ namespace conetact
 
     void
     hold(NodeRule &rule, const HeldDirection &direction);
+    void
+    hold_rotation(NodeRule                     &rule,
+                  const NodeRule::HeldRotation &held,
+                  const std::vector<double>    &times) const;
     void
     add_contact(NodeRule &rule, const ContactNode &contact_node);
     void

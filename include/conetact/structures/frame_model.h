@@ -50,7 +50,7 @@ namespace conetact
   {
     std::array<unsigned int, 2> nodes   = {};
     unsigned int                section = 0;
-    std::array<bool, 2>         hinges  = {false, false};
+    std::array<bool, 2>         hinges  = {{false, false}};
     BoundaryIds                 ids; ///< besides those that both nodes have
   };
 

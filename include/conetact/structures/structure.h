@@ -137,6 +137,12 @@ namespace conetact
     {
       return true;
     }
+    /** Whether it may have motions without strain other than rigid ones. */
+    virtual bool
+    may_be_mechanism() const
+    {
+      return false;
+    }
     /** Why a node may move freely, as a hint to the user; empty: no idea. */
     virtual std::string
     weakness(const unsigned int /*node*/) const

@@ -89,7 +89,6 @@ namespace conetact
 
     inline void
     random_node(Random                     &random,
-                const RandomOptions        &o,
                 const double                mu,
                 const NodeState             node,
                 Eigen::Ref<Eigen::VectorXd> v,
@@ -99,7 +98,6 @@ namespace conetact
       Eigen::VectorXd    t(nt);
       for (Eigen::Index k = 0; k < nt; ++k)
         t(k) = uniform(random, -1, 1);
-      (void)o;
       v.setZero();
       r.setZero();
       if (node == NodeState::open)
@@ -160,7 +158,6 @@ namespace conetact
         s.node.push_back(node);
         const Eigen::Index size = system->n_tangents(i) + 1;
         random_node(random,
-                    o,
                     system->mu(i),
                     node,
                     s.v.segment(system->first[i], size),
