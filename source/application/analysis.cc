@@ -266,6 +266,7 @@ namespace conetact
              "conditioned");
     record.rows =
       contact_rows.rows(increment.state, increment.contact, u, record.time);
+    record.actions = scene.actions(record.time);
     for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
       record.displacements.push_back(
         u.segment(model.coordinates.offset(b),

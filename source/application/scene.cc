@@ -270,6 +270,16 @@ namespace conetact
     return all;
   }
 
+  std::vector<Actions>
+  Scene::actions(const double t) const
+  {
+    std::vector<Actions> result(bodies.structures.size());
+    for (const Load &load : loads)
+      if (auto action = load.action(t))
+        result[load.body].push_back(std::move(*action));
+    return result;
+  }
+
   void
   Scene::check_loads() const
   {

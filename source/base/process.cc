@@ -7,6 +7,7 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <thread>
@@ -17,6 +18,8 @@ extern "C"
 {
   void
   openblas_set_num_threads(int) __attribute__((weak));
+  int
+  blas_thread_shutdown_() __attribute__((weak));
   void
   omp_set_num_threads(int) __attribute__((weak));
 }
@@ -25,19 +28,8 @@ namespace conetact
 {
   namespace
   {
-    // OpenBLAS starts a thread for each core when it is loaded, and they spin
-    // for a while before they sleep. Runs before any library is initialised:
-    // set_threads() starts those that are wanted.
-    void
-    make_blas_start_alone(int, char **, char **)
-    {
-      setenv("OPENBLAS_NUM_THREADS", "1", /*overwrite=*/0);
-    }
-    __attribute__((section(".preinit_array"), used)) void (
-      *const before_libraries)(int, char **, char **) = make_blas_start_alone;
-
     unsigned int sessions       = 0;
-    unsigned int threads        = 1;
+    unsigned int threads        = 0; ///< not set yet
     bool         we_initialized = false;
 
     bool
@@ -48,6 +40,18 @@ namespace conetact
         if (std::getenv(name) != nullptr)
           return true;
       return false;
+    }
+
+    // OpenBLAS starts a thread for each core when it is loaded; they spin for
+    // a tenth of a second. It starts them again when it needs them.
+    void
+    set_blas_threads(const int n)
+    {
+      if (openblas_set_num_threads == nullptr)
+        return;
+      openblas_set_num_threads(n);
+      if (n == 1 && blas_thread_shutdown_ != nullptr)
+        blas_thread_shutdown_();
     }
 
     // A lone process needs no daemon, talks to nobody and is bound to no core:
@@ -126,11 +130,14 @@ namespace conetact
   void
   ProcessSession::set_threads(const unsigned int n_threads)
   {
-    threads     = n_threads > 0 ? n_threads :
-                                  std::max(1U, std::thread::hardware_concurrency());
+    const unsigned int wanted =
+      n_threads > 0 ? n_threads :
+                      std::max(1U, std::thread::hardware_concurrency());
+    if (wanted == threads)
+      return;
+    threads     = wanted;
     const int n = static_cast<int>(threads);
-    if (openblas_set_num_threads != nullptr)
-      openblas_set_num_threads(n);
+    set_blas_threads(n);
     if (omp_set_num_threads != nullptr)
       omp_set_num_threads(n);
     dealii::MultithreadInfo::set_thread_limit(threads);
@@ -141,6 +148,6 @@ namespace conetact
   unsigned int
   ProcessSession::n_threads()
   {
-    return threads;
+    return std::max(1U, threads);
   }
 } // namespace conetact

@@ -178,11 +178,10 @@ namespace conetact
       {
         const std::string body = safe_name(run.bodies.at(b));
         const std::string name = vtu_name("solution-" + body, record.increment);
-        write_atomically(run.folder / name, [&](const fs::path &temporary) {
-          run.structures.at(b)->write_graphics(record.displacements[b],
-                                               record.time,
-                                               temporary);
-        });
+        run.structures.at(b)->write_graphics(record.displacements[b],
+                                             record.actions.at(b),
+                                             record.time,
+                                             run.folder / name);
         blocks.emplace_back(body, name);
       }
     if (!blocks.empty())

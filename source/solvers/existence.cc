@@ -192,18 +192,19 @@ namespace conetact
 
     result.admissible = false;
     result.w          = w;
-    result.fraction   = c0.norm() > floor ? limit(c0, c, result.w) : 0.;
+    name_motion(result);
+    // a load that pulls all contacts open neither slides nor tips first
+    const bool lifts_off = result.motion == Motion::lifts_off;
+    result.fraction      = c0.norm() > floor ? limit(c0, c, result.w) : 0.;
     if (result.fraction < 1e-9)
       {
         result.fraction = 0;
         result.w        = w;
         find_needed_friction(c, result);
-        // a load that pulls all contacts open does not slide first
-        name_motion(result);
-        if (result.motion != Motion::lifts_off)
+        if (!lifts_off)
           limit(even_pressure(c.norm()), c, result.w);
       }
-    if (!proves(result.w, c))
+    if (lifts_off || !proves(result.w, c))
       result.w = w;
     name_motion(result);
     return result;

@@ -49,6 +49,9 @@ namespace conetact
     /** Nodal forces of all loads at time t, on all dofs of all bodies. */
     Eigen::VectorXd
     forces(const double t) const;
+    /** The loads of each body at time t, for its stresses. */
+    std::vector<Actions>
+    actions(const double t) const;
     /**
      * Evaluates all loads at all times. Throws InputError where one is not
      * finite or a point is outside.

@@ -55,8 +55,8 @@ namespace conetact
     std::vector<Resultant>       contacts; ///< one a contact
     Resultant                    supports;
     Resultant                    loads;
-    std::vector<Eigen::VectorXd> displacements; ///< one a body, all its dofs;
-                                                ///< empty if nobody asked
+    std::vector<Eigen::VectorXd> displacements; ///< one a body, all its dofs
+    std::vector<Actions>         actions;       ///< one a body: its loads
   };
 
   /** What the outputs need to know before the first increment. */

@@ -172,6 +172,7 @@ namespace
       r.contacts[0].force = Tensor<1, 3>({0., 30., 0.});
       r.loads.force       = Tensor<1, 3>({1e-9, -30., 0.});
       r.displacements     = {Eigen::VectorXd::Constant(2, .25)};
+      r.actions           = {Actions()};
       for (unsigned int i = 0; i < 2; ++i)
         {
           ContactRow row;

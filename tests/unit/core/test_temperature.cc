@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/structures/continuum.h"
+#include "conetact/structures/continuum_graphics.h"
+
+#include <deal.II/grid/tria.h>
+
+#include "frame_fixture.h"
+
+using namespace conetact;
+using namespace conetact::test;
+
+namespace
+{
+  constexpr double E = 5, nu = .3, alpha = .02, change = 10;
+
+  std::string
+  material(const std::string &plane)
+  {
+    return "Young modulus = 5|Poisson ratio = 0.3|Thickness = 2|"
+           "Expansion coefficient = 0.02|Plane = " +
+           plane;
+  }
+
+  ScalarField
+  heat()
+  {
+    return [](const Point<3> &) { return change; };
+  }
+
+  struct Case
+  {
+    unsigned int dim;
+    std::string  plane;
+    double       stretch; ///< free strain over alpha times temperature
+  };
+  const std::vector<Case> cases = {{2, "strain", 1 + nu},
+                                   {2, "stress", 1},
+                                   {3, "strain", 1}};
+
+  std::unique_ptr<Structure>
+  distorted(const Case &c)
+  {
+    return make_body(c.dim,
+                     "File = " + write_distorted_mesh(c.dim, 3),
+                     material(c.plane));
+  }
+} // namespace
+
+TEST(Temperature, FreeExpansionNeedsNoForce)
+{
+  for (const Case &c : cases)
+    {
+      const auto            body = distorted(c);
+      const Eigen::VectorXd u    = interpolate(*body, [&](const Point<3> &x) {
+        return c.stretch * alpha * change * x;
+      });
+      Eigen::VectorXd       f    = no_forces(*body);
+      EXPECT_TRUE(body->add_temperature(heat(), f));
+      EXPECT_LE((stiffness(*body) * u - f).cwiseAbs().maxCoeff(),
+                1e-13 * f.cwiseAbs().maxCoeff());
+    }
+}
+
+TEST(Temperature, HeldBodyPressesOnItsBoundary)
+{
+  // sigma = -E alpha T over 1 - 2 nu (held along all axes), 1 - nu (plane
+  // stress, held in the plane); the resultant on the side x = 1 of area 2
+  const std::vector<double> sigma = {E * alpha * change / (1 - 2 * nu),
+                                     E * alpha * change / (1 - nu),
+                                     E * alpha * change / (1 - 2 * nu)};
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    {
+      const auto      body = distorted(cases[i]);
+      Eigen::VectorXd f    = no_forces(*body);
+      body->add_temperature(heat(), f);
+      double sum = 0;
+      for (unsigned int n = 0; n < body->n_nodes(); ++n)
+        if (std::abs(body->position(n)[0] - 1) < 1e-9)
+          sum += f[body->n_components() * n];
+      const double area = cases[i].dim == 2 ? 2 : 1;
+      EXPECT_NEAR(sum, sigma[i] * area, 1e-13 * sigma[i]);
+    }
+}
+
+TEST(Temperature, StressesOfABarBetweenWalls)
+{
+  // held along x, free along y (and z): sigma_x = -E alpha T, in plane strain
+  // over 1 - nu
+  for (const Case &c : cases)
+    {
+      const auto body =
+        make_body(c.dim,
+                  std::string("Generator = "
+                              "subdivided_hyper_rectangle|"
+                              "Arguments = ") +
+                    (c.dim == 2 ? "3, 2 : 0, 0 : 3, 1 : true" :
+                                  "3, 2, 2 : 0, 0, 0 : 3, 1, 1 : true"),
+                  material(c.plane));
+      std::vector<unsigned int> held;
+      for (unsigned int n = 0; n < body->n_nodes(); ++n)
+        {
+          const Point<3> x = body->position(n);
+          for (unsigned int d = 0; d < c.dim; ++d)
+            if (x[d] == 0 || (d == 0 && x[0] == 3))
+              held.push_back(c.dim * n + d);
+        }
+      Eigen::VectorXd f = no_forces(*body);
+      body->add_temperature(heat(), f);
+      const Eigen::VectorXd u   = solve(*body, held, f);
+      const Eigen::VectorXd r   = stiffness(*body) * u - f;
+      double                sum = 0;
+      for (unsigned int n = 0; n < body->n_nodes(); ++n)
+        if (body->position(n)[0] == 3)
+          sum += r[c.dim * n];
+      const bool   plane_strain = c.dim == 2 && c.plane == "strain";
+      const double area         = c.dim == 2 ? 2 : 1;
+      EXPECT_NEAR(sum,
+                  -E * alpha * change * area *
+                    (plane_strain ? (1 + nu) / (1 - nu * nu) : 1),
+                  1e-12);
+    }
+}
+
+TEST(Temperature, StressOutOfThePlane)
+{
+  ElasticMaterial steel;
+  steel.young_modulus = E;
+  steel.poisson_ratio = nu;
+  steel.expansion     = alpha;
+  EXPECT_EQ(steel.out_of_plane_stress(0, change), -E * alpha * change);
+  steel.plane = ElasticMaterial::Plane::stress;
+  EXPECT_EQ(steel.out_of_plane_stress(1, change), 0);
+}
+
+TEST(Temperature, NothingExpandsWithoutCoefficient)
+{
+  const auto      body = make_body(2, "File = " + write_distorted_mesh(2, 3));
+  Eigen::VectorXd f    = no_forces(*body);
+  EXPECT_FALSE(body->add_temperature(heat(), f));
+  EXPECT_EQ(f.norm(), 0);
+}
