@@ -13,9 +13,22 @@
 #include <new>
 #include <string>
 
+// Null where another BLAS is linked.
+extern "C" void
+openblas_set_num_threads(int) __attribute__((weak));
+
 namespace
 {
   using namespace conetact;
+
+  /** Threads cost small problems far more than they gain. */
+  void
+  use_one_thread_by_default()
+  {
+    if (openblas_set_num_threads != nullptr &&
+        std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
+      openblas_set_num_threads(1);
+  }
 
   struct CommandLine
   {
@@ -36,6 +49,7 @@ namespace
       "  --guess            start from the first guess in the file\n"
       "  --store            store the solution in FILE.hdf5\n"
       "  --output FILE      store problem and solution in another file\n"
+      "One thread is used unless OPENBLAS_NUM_THREADS says otherwise.\n"
       "Exit codes: 0 solved, 1 wrong arguments or file, 2 not converged, "
       "3 cannot write.\n"
       "Methods:\n";
@@ -167,6 +181,7 @@ main(int argc, char **argv)
 {
   try
     {
+      use_one_thread_by_default();
       const CommandLine line = read_arguments(argc, argv);
       if (line.help)
         {

@@ -89,13 +89,13 @@ def random_result(row):
 
 
 def random_family(setup):
-    return [random_result(row) for row in setup.run_random("existence", 60 if setup.quick else RANDOM)]
+    return [random_result(row) for row in setup.run_random("existence", 40 if setup.quick else RANDOM)]
 
 
 def family_results(setup, name):
     if name == "random":
         return random_family(setup)
-    cases = setup.some(FAMILIES[name][1](setup), 6)
+    cases = setup.some(FAMILIES[name][1](setup), 4)
     results = setup.run_all(cases, name)
     compare_iterations(results)
     return results
@@ -149,7 +149,7 @@ def method_line(method, results, reference, rows):
 def methods_table(setup):
     lines = ["| method | 5.1 | 5.2 | 3D block | random definite | difference on scenes | difference where unique |",
              "|---|---|---|---|---|---|---|"]
-    rows = setup.run_random("methods", 12 if setup.quick else DEFINITE)
+    rows = setup.run_random("methods", 6 if setup.quick else DEFINITE)
     every = [case for method in METHODS for case in method_cases(setup, method)]
     results = setup.run_all(every, "methods")
     failures = [("methods", result) for result in results if result.failure]

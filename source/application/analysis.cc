@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/equilibrium.h"
 #include "conetact/contact/refusal.h"
+#include "conetact/output/problem_files.h"
 #include "conetact/output/progress.h"
 
 #include <algorithm>
@@ -93,6 +94,8 @@ namespace conetact
     const double bytes = model.condensation().factor_bytes();
     log.time("condensation: order, factor and Schur complement, factor of " +
              to_text(bytes / 1e6) + " MB");
+    if (!scene.fclib_increments.empty())
+      check_problem_is_writable(*model.condensation().system());
   }
 
   void
@@ -186,6 +189,12 @@ namespace conetact
            report.reason.empty() ?
              "the residual is " + to_text(report.residual) :
              report.reason);
+    if (scene.fclib_increments.count(increment.record.increment) > 0)
+      increment.record.condensed = std::make_shared<const CondensedIncrement>(
+        CondensedIncrement{problem,
+                           report.substeps == 1 ?
+                             std::optional<ContactState>(state) :
+                             std::nullopt});
     increment.record.errors = kanno_errors(problem, state);
     history.advance(state);
     return report;

@@ -8,6 +8,7 @@
 #include "conetact/application/solver_options.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/output/problem_files.h"
 #include "conetact/structures/body_table.h"
 
 #include <algorithm>
@@ -165,6 +166,13 @@ namespace conetact
                       dealii::Patterns::Integer(0),
                       "Write VTU files for ParaView at every n-th increment; "
                       "0: none.");
+    prm.declare_entry("FCLib increments",
+                      "",
+                      dealii::Patterns::Anything(),
+                      "Write the condensed problem of these increments "
+                      "(numbers from 1 on separated by commas, or all) with "
+                      "its solution as problem-0001.hdf5, ..., local problems "
+                      "of FCLib; empty: none.");
     prm.leave_subsection();
   }
 
@@ -180,6 +188,9 @@ namespace conetact
     prm.leave_subsection();
     prm.enter_subsection("Output");
     vtu_every = static_cast<unsigned int>(prm.get_integer("VTU"));
+    fclib_increments =
+      parse_problem_increments(prm.get("FCLib increments"),
+                               static_cast<unsigned int>(times.size()));
     prm.leave_subsection();
   }
 
@@ -224,6 +235,7 @@ namespace conetact
       find_contact_nodes(contacts, bodies.names, bodies.structures, dim);
     bodies.contact_nodes = std::move(found.nodes);
     n_free_nodes         = std::move(found.n_free);
+    align_with_supports(bodies);
   }
 
   std::string

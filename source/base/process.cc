@@ -63,6 +63,8 @@ namespace conetact
       const char *const settings[][2] = {
         {"OMPI_MCA_ess_singleton_isolated", "1"},
         {"OMPI_MCA_btl", "self"},
+        // a folder shared by all lone processes, removed by the first to end
+        {"OMPI_MCA_orte_create_session_dirs", "0"},
         {"OMPI_MCA_pml", "ob1"},
         {"OMPI_MCA_op", "^avx"},
         {"OMPI_MCA_coll", "^adapt,han,inter,monitoring,sm,sync,tuned"},

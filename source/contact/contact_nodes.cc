@@ -32,10 +32,7 @@ namespace conetact
     set_friction(ContactNode &node, const Contact &contact)
     {
       const std::string in = "Contact '" + contact.name + "', ";
-      const double      c  = std::cos(contact.friction_angle);
-      const double      s  = std::sin(contact.friction_angle);
-      node.axis_1          = c * node.t1 + s * node.t2;
-      node.axis_2          = c * node.t2 - s * node.t1;
+      node.friction_angle  = contact.friction_angle;
       node.mu_1            = friction_at(*contact.friction,
                               node.position,
                               in + "Friction coefficient");
@@ -147,6 +144,19 @@ namespace conetact
       std::abs(n[2]) > .9 ? cross_product_3d(e_y, n) : cross_product_3d(n, e_z);
     t1 /= t1.norm();
     return {t1, cross_product_3d(n, t1)};
+  }
+
+  void
+  set_frame(ContactNode        &node,
+            const Tensor<1, 3> &normal,
+            const unsigned int  dim)
+  {
+    const double c             = std::cos(node.friction_angle);
+    const double s             = std::sin(node.friction_angle);
+    node.n                     = normal;
+    std::tie(node.t1, node.t2) = tangents(node.n, dim);
+    node.axis_1                = c * node.t1 + s * node.t2;
+    node.axis_2                = c * node.t2 - s * node.t1;
   }
 
   void
@@ -279,8 +289,8 @@ namespace conetact
                 contact.name + "' both hold the node at " +
                 to_text(s.position) + " of body '" + bodies[contact.body] +
                 "'. A node stands in one contact only: change Boundary ids.");
-            std::tie(node.t1, node.t2) = tangents(node.n, dim);
             set_friction(node, contact);
+            set_frame(node, node.n, dim);
             result.nodes.push_back(std::move(node));
           }
       }

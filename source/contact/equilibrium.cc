@@ -223,16 +223,11 @@ namespace conetact
         reach = std::max(reach, p.norm());
       });
 
-    const double scale = std::max(e.largest_force, reference_force);
+    const double scale = std::max({e.largest_force,
+                                   reference_force,
+                                   above_rounding * elastic.largest_terms(u)});
     if (scale > 0 && unbalanced.size() > 0)
-      {
-        const double largest = unbalanced.cwiseAbs().maxCoeff();
-        e.residual           = largest / scale;
-        if (e.residual > 1e-12)
-          e.residual =
-            largest /
-            std::max(scale, above_rounding * elastic.largest_terms(u));
-      }
+      e.residual = unbalanced.cwiseAbs().maxCoeff() / scale;
     const double force = std::max(scale, largest_resultant(e));
     Resultant    sum;
     for (const Resultant &body : body_sum)

@@ -104,6 +104,31 @@ namespace conetact
     }
   } // namespace
 
+  void
+  align_with_supports(Bodies &bodies)
+  {
+    constexpr double largest_facet_angle = .1; // as a sine
+
+    using Key = std::pair<unsigned int, unsigned int>;
+    std::map<Key, std::vector<Tensor<1, 3>>> held;
+    for (const Support &support : bodies.supports)
+      if (!support.stiffness)
+        for (const SurfaceNode &node :
+             bodies.structures[support.body]->surface(support.ids).nodes)
+          for (const Tensor<1, 3> &e : support.directions_at(node.normal))
+            held[{support.body, node.node}].push_back(e);
+    for (ContactNode &node : bodies.contact_nodes)
+      {
+        const auto found = held.find({node.body, node.node});
+        if (node.masters.empty() || found == held.end())
+          continue;
+        for (const Tensor<1, 3> &e : found->second)
+          if (std::abs(node.n * e) < largest_facet_angle)
+            node.n -= (node.n * e) * e;
+        set_frame(node, node.n / node.n.norm(), bodies.dim);
+      }
+  }
+
   double
   NodeRule::left_free(const unsigned int c, const unsigned int d) const
   {

@@ -5,6 +5,7 @@
 
 #include "conetact/output/graphics.h"
 #include "conetact/output/increment_table.h"
+#include "conetact/output/problem_files.h"
 #include "conetact/output/reaction_table.h"
 
 namespace conetact
@@ -33,6 +34,9 @@ namespace conetact
       {"increments",
        "increments.csv: iterations, residuals, numbers of states and resultants",
        create<IncrementTable>},
+      {"problems",
+       "problem-0001.hdf5: condensed problems of chosen increments for FCLib",
+       create<ProblemFiles>},
       {"graphics",
        "solution.pvd, contact.pvd and VTU files of bodies and contact nodes",
        create<Graphics>}};

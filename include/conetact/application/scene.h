@@ -12,6 +12,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,6 +74,7 @@ namespace conetact
     SolverOptions             solver;
     unsigned int              vtu_every = 1;
     unsigned int              threads   = 1;
+    std::set<unsigned int>    fclib_increments; ///< with a file of their own
 
   private:
     void

@@ -64,6 +64,7 @@ namespace conetact
      * ([K] remark 3.3): |(r_1/mu_1, r_2/mu_2)| <= r_n. Isotropic: equal.
      */
     double       mu_1 = 0, mu_2 = 0;
+    double       friction_angle = 0; ///< of axis_1 from t1 [rad]
     Tensor<1, 3> axis_1, axis_2;
   };
 
@@ -80,6 +81,12 @@ namespace conetact
   /** Tangents of the convention above. */
   std::pair<Tensor<1, 3>, Tensor<1, 3>>
   tangents(const Tensor<1, 3> &n, const unsigned int dim);
+
+  /** Sets the normal, the tangents and the axes of friction of a node. */
+  void
+  set_frame(ContactNode        &node,
+            const Tensor<1, 3> &normal,
+            const unsigned int  dim);
 
   struct ContactNodes
   {

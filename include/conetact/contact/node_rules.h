@@ -24,6 +24,15 @@ namespace conetact
     std::vector<ContactNode>       contact_nodes;
   };
 
+  /**
+   * Turns the normals of pairs of bodies into the planes of symmetry on which
+   * supports hold their nodes. Facets of a curved surface are askew to such a
+   * plane by half the angle of a facet, the surface itself is not; normals
+   * further off are left to be refused.
+   */
+  void
+  align_with_supports(Bodies &bodies);
+
   /** A direction along which supports prescribe a node's displacement. */
   struct HeldDirection
   {

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ namespace conetact
     Tensor<1, 3> moment;
   };
 
+  /** An increment as its contact nodes see it. */
+  struct CondensedIncrement
+  {
+    ContactProblem              problem;
+    std::optional<ContactState> solution; ///< none if it was solved in parts
+  };
+
   /** All that is known of a finished increment. */
   struct IncrementRecord
   {
@@ -57,6 +65,9 @@ namespace conetact
     Resultant                    loads;
     std::vector<Eigen::VectorXd> displacements; ///< one a body, all its dofs
     std::vector<Actions>         actions;       ///< one a body: its loads
+
+    /** Where a file of it is wanted. */
+    std::shared_ptr<const CondensedIncrement> condensed;
   };
 
   /** What the outputs need to know before the first increment. */

@@ -17,6 +17,7 @@ namespace
                               "Moment of inertia = 5, 7|"
                               "Torsion constant = 11|Shear modulus = 80|"
                               "Expansion coefficient = 0.01";
+  const char *const rod     = "Young modulus = 200|Area = 3";
   constexpr double  E = 200, A = 3, I = 5, L = 4;
 
   /** A portal: two columns of height 4, a beam of length 6. */
@@ -40,7 +41,7 @@ namespace
                              "c-a: s, hinge start ; b-d-a: bar ; c-d: bar",
                              beam_3d));
     all.push_back(make_frame(
-      3, "Generator = double layer grid|Arguments = 3 : 2, 3 : 2", beam_3d));
+      3, "Generator = double layer grid|Arguments = 3 : 2, 3 : 2", rod));
     return all;
   }
 
@@ -84,7 +85,10 @@ TEST(Frame, RigidMotionsMeetNoForce)
   for (const auto &frame : frames())
     {
       const unsigned int dim =
-        frame->n_components() == 3 && frame->position(2)[2] == 0 ? 2 : 3;
+        frame->n_components() == 3 &&
+            frame->position(frame->n_nodes() - 1)[2] == 0 ?
+          2 :
+          3;
       const Eigen::MatrixXd k = stiffness(*frame);
       EXPECT_EQ((k - k.transpose()).cwiseAbs().maxCoeff(), 0);
       EXPECT_LE((k * rigid_motion(*frame, dim)).cwiseAbs().maxCoeff(),
@@ -325,7 +329,7 @@ TEST(Frame, DoubleLayerGrids)
         make_frame(3,
                    "Generator = double layer grid|Arguments = " +
                      std::to_string(n) + " : 2, 3 : 2",
-                   beam);
+                   rod);
       EXPECT_EQ(frame->all_members().size(), count);
       const Surface lower = frame->surface({1}), upper = frame->surface({2});
       EXPECT_EQ(lower.nodes.size(), n * n);
@@ -421,13 +425,17 @@ TEST(Frame, FileAndListAreTheSame)
 TEST(Frame, WrongInputIsASentence)
 {
   const std::string nodes = "Nodes = 1: 0, 0 ; 2: 4, 0 ; 3: 0, 0|";
-  const std::vector<std::array<std::string, 3>> cases = {
+  struct Case
+  {
+    std::string geometry, section, expected;
+  };
+  const std::vector<Case> cases = {
     {"Members = 1-2: s", beam, "there is no frame"},
     {nodes + "Members = 1-7: s", beam, "there is no node '7'"},
     {nodes + "Members = 1-3: s", beam, "has no length"},
     {nodes + "Members = 1-2: t", beam, "there is no section 't'"},
     {nodes + "Members = 1-2:", beam, "section is missing"},
-    {nodes, beam, "there are none"},
+    {nodes + "Members =", beam, "there are none"},
     {nodes + "Members = 1-2: s", beam, "node '3' belongs to no member"},
     {nodes + "Members = 1-2-3: s, stiff", beam, "'stiff' is no option"},
     {"Nodes = 1: 0, 0 ; 1: 4, 0", beam, "node '1' is defined twice"},

@@ -126,9 +126,9 @@ namespace
                    const double,
                    const fs::path &file) const override
     {
-      std::ofstream(file) << u.transpose();
       if (fails)
         throw WriteError("full");
+      std::ofstream(file) << u.transpose();
     }
     std::string
     description() const override

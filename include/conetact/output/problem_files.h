@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_output_problem_files_h
+#define conetact_output_problem_files_h
+
+#include "conetact/output/output.h"
+
+#include <set>
+#include <string>
+
+namespace conetact
+{
+  /**
+   * `problem-0001.hdf5`: the condensed problem of chosen increments as a local
+   * problem of FCLib, @f$ u = W r + q @f$ with u = (new gap, slip of the
+   * increment) [length] and r the total reaction [force], and the solution
+   * found (not where the increment was solved in parts). Contacts stand in the
+   * order of the rows of `reactions.csv`; where friction is elliptic their
+   * tangential components are scaled so that the cone is circular.
+   */
+  class ProblemFiles : public Output
+  {
+  public:
+    /** Removes files of this name that an earlier run left. */
+    explicit ProblemFiles(const RunDescription &description);
+    void
+    write(const IncrementRecord &record) override;
+
+  private:
+    const std::filesystem::path folder;
+  };
+
+  /**
+   * Increments to be written, of 1, ..., n: numbers separated by commas, all,
+   * or none. Throws InputError, also where the program was built without FCLib.
+   */
+  std::set<unsigned int>
+  parse_problem_increments(const std::string &text, const unsigned int n);
+
+  /**
+   * Throws InputError where the problem has no place in the format: floating
+   * bodies, contacts with different numbers of tangents, no contact at all.
+   */
+  void
+  check_problem_is_writable(const ContactSystem &system);
+} // namespace conetact
+
+#endif

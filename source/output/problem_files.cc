@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/output/problem_files.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#ifdef CONETACT_HAVE_FCLIB
+#  include "conetact/fclib/fclib_file.h"
+#endif
+
+#include <cstdio>
+#include <regex>
+
+namespace conetact
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    const std::string entry = "Output, FCLib increments";
+
+    [[noreturn]] void
+    refuse(const std::string &why)
+    {
+      throw InputError(entry + ": " + why + " Leave the entry empty.");
+    }
+
+    std::string
+    file_name(const unsigned int increment)
+    {
+      char name[32];
+      std::snprintf(name, sizeof(name), "problem-%04u.hdf5", increment);
+      return name;
+    }
+
+    unsigned int
+    parse_increment(const std::string &text, const unsigned int n)
+    {
+      if (!std::regex_match(text, std::regex("[0-9]{1,9}")))
+        throw InputError(entry + ": '" + text +
+                         "' is not the number of an increment. Give numbers "
+                         "separated by commas, or all.");
+      const unsigned long k = std::stoul(text);
+      if (k < 1 || k > n)
+        throw InputError(entry + ": there is no increment " + text +
+                         "; they count from 1 to " + std::to_string(n) + ".");
+      return static_cast<unsigned int>(k);
+    }
+  } // namespace
+
+
+
+  ProblemFiles::ProblemFiles(const RunDescription &description)
+    : folder(description.folder)
+  {
+    const std::regex pattern("problem-[0-9]{4,}\\.hdf5");
+    std::error_code  error;
+    for (const auto &file : fs::directory_iterator(folder, error))
+      if (std::regex_match(file.path().filename().string(), pattern))
+        fs::remove(file.path(), error);
+  }
+
+
+
+  void
+  ProblemFiles::write(const IncrementRecord &record)
+  {
+    if (!record.condensed)
+      return;
+#ifdef CONETACT_HAVE_FCLIB
+    const CondensedIncrement &condensed = *record.condensed;
+    const std::string         increment =
+      "increment " + std::to_string(record.increment);
+    try
+      {
+        write_fclib(condensed.problem,
+                    (folder / file_name(record.increment)).string(),
+                    condensed.solution ? &*condensed.solution : nullptr,
+                    nullptr,
+                    "Conetact, " + increment);
+      }
+    catch (const InputError &error)
+      {
+        throw AnalysisError(entry + ", " + increment + ": " + error.what());
+      }
+#endif
+  }
+
+
+
+  std::set<unsigned int>
+  parse_problem_increments(const std::string &text, const unsigned int n)
+  {
+    std::set<unsigned int> increments;
+    if (trim(text) == "all")
+      for (unsigned int k = 1; k <= n; ++k)
+        increments.insert(k);
+    else
+      for (const std::string &part : split(text, ','))
+        increments.insert(parse_increment(part, n));
+#ifndef CONETACT_HAVE_FCLIB
+    if (!increments.empty())
+      refuse("this program was built without FCLib (Debian: libfclib-dev, "
+             "libhdf5-dev).");
+#endif
+    return increments;
+  }
+
+
+
+  void
+  check_problem_is_writable(const ContactSystem &system)
+  {
+    if (system.n_nodes() == 0)
+      refuse("no node may touch anything, there is no contact problem.");
+    if (system.null_space.cols() > 0)
+      refuse("a body is held by contact alone, its stiffness has no inverse, "
+             "and FCLib knows no other form.");
+    const Eigen::Index tangents = system.n_tangents(0);
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      if (system.n_tangents(i) == 0 || system.n_tangents(i) != tangents)
+        refuse("FCLib needs contacts of one kind, but contact " +
+               std::to_string(i) + " has " +
+               std::to_string(system.n_tangents(i)) +
+               " free tangents with friction, contact 0 has " +
+               std::to_string(tangents) + ".");
+  }
+} // namespace conetact
