@@ -862,6 +862,80 @@ def bodies(laws):
             laws.same(f"{dim}D, {name} body", alone, part, 1e-12)
 
 
+def stack(dim, cells, heights, mu, joint_mu, side="0.002*max(t - 1, 0)"):
+    """Blocks one on the other, cells[i] along all axes each, pressed and sheared."""
+    bottom, top = (2, 3) if dim == 2 else (4, 5)
+    scene = {"Dimension": dim, "Obstacle floor": floor(dim), "Contact bottom": contact("block 0", bottom, mu=mu)}
+    below = 0.0
+    for i, (n, height) in enumerate(zip(cells, heights)):
+        size = (2.0, height) if dim == 2 else (1.5, 1.0, height)
+        origin = (0.0, below) if dim == 2 else (0.0, 0.0, below)
+        scene[f"Body block {i}"] = box(n, size, origin)
+        below += height
+        if i > 0:
+            scene[f"Contact joint {i}"] = {"Body": f"block {i}", "Boundary ids": bottom,
+                                           "Master body": f"block {i - 1}", "Master boundary ids": top,
+                                           "Friction coefficient": joint_mu}
+    down = "-0.01*min(t, 1)"
+    return {**scene, "Support top": support(top, "x, y" if dim == 2 else "x, y, z",
+                                            f"{side} ; {down}" if dim == 2 else f"{side} ; 0 ; {down}",
+                                            f"block {len(cells) - 1}"),
+            "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+
+
+def pairs(laws):
+    for dim in (2, 3):
+        half, whole = ((10, 5), (10, 10)) if dim == 2 else ((4, 3, 2), (4, 3, 4))
+        two = laws.run(stack(dim, (half, half), (1.0, 1.0), .3, 100.0))
+        one = laws.run(stack(dim, (whole,), (2.0,), .3, 0))
+        laws.demand(f"{dim}D: the joint sticks", all(row["state"] == "stick" for row in two.rows if row["contact"] == "joint 1"))
+        two.rows = [row for row in two.rows if row["contact"] == "bottom"]
+        laws.same(f"{dim}D: two blocks glued by friction are one", one, two)
+
+        # meshes that do not match, flat: the sums are exact, single values of node to segment are not
+        fine = ((10, 5), (7, 4), (9, 6)) if dim == 2 else ((4, 3, 2), (3, 4, 2), (4, 4, 2))
+        worst = action = 0.0
+        for mu in (.05, .2, .5, 1.0, 2.0):
+            run = laws.run(stack(dim, fine, (1.0, .7, .9), .4, mu))
+            last = run.increments[-1]
+            size = max(abs(last[f"joint_1_f_{c}"]) for c in "xyz")
+            worst = max([worst] + [row[f"balance_block_{i}"] for row in run.increments for i in range(3)])
+            action = max([action] + [abs(last[f"joint_{j}_f_{c}"] + last[f"joint_{j}_master_f_{c}"]) / size
+                                     for j in (1, 2) for c in "xyz"])
+        laws.check(f"{dim}D: balance of each body of a stack", worst, 1e-10)
+        laws.check(f"{dim}D: action is reaction", action, 1e-12)
+
+        # uniform pressure through a joint, matching and not
+        for name, upper, bound in (("matching", half, 1e-12), ("not matching", fine[1], .25)):
+            scene = stack(dim, (half, upper), (1.0, 1.0), 0, 0)
+            roller = {"Support low": support((0, 2) if dim == 3 else 0, "normal", body="block 0"),
+                      "Support high": support((0, 2) if dim == 3 else 0, "normal", body="block 1")}
+            if dim == 3:
+                for key in ("Support low", "Support high"):
+                    roller[key]["Boundary ids"] = "0, 2"
+            scene.pop("Support top")
+            run = laws.run({**scene, **roller, "Load top": load("pressure", "2", 3 if dim == 2 else 5, "block 1"),
+                            "Time": {"End": 1, "Increments": 1}})
+            error = max(abs(row["r_n"] / share - 2) / 2 for row, share in joint_shares(run, dim, upper))
+            laws.check(f"{dim}D: pressure in a flat joint, {name} meshes", error, bound)
+
+    ring = laws.run(SHIPPED / "shrink-fit.prm", "-s", "Output/VTU=0")
+    mean = sum(row["r_n"] for row in ring.rows if row["contact"] == "joint") / math.pi
+    laws.check("shrink fit: mean pressure against Lame", abs(mean / .234375 - 1), 1e-3)
+
+
+def joint_shares(run, dim, cells):
+    """Rows of joint 1 with the nodes' shares of its area."""
+    size = (2.0,) if dim == 2 else (1.5, 1.0)
+    for row in run.rows:
+        if row["contact"] == "joint 1":
+            share = 1.0
+            for c, length, n in zip("xy", size, cells):
+                rim = min(row[c], length - row[c]) < 1e-9
+                share *= length / n * (.5 if rim else 1)
+            yield row, share
+
+
 def threads(laws):
     scene = press_and_shear(3, cells=(9, 9, 9))
     first = laws.run(scene)
@@ -1025,7 +1099,7 @@ def hertz(laws):
 
 FAMILIES = {"balance": balance, "extrusion": extrusion, "rotation": rotation_family, "mirror": mirror, "units": units,
             "patch": patch, "refinement": refinement, "obstacles": obstacles, "supports": supports, "loads": loads,
-            "friction": friction, "bodies": bodies, "threads": threads, "kill": kill, "hertz": hertz}
+            "friction": friction, "bodies": bodies, "pairs": pairs, "threads": threads, "kill": kill, "hertz": hertz}
 
 
 def main(program, *names):

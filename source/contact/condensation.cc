@@ -38,10 +38,10 @@ namespace conetact
                                            coordinates.n_contact_unknowns(),
                                            coordinates.node_of_unknowns());
 
-    auto system        = std::make_shared<ContactSystem>(coordinates.layout());
-    system->matrix     = solver->take_schur_complement();
-    system->null_space = find_mechanisms && coordinates.n_contact_unknowns() <=
-                                              largest_rank_search ?
+    auto system    = std::make_shared<ContactSystem>(coordinates.layout());
+    system->matrix = solver->take_schur_complement();
+    const Eigen::Index n = coordinates.n_contact_unknowns();
+    system->null_space = find_mechanisms && n > 0 && n <= largest_rank_search ?
                            null_space_basis(system->matrix) :
                            null_space;
     contact_system     = system;

@@ -4,6 +4,7 @@
 #include "conetact/contact/contact_model.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/text.h"
 
 #include <algorithm>
 
@@ -16,6 +17,26 @@ namespace conetact
     , elastic(bodies)
     , motions(bodies, rules, coordinates)
   {}
+
+  std::string
+  ContactModel::singular_sentence(const SingularMatrix &error) const
+  {
+    std::string text = "Some part of a body can move although supports and "
+                       "contact nodes hold all bodies";
+    std::string hint;
+    if (error.node)
+      {
+        const auto [body, node] = coordinates.locate(*error.node);
+        text += ": what surrounds the node at " +
+                to_text(bodies.structures[body]->position(node)) +
+                " of body '" + bodies.names[body] + "'";
+        hint = bodies.structures[body]->weakness(node);
+      }
+    return text +
+           ". It is a piece that is not joined to the rest, or a "
+           "mechanism: join it, or add a Support." +
+           (hint.empty() ? "" : " " + hint);
+  }
 
   bool
   ContactModel::may_be_mechanism() const
@@ -38,12 +59,9 @@ namespace conetact
                                                      motions.null_space(),
                                                      may_be_mechanism());
       }
-    catch (const SingularMatrix &)
+    catch (const SingularMatrix &error)
       {
-        throw InputError("Some part of a body can move although supports and "
-                         "contact nodes hold all bodies: a piece that is not "
-                         "joined to the rest, or a mechanism. Join it, or add "
-                         "a Support.");
+        throw InputError(singular_sentence(error));
       }
     return *condensed;
   }

@@ -35,6 +35,15 @@ namespace conetact
                                        bodies.structures[body]->n_components());
   }
 
+  std::pair<unsigned int, unsigned int>
+  Coordinates::locate(const unsigned int node) const
+  {
+    unsigned int body = 0;
+    while (node_offset[body + 1] <= node)
+      ++body;
+    return {body, node - node_offset[body]};
+  }
+
   void
   Coordinates::number_unknowns()
   {

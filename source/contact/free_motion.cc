@@ -20,17 +20,6 @@ namespace conetact
 
 
 
-  void
-  throw_free_motion(const std::string &what)
-  {
-    throw SingularMatrix("Held by supports and contact nodes alone, " + what +
-                         " can still move without resistance: the stiffness "
-                         "is singular. More supports or contact nodes are "
-                         "needed.");
-  }
-
-
-
   Eigen::VectorXd
   probe_load(const Eigen::VectorXd &diagonal)
   {
@@ -70,7 +59,6 @@ namespace conetact
             }
         }
     if (!(energy > rounding * without_signs)) // nor if it is not a number
-      throw_free_motion("what surrounds node " +
-                        std::to_string(node_of[where]));
+      throw SingularMatrix(node_of[static_cast<std::size_t>(where)]);
   }
 } // namespace conetact

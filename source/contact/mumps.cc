@@ -4,7 +4,7 @@
 #include "conetact/contact/mumps.h"
 
 #include "conetact/base/process.h"
-#include "conetact/contact/free_motion.h"
+#include "conetact/contact/schur_solver.h"
 
 #include <new>
 #include <stdexcept>
@@ -56,7 +56,7 @@ namespace conetact
       }
     throw_errors();
     if (info(12) > 0) // negative pivots
-      throw_free_motion("a part of the body");
+      throw SingularMatrix(std::nullopt);
   }
 
 
@@ -86,7 +86,7 @@ namespace conetact
     if (error == -5 || error == -7 || error == -13)
       throw std::bad_alloc();
     if (error == -10)
-      throw_free_motion("a part of the body");
+      throw SingularMatrix(std::nullopt);
     if (error < 0)
       throw std::runtime_error("MUMPS gives up with its error " +
                                std::to_string(error) + " (" +

@@ -107,7 +107,7 @@ namespace conetact
     const VectorXd diagonal = upper.diagonal();
     for (Index i = 0; i < n_eliminated; ++i)
       if (!(diagonal[i] > 0.))
-        throw_free_motion("node " + std::to_string(node_of[i]));
+        throw SingularMatrix(node_of[i]);
 
     mumps = std::make_unique<Mumps>();
     factorize(upper, elimination_order(upper, n_eliminated, node_of));

@@ -37,6 +37,8 @@ namespace conetact
   private:
     bool
     may_be_mechanism() const;
+    std::string
+    singular_sentence(const SingularMatrix &error) const;
 
     std::unique_ptr<Condensation> condensed;
   };

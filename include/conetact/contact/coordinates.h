@@ -56,6 +56,10 @@ namespace conetact
     Eigen::Index
     dof(const unsigned int body, const unsigned int node) const;
 
+    /** Body and node of a number of node_of_unknowns(). */
+    std::pair<unsigned int, unsigned int>
+    locate(const unsigned int node) const;
+
     struct Entry
     {
       Eigen::Index unknown;

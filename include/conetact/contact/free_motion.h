@@ -12,9 +12,6 @@
 
 namespace conetact
 {
-  /** Throws SingularMatrix: `what` can move although it should be held. */
-  [[noreturn]] void
-  throw_free_motion(const std::string &what);
 
   /**
    * Whether a factorised matrix A was singular but for rounding cannot be

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -16,7 +17,12 @@ namespace conetact
   /** The matrix is not positive definite on the eliminated unknowns. */
   struct SingularMatrix : std::runtime_error
   {
-    using std::runtime_error::runtime_error;
+    explicit SingularMatrix(const std::optional<unsigned int> where)
+      : std::runtime_error("the matrix is singular where it is eliminated")
+      , node(where)
+    {}
+    /** A node that moves freely, if known: a value of `node_of`. */
+    std::optional<unsigned int> node;
   };
 
   /**

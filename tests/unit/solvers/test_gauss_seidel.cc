@@ -283,3 +283,17 @@ TEST(GaussSeidel, HonestAboutFailure)
   EXPECT_FALSE(report.reason.empty());
   EXPECT_GT(report.residual, 1e-10);
 }
+
+
+
+TEST(GaussSeidel, GoesOnForTwoDigitsMore)
+{
+  const MatrixXd A = MatrixXd::Identity(9, 9) + .1 * MatrixXd::Ones(9, 9);
+  VectorXd       f(9);
+  f << 1, 2, -3, 2, -1, -2, -1, 1, -4;
+  ContactState       state;
+  const SolverReport report =
+    solve(make_problem(make_system(Form::stiffness, A, 3, .3), f), state);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LE(report.residual, 1e-12);
+}

@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Condensed problems of the 3D block: our solver beside those of Siconos.
+
+usage: compare.py [BUILD [N...]]      (default: build/ and N = 16 24 32)
+
+block-press-shear.prm with N^3 elements, pressed and sheared in one increment,
+is exported and solved from a cold start to 1e-8 and 1e-12 by `conetact-fclib
+solve` and by the solvers of Siconos, which get the problem in balanced units.
+One thread; seconds of the solves alone, medians of REPEAT, residuals by one
+measure. A solver of Siconos that misses a tolerance tenfold does not count, and
+what does not end within LIMIT seconds is stopped.
+"""
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+os.environ["OPENBLAS_NUM_THREADS"] = "1"
+TOP = Path(__file__).resolve().parent.parent.parent
+SOLVERS = ("NSN_AC", "NSN_FB", "NSGS", "ADMM")
+REPEAT, LIMIT = 3, 600
+
+
+def export(build, n, folder):
+    subprocess.run([build / "conetact", TOP / "parameter-files/block-press-shear.prm", "-q", "-o", folder,
+                    "-s", "Output/VTU=0", "-s", "Output/FCLib increments=1", "-s", "Time/Increments=1", "-s", "Time/End=1",
+                    "-s", "Support top/Displacement=0.02 ; 0 ; -0.01",
+                    "-s", f"Body block/Mesh/Arguments={n}, {n}, {n} : 0, 0, 0 : 1, 1, 1 : true"], check=True)
+    return Path(folder) / "problem-0001.hdf5"
+
+
+def ours(build, file, tolerance):
+    text = subprocess.run([build / "conetact-fclib", "solve", file, "--tolerance", str(tolerance)],
+                          check=True, capture_output=True, text=True).stdout
+    return tuple(float(re.search(rf"^{what} +(\S+)", text, re.M)[1]) for what in ("time", "residual"))
+
+
+def theirs(file, solver, tolerance):
+    """In a process of its own, for it may crash or not end."""
+    command = [sys.executable, Path(__file__).parent / "siconos_solve.py", file, solver, str(tolerance)]
+    try:
+        run = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return None
+    found = re.search(rf"{solver}: (\S+) s, .*residual (\S+)", run.stdout)
+    return (float(found[1]), float(found[2])) if found else None
+
+
+def repeated(solve):
+    """Median seconds and worst residual; one run is enough if it failed."""
+    runs = []
+    for _ in range(REPEAT):
+        runs.append(solve())
+        if runs[-1] is None:
+            return None
+    return statistics.median(r[0] for r in runs), max(r[1] for r in runs)
+
+
+def compare(build, n):
+    with tempfile.TemporaryDirectory() as folder:
+        file = export(build, n, folder)
+        for tolerance in (1e-8, 1e-12):
+            own = repeated(lambda: ours(build, file, tolerance))
+            print(f"n_c = {(n + 1)**2}, {tolerance:g}: ours {own[0]:.4g} s, residual {own[1]:.1e}", flush=True)
+            best = None
+            for solver in SOLVERS:
+                result = repeated(lambda: theirs(file, solver, tolerance))
+                if result is None:
+                    print(f"  {solver}: no result within {LIMIT} s", flush=True)
+                    continue
+                counts = result[1] <= 10 * tolerance
+                print(f"  {solver}: {result[0]:.4g} s, residual {result[1]:.1e}" + ("" if counts else ", not reached"),
+                      flush=True)
+                if counts and (best is None or result[0] < best[0]):
+                    best = (result[0], solver)
+            print(f"  best {best[1]}, ratio {best[0] / own[0]:.1f}" if best else "  no solver reaches it", flush=True)
+
+
+if __name__ == "__main__":
+    folder = Path(sys.argv[1] if len(sys.argv) > 1 else TOP / "build").resolve()
+    for size in [int(n) for n in sys.argv[2:]] or (16, 24, 32):
+        compare(folder, size)

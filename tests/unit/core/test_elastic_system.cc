@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/elastic_system.h"
+
+#include "body_fixture.h"
+
+using namespace conetact;
+
+namespace
+{
+  const std::string cells_2d = "Generator = subdivided_hyper_rectangle|"
+                               "Arguments = 6, 4 : 0, 0 : 3, 2 : true";
+
+  /** Strains of 1e-3 on top of a translation. */
+  Eigen::VectorXd
+  displacements(const Structure &body, const double translation)
+  {
+    Eigen::VectorXd u(body.n_dofs());
+    for (unsigned int i = 0; i < body.n_nodes(); ++i)
+      for (unsigned int c = 0; c < body.n_components(); ++c)
+        u[i * body.n_components() + c] =
+          translation + 1e-3 * body.position(i)[c] * body.position(i)[0];
+    return u;
+  }
+} // namespace
+
+
+
+TEST(ElasticSystem, ForcesKeepTheirDigitsInABodyThatMovesFar)
+{
+  const auto body = test::make_body(2, cells_2d);
+  Bodies     bodies;
+  bodies.dim        = 2;
+  bodies.structures = {body.get()};
+  bodies.names      = {"block"};
+  const ElasticSystem   system(bodies);
+  const Eigen::VectorXd still = system.internal_forces(displacements(*body, 0));
+  // a power of two, but the sums with it are rounded
+  const Eigen::VectorXd moved =
+    system.internal_forces(displacements(*body, 1024));
+  const double size = still.cwiseAbs().maxCoeff();
+  EXPECT_GT(size, 1e-3);
+  // rounding of the displacements, not of their products with K
+  EXPECT_LE((moved - still).cwiseAbs().maxCoeff(), 1e-15 * 1024 * 5 * 4);
+  for (const unsigned int c : {0U, 1U})
+    {
+      double sum = 0;
+      for (unsigned int i = 0; i < body->n_nodes(); ++i)
+        sum += moved[2 * i + c];
+      EXPECT_LE(std::abs(sum), 1e-14 * size) << c;
+    }
+}
+
+
+
+TEST(ElasticSystem, TermsOfABodyThatMovesWithoutStrain)
+{
+  const auto body = test::make_body(2, cells_2d);
+  Bodies     bodies;
+  bodies.dim        = 2;
+  bodies.structures = {body.get()};
+  bodies.names      = {"block"};
+  const ElasticSystem   system(bodies);
+  const Eigen::VectorXd u = Eigen::VectorXd::Constant(body->n_dofs(), 2.);
+  EXPECT_EQ(system.internal_forces(u).cwiseAbs().maxCoeff(), 0);
+  EXPECT_GT(system.largest_terms(u), 10);
+  EXPECT_DOUBLE_EQ(system.largest_terms(2 * u), 2 * system.largest_terms(u));
+}
