@@ -116,7 +116,7 @@ class Law:
         return float(np.where(zero, np.maximum(errors - 2 * self.written, 0), errors).max() / scale) if scale else 0.0
 
     def node_errors(self, rows, force, motion, gap):
-        """Elliptic cones are mapped on circular ones with the larger mu."""
+        """Elliptic cones are mapped on circular ones with the larger mu, the errors back."""
         mu = np.array([self.friction[row["contact"]] for row in rows])
         if self.tangents == 1:
             mu[:, 1:] = np.column_stack([mu[:, 0], 0 * mu[:, 0]])
@@ -126,7 +126,9 @@ class Law:
         slip = turned(motion, mu[:, 2]) / map_
         v = np.column_stack([slip, gap + largest * np.linalg.norm(slip, axis=1)])
         v[:, :2] *= largest[:, None] > 0
-        return np.linalg.norm(r - project(r - self.rho * v, largest), axis=1)
+        error = r - project(r - self.rho * v, largest)
+        error[:, :2] /= map_
+        return np.linalg.norm(error, axis=1)
 
 
 def balance_error(increments, contacts, floor):

