@@ -76,8 +76,9 @@ def project(r, mu):
     """On the cone |r_t| <= mu r_n, normal last; on the half line where mu is 0."""
     length, n = np.linalg.norm(r[:, :2], axis=1), r[:, 2]
     mantle = (n + mu * length) / (1 + mu ** 2)
-    height = np.where(length <= mu * n, n, np.where(mu * length <= -n, 0, mantle))
-    shrink = np.where(length <= mu * n, 1, mu * height / np.where(length > 0, length, 1))
+    inside, outside = length <= mu * n, mu * length <= -n
+    height = np.where(outside, 0, np.where(inside, n, mantle))
+    shrink = np.where(outside, 0, np.where(inside, 1, mu * height / np.where(length > 0, length, 1)))
     return np.column_stack([r[:, :2] * shrink[:, None], height])
 
 
@@ -111,11 +112,11 @@ class Law:
         motion = columns(rows, "du_t1", "du_t2")
         self.history = max(self.history, np.linalg.norm(force, axis=1).max())
         scale = max(self.history, self.rho * np.abs(motion).max(), self.rho * np.abs(gap).max())
-        errors = self.node_errors(rows, force, motion, gap)
         zero = (force[:, [*range(self.tangents), 2]] == 0).any(axis=1)
-        return float(np.where(zero, np.maximum(errors - 2 * self.written, 0), errors).max() / scale) if scale else 0.0
+        errors = self.node_errors(rows, force, motion, gap, 2 * self.written * zero)
+        return float(errors.max() / scale) if scale > 0 else 0.0
 
-    def node_errors(self, rows, force, motion, gap):
+    def node_errors(self, rows, force, motion, gap, unknown):
         """Elliptic cones are mapped on circular ones with the larger mu, the errors back."""
         mu = np.array([self.friction[row["contact"]] for row in rows])
         if self.tangents == 1:
@@ -128,7 +129,7 @@ class Law:
         v[:, :2] *= largest[:, None] > 0
         error = r - project(r - self.rho * v, largest)
         error[:, :2] /= map_
-        return np.linalg.norm(error, axis=1)
+        return np.maximum(np.linalg.norm(error, axis=1) - unknown * map_.max(axis=1), 0)
 
 
 def balance_error(increments, contacts, floor):

@@ -50,9 +50,11 @@ namespace conetact
       while (expressions.size() < n)
         expressions.push_back(Expression("0", entry));
     if (expressions.size() != n)
-      throw InputError(
-        entry + ": '" + text + "' has " + std::to_string(expressions.size()) +
-        " expressions. Give " + std::to_string(n) + ", separated by ';'.");
+      throw InputError(entry + ": '" + text + "' has " +
+                       std::to_string(expressions.size()) +
+                       (expressions.size() == 1 ? " expression. Give " :
+                                                  " expressions. Give ") +
+                       std::to_string(n) + ", separated by ';'.");
     return expressions;
   }
 } // namespace conetact

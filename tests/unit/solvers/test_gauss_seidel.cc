@@ -219,13 +219,15 @@ TEST(GaussSeidel, RedundantContactsOfARigidBody)
 TEST(GaussSeidel, MixedNodesAndWarmStart)
 {
   // nodes with no, one and two tangents
-  auto system          = std::make_shared<ContactSystem>();
-  system->first        = {0, 1, 3, 6, 7, 9, 12};
-  system->mu           = VectorXd::Constant(6, .4);
-  system->mu[2]        = 0;
-  const MatrixXd A     = random_matrix(12, 30);
-  system->matrix       = A * A.transpose();
-  auto         problem = make_problem(system, random_matrix(12, 1));
+  auto system      = std::make_shared<ContactSystem>();
+  system->first    = {0, 1, 3, 6, 7, 9, 12};
+  system->mu       = VectorXd::Constant(6, .4);
+  system->mu[2]    = 0;
+  const MatrixXd A = random_matrix(12, 30);
+  system->matrix   = A * A.transpose();
+  auto problem     = make_problem(system, random_matrix(12, 1));
+  for (Eigen::Index i = 0; i < 6; ++i)
+    problem.load[system->normal(i)] -= 2; // presses
   ContactState state;
   const auto   cold = solve(problem, state, 1e-12);
   ASSERT_TRUE(cold.converged) << cold.reason;
