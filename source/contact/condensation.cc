@@ -5,6 +5,8 @@
 
 #include "conetact/solvers/null_space.h"
 
+#include <cmath>
+
 namespace conetact
 {
   namespace
@@ -15,12 +17,15 @@ namespace conetact
     /** Mechanisms are searched for in systems up to this size. */
     constexpr Eigen::Index largest_rank_search = 2000;
 
+    /** A power of two, so that dividing by it rounds nothing. */
     double
     mean_diagonal(const Eigen::SparseMatrix<double> &matrix)
     {
-      return matrix.rows() == 0 ?
-               1. :
-               matrix.diagonal().sum() / static_cast<double>(matrix.rows());
+      const double mean =
+        matrix.rows() == 0 ?
+          0. :
+          matrix.diagonal().sum() / static_cast<double>(matrix.rows());
+      return mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1.;
     }
   } // namespace
 
@@ -31,15 +36,17 @@ namespace conetact
     : elastic(e)
     , coordinates(c)
   {
-    const Eigen::SparseMatrix<double> stiffness =
-      assemble(elastic, coordinates);
+    Eigen::SparseMatrix<double> stiffness = assemble(elastic, coordinates);
+    // MUMPS has thresholds of its own, which know no units.
     stiffness_scale = mean_diagonal(stiffness);
-    solver          = std::make_unique<SchurSolver>(stiffness,
+    stiffness /= stiffness_scale;
+    solver = std::make_unique<SchurSolver>(stiffness,
                                            coordinates.n_contact_unknowns(),
                                            coordinates.node_of_unknowns());
 
     auto system    = std::make_shared<ContactSystem>(coordinates.layout());
     system->matrix = solver->take_schur_complement();
+    system->matrix *= stiffness_scale;
     const Eigen::Index n = coordinates.n_contact_unknowns();
     system->null_space = find_mechanisms && n > 0 && n <= largest_rank_search ?
                            null_space_basis(system->matrix) :
@@ -104,7 +111,7 @@ namespace conetact
         b.col(k)         = loads[static_cast<std::size_t>(k)].b;
         q_contact.col(k) = contact[static_cast<std::size_t>(k)];
       }
-    const Eigen::MatrixXd q = solver->expand(b, q_contact);
+    const Eigen::MatrixXd q = solver->expand(b / stiffness_scale, q_contact);
     Eigen::MatrixXd       u(coordinates.n_dofs(), n);
     for (Eigen::Index k = 0; k < n; ++k)
       u.col(k) = coordinates.expand(q.col(k)) +

@@ -26,7 +26,7 @@ namespace conetact
       throw InputError(entry + ": " + why + " Leave the entry empty.");
     }
 
-    std::string
+    [[maybe_unused]] std::string
     file_name(const unsigned int increment)
     {
       char name[32];
