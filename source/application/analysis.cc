@@ -242,23 +242,40 @@ namespace conetact
     batch.clear();
   }
 
-  void
-  Analysis::check(Pending &increment, const Eigen::VectorXd &u)
+  Equilibrium
+  Analysis::judge(const Pending &increment, const Eigen::VectorXd &u) const
   {
-    IncrementRecord  &record = increment.record;
-    const Equilibrium e      = check_equilibrium(scene.bodies,
-                                            model.elastic,
-                                            model.coordinates,
-                                            u,
-                                            increment.state.r,
-                                            increment.forces,
-                                            record.time,
-                                            scene.contact_names.size(),
-                                            largest_force);
-    largest_force            = std::max(largest_force, e.largest_force);
-    record.equilibrium       = e.residual;
-    record.balance           = e.balance;
-    record.contacts          = e.contacts;
+    return check_equilibrium(scene.bodies,
+                             model.elastic,
+                             model.coordinates,
+                             u,
+                             increment.state.r,
+                             increment.forces,
+                             increment.record.time,
+                             scene.contact_names.size(),
+                             largest_force);
+  }
+
+  void
+  Analysis::check(Pending &increment, Eigen::VectorXd u)
+  {
+    IncrementRecord &record = increment.record;
+    Equilibrium      e      = judge(increment, u);
+    if (e.residual > .01 * scene.solver.tolerance)
+      {
+        const Eigen::VectorXd refined =
+          u + model.condensation().correction(e.unbalanced);
+        if (Equilibrium better = judge(increment, refined);
+            better.residual < e.residual)
+          {
+            e = std::move(better);
+            u = refined;
+          }
+      }
+    largest_force      = std::max(largest_force, e.largest_force);
+    record.equilibrium = e.residual;
+    record.balance     = e.balance;
+    record.contacts    = e.contacts;
     record.contacts.resize(scene.contact_sides.size());
     for (std::size_t c = 0; c < e.masters.size(); ++c)
       if (scene.master_side[c] != c)

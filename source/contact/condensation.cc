@@ -118,4 +118,12 @@ namespace conetact
                  loads[static_cast<std::size_t>(k)].prescribed;
     return u;
   }
+
+  Eigen::VectorXd
+  Condensation::correction(const Eigen::VectorXd &unbalanced) const
+  {
+    return -coordinates.expand(
+      solver->expand(unbalanced / stiffness_scale,
+                     Eigen::VectorXd::Zero(coordinates.n_contact_unknowns())));
+  }
 } // namespace conetact

@@ -15,7 +15,7 @@ namespace conetact
      * no 12 digits left: bodies that move far with hardly any force, stiff ones
      * on soft ones.
      */
-    constexpr double above_rounding = 1e-4;
+    constexpr double above_rounding = 1e-3;
 
     Tensor<1, 3>
     at_node(const Eigen::VectorXd &f,
@@ -144,6 +144,7 @@ namespace conetact
     Eigen::VectorXd unbalanced =
       coordinates.restrict(internal - loads - ground);
     unbalanced.tail(r.size()) -= r;
+    e.unbalanced = unbalanced;
     divide_moments(bodies, coordinates, unbalanced);
 
     Eigen::VectorXd rest = internal - loads - ground;
@@ -223,20 +224,24 @@ namespace conetact
         reach = std::max(reach, p.norm());
       });
 
-    const double scale = std::max({e.largest_force,
-                                   reference_force,
-                                   above_rounding * elastic.largest_terms(u)});
-    if (scale > 0 && unbalanced.size() > 0)
-      e.residual = unbalanced.cwiseAbs().maxCoeff() / scale;
-    const double force = std::max(scale, largest_resultant(e));
-    Resultant    sum;
-    for (const Resultant &body : body_sum)
-      {
-        e.body_balance.push_back(relative(body, force, reach));
-        sum.force += body.force;
-        sum.moment += body.moment;
-      }
-    e.balance = relative(sum, force, reach);
+    const auto judge = [&](const double scale) {
+      if (scale > 0 && unbalanced.size() > 0)
+        e.residual = unbalanced.cwiseAbs().maxCoeff() / scale;
+      const double force = std::max(scale, largest_resultant(e));
+      Resultant    sum;
+      e.body_balance.clear();
+      for (const Resultant &body : body_sum)
+        {
+          e.body_balance.push_back(relative(body, force, reach));
+          sum.force += body.force;
+          sum.moment += body.moment;
+        }
+      e.balance = relative(sum, force, reach);
+    };
+    const double scale = std::max(e.largest_force, reference_force);
+    judge(scale);
+    if (std::max(e.residual, e.balance) > 1e-12)
+      judge(std::max(scale, above_rounding * elastic.largest_terms(u)));
     return e;
   }
 } // namespace conetact

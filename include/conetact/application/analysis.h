@@ -8,6 +8,7 @@
 #include "conetact/application/scene.h"
 #include "conetact/contact/contact_model.h"
 #include "conetact/contact/contact_rows.h"
+#include "conetact/contact/equilibrium.h"
 #include "conetact/output/output.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/existence.h"
@@ -73,7 +74,9 @@ namespace conetact
     void
     finish(std::vector<Pending> &batch);
     void
-    check(Pending &increment, const Eigen::VectorXd &u);
+    check(Pending &increment, Eigen::VectorXd u);
+    Equilibrium
+    judge(const Pending &increment, const Eigen::VectorXd &u) const;
     void
     write(const IncrementRecord &record);
     [[noreturn]] void

@@ -61,6 +61,13 @@ namespace conetact
     expand(const std::vector<Load>            &loads,
            const std::vector<Eigen::VectorXd> &contact) const;
 
+    /**
+     * The change of all displacements that takes away unbalanced forces while
+     * contact unknowns stand still: a step of iterative refinement.
+     */
+    Eigen::VectorXd
+    correction(const Eigen::VectorXd &unbalanced) const;
+
     /** Load cases that were reduced by the solver. */
     unsigned int
     n_reductions() const

@@ -16,9 +16,10 @@ namespace conetact
    */
   struct Equilibrium
   {
-    double residual      = 0; ///< largest unbalanced nodal force, relative
-    double largest_force = 0; ///< largest nodal force of the state [force]
-    double balance       = 0; ///< sum of all forces and moments, relative
+    double residual      = 0;    ///< largest unbalanced nodal force, relative
+    double largest_force = 0;    ///< largest nodal force of the state [force]
+    Eigen::VectorXd unbalanced;  ///< in all unknowns [force]
+    double          balance = 0; ///< sum of all forces and moments, relative
 
     std::vector<double> body_balance; ///< the same of each body
 
@@ -32,8 +33,8 @@ namespace conetact
    * `u`: all dofs; `r`: reactions of the contact unknowns; `loads`: nodal
    * forces on all dofs at time `t`; residuals are relative to the larger of
    * the largest nodal force and `reference_force`, but never below what
-   * rounding leaves: 1e-4 of the largest sum @f$|K|\,|u|@f$ of a node is a
-   * lower bound of that scale (1e-10 of it are 1e-14 of the terms summed up).
+   * rounding leaves: 1e-3 of the largest sum @f$|K|\,|u|@f$ of a node is a
+   * lower bound of that scale (1e-10 of it are 1e-13 of the terms summed up).
    */
   Equilibrium
   check_equilibrium(const Bodies          &bodies,
