@@ -11,11 +11,11 @@ namespace conetact
   namespace
   {
     /**
-     * Forces smaller than this part of the terms they are summed up from have
-     * no 12 digits left: bodies that move far with hardly any force, stiff ones
-     * on soft ones.
+     * Where all nodal forces are smaller than this part of the terms |K||u|
+     * they are summed up from, a body moves without force: what is left is the
+     * rounding of its motion.
      */
-    constexpr double above_rounding = 1e-3;
+    constexpr double no_force = 1e-10;
 
     Tensor<1, 3>
     at_node(const Eigen::VectorXd &f,
@@ -241,7 +241,9 @@ namespace conetact
     const double scale = std::max(e.largest_force, reference_force);
     judge(scale);
     if (std::max(e.residual, e.balance) > 1e-12)
-      judge(std::max(scale, above_rounding * elastic.largest_terms(u)));
+      if (const double terms = elastic.largest_terms(u);
+          scale < no_force * terms)
+        judge(1e-3 * terms);
     return e;
   }
 } // namespace conetact

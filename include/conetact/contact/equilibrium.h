@@ -32,9 +32,9 @@ namespace conetact
   /**
    * `u`: all dofs; `r`: reactions of the contact unknowns; `loads`: nodal
    * forces on all dofs at time `t`; residuals are relative to the larger of
-   * the largest nodal force and `reference_force`, but never below what
-   * rounding leaves: 1e-3 of the largest sum @f$|K|\,|u|@f$ of a node is a
-   * lower bound of that scale (1e-10 of it are 1e-13 of the terms summed up).
+   * the largest nodal force and `reference_force`. Where both are below 1e-10
+   * of the largest sum @f$|K|\,|u|@f$ of a node, the bodies move without force,
+   * and residuals are relative to 1e-3 of that sum.
    */
   Equilibrium
   check_equilibrium(const Bodies          &bodies,
