@@ -11,9 +11,19 @@
 #include "conetact/output/progress.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace conetact
 {
+  namespace
+  {
+    double
+    error_of(const Equilibrium &e)
+    {
+      return std::max(e.residual, e.balance);
+    }
+  } // namespace
+
   Analysis::Analysis(const Scene &s, Log &l)
     : scene(s)
     , log(l)
@@ -120,6 +130,8 @@ namespace conetact
   {
     // Recovering displacements of several increments in one solve is cheaper;
     // large scenes write each increment sooner.
+    if (correcting)
+      return 1;
     const Eigen::Index n = model.coordinates.n_unknowns();
     return static_cast<std::size_t>(
       std::clamp<Eigen::Index>(2000000 / std::max<Eigen::Index>(n, 1), 1, 16));
@@ -130,19 +142,24 @@ namespace conetact
   {
     create_outputs(folder, quiet);
     std::vector<Pending> batch;
-    for (unsigned int k = 1; k <= scene.times.size(); ++k)
+    for (unsigned int k = 1; k <= scene.times.size();)
       {
         try
           {
             batch.push_back(solve(k));
+            ++k;
           }
         catch (const AnalysisError &)
           {
-            finish(batch);
-            throw;
+            // unless an increment before it is corrected: then once more
+            if (const unsigned int next = finish(batch); next < k)
+              k = next;
+            else
+              throw;
           }
-        if (batch.size() == batch_size() || k == scene.times.size())
-          finish(batch);
+        if (batch.size() >= batch_size() || k > scene.times.size())
+          if (!batch.empty())
+            k = finish(batch);
       }
     log.note(
       "skipped: reductions of " +
@@ -154,7 +171,7 @@ namespace conetact
   Analysis::Pending
   Analysis::solve(const unsigned int k)
   {
-    Pending increment;
+    Pending increment{{}, {}, {}, {}, {}, history, history};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     increment.forces           = scene.forces(increment.record.time);
@@ -163,6 +180,7 @@ namespace conetact
       model.coordinates.prescribed(increment.record.time));
     increment.record.report = solve_contact(increment.load, increment);
     increment.contact       = history.displacements();
+    increment.after         = history;
     return increment;
   }
 
@@ -220,26 +238,35 @@ namespace conetact
     last_load = problem.load;
   }
 
-  void
+  unsigned int
   Analysis::finish(std::vector<Pending> &batch)
   {
     if (batch.empty())
-      return;
+      return std::numeric_limits<unsigned int>::max();
     std::vector<Condensation::Load> loads;
     std::vector<Eigen::VectorXd>    contact;
-    for (Pending &increment : batch)
+    for (const Pending &increment : batch)
       {
-        loads.push_back(std::move(increment.load));
-        contact.push_back(std::move(increment.contact));
+        loads.push_back(increment.load);
+        contact.push_back(increment.contact);
       }
-    const Eigen::MatrixXd u = model.condensation().expand(loads, contact);
+    const Eigen::MatrixXd u    = model.condensation().expand(loads, contact);
+    unsigned int          next = 0;
     for (std::size_t i = 0; i < batch.size(); ++i)
       {
-        batch[i].contact = std::move(contact[i]);
-        check(batch[i], u.col(static_cast<Eigen::Index>(i)));
+        const bool corrected =
+          check(batch[i], u.col(static_cast<Eigen::Index>(i)));
         write(batch[i].record);
+        next = batch[i].record.increment + 1;
+        if (corrected)
+          {
+            history    = batch[i].after;
+            correcting = true;
+            break; // those after it started from what was not exact
+          }
       }
     batch.clear();
+    return next;
   }
 
   Equilibrium
@@ -256,22 +283,56 @@ namespace conetact
                              largest_force);
   }
 
-  void
+  bool
   Analysis::check(Pending &increment, Eigen::VectorXd u)
   {
-    IncrementRecord &record = increment.record;
-    Equilibrium      e      = judge(increment, u);
-    if (e.residual > .01 * scene.solver.tolerance)
+    constexpr unsigned int most_steps = 3;
+    const ContactHistory   latest     = history;
+    Equilibrium            e          = judge(increment, u);
+    bool                   corrected  = false;
+    for (unsigned int step = 0;
+         step < most_steps && error_of(e) > .01 * scene.solver.tolerance;
+         ++step)
       {
-        const Eigen::VectorXd refined =
-          u + model.condensation().correction(e.unbalanced);
-        if (Equilibrium better = judge(increment, refined);
-            better.residual < e.residual)
-          {
-            e = std::move(better);
-            u = refined;
-          }
+        Pending               better  = increment;
+        const Eigen::VectorXd refined = correct(better, u, e.unbalanced);
+        Equilibrium           e_new   = judge(better, refined);
+        if (!(error_of(e_new) < .5 * error_of(e)))
+          break;
+        increment = std::move(better);
+        e         = std::move(e_new);
+        u         = refined;
+        corrected = true;
       }
+    history = latest;
+    complete(increment.record, e, increment, u);
+    return corrected;
+  }
+
+  Eigen::VectorXd
+  Analysis::correct(Pending               &increment,
+                    const Eigen::VectorXd &u,
+                    const Eigen::VectorXd &unbalanced)
+  {
+    // K q = r + f holds for the rounded K; the true one leaves `unbalanced`
+    history = increment.before;
+    increment.load.f -= model.condensation().reduce_unbalanced(unbalanced);
+    const unsigned int    before = increment.record.report.iterations;
+    const Eigen::VectorXd old    = increment.contact;
+    increment.record.report      = solve_contact(increment.load, increment);
+    increment.record.report.iterations += before;
+    increment.contact = history.displacements();
+    increment.after   = history;
+    return u +
+           model.condensation().correction(unbalanced, increment.contact - old);
+  }
+
+  void
+  Analysis::complete(IncrementRecord       &record,
+                     const Equilibrium     &e,
+                     const Pending         &increment,
+                     const Eigen::VectorXd &u)
+  {
     largest_force      = std::max(largest_force, e.largest_force);
     record.equilibrium = e.residual;
     record.balance     = e.balance;
@@ -288,8 +349,9 @@ namespace conetact
       fail(record,
            "the uncondensed equilibrium is violated by " +
              to_text(record.equilibrium) +
-             " of the largest nodal force, since the stiffness is badly "
-             "conditioned");
+             " of the largest nodal force. Forces cannot be told better from "
+             "rounding where bodies differ this much in stiffness or move this "
+             "far; a larger Solver/Tolerance would accept them");
     record.rows =
       contact_rows.rows(increment.state, increment.contact, u, record.time);
     record.actions = scene.actions(record.time);

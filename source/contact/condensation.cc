@@ -120,10 +120,16 @@ namespace conetact
   }
 
   Eigen::VectorXd
-  Condensation::correction(const Eigen::VectorXd &unbalanced) const
+  Condensation::reduce_unbalanced(const Eigen::VectorXd &unbalanced) const
   {
-    return -coordinates.expand(
-      solver->expand(unbalanced / stiffness_scale,
-                     Eigen::VectorXd::Zero(coordinates.n_contact_unknowns())));
+    return solver->reduce(unbalanced);
+  }
+
+  Eigen::VectorXd
+  Condensation::correction(const Eigen::VectorXd &unbalanced,
+                           const Eigen::VectorXd &contact) const
+  {
+    return coordinates.expand(
+      solver->expand(-unbalanced / stiffness_scale, contact));
   }
 } // namespace conetact

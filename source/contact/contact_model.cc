@@ -67,20 +67,20 @@ namespace conetact
   }
 
   ContactHistory::ContactHistory(ContactModel &m)
-    : model(m)
+    : model(&m)
     , initial_gap(m.coordinates.layout().n_nodes())
     , q(Eigen::VectorXd::Zero(m.coordinates.n_contact_unknowns()))
     , r(q)
   {
     Eigen::Index i = 0;
-    for (const NodeRule *rule : model.coordinates.contact_rules())
+    for (const NodeRule *rule : model->coordinates.contact_rules())
       initial_gap[i++] = rule->contact_node->gap;
   }
 
   Eigen::VectorXd
   ContactHistory::shift() const
   {
-    const ContactSystem &layout = model.coordinates.layout();
+    const ContactSystem &layout = model->coordinates.layout();
     Eigen::VectorXd      s      = -q;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       s[layout.normal(i)] = initial_gap[i];
@@ -90,7 +90,7 @@ namespace conetact
   ContactProblem
   ContactHistory::problem(const Condensation::Load &load)
   {
-    const auto    &system = model.condensation().system();
+    const auto    &system = model->condensation().system();
     ContactProblem problem;
     problem.system = system;
     problem.load   = load.f;
@@ -107,7 +107,7 @@ namespace conetact
   ContactState
   ContactHistory::start() const
   {
-    const ContactSystem &layout = model.coordinates.layout();
+    const ContactSystem &layout = model->coordinates.layout();
     ContactState         state;
     state.v = Eigen::VectorXd::Zero(q.size());
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
@@ -120,7 +120,7 @@ namespace conetact
   void
   ContactHistory::advance(const ContactState &end)
   {
-    const ContactSystem &layout = model.coordinates.layout();
+    const ContactSystem &layout = model->coordinates.layout();
     q += end.v;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i];

@@ -57,6 +57,7 @@ namespace conetact
       Condensation::Load load;
       ContactState       state;
       Eigen::VectorXd    contact; ///< displacements of contact unknowns
+      ContactHistory     before, after;
     };
     /** Throws InputError for a contact none of whose nodes may touch. */
     void
@@ -71,12 +72,21 @@ namespace conetact
     solve(const unsigned int k);
     SolverReport
     solve_contact(const Condensation::Load &load, Pending &increment);
-    void
+    unsigned int
     finish(std::vector<Pending> &batch);
-    void
+    bool
     check(Pending &increment, Eigen::VectorXd u);
     Equilibrium
     judge(const Pending &increment, const Eigen::VectorXd &u) const;
+    Eigen::VectorXd
+    correct(Pending               &increment,
+            const Eigen::VectorXd &u,
+            const Eigen::VectorXd &unbalanced);
+    void
+    complete(IncrementRecord       &record,
+             const Equilibrium     &e,
+             const Pending         &increment,
+             const Eigen::VectorXd &u);
     void
     write(const IncrementRecord &record);
     [[noreturn]] void
@@ -91,6 +101,7 @@ namespace conetact
     std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
     Eigen::VectorXd                      last_load; ///< condensed, before
     std::vector<std::unique_ptr<Output>> outputs;
+    bool   correcting    = false; ///< increments need refinement
     double largest_force = 0; ///< nodal force of the increments so far [force]
   };
 } // namespace conetact

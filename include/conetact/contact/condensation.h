@@ -62,11 +62,15 @@ namespace conetact
            const std::vector<Eigen::VectorXd> &contact) const;
 
     /**
-     * The change of all displacements that takes away unbalanced forces while
-     * contact unknowns stand still: a step of iterative refinement.
+     * Iterative refinement: the part of unbalanced forces that the contact
+     * unknowns see, and the change of all displacements that takes them away
+     * while the contact unknowns change by `contact`.
      */
     Eigen::VectorXd
-    correction(const Eigen::VectorXd &unbalanced) const;
+    reduce_unbalanced(const Eigen::VectorXd &unbalanced) const;
+    Eigen::VectorXd
+    correction(const Eigen::VectorXd &unbalanced,
+               const Eigen::VectorXd &contact) const;
 
     /** Load cases that were reduced by the solver. */
     unsigned int

@@ -74,7 +74,7 @@ namespace conetact
     Eigen::VectorXd
     shift() const;
 
-    ContactModel          &model;
+    ContactModel          *model;
     Eigen::VectorXd        initial_gap; ///< of each node with unknowns
     Eigen::VectorXd        q, r;
     std::vector<NodeState> states;
