@@ -69,21 +69,24 @@ namespace conetact
 
     /**
      * Tangents that no support holds. The elliptic cone becomes a circular one
-     * of coefficient mu_1 in the coordinates (u_1, u_2 mu_2/mu_1), the forces
-     * (r_1, r_2 mu_1/mu_2): same work, [K] remark 3.3.
+     * of coefficient mu = sqrt(mu_1 mu_2) in the coordinates u_k mu_k/mu, the
+     * forces r_k mu/mu_k: same work, [K] remark 3.3.
      */
     void
     add_both_tangents(NodeRule &rule, const ContactNode &node)
     {
-      rule.mu = node.mu_1 > 0 ? node.mu_1 : node.mu_2;
-      if (node.mu_1 > 0)
-        add_cone(rule, node.axis_1, 1);
-      else
-        rule.free.push_back(node.axis_1);
-      if (node.mu_2 > 0)
-        add_cone(rule, node.axis_2, rule.mu / node.mu_2);
-      else
-        rule.free.push_back(node.axis_2);
+      rule.mu        = node.mu_1 == node.mu_2 ? node.mu_1 :
+                       node.mu_1 > 0 && node.mu_2 > 0 ?
+                                                std::sqrt(node.mu_1 * node.mu_2) :
+                                                std::max(node.mu_1, node.mu_2);
+      const auto add = [&](const Tensor<1, 3> &axis, const double mu) {
+        if (mu > 0)
+          add_cone(rule, axis, rule.mu / mu);
+        else
+          rule.free.push_back(axis);
+      };
+      add(node.axis_1, node.mu_1);
+      add(node.axis_2, node.mu_2);
     }
 
     /** The one tangent that is left; mu is the cone's radius along it. */
