@@ -291,7 +291,7 @@ namespace conetact
     Equilibrium            e          = judge(increment, u);
     bool                   corrected  = false;
     for (unsigned int step = 0;
-         step < most_steps && error_of(e) > .01 * scene.solver.tolerance;
+         step < most_steps && error_of(e) > .1 * scene.solver.tolerance;
          ++step)
       {
         Pending               better  = increment;
