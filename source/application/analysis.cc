@@ -294,9 +294,17 @@ namespace conetact
          step < most_steps && error_of(e) > .1 * scene.solver.tolerance;
          ++step)
       {
-        Pending               better  = increment;
-        const Eigen::VectorXd refined = correct(better, u, e.unbalanced);
-        Equilibrium           e_new   = judge(better, refined);
+        Pending         better = increment;
+        Eigen::VectorXd refined;
+        try
+          {
+            refined = correct(better, u, e.unbalanced);
+          }
+        catch (const AnalysisError &)
+          {
+            break; // the result at hand is judged as it is
+          }
+        Equilibrium e_new = judge(better, refined);
         if (!(error_of(e_new) < .5 * error_of(e)))
           break;
         increment = std::move(better);
