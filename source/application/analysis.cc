@@ -157,9 +157,9 @@ namespace conetact
             else
               throw;
           }
-        if (batch.size() >= batch_size() || k > scene.times.size())
-          if (!batch.empty())
-            k = finish(batch);
+        const bool full = batch.size() >= batch_size();
+        if (!batch.empty() && (full || k > scene.times.size()))
+          k = finish(batch);
       }
     log.note(
       "skipped: reductions of " +
@@ -225,17 +225,15 @@ namespace conetact
     if (problem.system->null_space.cols() == 0)
       return;
     if (!existence)
-      {
-        existence =
-          std::make_unique<ExistenceCheck>(make_existence_check(model));
-        last_load = Eigen::VectorXd::Zero(problem.load.size());
-      }
-    const Existence result =
-      existence->check(problem.load, last_load, problem.reference_force);
+      existence = std::make_unique<ExistenceCheck>(make_existence_check(model));
+    // at the start of the increment the reactions balance the load on the null
+    // space
+    const Existence result = existence->check(problem.load,
+                                              -increment.state.r,
+                                              problem.reference_force);
     if (!result.admissible)
       fail(increment.record,
            "no equilibrium exists, " + describe(result, model));
-    last_load = problem.load;
   }
 
   unsigned int

@@ -112,6 +112,13 @@ namespace conetact
   {
     constexpr double largest_facet_angle = .1; // as a sine
 
+    if (std::none_of(bodies.contact_nodes.begin(),
+                     bodies.contact_nodes.end(),
+                     [](const ContactNode &node) {
+                       return !node.masters.empty();
+                     }))
+      return;
+
     using Key = std::pair<unsigned int, unsigned int>;
     std::map<Key, std::vector<Tensor<1, 3>>> held;
     for (const Support &support : bodies.supports)

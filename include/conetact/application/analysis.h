@@ -99,7 +99,6 @@ namespace conetact
     ContactRows                          contact_rows;
     std::unique_ptr<ContactSolver>       solver;
     std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
-    Eigen::VectorXd                      last_load; ///< condensed, before
     std::vector<std::unique_ptr<Output>> outputs;
     bool   correcting    = false; ///< increments need refinement
     double largest_force = 0; ///< nodal force of the increments so far [force]
