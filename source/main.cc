@@ -83,6 +83,7 @@ namespace
     write_atomically(folder / "used.prm", scene.values());
     analysis.run(folder, line.quiet);
     log.say("Results are in " + folder.string());
+    log.note(describe(analysis.work()));
   }
 
   int

@@ -168,6 +168,13 @@ namespace conetact
       " load cases, combinations of others");
   }
 
+  Work
+  Analysis::work()
+  {
+    done.elastic = model.condensation().work();
+    return done;
+  }
+
   Analysis::Pending
   Analysis::solve(const unsigned int k)
   {
@@ -199,6 +206,7 @@ namespace conetact
     const ContactProblem problem = history.problem(load);
     check_existence(problem, increment);
     report = solver->solve(problem, state);
+    done.add(report);
     // parts of an increment were checked one by one: the law is incremental
     if (report.substeps == 1)
       report.residual = contact_residual(problem, state);

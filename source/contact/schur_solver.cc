@@ -72,6 +72,7 @@ namespace conetact
     MatrixXd               schur;
     std::vector<int>       schur_unknowns;
     std::unique_ptr<Mumps> mumps; // none where nothing is eliminated
+    SchurWork              work;
 
     void
     factorize(const SparseMatrix &upper, std::vector<int> order);
@@ -159,6 +160,8 @@ namespace conetact
       }
     mumps->analyse();
     mumps->factorize();
+    ++work.factorizations;
+    work.condensations += n_schur > 0;
     data.irn = data.jcn = data.perm_in = nullptr;
     data.a                             = nullptr;
   }
@@ -179,6 +182,8 @@ namespace conetact
     mumps->control(26)   = phase;
     mumps->control(27)   = static_cast<int>(columns_at_once);
     mumps->solve();
+    const auto n_columns = static_cast<unsigned int>(b.cols());
+    work.triangular_solves += (phase == eliminated_only ? 2 : 1) * n_columns;
   }
 
 
@@ -229,6 +234,7 @@ namespace conetact
         solver.solve(Implementation::reduction, work, result);
         reduced.middleCols(first, count) = result;
       }
+    solver.work.reductions += static_cast<unsigned int>(b.cols());
     return reduced;
   }
 
@@ -255,6 +261,8 @@ namespace conetact
         reduced = u_C.middleCols(first, count);
         solver.solve(Implementation::expansion, block, reduced);
       }
+    if (solver.n_eliminated > 0)
+      solver.work.expansions += static_cast<unsigned int>(b.cols());
     u.bottomRows(solver.n_schur) = u_C;
     return u;
   }
@@ -269,5 +277,13 @@ namespace conetact
     // In millions where the number does not fit.
     const double n_entries = implementation->mumps->info(29);
     return sizeof(double) * (n_entries < 0. ? -1e6 * n_entries : n_entries);
+  }
+
+
+
+  const SchurWork &
+  SchurSolver::work() const
+  {
+    return implementation->work;
   }
 } // namespace conetact

@@ -6,6 +6,7 @@
 
 #include "conetact/application/log.h"
 #include "conetact/application/scene.h"
+#include "conetact/application/work.h"
 #include "conetact/contact/contact_model.h"
 #include "conetact/contact/contact_rows.h"
 #include "conetact/contact/equilibrium.h"
@@ -47,6 +48,10 @@ namespace conetact
      */
     void
     run(const std::filesystem::path &folder, const bool quiet);
+
+    /** What was done so far. */
+    Work
+    work();
 
   private:
     /** An increment whose displacements are still to be recovered. */
@@ -100,6 +105,7 @@ namespace conetact
     std::unique_ptr<ContactSolver>       solver;
     std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
     std::vector<std::unique_ptr<Output>> outputs;
+    Work                                 done;
     bool   correcting    = false; ///< increments need refinement
     double largest_force = 0; ///< nodal force of the increments so far [force]
   };

@@ -85,6 +85,13 @@ namespace conetact
       return solver->factor_bytes();
     }
 
+    /** Work with the factor so far. */
+    const SchurWork &
+    work() const
+    {
+      return solver->work();
+    }
+
   private:
     const ElasticSystem                 &elastic;
     const Coordinates                   &coordinates;

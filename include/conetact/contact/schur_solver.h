@@ -25,6 +25,16 @@ namespace conetact
     std::optional<unsigned int> node;
   };
 
+  /** What a SchurSolver has done so far; solves are counted by columns. */
+  struct SchurWork
+  {
+    unsigned int factorizations    = 0; ///< of A_FF
+    unsigned int condensations     = 0; ///< Schur complements
+    unsigned int reductions        = 0; ///< of loads to C
+    unsigned int expansions        = 0; ///< from C to all unknowns
+    unsigned int triangular_solves = 0; ///< with the factor
+  };
+
   /**
    * Factorises the symmetric matrix
    * @f$ A = \begin{pmatrix} A_{FF} & A_{FC}\\ A_{CF} & A_{CC}\end{pmatrix} @f$
@@ -73,6 +83,9 @@ namespace conetact
     /** Memory of the factor [bytes], for the log. */
     double
     factor_bytes() const;
+
+    const SchurWork &
+    work() const;
 
   private:
     struct Implementation;
