@@ -1102,16 +1102,16 @@ FAMILIES = {"balance": balance, "extrusion": extrusion, "rotation": rotation_fam
             "friction": friction, "bodies": bodies, "pairs": pairs, "threads": threads, "kill": kill, "hertz": hertz}
 
 
-def main(program, *names):
+def run_families(families, program, *names):
     if "all" in names:
-        names = FAMILIES
+        names = families
     failed = 0
     for name in names:
         print(name)
         begin = time.monotonic()
         laws = Laws(program)
         try:
-            FAMILIES[name](laws)
+            families[name](laws)
         except RuntimeError as error:
             laws.demand(str(error).strip(), False)
         failed += laws.failed
@@ -1126,4 +1126,4 @@ def main(program, *names):
 if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(run_families(FAMILIES, *sys.argv[1:]))
