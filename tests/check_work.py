@@ -1,0 +1,55 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Upper bounds of the work that shipped scenes take, by the counts of their logs.
+
+usage: check_work.py PROGRAM
+
+One row a scene. Counts of the elastic system are exact on every machine; those
+of contact solves have room for one that rounds differently, a tenth or two.
+"""
+import re
+import shutil
+import sys
+
+from check_skips import log_of, work_of
+from laws import SHIPPED, Laws
+
+COUNTS = ("factorisations of the elastic system", "condensations", "reductions of loads", "recoveries of displacements",
+          "triangular solves", "linear solves of contact", "dense factorisations")
+SIZES = {"factor, MB": r"factor of (\S+) MB", "condensed stiffness, MB": r"condensed stiffness: (\S+) MB"}
+CUBES = "Body block/Mesh/Arguments=8, 8, 8 : 0, 0, 0 : 1, 1, 1 : true"
+
+# scene, changes, bounds of COUNTS and SIZES
+SCENES = (
+    ("square-greco", (), (1, 1, 1, 1, 5, 10, 9), (.37, .034)),
+    ("inclined-obstacle", (), (1, 1, 2, 23, 50, 60, 59), (2.4, .084)),
+    ("block-press-shear", (CUBES,), (1, 1, 2, 11, 26, 57, 56), (3.4, .48)),
+    ("double-layer-grid-07", (), (1, 1, 1, 1, 5, 10, 9), (.11, .18)),
+    ("double-layer-grid-unloading", (), (1, 1, 1, 6, 15, 37, 35), (.53, 1.5)),
+    ("floating-block", (), (1, 1, 1, 1, 5, 8, 7), (.12, .015)),
+    ("stacked-blocks", (), (1, 1, 2, 6, 16, 14, 9), (.18, .022)),
+)
+
+
+def check(laws, scene, changes, counts, sizes):
+    print(scene)
+    arguments = [word for change in ("Output/VTU=0", *changes) for word in ("-s", change)]
+    run = laws.run(SHIPPED / f"{scene}.prm", *arguments)
+    work, log = work_of(run), log_of(run)
+    for what, bound in zip(COUNTS, counts):
+        laws.check(what, work[what], bound)
+    for (what, pattern), bound in zip(SIZES.items(), sizes):
+        laws.check(what, float(re.search(pattern, log)[1]), bound)
+
+
+def main(program):
+    laws = Laws(program)
+    for row in SCENES:
+        check(laws, *row)
+    shutil.rmtree(laws.folder)
+    return 1 if laws.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]) if len(sys.argv) == 2 else __doc__)
