@@ -40,6 +40,60 @@ def factor_once(laws):
                      "recoveries of displacements": 20})
 
 
+def loads_once(laws):
+    """Loads that do not depend on time are integrated once for all increments."""
+    scene = scenes.press_and_shear(2, increments=20)
+    for value, count in (("0 ; -1", 1), ("0 ; -0.1*t", 20)):
+        run = laws.run(scenes.merge(scene, {"Load side": scenes.load("traction", value, 1)}))
+        demand_work(laws, f"traction {value}, 20 increments", run, {"integrations of loads": count})
+
+
+def tables_once(laws):
+    """Tables are rewritten for increments that finish together: not a square of their number."""
+    for increments, bound in ((16, 1.1), (160, 8)):
+        run = laws.run(scenes.press_and_shear(2, cells=(8, 2), increments=increments))
+        size = sum((run.folder / name).stat().st_size for name in ("reactions.csv", "increments.csv"))
+        laws.check(f"{increments} increments, all versions of the tables over the last one",
+                   work_of(run)["bytes of tables written"] / size, bound)
+
+
+def drawn_only(laws):
+    run = laws.run(scenes.merge(scenes.press_and_shear(2, increments=10), {"Output": {"VTU": 4}}))
+    demand_work(laws, "every 4th of 10 increments drawn", run, {"increments drawn": 2})
+    laws.demand("the log says so", "skipped: drawings of 8 of 10 increments" in log_of(run))
+
+
+def no_contact(laws):
+    """One linear solve of each different load; the others are combinations."""
+    for dim in (2, 3):
+        scene = {key: entry for key, entry in scenes.press_and_shear(dim, increments=20).items()
+                 if key not in ("Obstacle floor", "Contact bottom")}
+        scene["Support low"] = scenes.support(2 if dim == 2 else 4, "x, y" if dim == 2 else "x, y, z")
+        demand_work(laws, f"{dim}D without contact, 20 increments", laws.run(scene),
+                    {"factorisations of the elastic system": 1, "condensations": 0, "reductions of loads": 0,
+                     "recoveries of displacements": 2, "linear solves of contact": 0, "dense factorisations": 0})
+
+
+def at_rest(laws):
+    """A body that nothing reaches is left out; the others do not notice."""
+    block = scenes.merge(scenes.press_and_shear(2), {"Output": {"VTU": 4}})
+    other = {"Body other": scenes.box((6, 4), (1.0, 1.0), (5.0, 0.0)),
+             "Support other": scenes.support(2, "x, y", body="other")}
+    alone, both = laws.run(block), laws.run({**block, **other})
+    laws.same("beside a body at rest", alone, both, 0.0)
+    text = log_of(both)
+    laws.demand("the log names it", "skipped: 70 dofs of body other, which no load, support motion or contact "
+                "reaches" in text)
+    laws.demand("its unknowns are not there", re.search(r"unknowns of (\d+)", text)[1]
+                == re.search(r"unknowns of (\d+)", log_of(alone))[1])
+    laws.demand("it is drawn", (both.folder / "solution-other-0004.vtu").exists())
+    for name, change in (("a load", {"Load other": scenes.load("traction", "0 ; -1", 3, "other")}),
+                         ("a support that moves", {"Support other": {"Displacement": "0 ; 0.01*t"}}),
+                         ("a contact that stays open", {"Contact other": scenes.contact("other", 1, mu=.1)})):
+        run = laws.run(scenes.merge({**block, **other}, change))
+        laws.demand(f"{name} reaches it", "of body other, which" not in log_of(run))
+
+
 def frictionless(laws):
     """Tangential displacements of nodes without friction are condensed with the rest."""
     for dim in (2, 3):
@@ -50,7 +104,7 @@ def frictionless(laws):
                     and f"skipped: friction cones of {n} contact nodes" in log_of(run))
 
 
-CHECKS = (factor_once, frictionless)
+CHECKS = (factor_once, loads_once, tables_once, drawn_only, no_contact, at_rest, frictionless)
 
 
 def main(program):

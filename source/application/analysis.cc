@@ -28,6 +28,7 @@ namespace conetact
     : scene(s)
     , log(l)
     , model(scene.bodies, scene.times)
+    , loads(scene.nodal_loads())
     , history(model)
     , contact_rows(model, scene.master_side)
     , solver(make_solver(scene.solver))
@@ -56,9 +57,15 @@ namespace conetact
   void
   Analysis::report() const
   {
-    for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
-      log.say("Body " + scene.bodies.names[b] + ": " +
-              scene.bodies.structures[b]->description());
+    const Bodies &bodies = scene.bodies;
+    for (std::size_t b = 0; b < bodies.names.size(); ++b)
+      log.say("Body " + bodies.names[b] + ": " +
+              bodies.structures[b]->description());
+    for (std::size_t b = 0; b < bodies.names.size(); ++b)
+      if (bodies.is_at_rest(b))
+        log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +
+                 " dofs of body " + bodies.names[b] +
+                 ", which no load, support motion or contact reaches");
     const ContactSystem &layout = model.coordinates.layout();
     log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
             std::to_string(layout.n_unknowns()) + " unknowns of " +
@@ -94,9 +101,9 @@ namespace conetact
   void
   Analysis::prepare()
   {
-    scene.check_loads();
     for (const double t : scene.times)
       {
+        loads.at(t);
         model.coordinates.prescribed(t);
         model.elastic.ground_forces(t);
       }
@@ -112,29 +119,32 @@ namespace conetact
   Analysis::create_outputs(const std::filesystem::path &folder,
                            const bool                   quiet)
   {
-    RunDescription run;
-    run.folder       = folder;
-    run.contacts     = scene.contact_sides;
-    run.bodies       = scene.bodies.names;
-    run.structures   = scene.bodies.structures;
-    run.dim          = scene.bodies.dim;
-    run.n_increments = static_cast<unsigned int>(scene.times.size());
-    run.vtu_every    = scene.vtu_every;
+    description.folder       = folder;
+    description.contacts     = scene.contact_sides;
+    description.bodies       = scene.bodies.names;
+    description.structures   = scene.bodies.structures;
+    description.dim          = scene.bodies.dim;
+    description.n_increments = static_cast<unsigned int>(scene.times.size());
+    description.vtu_every    = scene.vtu_every;
     for (const OutputRow &row : output_table())
-      outputs.push_back(row.create(run));
-    outputs.push_back(std::make_unique<Progress>(run, quiet));
+      outputs.push_back(row.create(description));
+    outputs.push_back(std::make_unique<Progress>(description, quiet));
   }
 
   std::size_t
-  Analysis::batch_size() const
+  Analysis::batch_size(const unsigned int n_finished) const
   {
     // Recovering displacements of several increments in one solve is cheaper;
-    // large scenes write each increment sooner.
+    // large scenes write each increment sooner. Each batch rewrites the tables:
+    // as batches grow with a long history, all that is written does not grow
+    // with its square.
     if (correcting)
       return 1;
     const Eigen::Index n = model.coordinates.n_unknowns();
     return static_cast<std::size_t>(
-      std::clamp<Eigen::Index>(2000000 / std::max<Eigen::Index>(n, 1), 1, 16));
+      std::clamp<Eigen::Index>(2000000 / std::max<Eigen::Index>(n, 1),
+                               1,
+                               std::max(16u, n_finished / 8)));
   }
 
   void
@@ -157,21 +167,43 @@ namespace conetact
             else
               throw;
           }
-        const bool full = batch.size() >= batch_size();
+        const bool full =
+          batch.size() >=
+          batch_size(k - 1 - static_cast<unsigned int>(batch.size()));
         if (!batch.empty() && (full || k > scene.times.size()))
           k = finish(batch);
       }
-    log.note(
-      "skipped: reductions of " +
-      std::to_string(scene.times.size() - model.condensation().n_reductions()) +
-      " of " + std::to_string(scene.times.size()) +
-      " load cases, combinations of others");
+    note_skips();
+  }
+
+  void
+  Analysis::note_skips()
+  {
+    const std::size_t n    = scene.times.size();
+    const auto        skip = [&](const std::string &what,
+                          const unsigned int n_done,
+                          const std::string &of) {
+      if (n_done < n)
+        log.note("skipped: " + what + " of " + std::to_string(n - n_done) +
+                 " of " + std::to_string(n) + " " + of);
+    };
+    skip("reductions",
+         model.condensation().n_reductions(),
+         "load cases, combinations of others");
+    skip("drawings", work().outputs.drawings, "increments");
   }
 
   Work
   Analysis::work()
   {
-    done.elastic = model.condensation().work();
+    done.elastic           = model.condensation().work();
+    done.load_integrations = loads.n_integrations();
+    done.outputs           = {};
+    for (const auto &output : outputs)
+      {
+        done.outputs.drawings += output->work().drawings;
+        done.outputs.table_bytes += output->work().table_bytes;
+      }
     return done;
   }
 
@@ -181,7 +213,7 @@ namespace conetact
     Pending increment{{}, {}, {}, {}, {}, history, history};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
-    increment.forces           = scene.forces(increment.record.time);
+    increment.forces           = loads.at(increment.record.time);
     increment.load             = model.condensation().reduce(
       increment.forces + model.elastic.ground_forces(increment.record.time),
       model.coordinates.prescribed(increment.record.time));
@@ -249,30 +281,38 @@ namespace conetact
   {
     if (batch.empty())
       return std::numeric_limits<unsigned int>::max();
-    std::vector<Condensation::Load> loads;
+    std::vector<Condensation::Load> cases;
     std::vector<Eigen::VectorXd>    contact;
     for (const Pending &increment : batch)
       {
-        loads.push_back(increment.load);
+        cases.push_back(increment.load);
         contact.push_back(increment.contact);
       }
-    const Eigen::MatrixXd u    = model.condensation().expand(loads, contact);
-    unsigned int          next = 0;
-    for (std::size_t i = 0; i < batch.size(); ++i)
+    const Eigen::MatrixXd u = model.condensation().expand(cases, contact);
+    std::vector<IncrementRecord> finished;
+    try
       {
-        const bool corrected =
-          check(batch[i], u.col(static_cast<Eigen::Index>(i)));
-        write(batch[i].record);
-        next = batch[i].record.increment + 1;
-        if (corrected)
+        for (std::size_t i = 0; i < batch.size(); ++i)
           {
-            history    = batch[i].after;
-            correcting = true;
-            break; // those after it started from what was not exact
+            const bool corrected =
+              check(batch[i], u.col(static_cast<Eigen::Index>(i)));
+            finished.push_back(std::move(batch[i].record));
+            if (corrected)
+              {
+                history    = batch[i].after;
+                correcting = true;
+                break; // those after it started from what was not exact
+              }
           }
       }
+    catch (const AnalysisError &)
+      {
+        write(finished);
+        throw;
+      }
+    write(finished);
     batch.clear();
-    return next;
+    return finished.back().increment + 1;
   }
 
   Equilibrium
@@ -368,6 +408,8 @@ namespace conetact
              "far; a larger Solver/Tolerance would accept them");
     record.rows =
       contact_rows.rows(increment.state, increment.contact, u, record.time);
+    if (!description.is_drawn(record.increment))
+      return;
     record.actions = scene.actions(record.time);
     for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
       record.displacements.push_back(
@@ -376,15 +418,19 @@ namespace conetact
   }
 
   void
-  Analysis::write(const IncrementRecord &record)
+  Analysis::write(const std::vector<IncrementRecord> &finished)
   {
+    if (finished.empty())
+      return;
     for (const auto &output : outputs)
-      output->write(record);
-    log.time("increment " + std::to_string(record.increment) + " of " +
-             std::to_string(scene.times.size()) + ", " + record.report.solver +
-             ": " + std::to_string(record.report.iterations) +
-             " linear solves, residual " + to_text(record.report.residual) +
-             ", equilibrium " + to_text(record.equilibrium));
+      output->write(finished);
+    for (const IncrementRecord &record : finished)
+      log.time("increment " + std::to_string(record.increment) + " of " +
+               std::to_string(scene.times.size()) + ", " +
+               record.report.solver + ": " +
+               std::to_string(record.report.iterations) +
+               " linear solves, residual " + to_text(record.report.residual) +
+               ", equilibrium " + to_text(record.equilibrium));
   }
 
   void

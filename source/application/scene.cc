@@ -236,6 +236,26 @@ namespace conetact
     bodies.contact_nodes = std::move(found.nodes);
     n_free_nodes         = std::move(found.n_free);
     align_with_supports(bodies);
+    bodies.at_rest = bodies_at_rest();
+  }
+
+  std::vector<bool>
+  Scene::bodies_at_rest() const
+  {
+    std::vector<bool> at_rest(bodies.structures.size(), true);
+    for (const Load &load : loads)
+      if (!load.is_zero())
+        at_rest[load.body] = false;
+    for (const Support &support : bodies.supports)
+      if (!support.is_still())
+        at_rest[support.body] = false;
+    for (const Contact &contact : contacts) // also one that stays open
+      {
+        at_rest[contact.body] = false;
+        if (contact.obstacle == nullptr)
+          at_rest[contact.master] = false;
+      }
+    return at_rest;
   }
 
   std::string
@@ -260,26 +280,10 @@ namespace conetact
     return file.stem().string();
   }
 
-  Eigen::VectorXd
-  Scene::forces(const double t) const
+  NodalLoads
+  Scene::nodal_loads() const
   {
-    std::vector<Eigen::VectorXd> of_body;
-    Eigen::Index                 n_dofs = 0;
-    for (const Structure *structure : bodies.structures)
-      {
-        of_body.push_back(Eigen::VectorXd::Zero(structure->n_dofs()));
-        n_dofs += structure->n_dofs();
-      }
-    for (const Load &load : loads)
-      load.add(*bodies.structures[load.body], t, of_body[load.body]);
-    Eigen::VectorXd all(n_dofs);
-    Eigen::Index    begin = 0;
-    for (const Eigen::VectorXd &f : of_body)
-      {
-        all.segment(begin, f.size()) = f;
-        begin += f.size();
-      }
-    return all;
+    return NodalLoads(loads, bodies.structures);
   }
 
   std::vector<Actions>
@@ -290,25 +294,5 @@ namespace conetact
       if (auto action = load.action(t))
         result[load.body].push_back(std::move(*action));
     return result;
-  }
-
-  void
-  Scene::check_loads() const
-  {
-    for (const Load &load : loads)
-      {
-        const Structure &structure = *bodies.structures[load.body];
-        Eigen::VectorXd  f         = Eigen::VectorXd::Zero(structure.n_dofs());
-        const bool       still =
-          std::none_of(load.value.begin(),
-                       load.value.end(),
-                       [](const Expression &e) { return e.uses_time(); });
-        for (const double t : times)
-          {
-            load.add(structure, t, f);
-            if (still)
-              break;
-          }
-      }
   }
 } // namespace conetact

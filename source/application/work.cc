@@ -3,6 +3,7 @@
 
 #include "conetact/application/work.h"
 
+#include <cstdint>
 #include <utility>
 
 namespace conetact
@@ -19,16 +20,19 @@ namespace conetact
   std::string
   describe(const Work &work)
   {
+    const std::pair<std::uint64_t, const char *> counts[] = {
+      {work.elastic.factorizations, "factorisations of the elastic system"},
+      {work.elastic.condensations, "condensations"},
+      {work.elastic.reductions, "reductions of loads"},
+      {work.elastic.expansions, "recoveries of displacements"},
+      {work.elastic.triangular_solves, "triangular solves"},
+      {work.contact_solves, "linear solves of contact"},
+      {work.dense_factorizations, "dense factorisations"},
+      {work.load_integrations, "integrations of loads"},
+      {work.outputs.drawings, "increments drawn"},
+      {work.outputs.table_bytes, "bytes of tables written"}};
     std::string text;
-    for (const auto &[count, what] :
-         {std::pair(work.elastic.factorizations,
-                    "factorisations of the elastic system"),
-          std::pair(work.elastic.condensations, "condensations"),
-          std::pair(work.elastic.reductions, "reductions of loads"),
-          std::pair(work.elastic.expansions, "recoveries of displacements"),
-          std::pair(work.elastic.triangular_solves, "triangular solves"),
-          std::pair(work.contact_solves, "linear solves of contact"),
-          std::pair(work.dense_factorizations, "dense factorisations")})
+    for (const auto &[count, what] : counts)
       text +=
         (text.empty() ? "work: " : ", ") + std::to_string(count) + " " + what;
     return text;

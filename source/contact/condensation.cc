@@ -66,7 +66,9 @@ namespace conetact
     const double size = rest.norm();
     Load         load{prescribed,
               Eigen::VectorXd::Zero(coordinates.n_unknowns()),
-              Eigen::VectorXd::Zero(coordinates.n_contact_unknowns())};
+              Eigen::VectorXd::Zero(coordinates.n_contact_unknowns()),
+              Eigen::VectorXd::Zero(is_linear() ? coordinates.n_unknowns() :
+                                                  0)};
     const auto   project = [&] {
       for (std::size_t i = 0; i < basis.size(); ++i)
         {
@@ -74,6 +76,7 @@ namespace conetact
           rest -= part * basis[i];
           load.b += part * basis_b[i];
           load.f += part * basis_f[i];
+          load.q += part * basis_q[i];
         }
     };
     project();
@@ -87,15 +90,18 @@ namespace conetact
         basis.clear();
         basis_b.clear();
         basis_f.clear();
+        basis_q.clear();
       }
     rest /= norm;
     basis.push_back(rest);
     basis_b.push_back(coordinates.restrict(
       rest.head(n) - elastic.internal_forces(rest.tail(n) / stiffness_scale)));
     basis_f.push_back(solver->reduce(basis_b.back()));
+    basis_q.push_back(is_linear() ? solve(basis_b.back()) : Eigen::VectorXd());
     ++n_reduced;
     load.b += norm * basis_b.back();
     load.f += norm * basis_f.back();
+    load.q += norm * basis_q.back();
     return load;
   }
 
@@ -108,15 +114,29 @@ namespace conetact
     Eigen::MatrixXd q_contact(coordinates.n_contact_unknowns(), n);
     for (Eigen::Index k = 0; k < n; ++k)
       {
-        b.col(k)         = loads[static_cast<std::size_t>(k)].b;
+        const Load &load = loads[static_cast<std::size_t>(k)];
+        b.col(k)         = is_linear() ? load.q : load.b;
         q_contact.col(k) = contact[static_cast<std::size_t>(k)];
       }
-    const Eigen::MatrixXd q = solver->expand(b / stiffness_scale, q_contact);
-    Eigen::MatrixXd       u(coordinates.n_dofs(), n);
+    const Eigen::MatrixXd q =
+      is_linear() ? b : solver->expand(b / stiffness_scale, q_contact);
+    Eigen::MatrixXd u(coordinates.n_dofs(), n);
     for (Eigen::Index k = 0; k < n; ++k)
       u.col(k) = coordinates.expand(q.col(k)) +
                  loads[static_cast<std::size_t>(k)].prescribed;
     return u;
+  }
+
+  bool
+  Condensation::is_linear() const
+  {
+    return coordinates.n_contact_unknowns() == 0;
+  }
+
+  Eigen::VectorXd
+  Condensation::solve(const Eigen::VectorXd &b) const
+  {
+    return solver->expand(b / stiffness_scale, Eigen::MatrixXd(0, 1));
   }
 
   Eigen::VectorXd

@@ -83,6 +83,8 @@ namespace conetact
     const NodeRule    *rule      = rule_of_node[n];
     const Eigen::Index before    = n_free;
     first_unknown[n]             = n_free;
+    if (bodies.is_at_rest(body))
+      return;
     if (rule != nullptr)
       n_free += static_cast<Eigen::Index>(rule->free.size());
 
@@ -144,6 +146,8 @@ namespace conetact
                           const double       factor,
                           const unsigned int depth)
   {
+    if (bodies.is_at_rest(body))
+      return;
     const std::size_t n    = node_offset[body] + node;
     const NodeRule   *rule = rule_of_node[n];
     if (rule == nullptr || c >= bodies.dim)

@@ -280,7 +280,7 @@ namespace conetact
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
         const Support &support = bodies.supports[s];
-        if (!support.stiffness)
+        if (!support.stiffness || bodies.is_at_rest(support.body))
           continue;
         const auto offset = static_cast<unsigned int>(dof_offset[support.body]);
         bodies.structures[support.body]->visit_springs(
@@ -305,6 +305,8 @@ namespace conetact
     std::vector<unsigned int> shifted;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
       {
+        if (bodies.is_at_rest(body))
+          continue;
         const auto offset = static_cast<unsigned int>(dof_offset[body]);
         if (offset == 0)
           bodies.structures[body]->for_each_element(visit);
@@ -327,6 +329,8 @@ namespace conetact
     Eigen::VectorXd f = spring_forces(u), part, local;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
       {
+        if (bodies.is_at_rest(body))
+          continue;
         const Structure      &structure = *bodies.structures[body];
         const Eigen::VectorXd own =
           u.segment(dof_offset[body], structure.n_dofs());
@@ -377,12 +381,11 @@ namespace conetact
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
         const Support &support = bodies.supports[s];
-        if (!support.stiffness)
+        if (!support.stiffness || support.is_still())
           continue;
         ground.setZero();
         const Structure &structure = *bodies.structures[support.body];
-        const auto       surface   = structure.surface(support.ids);
-        for (const SurfaceNode &node : surface.nodes)
+        for (const SurfaceNode &node : support.surface.nodes)
           {
             const Tensor<1, 3> motion =
               far_end(support, node.position, node.normal, t);

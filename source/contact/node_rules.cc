@@ -123,8 +123,7 @@ namespace conetact
     std::map<Key, std::vector<Tensor<1, 3>>> held;
     for (const Support &support : bodies.supports)
       if (!support.stiffness)
-        for (const SurfaceNode &node :
-             bodies.structures[support.body]->surface(support.ids).nodes)
+        for (const SurfaceNode &node : support.surface.nodes)
           for (const Tensor<1, 3> &e : support.directions_at(node.normal))
             held[{support.body, node.node}].push_back(e);
     for (ContactNode &node : bodies.contact_nodes)
@@ -169,9 +168,7 @@ namespace conetact
         const Support &support = bodies.supports[s];
         if (support.stiffness)
           continue;
-        const Surface surface =
-          bodies.structures[support.body]->surface(support.ids);
-        for (const SurfaceNode &node : surface.nodes)
+        for (const SurfaceNode &node : support.surface.nodes)
           {
             const auto along = support.directions_at(node.normal);
             for (std::size_t e = 0; e < along.size(); ++e)

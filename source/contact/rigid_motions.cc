@@ -123,8 +123,7 @@ namespace conetact
       }
     for (const Support &support : bodies.supports)
       if (support.stiffness)
-        for (const SurfaceNode &node :
-             bodies.structures[support.body]->surface(support.ids).nodes)
+        for (const SurfaceNode &node : support.surface.nodes)
           if ((*support.stiffness)(node.position) > 0)
             for (const Tensor<1, 3> &e : support.directions_at(node.normal))
               hold(support.body, node.position, e);

@@ -160,12 +160,23 @@ namespace conetact
 
 
   void
-  Graphics::write(const IncrementRecord &record)
+  Graphics::write(const std::vector<IncrementRecord> &finished)
   {
-    if (run.vtu_every == 0 || record.increment % run.vtu_every != 0)
-      return;
-    write_bodies(record);
-    write_contacts(record);
+    for (const IncrementRecord &record : finished)
+      if (run.is_drawn(record.increment))
+        {
+          write_bodies(record);
+          write_contacts(record);
+          ++drawings;
+        }
+  }
+
+
+
+  OutputWork
+  Graphics::work() const
+  {
+    return {drawings, 0};
   }
 
 

@@ -3,16 +3,12 @@
 
 #include "conetact/output/increment_table.h"
 
-#include "conetact/base/atomic_file.h"
-
 #include <array>
 
 namespace conetact
 {
   namespace
   {
-    constexpr const char *file_name = "increments.csv";
-
     std::string
     resultant_columns(const std::string &name)
     {
@@ -21,22 +17,6 @@ namespace conetact
            {"_f_x", "_f_y", "_f_z", "_m_x", "_m_y", "_m_z"})
         columns += name + component + ',';
       return columns;
-    }
-
-    std::string
-    header(const std::vector<std::string> &contacts,
-           const std::vector<std::string> &bodies)
-    {
-      std::string text =
-        "increment,time,solver,substeps,iterations,residual,equilibrium,"
-        "err1,err2,open,stick,slip,";
-      for (const std::string &contact : contacts)
-        text += resultant_columns(safe_name(contact));
-      text += resultant_columns("supports") + resultant_columns("loads");
-      if (bodies.size() > 1)
-        for (const std::string &body : bodies)
-          text += "balance_" + safe_name(body) + ',';
-      return text + "balance\n";
     }
 
     std::array<unsigned int, 3>
@@ -64,9 +44,23 @@ namespace conetact
 
   IncrementTable::IncrementTable(const RunDescription &description)
     : run(description)
-    , text(header(description.contacts, description.bodies))
+  {}
+
+
+
+  std::string
+  IncrementTable::header() const
   {
-    write_atomically(description.folder / file_name, text);
+    std::string text =
+      "increment,time,solver,substeps,iterations,residual,equilibrium,"
+      "err1,err2,open,stick,slip,";
+    for (const std::string &contact : run.contacts)
+      text += resultant_columns(safe_name(contact));
+    text += resultant_columns("supports") + resultant_columns("loads");
+    if (run.bodies.size() > 1)
+      for (const std::string &body : run.bodies)
+        text += "balance_" + safe_name(body) + ',';
+    return text + "balance\n";
   }
 
 
@@ -100,14 +94,14 @@ namespace conetact
 
 
 
-  void
-  IncrementTable::write(const IncrementRecord &record)
+  std::string
+  IncrementTable::row(const IncrementRecord &record)
   {
     see(record);
     const std::string where = "Increment " + std::to_string(record.increment);
 
-    std::string row;
-    CsvRow      csv(row, where);
+    std::string text;
+    CsvRow      csv(text, where);
     csv.add(record.increment);
     csv.add("time", record.time);
     csv.add(record.report.solver);
@@ -124,8 +118,6 @@ namespace conetact
       csv.add("the balance of a body", balance);
     csv.add("balance", record.balance);
     csv.end();
-
-    text += row;
-    write_atomically(run.folder / file_name, text);
+    return text;
   }
 } // namespace conetact

@@ -4,9 +4,8 @@
 #include "conetact/output/output.h"
 
 #include "conetact/output/graphics.h"
-#include "conetact/output/increment_table.h"
 #include "conetact/output/problem_files.h"
-#include "conetact/output/reaction_table.h"
+#include "conetact/output/tables.h"
 
 namespace conetact
 {
@@ -27,13 +26,11 @@ namespace conetact
   output_table()
   {
     static const std::vector<OutputRow> table = {
-      {"reactions",
+      {"tables",
        "reactions.csv: gap, displacements, reactions and state of each contact "
-       "node",
-       create<ReactionTable>},
-      {"increments",
-       "increments.csv: iterations, residuals, numbers of states and resultants",
-       create<IncrementTable>},
+       "node; increments.csv: iterations, residuals, numbers of states and "
+       "resultants",
+       create<Tables>},
       {"problems",
        "problem-0001.hdf5: condensed problems of chosen increments for FCLib",
        create<ProblemFiles>},

@@ -64,10 +64,18 @@ namespace conetact
 
 
   void
-  ProblemFiles::write(const IncrementRecord &record)
+  ProblemFiles::write(const std::vector<IncrementRecord> &finished)
   {
-    if (!record.condensed)
-      return;
+    for (const IncrementRecord &record : finished)
+      if (record.condensed)
+        write_problem(record);
+  }
+
+
+
+  void
+  ProblemFiles::write_problem([[maybe_unused]] const IncrementRecord &record)
+  {
 #ifdef CONETACT_HAVE_FCLIB
     const CondensedIncrement &condensed = *record.condensed;
     const std::string         increment =

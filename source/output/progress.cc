@@ -78,13 +78,14 @@ namespace conetact
 
 
   void
-  Progress::write(const IncrementRecord &record)
+  Progress::write(const std::vector<IncrementRecord> &finished)
   {
     if (!shown)
       return;
     const std::chrono::duration<double> elapsed =
       std::chrono::steady_clock::now() - start;
-    std::cout << progress_line(record, n_increments, elapsed.count())
-              << std::endl;
+    for (const IncrementRecord &record : finished)
+      std::cout << progress_line(record, n_increments, elapsed.count())
+                << std::endl;
   }
 } // namespace conetact

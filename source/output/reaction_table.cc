@@ -3,48 +3,41 @@
 
 #include "conetact/output/reaction_table.h"
 
-#include "conetact/base/atomic_file.h"
-
 namespace conetact
 {
-  namespace
-  {
-    constexpr const char *file_name = "reactions.csv";
-    constexpr const char *header =
-      "increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,u_n,u_t1,u_t2,"
-      "du_t1,du_t2,r_n,r_t1,r_t2,state\n";
-  } // namespace
-
-
-
   ReactionTable::ReactionTable(const RunDescription &description)
     : run(description)
-    , text(header)
+  {}
+
+
+
+  std::string
+  ReactionTable::header() const
   {
-    write_atomically(description.folder / file_name, text);
+    return "increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,u_n,u_t1,u_t2,"
+           "du_t1,du_t2,r_n,r_t1,r_t2,state\n";
   }
 
 
 
-  void
-  ReactionTable::write(const IncrementRecord &record)
+  std::string
+  ReactionTable::rows(const IncrementRecord &record)
   {
     for (const ContactRow &row : record.rows)
       for (unsigned int d = 0; d < 3; ++d)
         forces.see(row.reaction[d]);
 
-    std::string rows;
-    rows.reserve(256 * record.rows.size());
+    std::string text;
+    text.reserve(256 * record.rows.size());
     for (const ContactRow &row : record.rows)
-      append(rows, record, row);
-    text += rows;
-    write_atomically(run.folder / file_name, text);
+      append(text, record, row);
+    return text;
   }
 
 
 
   void
-  ReactionTable::append(std::string           &rows,
+  ReactionTable::append(std::string           &text,
                         const IncrementRecord &record,
                         const ContactRow      &row) const
   {
@@ -54,7 +47,7 @@ namespace conetact
                               std::to_string(row.node);
     const bool has_t2 = run.dim == 3;
 
-    CsvRow csv(rows, where);
+    CsvRow csv(text, where);
     csv.add(record.increment);
     csv.add("time", record.time);
     csv.add(contact);

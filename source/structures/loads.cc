@@ -7,6 +7,8 @@
 #include "conetact/base/text.h"
 #include "conetact/structures/actions.h"
 
+#include <algorithm>
+
 namespace conetact
 {
   namespace
@@ -64,6 +66,22 @@ namespace conetact
           }
     }
   } // namespace
+
+  bool
+  Load::uses_time() const
+  {
+    return std::any_of(value.begin(), value.end(), [](const Expression &e) {
+      return e.uses_time();
+    });
+  }
+
+  bool
+  Load::is_zero() const
+  {
+    return std::all_of(value.begin(), value.end(), [](const Expression &e) {
+      return e.is_zero();
+    });
+  }
 
   std::optional<Action>
   Load::action(const double t) const

@@ -7,6 +7,8 @@
 #include "conetact/base/text.h"
 #include "conetact/structures/actions.h"
 
+#include <algorithm>
+
 namespace conetact
 {
   namespace
@@ -104,6 +106,17 @@ namespace conetact
     return normal ? std::vector<Tensor<1, 3>>{outward_normal} : directions;
   }
 
+  bool
+  Support::is_still() const
+  {
+    return std::all_of(displacement.begin(),
+                       displacement.end(),
+                       [](const Expression &u) { return u.is_zero(); }) &&
+           std::all_of(rotations.begin(),
+                       rotations.end(),
+                       [](const Rotation &r) { return r.angle.is_zero(); });
+  }
+
   Tensor<2, 3>
   Support::spring(const Point<3> &p, const Tensor<1, 3> &outward_normal) const
   {
@@ -159,12 +172,13 @@ namespace conetact
   {
     const std::string in = "Support '" + name + "', ";
     Support           support;
-    support.name = name;
-    support.body = find_body(prm.get("Body"), bodies, in + "Body");
-    support.ids  = find_boundary(prm.get("Boundary ids"),
+    support.name    = name;
+    support.body    = find_body(prm.get("Body"), bodies, in + "Body");
+    support.ids     = find_boundary(prm.get("Boundary ids"),
                                 *structures[support.body],
                                 bodies[support.body],
                                 in + "Boundary ids");
+    support.surface = structures[support.body]->surface(support.ids);
 
     const std::string directions   = prm.get("Directions");
     support.normal                 = directions == "normal";

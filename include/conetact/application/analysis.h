@@ -70,7 +70,7 @@ namespace conetact
     void
     create_outputs(const std::filesystem::path &folder, const bool quiet);
     std::size_t
-    batch_size() const;
+    batch_size(const unsigned int n_finished) const;
     void
     check_existence(const ContactProblem &problem, const Pending &increment);
     Pending
@@ -93,17 +93,22 @@ namespace conetact
              const Pending         &increment,
              const Eigen::VectorXd &u);
     void
-    write(const IncrementRecord &record);
+    write(const std::vector<IncrementRecord> &finished);
     [[noreturn]] void
     fail(const IncrementRecord &record, const std::string &why) const;
+
+    void
+    note_skips();
 
     const Scene                         &scene;
     Log                                 &log;
     ContactModel                         model;
+    NodalLoads                           loads;
     ContactHistory                       history;
     ContactRows                          contact_rows;
     std::unique_ptr<ContactSolver>       solver;
     std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
+    RunDescription                       description;
     std::vector<std::unique_ptr<Output>> outputs;
     Work                                 done;
     bool   correcting    = false; ///< increments need refinement

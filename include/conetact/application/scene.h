@@ -8,6 +8,7 @@
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/obstacles.h"
 #include "conetact/solvers/contact_solver.h"
+#include "conetact/structures/nodal_loads.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -47,18 +48,12 @@ namespace conetact
     std::string
     name() const;
 
-    /** Nodal forces of all loads at time t, on all dofs of all bodies. */
-    Eigen::VectorXd
-    forces(const double t) const;
+    /** Nodal forces of all loads, to be integrated when asked for. */
+    NodalLoads
+    nodal_loads() const;
     /** The loads of each body at time t, for its stresses. */
     std::vector<Actions>
     actions(const double t) const;
-    /**
-     * Evaluates all loads at all times. Throws InputError where one is not
-     * finite or a point is outside.
-     */
-    void
-    check_loads() const;
 
     Bodies                   bodies;
     std::vector<std::string> contact_names;
@@ -86,6 +81,8 @@ namespace conetact
     declare();
     void
     read_options();
+    std::vector<bool>
+    bodies_at_rest() const;
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;

@@ -5,6 +5,7 @@
 #define conetact_application_work_h
 
 #include "conetact/contact/schur_solver.h"
+#include "conetact/output/output.h"
 #include "conetact/solvers/contact_problem.h"
 
 #include <string>
@@ -20,6 +21,8 @@ namespace conetact
     SchurWork    elastic;                  ///< with the elastic system
     unsigned int contact_solves       = 0; ///< linear, or sweeps
     unsigned int dense_factorizations = 0; ///< of contact unknowns
+    unsigned int load_integrations    = 0;
+    OutputWork   outputs;
 
     void
     add(const SolverReport &report);

@@ -45,6 +45,7 @@ namespace conetact
       Eigen::VectorXd prescribed; ///< d, all dofs [length]
       Eigen::VectorXd b;          ///< C^T (f - K d), all unknowns [force]
       Eigen::VectorXd f;          ///< condensed, contact unknowns [force]
+      Eigen::VectorXd q; ///< where nothing may touch: all unknowns [length]
     };
     /**
      * `forces` are nodal forces on all dofs, `prescribed` is d(t). A load case
@@ -93,6 +94,13 @@ namespace conetact
     }
 
   private:
+    /** Whether nothing may touch: load cases are solved, not reduced. */
+    bool
+    is_linear() const;
+    /** Displacements of the unknowns [length], in a linear system. */
+    Eigen::VectorXd
+    solve(const Eigen::VectorXd &b) const;
+
     const ElasticSystem                 &elastic;
     const Coordinates                   &coordinates;
     std::unique_ptr<SchurSolver>         solver;
@@ -103,7 +111,7 @@ namespace conetact
      * (forces, stiffness x prescribed displacements), and what they reduce to.
      */
     double                       stiffness_scale;
-    std::vector<Eigen::VectorXd> basis, basis_b, basis_f;
+    std::vector<Eigen::VectorXd> basis, basis_b, basis_f, basis_q;
     unsigned int                 n_reduced = 0;
   };
 } // namespace conetact

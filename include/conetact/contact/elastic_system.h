@@ -13,9 +13,10 @@
 namespace conetact
 {
   /**
-   * All bodies and foundations of a scene as one uncondensed elastic system in
-   * the dofs u of all bodies: nothing is eliminated here, so that its internal
-   * forces can judge every result of the condensed system.
+   * All bodies and foundations of a scene, but for bodies at rest, as one
+   * uncondensed elastic system in the dofs u of all bodies: nothing is
+   * eliminated here, so that its internal forces can judge every result of the
+   * condensed system.
    */
   class ElasticSystem
   {

@@ -22,6 +22,14 @@ namespace conetact
     std::vector<const Structure *> structures;
     std::vector<Support>           supports;
     std::vector<ContactNode>       contact_nodes;
+
+    /** Bodies that nothing reaches and that are not solved; empty: none. */
+    std::vector<bool> at_rest;
+    bool
+    is_at_rest(const std::size_t body) const
+    {
+      return body < at_rest.size() && at_rest[body];
+    }
   };
 
   /**

@@ -43,7 +43,9 @@ namespace conetact
   public:
     explicit Graphics(const RunDescription &description);
     void
-    write(const IncrementRecord &record) override;
+    write(const std::vector<IncrementRecord> &finished) override;
+    OutputWork
+    work() const override;
 
   private:
     void
@@ -54,6 +56,7 @@ namespace conetact
     const RunDescription run;
     PvdFile              solution;
     PvdFile              contact;
+    unsigned int         drawings = 0;
   };
 } // namespace conetact
 

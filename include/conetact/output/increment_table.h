@@ -15,14 +15,17 @@ namespace conetact
    * `increments.csv`: one row an increment: how it was solved, how well
    * equilibrium holds, how many nodes are in which state, and the force
    * [force] and moment about the origin [force x length] of each contact, of
-   * the supports and of the loads. Rewritten and started like ReactionTable.
+   * the supports and of the loads.
    */
-  class IncrementTable : public Output
+  class IncrementTable
   {
   public:
     explicit IncrementTable(const RunDescription &description);
-    void
-    write(const IncrementRecord &record) override;
+    std::string
+    header() const;
+    /** Throws AnalysisError at a number that is not finite. */
+    std::string
+    row(const IncrementRecord &record);
 
   private:
     void
@@ -31,7 +34,6 @@ namespace conetact
     add(CsvRow &csv, const Resultant &resultant) const;
 
     const RunDescription run;
-    std::string          text;
     NoiseFloor           forces;
     NoiseFloor           moments;
   };

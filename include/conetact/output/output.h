@@ -7,6 +7,7 @@
 #include "conetact/solvers/contact_problem.h"
 #include "conetact/structures/structure.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -59,12 +60,14 @@ namespace conetact
     /** The same of each body, where there are several. */
     std::vector<double> body_balance;
 
-    std::vector<ContactRow>      rows;
-    std::vector<Resultant>       contacts; ///< one a contact
-    Resultant                    supports;
-    Resultant                    loads;
-    std::vector<Eigen::VectorXd> displacements; ///< one a body, all its dofs
-    std::vector<Actions>         actions;       ///< one a body: its loads
+    std::vector<ContactRow> rows;
+    std::vector<Resultant>  contacts; ///< one a contact
+    Resultant               supports;
+    Resultant               loads;
+
+    /** Of increments that are drawn, one a body: all its dofs, its loads. */
+    std::vector<Eigen::VectorXd> displacements;
+    std::vector<Actions>         actions;
 
     /** Where a file of it is wanted. */
     std::shared_ptr<const CondensedIncrement> condensed;
@@ -80,16 +83,38 @@ namespace conetact
     unsigned int                   dim          = 2;
     unsigned int                   n_increments = 0;
     unsigned int                   vtu_every    = 1; ///< 0: never
+
+    bool
+    is_drawn(const unsigned int increment) const
+    {
+      return vtu_every > 0 && increment % vtu_every == 0;
+    }
   };
 
-  /** Something that writes each finished increment; throws WriteError. */
+  /** What an output has done so far. */
+  struct OutputWork
+  {
+    unsigned int  drawings    = 0; ///< increments drawn
+    std::uint64_t table_bytes = 0; ///< of all versions of its tables
+  };
+
+  /** Something that writes finished increments; throws WriteError. */
   class Output
   {
   public:
     virtual ~Output() = default;
-    /** Every file is whole at every moment: temporary name, then rename. */
+    /**
+     * Increments that were finished together, in their order. Every file is
+     * whole at every moment: temporary name, then rename.
+     */
     virtual void
-    write(const IncrementRecord &record) = 0;
+    write(const std::vector<IncrementRecord> &finished) = 0;
+
+    virtual OutputWork
+    work() const
+    {
+      return {};
+    }
   };
 
   /** One row for each kind of output. */

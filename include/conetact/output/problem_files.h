@@ -25,9 +25,12 @@ namespace conetact
     /** Removes files of this name that an earlier run left. */
     explicit ProblemFiles(const RunDescription &description);
     void
-    write(const IncrementRecord &record) override;
+    write(const std::vector<IncrementRecord> &finished) override;
 
   private:
+    void
+    write_problem(const IncrementRecord &record);
+
     const std::filesystem::path folder;
   };
 

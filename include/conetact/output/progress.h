@@ -20,7 +20,7 @@ namespace conetact
   public:
     Progress(const RunDescription &run, const bool quiet);
     void
-    write(const IncrementRecord &record) override;
+    write(const std::vector<IncrementRecord> &finished) override;
 
   private:
     const unsigned int                          n_increments;

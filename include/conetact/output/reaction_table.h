@@ -16,26 +16,24 @@ namespace conetact
    * are those of the undeformed node, displacements relative to the obstacle:
    * u since the start, du of the increment [length]; r nodal forces on the
    * body [force], components along n, t1, t2. In 2D the t2 columns are 0.
-   *
-   * The file is rewritten after each increment from the text of all finished
-   * ones. The constructor writes it without rows, so that an old table does
-   * not pass for one of this run.
    */
-  class ReactionTable : public Output
+  class ReactionTable
   {
   public:
     explicit ReactionTable(const RunDescription &description);
-    void
-    write(const IncrementRecord &record) override;
+    std::string
+    header() const;
+    /** Throws AnalysisError at a number that is not finite. */
+    std::string
+    rows(const IncrementRecord &record);
 
   private:
     void
-    append(std::string           &rows,
+    append(std::string           &text,
            const IncrementRecord &record,
            const ContactRow      &row) const;
 
     const RunDescription run;
-    std::string          text;
     NoiseFloor           forces;
   };
 } // namespace conetact

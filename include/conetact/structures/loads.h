@@ -36,6 +36,12 @@ namespace conetact
     Point<3>                point; ///< point force
     std::vector<Expression> value; ///< a component each, or one
 
+    bool
+    uses_time() const;
+    /** Whether it is nothing at all. */
+    bool
+    is_zero() const;
+
     /** Adds the nodal forces at time t. */
     void
     add(const Structure &structure, const double t, Eigen::VectorXd &f) const;

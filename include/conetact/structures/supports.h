@@ -25,6 +25,7 @@ namespace conetact
     std::string  name;
     unsigned int body = 0; ///< index
     BoundaryIds  ids;
+    Surface      surface;        ///< of these ids
     bool         normal = false; ///< one direction: the node's own normal
     std::vector<Tensor<1, 3>> directions;   ///< unit length; unless `normal`
     std::vector<Expression>   displacement; ///< [length], one a direction
@@ -41,6 +42,10 @@ namespace conetact
     /** Directions at a node with this outward normal. */
     std::vector<Tensor<1, 3>>
     directions_at(const Tensor<1, 3> &outward_normal) const;
+
+    /** Whether it holds the body where it is at all times. */
+    bool
+    is_still() const;
 
     /** Springs' stiffness per area at a point, a symmetric tensor. */
     Tensor<2, 3>

@@ -272,10 +272,10 @@ namespace
   TEST_F(OutputTest, ReactionColumnsAndRows)
   {
     run.contacts     = {"bottom"};
-    const auto table = create("reactions");
+    const auto table = create("tables");
     EXPECT_EQ(read_csv(run.folder / "reactions.csv").size(), 1u);
-    table->write(record(1));
-    table->write(record(2));
+    table->write({record(1)});
+    table->write({record(2)});
 
     const Rows rows = read_csv(run.folder / "reactions.csv");
     ASSERT_EQ(rows.size(), 5u);
@@ -294,26 +294,27 @@ namespace
     EXPECT_EQ(cell(rows, 4, "r_t1"), "-0.333333333333333");
     EXPECT_EQ(cell(rows, 4, "r_t2"), "0"); // in 2D, whatever it holds
     EXPECT_EQ(cell(rows, 4, "state"), "slip");
-    EXPECT_EQ(files(), std::set<std::string>{"reactions.csv"});
+    EXPECT_EQ(files(),
+              (std::set<std::string>{"increments.csv", "reactions.csv"}));
   }
 
   TEST_F(OutputTest, ThreeDimensionsHaveASecondTangent)
   {
     run.dim          = 3;
-    const auto table = create("reactions");
-    table->write(record(1));
+    const auto table = create("tables");
+    table->write({record(1)});
     const Rows rows = read_csv(run.folder / "reactions.csv");
     EXPECT_EQ(cell(rows, 1, "r_t2"), "7");
   }
 
   TEST_F(OutputTest, SmallForcesAreWrittenZeroSmallDisplacementsNot)
   {
-    const auto      table = create("reactions");
+    const auto      table = create("tables");
     IncrementRecord r     = record(1);
     r.rows[1].reaction[0] = 1e-9;
     r.rows[1].reaction[1] = -1e-20;
     r.rows[1].u[0]        = 1e-18;
-    table->write(r);
+    table->write({r});
     const Rows rows = read_csv(run.folder / "reactions.csv");
     EXPECT_EQ(cell(rows, 2, "r_n"), "0");
     EXPECT_EQ(cell(rows, 2, "r_t1"), "0");
@@ -326,22 +327,44 @@ namespace
       for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                                std::numeric_limits<double>::infinity()})
         {
-          const auto table = create(name);
-          table->write(record(1));
+          const auto table = create("tables");
+          table->write({record(1)});
           const fs::path  file   = run.folder / (std::string(name) + ".csv");
           const auto      before = read(file);
           IncrementRecord r      = record(2);
           r.rows[0].u[1]         = bad;
           r.balance              = bad;
-          EXPECT_THROW(table->write(r), AnalysisError);
+          EXPECT_THROW(table->write({r}), AnalysisError);
           EXPECT_EQ(read(file), before);
         }
   }
 
+  TEST_F(OutputTest, IncrementsThatFinishTogetherAreWrittenOnce)
+  {
+    const auto bytes_on_disk = [this] {
+      return fs::file_size(run.folder / "reactions.csv") +
+             fs::file_size(run.folder / "increments.csv");
+    };
+    const auto    table = create("tables");
+    std::uint64_t bytes = bytes_on_disk();
+    table->write({record(1), record(2), record(3)});
+    bytes += bytes_on_disk();
+    EXPECT_EQ(table->work().table_bytes, bytes);
+
+    IncrementRecord bad = record(5);
+    bad.balance         = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(table->write({record(4), bad}), AnalysisError);
+    for (const char *name : {"reactions.csv", "increments.csv"})
+      {
+        const Rows rows = read_csv(run.folder / name);
+        EXPECT_EQ(cell(rows, rows.size() - 1, "increment"), "4");
+      }
+  }
+
   TEST_F(OutputTest, IncrementColumns)
   {
-    const auto table = create("increments");
-    table->write(record(1));
+    const auto table = create("tables");
+    table->write({record(1)});
     const Rows rows = read_csv(run.folder / "increments.csv");
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0].size(), 12u + 3 * 6 + 1);
@@ -362,21 +385,22 @@ namespace
 
   TEST_F(OutputTest, AFullDiskLeavesTheLastTable)
   {
-    const auto table = create("reactions");
-    table->write(record(1));
+    const auto table = create("tables");
+    table->write({record(1)});
     const std::string before = read(run.folder / "reactions.csv");
     {
       const FullDisk full(before.size());
-      EXPECT_THROW(table->write(record(2)), WriteError);
+      EXPECT_THROW(table->write({record(2)}), WriteError);
     }
     EXPECT_EQ(read(run.folder / "reactions.csv"), before);
-    EXPECT_EQ(files(), std::set<std::string>{"reactions.csv"});
+    EXPECT_EQ(files(),
+              (std::set<std::string>{"increments.csv", "reactions.csv"}));
   }
 
   TEST_F(OutputTest, AMissingFolderIsAWriteError)
   {
     run.folder /= "missing";
-    EXPECT_THROW(create("increments"), WriteError);
+    EXPECT_THROW(create("tables"), WriteError);
     run.folder = run.folder.parent_path();
   }
 
@@ -387,7 +411,7 @@ namespace
     run.vtu_every       = 2;
     const auto graphics = create("graphics");
     for (unsigned int i = 1; i <= 5; ++i)
-      graphics->write(record(i));
+      graphics->write({record(i)});
     EXPECT_EQ(files(),
               (std::set<std::string>{"contact-0002.vtu",
                                      "contact-0004.vtu",
@@ -395,6 +419,7 @@ namespace
                                      "solution-my_block-0002.vtu",
                                      "solution-my_block-0004.vtu",
                                      "solution.pvd"}));
+    EXPECT_EQ(graphics->work().drawings, 2u);
     EXPECT_EQ(read(run.folder / "solution-my_block-0002.vtu"), "0.25 0.25");
     const std::string pvd = read(run.folder / "solution.pvd");
     EXPECT_NE(pvd.find("timestep=\"1\" group=\"\" part=\"0\" name=\"my_block\" "
@@ -409,16 +434,16 @@ namespace
     std::ofstream(run.folder / "solution.pvd") << "of an older run";
     run.vtu_every       = 0;
     const auto graphics = create("graphics");
-    graphics->write(record(1));
+    graphics->write({record(1)});
     EXPECT_TRUE(files().empty());
   }
 
   TEST_F(OutputTest, AFailedPictureIsNotListed)
   {
     const auto graphics = create("graphics");
-    graphics->write(record(1));
+    graphics->write({record(1)});
     body.fails = true;
-    EXPECT_THROW(graphics->write(record(2)), WriteError);
+    EXPECT_THROW(graphics->write({record(2)}), WriteError);
     EXPECT_EQ(read(run.folder / "solution.pvd").find("0002"),
               std::string::npos);
     EXPECT_EQ(files(),
@@ -431,7 +456,7 @@ namespace
   TEST_F(OutputTest, ContactVtuHoldsItsArrays)
   {
     const auto graphics = create("graphics");
-    graphics->write(record(1));
+    graphics->write({record(1)});
     const std::string vtu = read(run.folder / "contact-0001.vtu");
     for (const char *name : {"reaction",
                              "traction",
@@ -461,7 +486,7 @@ namespace
   {
     testing::internal::CaptureStdout(); // standard output is a file now
     Progress progress(run, false);
-    progress.write(record(1));
+    progress.write({record(1)});
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   }
 } // namespace
