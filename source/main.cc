@@ -69,21 +69,21 @@ namespace
     log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
     scene.build();
     log.time("bodies, obstacles, contacts");
-    Analysis analysis(scene, log);
+    const std::unique_ptr<Analysis> analysis = make_analysis(scene, log);
     log.time("contact nodes and supports");
-    analysis.report();
+    analysis->report();
     if (line.dry_run)
       return;
 
     const std::filesystem::path folder = folder_of(line, scene);
     check_folder(folder);
-    analysis.prepare();
+    analysis->prepare();
     make_folder(folder);
     log.open(folder);
     write_atomically(folder / "used.prm", scene.values());
-    analysis.run(folder, line.quiet);
+    analysis->run(folder, line.quiet);
     log.say("Results are in " + folder.string());
-    log.note(describe(analysis.work()));
+    log.note(describe(analysis->work()));
   }
 
   int

@@ -1098,9 +1098,70 @@ def hertz(laws):
     laws.demand("sphere: the first node touches", centre["r_n"] > 0)
 
 
+class Events:
+    """events.csv of a load path and the records that belong to it."""
+
+    def __init__(self, folder):
+        with open(folder / "events.csv", newline="") as stream:
+            *rows, outcome = csv.DictReader(stream)
+        if outcome["event"] != "outcome":
+            raise RuntimeError(f"events.csv does not end with the outcome but with {outcome}")
+        self.parameter, self.words = float(outcome["parameter"]), outcome["to"]
+        self.at, self.nodes = [], []
+        for row in rows:
+            if int(row["event"]) > len(self.at):
+                self.at.append(float(row["parameter"]))
+                self.nodes.append([])
+            self.nodes[-1].append((row["node"], row["from"], row["to"]))
+
+
+def pushed_block(dim, height, mu, angle=0.0, cells=None, weight=2000.0, **entries):
+    """A block 2 wide [2 deep] and 1 high on a floor, pushed by p times its weight at a height."""
+    width = 2.0 if dim == 2 else 4.0
+    cells = cells or ((8, 4) if dim == 2 else (4, 4, 2))
+    force = (weight * math.cos(angle), weight * math.sin(angle), 0.0)[:dim] if dim == 3 else (weight, 0.0)
+    down = (0.0,) * (dim - 1) + (-weight / width,)
+    scene = {"Dimension": dim,
+             "Body block": box(cells, (2.0, 1.0) if dim == 2 else (2.0, 2.0, 1.0),
+                               None if dim == 2 else (-1.0, -1.0, 0.0), young=1e6),
+             "Obstacle floor": floor(dim), "Contact bottom": contact(ids=2 if dim == 2 else 4, mu=mu),
+             "Load weight": load("body force", " ; ".join(map(text, down))),
+             "Load push": load("point force", " ; ".join(f"{text(f)}*t" for f in force),
+                               Point=(0.0,) * (dim - 1) + (height,)),
+             "Time": {"Times": 2}, "Solver": {"Method": "load path"}, "Output": {"VTU": 0}}
+    return merge(scene, entries)
+
+
+def path_in_space(laws):
+    for degrees in (0, 17, 45, 110):
+        angle = math.radians(degrees)
+        run = laws.run(pushed_block(3, .2, .5, angle))
+        events = Events(run.folder)
+        laws.check(f"block pushed low at {degrees} degrees: limit load", abs(events.parameter - .5), 1e-6)
+        laws.demand("  it slides: " + events.words, events.words == "limit load: sliding")
+        run = laws.run(pushed_block(3, .9, 2.0, angle))
+        events = Events(run.folder)
+        limit = 1 / (.9 * max(abs(math.cos(angle)), abs(math.sin(angle))))
+        laws.check(f"block pushed high at {degrees} degrees: limit load", abs(events.parameter / limit - 1), 1e-6)
+        laws.demand("  it tips: " + events.words, events.words == "limit load: tipping")
+        laws.admissible("  records", run, lambda row: 2.0)
+    for mu in (.7, 1.2):
+        run = laws.run(SHIPPED / "double-layer-grid-04.prm", "-s", "Solver/Method=load path", "-s", "Time/End=3",
+                       "-s", "Load thrust/Value=4e-4/6*t ; 2e-4/6*t ; -4e-4/6", "-s", "Output/VTU=0",
+                       "-s", f"Contact feet/Friction coefficient={mu}")
+        events = Events(run.folder)
+        laws.check(f"grid, mu = {mu}: side over vertical load at the limit",
+                   abs(events.parameter * math.sqrt(5) / 2 - mu), 1e-6)
+        laws.demand("  it slides: " + events.words, events.words == "limit load: sliding")
+
+
+def path(laws):
+    path_in_space(laws)
+
+
 FAMILIES = {"balance": balance, "extrusion": extrusion, "rotation": rotation_family, "mirror": mirror, "units": units,
             "patch": patch, "refinement": refinement, "obstacles": obstacles, "supports": supports, "loads": loads,
-            "friction": friction, "bodies": bodies, "pairs": pairs, "threads": threads, "kill": kill, "hertz": hertz}
+            "friction": friction, "bodies": bodies, "pairs": pairs, "threads": threads, "kill": kill, "hertz": hertz, "path": path}
 
 
 def run_families(families, program, *names):

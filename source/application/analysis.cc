@@ -3,6 +3,7 @@
 
 #include "conetact/application/analysis.h"
 
+#include "conetact/application/path_analysis.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/equilibrium.h"
@@ -29,6 +30,7 @@ namespace conetact
     , log(l)
     , model(scene.bodies, scene.times)
     , loads(scene.nodal_loads())
+    , prestress(scene.prestress())
     , history(model)
     , contact_rows(model, scene.master_side)
     , solver(make_solver(scene.solver))
@@ -213,7 +215,7 @@ namespace conetact
     Pending increment{{}, {}, {}, {}, {}, history, history};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
-    increment.forces           = loads.at(increment.record.time);
+    increment.forces           = loads.at(increment.record.time) + prestress;
     increment.load             = model.condensation().reduce(
       increment.forces + model.elastic.ground_forces(increment.record.time),
       model.coordinates.prescribed(increment.record.time));
@@ -425,21 +427,32 @@ namespace conetact
     for (const auto &output : outputs)
       output->write(finished);
     for (const IncrementRecord &record : finished)
-      log.time("increment " + std::to_string(record.increment) + " of " +
-               std::to_string(scene.times.size()) + ", " +
-               record.report.solver + ": " +
+      log.time(name(record) + ", " + record.report.solver + ": " +
                std::to_string(record.report.iterations) +
                " linear solves, residual " + to_text(record.report.residual) +
                ", equilibrium " + to_text(record.equilibrium));
+  }
+
+  std::string
+  Analysis::name(const IncrementRecord &record) const
+  {
+    return "Increment " + std::to_string(record.increment) + " of " +
+           std::to_string(scene.times.size());
   }
 
   void
   Analysis::fail(const IncrementRecord &record, const std::string &why) const
   {
     throw AnalysisError(
-      "Increment " + std::to_string(record.increment) + " of " +
-      std::to_string(scene.times.size()) + " (t = " + to_text(record.time) +
-      "): " + why + "." +
+      name(record) + " (t = " + to_text(record.time) + "): " + why + "." +
       (record.increment > 1 ? " The increments before it are on disk." : ""));
+  }
+
+  std::unique_ptr<Analysis>
+  make_analysis(const Scene &scene, Log &log)
+  {
+    if (scene.path.method == PathSettings::Method::none)
+      return std::make_unique<Analysis>(scene, log);
+    return std::make_unique<PathAnalysis>(scene, log);
   }
 } // namespace conetact

@@ -184,6 +184,7 @@ namespace conetact
     prm.leave_subsection();
     prm.enter_subsection("Solver");
     solver  = create_solver_options(prm);
+    path    = create_path_settings(prm);
     threads = static_cast<unsigned int>(prm.get_integer("Threads"));
     prm.leave_subsection();
     prm.enter_subsection("Output");
@@ -237,6 +238,7 @@ namespace conetact
     n_free_nodes         = std::move(found.n_free);
     align_with_supports(bodies);
     bodies.at_rest = bodies_at_rest();
+    check_path();
   }
 
   std::vector<bool>

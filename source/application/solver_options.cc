@@ -34,6 +34,32 @@ namespace conetact
       {"eps0", &SmoothingOptions::eps0, 1e300, "First regularisation."},
       {"beta0", &SmoothingOptions::beta0, 1e300, "First bound beta."}};
 
+    struct PathRow
+    {
+      const char          *name;
+      PathSettings::Method method;
+      const char          *description;
+    };
+    const std::vector<PathRow> path_table = {
+      {"load path",
+       PathSettings::Method::events,
+       "follows the load through every change of contact state, one stage up "
+       "to each of Times; finds limit loads (events.csv)"},
+      {"lemke",
+       PathSettings::Method::lemke,
+       "the method of [P] with its table of pivots in log.txt, for "
+       "reproduction only (2D)"}};
+
+    /** Whether the methods are followers of paths, which need no solver. */
+    PathSettings::Method
+    path_method(const std::string &name)
+    {
+      for (const PathRow &row : path_table)
+        if (name == row.name)
+          return row.method;
+      return PathSettings::Method::none;
+    }
+
     std::string
     full_text(const double value)
     {
@@ -54,6 +80,11 @@ namespace conetact
         methods.push_back(row.name);
         lines.push_back(std::string(row.name) + ": " + row.description);
       }
+    for (const PathRow &row : path_table)
+      {
+        methods.push_back(row.name);
+        lines.push_back(std::string(row.name) + ": " + row.description);
+      }
     prm.declare_entry("Method",
                       defaults.method,
                       Selection(join(methods, "|")),
@@ -69,6 +100,19 @@ namespace conetact
                       "smoothing: automatic makes the problem free of units, "
                       "none is the published form, whose iterations depend on "
                       "the units of the scene.");
+    prm.declare_entry("Law",
+                      "incremental",
+                      Selection("incremental|holonomic"),
+                      "load path: what friction opposes. incremental: the slip "
+                      "as it happens, Coulomb's law as in the other methods; "
+                      "holonomic: the total displacement since the start, the "
+                      "law of [P] (2D).");
+    prm.declare_entry("Tightening weight",
+                      "1",
+                      Double(1e-300),
+                      "lemke: the artificial compression Fc of all contact "
+                      "nodes; a prestress Fc and a cohesion (1 - mu) Fc. "
+                      "[force]");
     prm.enter_subsection("Smoothing");
     for (const SmoothingRow &row : smoothing_table)
       prm.declare_entry(row.name,
@@ -86,7 +130,8 @@ namespace conetact
   create_solver_options(dealii::ParameterHandler &prm)
   {
     SolverOptions options;
-    options.method           = prm.get("Method");
+    if (path_method(prm.get("Method")) == PathSettings::Method::none)
+      options.method = prm.get("Method");
     options.tolerance        = prm.get_double("Tolerance");
     options.smoothing.scaled = prm.get("Scaling") == "automatic";
     prm.enter_subsection("Smoothing");
@@ -96,5 +141,16 @@ namespace conetact
       static_cast<int>(prm.get_integer("Maximal iterations"));
     prm.leave_subsection();
     return options;
+  }
+
+  PathSettings
+  create_path_settings(dealii::ParameterHandler &prm)
+  {
+    PathSettings settings;
+    settings.method = path_method(prm.get("Method"));
+    settings.law =
+      prm.get("Law") == "holonomic" ? PathLaw::holonomic : PathLaw::incremental;
+    settings.weight = prm.get_double("Tightening weight");
+    return settings;
   }
 } // namespace conetact

@@ -17,15 +17,15 @@ namespace conetact
   namespace
   {
     double
-    friction_at(const Expression  &friction,
-                const Point<3>    &p,
-                const std::string &entry)
+    value_at(const Expression  &expression,
+             const Point<3>    &p,
+             const std::string &entry)
     {
-      const double mu = friction(p);
-      if (mu < 0)
-        throw InputError(entry + ": it is " + to_text(mu) + " at " +
+      const double value = expression(p);
+      if (value < 0)
+        throw InputError(entry + ": it is " + to_text(value) + " at " +
                          to_text(p) + ". Give a value of 0 or more.");
-      return mu;
+      return value;
     }
 
     void
@@ -33,14 +33,17 @@ namespace conetact
     {
       const std::string in = "Contact '" + contact.name + "', ";
       node.friction_angle  = contact.friction_angle;
-      node.mu_1            = friction_at(*contact.friction,
-                              node.position,
-                              in + "Friction coefficient");
-      node.mu_2            = contact.second_friction ?
-                               friction_at(*contact.second_friction,
-                                node.position,
-                                in + "Second friction coefficient") :
-                               node.mu_1;
+      node.mu_1 =
+        value_at(*contact.friction, node.position, in + "Friction coefficient");
+      node.mu_2 = contact.second_friction ?
+                    value_at(*contact.second_friction,
+                             node.position,
+                             in + "Second friction coefficient") :
+                    node.mu_1;
+      node.prestress =
+        value_at(*contact.prestress, node.position, in + "Prestress");
+      node.cohesion =
+        value_at(*contact.cohesion, node.position, in + "Cohesion");
     }
 
     const Obstacle &
@@ -211,6 +214,20 @@ namespace conetact
                       Anything(),
                       "Angle of the first axis from the tangent t1 towards "
                       "t2, for an elliptic cone. [degrees]");
+    prm.declare_entry("Prestress",
+                      "0",
+                      Anything(),
+                      "Force that presses the two sides together at each "
+                      "contact node from t = 0 on, 0 or more, a function of x, "
+                      "y, z; the prestress of [P], whose tightening weight Fc "
+                      "is a prestress Fc and a cohesion (1 - mu) Fc. [force]");
+    prm.declare_entry("Cohesion",
+                      "0",
+                      Anything(),
+                      "Friction that needs no pressure, |r_t| <= mu r_n + "
+                      "cohesion at each contact node, open ones too, 0 or "
+                      "more, a function of x, y, z; only for Method = load "
+                      "path in 2D. [force]");
   }
 
   Contact
@@ -244,6 +261,16 @@ namespace conetact
       if (*friction && (*friction)->uses_time())
         throw InputError(in + "Friction coefficient: it depends on t. "
                               "Friction stays the same: use x, y, z only.");
+    const auto constant = [&](const char *entry) {
+      Expression expression(prm.get(entry), in + entry);
+      if (expression.uses_time())
+        throw InputError(in + entry +
+                         ": it depends on t. It stays the same: "
+                         "use x, y, z only.");
+      return expression;
+    };
+    contact.prestress.emplace(constant("Prestress"));
+    contact.cohesion.emplace(constant("Cohesion"));
     return contact;
   }
 

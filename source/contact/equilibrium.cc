@@ -219,9 +219,11 @@ namespace conetact
           loads, dof, dim, bodies.structures[body]->n_components());
         e.loads.moment += moment;
         body_sum[body].moment += moment;
-        e.largest_force =
-          std::max(e.largest_force, at_node(internal, dof, dim).norm());
-        reach = std::max(reach, p.norm());
+        // loads too: those on contact nodes need not strain anything
+        e.largest_force = std::max({e.largest_force,
+                                    at_node(internal, dof, dim).norm(),
+                                    at_node(loads, dof, dim).norm()});
+        reach           = std::max(reach, p.norm());
       });
 
     const auto judge = [&](const double scale) {

@@ -29,6 +29,7 @@ namespace conetact
   public:
     /** Throws InputError where a body is not held. */
     Analysis(const Scene &scene, Log &log);
+    virtual ~Analysis() = default;
 
     /** Sizes and what will be skipped, to the log. */
     void
@@ -38,7 +39,7 @@ namespace conetact
      * All that may find the scene wrong: loads at all times, condensation.
      * Throws InputError.
      */
-    void
+    virtual void
     prepare();
 
     /**
@@ -46,14 +47,14 @@ namespace conetact
      * AnalysisError where an increment has no accepted result: those before
      * it are on disk.
      */
-    void
+    virtual void
     run(const std::filesystem::path &folder, const bool quiet);
 
     /** What was done so far. */
     Work
     work();
 
-  private:
+  protected:
     /** An increment whose displacements are still to be recovered. */
     struct Pending
     {
@@ -94,6 +95,9 @@ namespace conetact
              const Eigen::VectorXd &u);
     void
     write(const std::vector<IncrementRecord> &finished);
+    /** "Increment 3 of 5", for messages. */
+    virtual std::string
+    name(const IncrementRecord &record) const;
     [[noreturn]] void
     fail(const IncrementRecord &record, const std::string &why) const;
 
@@ -104,6 +108,7 @@ namespace conetact
     Log                                 &log;
     ContactModel                         model;
     NodalLoads                           loads;
+    const Eigen::VectorXd                prestress; ///< all dofs [force]
     ContactHistory                       history;
     ContactRows                          contact_rows;
     std::unique_ptr<ContactSolver>       solver;
@@ -114,6 +119,10 @@ namespace conetact
     bool   correcting    = false; ///< increments need refinement
     double largest_force = 0; ///< nodal force of the increments so far [force]
   };
+
+  /** The analysis that the scene's Solver/Method asks for. */
+  std::unique_ptr<Analysis>
+  make_analysis(const Scene &scene, Log &log);
 } // namespace conetact
 
 #endif

@@ -5,6 +5,7 @@
 #define conetact_application_scene_h
 
 #include "conetact/application/command_line.h"
+#include "conetact/application/solver_options.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/obstacles.h"
 #include "conetact/solvers/contact_solver.h"
@@ -54,6 +55,15 @@ namespace conetact
     /** The loads of each body at time t, for its stresses. */
     std::vector<Actions>
     actions(const double t) const;
+    /** Prestress of all contacts, on all dofs of all bodies [force]. */
+    Eigen::VectorXd
+    prestress() const;
+    /**
+     * Throws InputError where a load or a motion is not linear in t between
+     * t = 0 and the first time, or from one time to the next.
+     */
+    void
+    check_stages() const;
 
     Bodies                   bodies;
     std::vector<std::string> contact_names;
@@ -67,6 +77,7 @@ namespace conetact
     std::vector<unsigned int> n_free_nodes;
     std::vector<double>       times;
     SolverOptions             solver;
+    PathSettings              path;
     unsigned int              vtu_every = 1;
     unsigned int              threads   = 1;
     std::set<unsigned int>    fclib_increments; ///< with a file of their own
@@ -83,6 +94,8 @@ namespace conetact
     read_options();
     std::vector<bool>
     bodies_at_rest() const;
+    void
+    check_path() const;
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;

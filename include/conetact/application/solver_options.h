@@ -5,11 +5,26 @@
 #define conetact_application_solver_options_h
 
 #include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/load_path.h"
 
 #include <deal.II/base/parameter_handler.h>
 
 namespace conetact
 {
+  /** How a load parameter is followed instead of increments. */
+  struct PathSettings
+  {
+    enum class Method
+    {
+      none, ///< increments, with SolverOptions::method
+      events,
+      lemke
+    };
+    Method  method = Method::none;
+    PathLaw law    = PathLaw::incremental;
+    double  weight = 1; ///< of Lemke's method, tightening [force]
+  };
+
   /** Entries of `subsection Solver`. */
   void
   declare_solver(dealii::ParameterHandler &prm);
@@ -17,6 +32,8 @@ namespace conetact
   /** Throws InputError. */
   SolverOptions
   create_solver_options(dealii::ParameterHandler &prm);
+  PathSettings
+  create_path_settings(dealii::ParameterHandler &prm);
 } // namespace conetact
 
 #endif

@@ -37,6 +37,8 @@ namespace conetact
     /** Along the second axis; none: isotropic. */
     std::optional<Expression> second_friction;
     double                    friction_angle = 0; ///< first axis from t1 [rad]
+    /** At each node, functions of position [force]. */
+    std::optional<Expression> prestress, cohesion;
   };
 
   /**
@@ -66,6 +68,11 @@ namespace conetact
     double       mu_1 = 0, mu_2 = 0;
     double       friction_angle = 0; ///< of axis_1 from t1 [rad]
     Tensor<1, 3> axis_1, axis_2;
+
+    /** Presses the two sides together from the start [force]. */
+    double prestress = 0;
+    /** Friction that needs no pressure: |r_t| <= mu r_n + cohesion [force]. */
+    double cohesion = 0;
   };
 
   /** Entries of `subsection Contact NAME`. */

@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/path_analysis.h"
+
+#include "conetact/application/path_outcome.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/output/csv.h"
+
+#include <algorithm>
+#include <set>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Reactions below this part of the largest are those of open nodes. */
+    constexpr double noise = 1e-12;
+
+    double
+    largest(const Eigen::VectorXd &x)
+    {
+      return x.size() == 0 ? 0. : x.cwiseAbs().maxCoeff();
+    }
+
+    bool
+    numbers_are_unique(const Coordinates &coordinates)
+    {
+      std::set<unsigned int> numbers;
+      for (const NodeRule *rule : coordinates.contact_rules())
+        if (!numbers.insert(rule->node).second)
+          return false;
+      return true;
+    }
+  } // namespace
+
+
+
+  PathAnalysis::PathAnalysis(const Scene &s, Log &l)
+    : Analysis(s, l)
+    , initial_gap(model.coordinates.layout().n_nodes())
+    , names_are_unique(numbers_are_unique(model.coordinates))
+  {
+    options.law       = scene.path.law;
+    options.tolerance = scene.solver.tolerance;
+    options.cohesion.resize(initial_gap.size());
+    Eigen::Index i = 0;
+    for (const NodeRule *rule : model.coordinates.contact_rules())
+      {
+        initial_gap[i]        = rule->contact_node->gap;
+        options.cohesion[i++] = rule->contact_node->cohesion;
+      }
+    if (initial_gap.size() == 0)
+      throw InputError("Solver/Method: supports hold all contact nodes, so "
+                       "that no contact state can change. Choose automatic.");
+  }
+
+
+
+  void
+  PathAnalysis::prepare()
+  {
+    scene.check_stages();
+    Analysis::prepare();
+  }
+
+
+
+  PathAnalysis::Case
+  PathAnalysis::case_at(const double t)
+  {
+    Case result;
+    result.forces               = loads.at(t) + prestress;
+    result.load                 = model.condensation().reduce(result.forces +
+                                                model.elastic.ground_forces(t),
+                                              model.coordinates.prescribed(t));
+    const ContactSystem &system = *model.condensation().system();
+    Eigen::VectorXd      gap    = Eigen::VectorXd::Zero(system.n_unknowns());
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      gap[system.normal(i)] = initial_gap[i];
+    result.f = result.load.f + system.matrix * gap;
+    return result;
+  }
+
+
+
+  PathAnalysis::Case
+  PathAnalysis::between(const Case &a, const Case &b, const double part)
+  {
+    const auto mean = [&](const Eigen::VectorXd &x, const Eigen::VectorXd &y) {
+      return Eigen::VectorXd(x + part * (y - x));
+    };
+    return {mean(a.forces, b.forces),
+            {mean(a.load.prescribed, b.load.prescribed),
+             mean(a.load.b, b.load.b),
+             mean(a.load.f, b.load.f),
+             {}},
+            mean(a.f, b.f)};
+  }
+
+
+
+  void
+  PathAnalysis::run(const std::filesystem::path &f, const bool /*quiet*/)
+  {
+    folder = f;
+    remove_mechanism();
+    create_outputs(folder, true);
+    events.emplace(folder);
+    const auto      system   = model.condensation().system();
+    Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);
+    const auto      follower = make_bracketing_follower(system, gap, options);
+    PathResult      result;
+    try
+      {
+        result = follow(*follower);
+        flush();
+      }
+    catch (const AnalysisError &)
+      {
+        events->finish(last.parameter, "not converged");
+        throw;
+      }
+    report_outcome(result);
+  }
+
+
+
+  PathResult
+  PathAnalysis::follow(PathFollower &follower)
+  {
+    Case       begin  = case_at(0);
+    double     start  = 0;
+    PathResult result = apply_constant_loads(follower, begin);
+    for (const double end : scene.times)
+      {
+        if (result.outcome != PathOutcome::target_reached &&
+            result.outcome != PathOutcome::no_further_change)
+          return result;
+        Case         next   = case_at(end);
+        const double length = end - start;
+        result              = follower.follow(
+          {begin.f, (next.f - begin.f) / length, start, end},
+          [&](const PathPoint &point) {
+            record(point,
+                   between(begin, next, (point.parameter - start) / length),
+                   point.parameter);
+          });
+        begin = std::move(next);
+        start = end;
+      }
+    return result;
+  }
+
+
+
+  /* From nothing: interferences are part of what is applied. */
+  PathResult
+  PathAnalysis::apply_constant_loads(PathFollower &follower,
+                                     const Case   &constant)
+  {
+    const ContactSystem &system = *model.condensation().system();
+    last.v = last.r = Eigen::VectorXd::Zero(system.n_unknowns());
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      last.v[system.normal(i)] = std::max(initial_gap[i], 0.);
+    const Eigen::VectorXd nothing = system.matrix * last.v;
+
+    PathResult result;
+    result.outcome = PathOutcome::target_reached;
+    if (largest(constant.f - nothing) <= 1e-14 * largest(constant.f))
+      return result;
+    constant_stage    = true;
+    PathPoint reached = last;
+    result            = follower.follow(
+      {nothing, constant.f - nothing, 0, 1}, [&](const PathPoint &point) {
+        for (const PathChange &change : point.changes)
+          log.note(to_text(point.parameter) + " of the constant loads: node " +
+                   node_name(change.node) + " " + state_name(change.from) +
+                   " -> " + state_name(change.to));
+        reached = point;
+      });
+    if (result.outcome != PathOutcome::target_reached &&
+        result.outcome != PathOutcome::no_further_change)
+      {
+        last = reached;
+        return result;
+      }
+    reached.changes.clear();
+    constant_stage = false;
+    record(reached, constant, 0);
+    return result;
+  }
+
+
+
+  void
+  PathAnalysis::record(const PathPoint &point, const Case &at, const double t)
+  {
+    const ContactSystem &system = *model.condensation().system();
+    Pending          pending{{}, at.forces, at.load, {}, {}, history, history};
+    IncrementRecord &record  = pending.record;
+    record.increment         = ++n_records;
+    record.time              = t;
+    record.report.converged  = true;
+    record.report.solver     = "load path";
+    record.report.iterations = 1;
+    record.report.residual = path_residual(system, options, at.f, last, point);
+    if (!(record.report.residual <= scene.solver.tolerance))
+      fail(record, "the residual is " + to_text(record.report.residual));
+
+    pending.contact   = point.v;
+    pending.state.v   = point.v - last.v;
+    pending.state.r   = point.r;
+    const double zero = noise * largest(point.r);
+    const double rest = noise * largest(point.v);
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Eigen::Index k = system.normal(i);
+        const double       slip =
+          pending.state.v
+            .segment(system.first[static_cast<std::size_t>(i)],
+                     system.n_tangents(i))
+            .norm();
+        pending.state.v[k] = point.v[k];
+        pending.contact[k] -= initial_gap[i];
+        pending.state.node.push_back(point.r[k] <= zero ? NodeState::open :
+                                     slip > rest        ? NodeState::slip :
+                                                          NodeState::stick);
+      }
+    waiting.push_back({std::move(pending), point});
+    last           = point;
+    last.parameter = t;
+    if (point.jump || point.plateau)
+      on_the_way += std::string(" after a ") +
+                    (point.jump ? "jump" : "plateau") + " at p = " + to_text(t);
+    if (waiting.size() >= batch_size(n_records))
+      flush();
+  }
+
+
+
+  void
+  PathAnalysis::flush()
+  {
+    if (waiting.empty())
+      return;
+    std::vector<Condensation::Load> cases;
+    std::vector<Eigen::VectorXd>    contact;
+    for (const Waiting &w : waiting)
+      {
+        cases.push_back(w.pending.load);
+        contact.push_back(w.pending.contact);
+      }
+    const Eigen::MatrixXd u = model.condensation().expand(cases, contact);
+    std::vector<IncrementRecord> finished;
+    const auto                   write_finished = [&] {
+      write(finished);
+      for (std::size_t i = 0; i < finished.size(); ++i)
+        add_events(waiting[i].point);
+      waiting.clear();
+    };
+    try
+      {
+        for (std::size_t i = 0; i < waiting.size(); ++i)
+          {
+            Pending              &pending = waiting[i].pending;
+            const Eigen::VectorXd ui      = u.col(static_cast<Eigen::Index>(i));
+            complete(pending.record, judge(pending, ui), pending, ui);
+            finished.push_back(std::move(pending.record));
+          }
+      }
+    catch (const AnalysisError &)
+      {
+        write_finished();
+        throw;
+      }
+    write_finished();
+  }
+
+
+
+  void
+  PathAnalysis::add_events(const PathPoint &point)
+  {
+    std::vector<EventTable::Change> changes;
+    for (const PathChange &change : point.changes)
+      changes.push_back({node_name(change.node),
+                         state_name(change.from),
+                         state_name(change.to)});
+    if (!changes.empty())
+      events->add(point.parameter, changes);
+  }
+
+
+
+  void
+  PathAnalysis::report_outcome(const PathResult &result)
+  {
+    PathEnd end{result, {}, on_the_way, constant_stage};
+    if (result.outcome == PathOutcome::limit_load)
+      {
+        std::vector<bool> touching;
+        for (std::size_t i = 0; i < model.coordinates.contact_rules().size();
+             ++i)
+          touching.push_back(last.state.empty() ||
+                             last.state[i] != PathState::open);
+        end.mechanism = name_mechanism(model, result.mechanism, touching);
+        write_mechanism(result.mechanism, end.parameter());
+      }
+    const std::string sentence = outcome_sentence(end, model, scene);
+    events->finish(end.parameter(), outcome_words(end));
+    if (result.outcome == PathOutcome::not_converged)
+      throw AnalysisError(sentence);
+    log.say(sentence);
+  }
+
+
+
+  void
+  PathAnalysis::write_mechanism(const Eigen::VectorXd &velocity, const double t)
+  {
+    Eigen::VectorXd u = model.condensation().correction(
+      Eigen::VectorXd::Zero(model.coordinates.n_unknowns()), velocity);
+    if (const double size = largest(u); size > 0)
+      u /= size;
+    for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
+      scene.bodies.structures[b]->write_graphics(
+        u.segment(model.coordinates.offset(b),
+                  scene.bodies.structures[b]->n_dofs()),
+        t,
+        folder / mechanism_file(b));
+  }
+
+
+
+  /* Files of an earlier run must not pass for those of this one. */
+  void
+  PathAnalysis::remove_mechanism() const
+  {
+    std::error_code ignored;
+    for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
+      std::filesystem::remove(folder / mechanism_file(b), ignored);
+  }
+
+
+
+  std::string
+  PathAnalysis::mechanism_file(const std::size_t body) const
+  {
+    return scene.bodies.names.size() == 1 ?
+             "mechanism.vtu" :
+             "mechanism-" + safe_name(scene.bodies.names[body]) + ".vtu";
+  }
+
+
+
+  std::string
+  PathAnalysis::node_name(const Eigen::Index i) const
+  {
+    const ContactNode &node =
+      *model.coordinates.contact_rules()[static_cast<std::size_t>(i)]
+         ->contact_node;
+    const std::string number = std::to_string(node.node);
+    return names_are_unique ? number :
+                              scene.contact_names[node.contact] + ":" + number;
+  }
+
+
+
+  std::string
+  PathAnalysis::name(const IncrementRecord &record) const
+  {
+    return "Point " + std::to_string(record.increment) + " of the path";
+  }
+} // namespace conetact

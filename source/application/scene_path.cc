@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// What a scene means for a load path: stages, prestress, refusals.
+
+#include "conetact/application/scene.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Parts of a stage at which linearity is checked. */
+    constexpr double parts[] = {.1, .25, .381966, .5, .75, .9};
+
+    /** Throws InputError where values(t) is not linear in each stage. */
+    template <typename Values>
+    void
+    check_linear(const std::vector<double> &times,
+                 const std::string         &entry,
+                 const Values              &values)
+    {
+      double          start = 0;
+      Eigen::VectorXd first = values(0.);
+      double size = first.size() == 0 ? 0. : first.cwiseAbs().maxCoeff();
+      for (const double end : times)
+        {
+          const Eigen::VectorXd last = values(end);
+          size =
+            std::max(size, last.size() == 0 ? 0. : last.cwiseAbs().maxCoeff());
+          for (const double part : parts)
+            {
+              const Eigen::VectorXd bend =
+                values(start + part * (end - start)) -
+                (first + part * (last - first));
+              if (bend.size() > 0 &&
+                  !(bend.cwiseAbs().maxCoeff() <= 1e-11 * size))
+                throw InputError(
+                  entry + ": it is not linear in t between t = " +
+                  to_text(start) + " and t = " + to_text(end) +
+                  ". Along a load path loads change in proportion: give the "
+                  "times of its bends in Time/Times.");
+            }
+          first = last;
+          start = end;
+        }
+    }
+
+    bool
+    moves(const std::vector<Expression> &expressions)
+    {
+      return std::any_of(expressions.begin(),
+                         expressions.end(),
+                         [](const Expression &e) { return e.uses_time(); });
+    }
+  } // namespace
+
+
+
+  void
+  Scene::check_path() const
+  {
+    const bool is_path = path.method == PathSettings::Method::events;
+    const bool cohesive =
+      std::any_of(bodies.contact_nodes.begin(),
+                  bodies.contact_nodes.end(),
+                  [](const ContactNode &node) { return node.cohesion > 0; });
+    if (cohesive && !(is_path && bodies.dim == 2))
+      throw InputError(
+        "Contact, Cohesion: only Solver/Method = load path in 2D knows "
+        "cohesion. Leave it 0, or choose that method.");
+    if (path.method == PathSettings::Method::none)
+      {
+        if (path.law == PathLaw::holonomic)
+          throw InputError("Solver/Law: the holonomic law is one of "
+                           "Method = load path. Choose that method, or "
+                           "Law = incremental.");
+        return;
+      }
+    if (!is_path || cohesive || path.law == PathLaw::holonomic)
+      throw InputError("Solver/Method: only the incremental law without "
+                       "cohesion can be followed so far. Choose load path, "
+                       "Law = incremental, and leave Cohesion 0.");
+    if (bodies.dim == 3 && !is_path)
+      throw InputError("Solver/Method: lemke is for 2D, where friction has two "
+                       "directions. Choose load path.");
+    if (bodies.dim == 3 && path.law == PathLaw::holonomic)
+      throw InputError("Solver/Law: the holonomic law is for 2D. Choose "
+                       "incremental.");
+    if (bodies.contact_nodes.empty())
+      throw InputError("Solver/Method: a load path follows contact states, but "
+                       "the scene has no contact. Choose automatic.");
+    if (!fclib_increments.empty())
+      throw InputError("Output/FCLib increments: a load path has no increments "
+                       "of its own. Leave it empty.");
+  }
+
+
+
+  void
+  Scene::check_stages() const
+  {
+    for (const Load &load : loads)
+      {
+        const Structure &structure = *bodies.structures[load.body];
+        check_linear(times,
+                     "Load '" + load.name + "', Value",
+                     [&](const double t) {
+                       Eigen::VectorXd f =
+                         Eigen::VectorXd::Zero(structure.n_dofs());
+                       load.add(structure, t, f);
+                       return f;
+                     });
+      }
+    for (const Support &support : bodies.supports)
+      {
+        const auto nodes =
+          bodies.structures[support.body]->surface(support.ids).nodes;
+        const auto check = [&](const Expression  &expression,
+                               const std::string &entry) {
+          check_linear(
+            times,
+            "Support '" + support.name + "', " + entry,
+            [&](const double t) {
+              Eigen::VectorXd u(static_cast<Eigen::Index>(nodes.size()));
+              for (Eigen::Index i = 0; i < u.size(); ++i)
+                u[i] =
+                  expression(nodes[static_cast<std::size_t>(i)].position, t);
+              return u;
+            });
+        };
+        for (const Expression &e : support.displacement)
+          check(e, "Displacement");
+        for (const Support::Rotation &rotation : support.rotations)
+          check(rotation.angle, "Rotation");
+      }
+    for (const Obstacle &obstacle : obstacles)
+      if (moves(obstacle.displacement))
+        check_linear(times,
+                     "Obstacle '" + obstacle.name + "', Displacement",
+                     [&](const double t) {
+                       const Tensor<1, 3> d = obstacle.displacement_at(t);
+                       return Eigen::Vector3d(d[0], d[1], d[2]);
+                     });
+  }
+
+
+
+  Eigen::VectorXd
+  Scene::prestress() const
+  {
+    std::vector<Eigen::Index> offset = {0};
+    for (const Structure *structure : bodies.structures)
+      offset.push_back(offset.back() + structure->n_dofs());
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(offset.back());
+    const auto      add    = [&](const unsigned int  body,
+                         const unsigned int  node,
+                         const Tensor<1, 3> &force) {
+      for (unsigned int c = 0; c < bodies.dim; ++c)
+        forces[offset[body] +
+               node * static_cast<Eigen::Index>(
+                        bodies.structures[body]->n_components()) +
+               c] += force[c];
+    };
+    for (const ContactNode &node : bodies.contact_nodes)
+      if (node.prestress > 0)
+        {
+          add(node.body, node.node, -node.prestress * node.n);
+          for (const auto &[master, weight] : node.masters)
+            add(node.master, master, weight * node.prestress * node.n);
+        }
+    return forces;
+  }
+} // namespace conetact

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/mechanism.h"
+
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Smaller parts of the largest velocity are rest. */
+    constexpr double at_rest = 1e-6;
+
+    /** Most nodes that are told one by one. */
+    constexpr std::size_t most_told = 8;
+
+    /** Velocity of a contact node in space. */
+    Tensor<1, 3>
+    in_space(const ContactModel    &model,
+             const std::size_t      i,
+             const Eigen::VectorXd &velocity)
+    {
+      const NodeRule    &rule  = *model.coordinates.contact_rules()[i];
+      const Eigen::Index first = model.coordinates.layout().first[i];
+      Tensor<1, 3>       v;
+      for (std::size_t k = 0; k < rule.contact.size(); ++k)
+        v += velocity[first + static_cast<Eigen::Index>(k)] * rule.contact[k];
+      return v;
+    }
+
+    bool
+    one_translation(const std::vector<std::size_t>  &nodes,
+                    const std::vector<Tensor<1, 3>> &v)
+    {
+      return std::all_of(nodes.begin(), nodes.end(), [&](const std::size_t i) {
+        return (v[i] - v[nodes[0]]).norm() < at_rest;
+      });
+    }
+
+    std::string
+    kind_of(const Mechanism &m, const std::vector<Tensor<1, 3>> &v)
+    {
+      if (m.slide.empty() && m.stay.empty())
+        return "lifting";
+      if (m.stay.empty() && one_translation(m.slide, v) &&
+          (m.slide.size() > 1 || m.open.empty()))
+        return "sliding";
+      return m.open.empty() ? "turning" : "tipping";
+    }
+  } // namespace
+
+
+
+  Mechanism
+  name_mechanism(const ContactModel      &model,
+                 const Eigen::VectorXd   &velocity,
+                 const std::vector<bool> &touching)
+  {
+    const auto               &rules = model.coordinates.contact_rules();
+    std::vector<Tensor<1, 3>> v;
+    std::set<unsigned int>    moving;
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      {
+        v.push_back(in_space(model, i, velocity));
+        if (v.back().norm() > at_rest)
+          moving.insert(rules[i]->body);
+      }
+    Mechanism result;
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      {
+        if (!touching[i] || moving.count(rules[i]->body) == 0)
+          continue;
+        const double away = velocity[model.coordinates.layout().normal(
+          static_cast<Eigen::Index>(i))];
+        if (away > at_rest)
+          result.open.push_back(i);
+        else if (v[i].norm() > at_rest)
+          result.slide.push_back(i);
+        else
+          result.stay.push_back(i);
+      }
+    result.kind = kind_of(result, v);
+    return result;
+  }
+
+
+
+  std::string
+  name_nodes(const ContactModel             &model,
+             const std::vector<std::string> &contact_names,
+             const std::vector<std::size_t> &nodes)
+  {
+    std::map<unsigned int, std::vector<std::string>> of_contact;
+    for (const std::size_t i : nodes)
+      {
+        const ContactNode &node =
+          *model.coordinates.contact_rules()[i]->contact_node;
+        of_contact[node.contact].push_back(std::to_string(node.node));
+      }
+    std::vector<std::string> texts;
+    for (auto &[contact, numbers] : of_contact)
+      {
+        const std::size_t n = numbers.size();
+        numbers.resize(std::min(n, most_told));
+        texts.push_back((n == 1 ? "node " : "nodes ") + join(numbers) +
+                        (n > most_told ?
+                           " and " + std::to_string(n - most_told) + " more" :
+                           "") +
+                        " of contact '" + contact_names[contact] + "'");
+      }
+    return join(texts);
+  }
+} // namespace conetact
