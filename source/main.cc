@@ -3,6 +3,7 @@
 
 #include "conetact/application/analysis.h"
 #include "conetact/application/command_line.h"
+#include "conetact/application/cost.h"
 #include "conetact/application/log.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"
@@ -73,7 +74,11 @@ namespace
     log.time("contact nodes and supports");
     analysis->report();
     if (line.dry_run)
-      return;
+      {
+        analysis->estimate();
+        log.note(describe(analysis->work()));
+        return;
+      }
 
     const std::filesystem::path folder = folder_of(line, scene);
     check_folder(folder);
@@ -83,6 +88,7 @@ namespace
     write_atomically(folder / "used.prm", scene.values());
     analysis->run(folder, line.quiet);
     log.say("Results are in " + folder.string());
+    log.note("memory: " + megabytes(peak_memory()) + " at most");
     log.note(describe(analysis->work()));
   }
 

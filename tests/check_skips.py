@@ -5,8 +5,10 @@
 
 usage: check_skips.py PROGRAM
 """
+import math
 import re
 import shutil
+import subprocess
 import sys
 
 import laws as scenes
@@ -94,6 +96,40 @@ def at_rest(laws):
         laws.demand(f"{name} reaches it", "of body other, which" not in log_of(run))
 
 
+def congruent(laws):
+    run = laws.run(scenes.press_and_shear(3))
+    laws.demand("congruent cells share a matrix", "skipped: 79 of 80 cell matrices of body block" in log_of(run))
+
+
+def dry_run(laws):
+    """A dry run writes and factorises nothing; its estimates are those of the run."""
+    for dim, cells, mu in ((2, (120, 120), .3), (3, (14, 14, 14), .3), (3, (14, 14, 14), 0.0)):
+        scene = scenes.press_and_shear(dim, cells=cells, mu=mu)
+        name = f"{dim}D, mu = {mu}"
+        file = laws.folder / "dry.prm"
+        scenes.write_scene(scene, file)
+        before = sorted(laws.folder.iterdir())
+        text = subprocess.run([laws.program, file, "--dry-run"], cwd=laws.folder, capture_output=True, text=True,
+                              check=True).stdout
+        laws.demand(f"{name}: writes nothing", sorted(laws.folder.iterdir()) == before)
+        laws.demand(f"{name}: factorises nothing",
+                    "work: 0 factorisations of the elastic system, 0 condensations" in text)
+        laws.demand(f"{name}: says what is skipped", f"skipped: drawings of 4 of 4" in text)
+        log = log_of(laws.run(scene))
+        for what, told, found in (("factor", r"factor of (\S+) MB, ", r"factor of (\S+) MB"),
+                                  ("condensed stiffness", r"condensed stiffness of (\S+) MB",
+                                   r"condensed stiffness: (\S+) MB"),
+                                  ("memory", r"memory of (\S+) MB", r"memory: (\S+) MB")):
+            ratio = float(re.search(told, text)[1]) / float(re.search(found, log)[1])
+            laws.check(f"{name}: {what} over that of the run, {ratio:.3g}", abs(math.log(ratio)), math.log(1.5))
+        # columns of the factor have c_j entries: their squares are the operations
+        entries = float(re.search(r"factor of (\S+) MB, ", text)[1]) * 1e6 / 8
+        mean = entries**2 / int(re.search(r"unknowns of (\d+)", text)[1])
+        flops = float(re.search(r"estimate: (\S+) floating", text)[1])
+        laws.demand(f"{name}: {flops:.3g} operations, columns of equal length would take {mean:.3g}",
+                    mean < flops < 5 * mean)
+
+
 def frictionless(laws):
     """Tangential displacements of nodes without friction are condensed with the rest."""
     for dim in (2, 3):
@@ -104,7 +140,8 @@ def frictionless(laws):
                     and f"skipped: friction cones of {n} contact nodes" in log_of(run))
 
 
-CHECKS = (factor_once, loads_once, tables_once, drawn_only, no_contact, at_rest, frictionless)
+CHECKS = (factor_once, loads_once, tables_once, drawn_only, no_contact, at_rest, congruent, dry_run,
+          frictionless)
 
 
 def main(program):

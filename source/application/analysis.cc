@@ -3,6 +3,7 @@
 
 #include "conetact/application/analysis.h"
 
+#include "conetact/application/cost.h"
 #include "conetact/application/path_analysis.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
@@ -12,6 +13,7 @@
 #include "conetact/output/progress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace conetact
@@ -68,6 +70,13 @@ namespace conetact
         log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +
                  " dofs of body " + bodies.names[b] +
                  ", which no load, support motion or contact reaches");
+    for (std::size_t b = 0; b < bodies.names.size(); ++b)
+      if (const auto [elements, matrices] =
+            bodies.structures[b]->matrix_count();
+          matrices < elements)
+        log.note("skipped: " + std::to_string(elements - matrices) + " of " +
+                 std::to_string(elements) + " cell matrices of body " +
+                 bodies.names[b] + ", congruent to others");
     const ContactSystem &layout = model.coordinates.layout();
     log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
             std::to_string(layout.n_unknowns()) + " unknowns of " +
@@ -95,9 +104,30 @@ namespace conetact
       log.note(
         "skipped: " + std::to_string(model.rules.n_held_contact_nodes()) +
         " contact nodes whose normal is held by a support");
+    if (scene.path.method == PathSettings::Method::none &&
+        scene.n_drawings() < scene.times.size())
+      log.note("skipped: drawings of " +
+               std::to_string(scene.times.size() - scene.n_drawings()) +
+               " of " + std::to_string(scene.times.size()) + " increments");
     if (model.motions.null_space().cols() > 0)
       log.note(std::to_string(model.motions.null_space().cols()) +
                " rigid motions are held by contact alone");
+  }
+
+  void
+  Analysis::estimate() const
+  {
+    const Cost cost =
+      estimate_cost(model, scene.times.size(), scene.n_drawings());
+    log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
+            ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
+            ", memory of " + megabytes(cost.memory_bytes) + " in all");
+    log.say("estimate: " + to_text(cost.factor.flops) +
+            " floating-point operations to factorise, " +
+            to_text(std::round(10 * cost.seconds) / 10) + " s in all");
+    if (cost.memory_bytes > machine_memory())
+      log.say("warning: this machine has " + megabytes(machine_memory()) +
+              " of memory only. Use a coarser mesh or fewer contact nodes.");
   }
 
   void
@@ -175,38 +205,26 @@ namespace conetact
         if (!batch.empty() && (full || k > scene.times.size()))
           k = finish(batch);
       }
-    note_skips();
-  }
-
-  void
-  Analysis::note_skips()
-  {
-    const std::size_t n    = scene.times.size();
-    const auto        skip = [&](const std::string &what,
-                          const unsigned int n_done,
-                          const std::string &of) {
-      if (n_done < n)
-        log.note("skipped: " + what + " of " + std::to_string(n - n_done) +
-                 " of " + std::to_string(n) + " " + of);
-    };
-    skip("reductions",
-         model.condensation().n_reductions(),
-         "load cases, combinations of others");
-    skip("drawings", work().outputs.drawings, "increments");
+    const unsigned int n_reduced = model.condensation().n_reductions();
+    if (n_reduced < scene.times.size())
+      log.note("skipped: reductions of " +
+               std::to_string(scene.times.size() - n_reduced) + " of " +
+               std::to_string(scene.times.size()) +
+               " load cases, combinations of others");
   }
 
   Work
-  Analysis::work()
+  Analysis::work() const
   {
-    done.elastic           = model.condensation().work();
-    done.load_integrations = loads.n_integrations();
-    done.outputs           = {};
+    Work work              = done;
+    work.elastic           = model.work();
+    work.load_integrations = loads.n_integrations();
     for (const auto &output : outputs)
       {
-        done.outputs.drawings += output->work().drawings;
-        done.outputs.table_bytes += output->work().table_bytes;
+        work.outputs.drawings += output->work().drawings;
+        work.outputs.table_bytes += output->work().table_bytes;
       }
-    return done;
+    return work;
   }
 
   Analysis::Pending

@@ -152,4 +152,13 @@ namespace conetact
     return coordinates.expand(
       solver->expand(-unbalanced / stiffness_scale, contact));
   }
+
+  FactorEstimate
+  estimate_condensation(const ElasticSystem &elastic,
+                        const Coordinates   &coordinates)
+  {
+    return SchurSolver::estimate(assemble(elastic, coordinates),
+                                 coordinates.n_contact_unknowns(),
+                                 coordinates.node_of_unknowns());
+  }
 } // namespace conetact

@@ -20,6 +20,13 @@ namespace conetact
     using Eigen::VectorXd;
     using SparseMatrix = Eigen::SparseMatrix<double>;
 
+    // MUMPS gives a number that does not fit in millions, with a minus.
+    double
+    in_full(const int number)
+    {
+      return number < 0 ? -1e6 * number : number;
+    }
+
     // Right-hand sides that MUMPS treats together: enough for matrix-matrix
     // products, few enough to need little memory beside the factor.
     constexpr Index columns_at_once = 64;
@@ -64,9 +71,7 @@ namespace conetact
 
   struct SchurSolver::Implementation
   {
-    Implementation(const SparseMatrix              &upper,
-                   const Index                      n_schur,
-                   const std::vector<unsigned int> &node_of);
+    Implementation(const SparseMatrix &upper, const Index n_schur);
 
     const Index            n, n_schur, n_eliminated;
     MatrixXd               schur;
@@ -74,8 +79,13 @@ namespace conetact
     std::unique_ptr<Mumps> mumps; // none where nothing is eliminated
     SchurWork              work;
 
+    // Leaves MUMPS with pointers to the matrix.
     void
-    factorize(const SparseMatrix &upper, std::vector<int> order);
+    analyse(const SparseMatrix              &upper,
+            const std::vector<unsigned int> &node_of);
+    void
+    factorize(const SparseMatrix              &upper,
+              const std::vector<unsigned int> &node_of);
 
     // MUMPS' ways to treat the right-hand sides b, which it overwrites.
     enum Phase
@@ -87,57 +97,40 @@ namespace conetact
 
     void
     solve(const Phase phase, Eigen::Ref<MatrixXd> b, MatrixXd &reduced);
+
+  private:
+    std::vector<int> rows, columns, order; // counted from 1
   };
 
 
 
-  SchurSolver::Implementation::Implementation(
-    const SparseMatrix              &upper,
-    const Index                      n_schur_unknowns,
-    const std::vector<unsigned int> &node_of)
+  SchurSolver::Implementation::Implementation(const SparseMatrix &upper,
+                                              const Index n_schur_unknowns)
     : n(upper.cols())
     , n_schur(n_schur_unknowns)
     , n_eliminated(n - n_schur)
-  {
-    if (n_eliminated == 0)
-      {
-        schur = MatrixXd(upper);
-        mirror_upper_triangle(schur);
-        return;
-      }
-    const VectorXd diagonal = upper.diagonal();
-    for (Index i = 0; i < n_eliminated; ++i)
-      if (!(diagonal[i] > 0.))
-        throw SingularMatrix(node_of[i]);
-
-    mumps = std::make_unique<Mumps>();
-    factorize(upper, elimination_order(upper, n_eliminated, node_of));
-    mirror_upper_triangle(schur);
-
-    MatrixXd v = MatrixXd::Zero(n, 1), none = MatrixXd::Zero(n_schur, 1);
-    v.topRows(n_eliminated) = probe_load(diagonal.head(n_eliminated));
-    solve(eliminated_only, v, none);
-    refuse_free_motion(upper, v.topRows(n_eliminated), node_of);
-  }
+  {}
 
 
 
-  // The values are handed over as they are, the indices counted from 1.
   void
-  SchurSolver::Implementation::factorize(const SparseMatrix &upper,
-                                         std::vector<int>    order)
+  SchurSolver::Implementation::analyse(const SparseMatrix              &upper,
+                                       const std::vector<unsigned int> &node_of)
   {
     const std::size_t n_entries = static_cast<std::size_t>(upper.nonZeros());
-    std::vector<int>  rows(n_entries), columns(n_entries);
+    rows.resize(n_entries);
+    columns.resize(n_entries);
     for (Index k = 0, column = 0; column < n; ++column)
       for (SparseMatrix::InnerIterator entry(upper, column); entry; ++entry)
         {
           rows[k]      = static_cast<int>(entry.row()) + 1;
           columns[k++] = static_cast<int>(column) + 1;
         }
+    order = elimination_order(upper, n_eliminated, node_of);
     for (int &place : order)
       ++place;
 
+    mumps                = std::make_unique<Mumps>();
     DMUMPS_STRUC_C &data = mumps->data;
     data.n               = static_cast<int>(n);
     data.nnz             = upper.nonZeros();
@@ -151,19 +144,51 @@ namespace conetact
         std::iota(schur_unknowns.begin(),
                   schur_unknowns.end(),
                   static_cast<int>(n_eliminated) + 1);
-        // Row by row the lower triangle: column by column the upper one.
-        schur.resize(n_schur, n_schur);
         mumps->control(19) = 1;
         data.size_schur    = static_cast<int>(n_schur);
         data.listvar_schur = schur_unknowns.data();
-        data.schur         = schur.data();
       }
     mumps->analyse();
+  }
+
+
+
+  void
+  SchurSolver::Implementation::factorize(
+    const SparseMatrix              &upper,
+    const std::vector<unsigned int> &node_of)
+  {
+    if (n_eliminated == 0)
+      {
+        schur = MatrixXd(upper);
+        mirror_upper_triangle(schur);
+        return;
+      }
+    const VectorXd diagonal = upper.diagonal();
+    for (Index i = 0; i < n_eliminated; ++i)
+      if (!(diagonal[i] > 0.))
+        throw SingularMatrix(node_of[i]);
+
+    analyse(upper, node_of);
+    DMUMPS_STRUC_C &data = mumps->data;
+    if (n_schur > 0)
+      {
+        // Row by row the lower triangle: column by column the upper one.
+        schur.resize(n_schur, n_schur);
+        data.schur = schur.data();
+      }
     mumps->factorize();
     ++work.factorizations;
     work.condensations += n_schur > 0;
     data.irn = data.jcn = data.perm_in = nullptr;
     data.a                             = nullptr;
+    rows = columns = order = std::vector<int>();
+    mirror_upper_triangle(schur);
+
+    MatrixXd v = MatrixXd::Zero(n, 1), none = MatrixXd::Zero(n_schur, 1);
+    v.topRows(n_eliminated) = probe_load(diagonal.head(n_eliminated));
+    solve(eliminated_only, v, none);
+    refuse_free_motion(upper, v.topRows(n_eliminated), node_of);
   }
 
 
@@ -193,16 +218,33 @@ namespace conetact
                            const std::vector<unsigned int> &node_of)
   {
     check_input(upper, n_schur, node_of);
+    implementation = std::make_unique<Implementation>(upper, n_schur);
     if (upper.isCompressed())
-      implementation =
-        std::make_unique<Implementation>(upper, n_schur, node_of);
+      implementation->factorize(upper, node_of);
     else
       {
         SparseMatrix compressed = upper;
         compressed.makeCompressed();
-        implementation =
-          std::make_unique<Implementation>(compressed, n_schur, node_of);
+        implementation->factorize(compressed, node_of);
       }
+  }
+
+
+
+  FactorEstimate
+  SchurSolver::estimate(const SparseMatrix              &upper,
+                        const Index                      n_schur,
+                        const std::vector<unsigned int> &node_of)
+  {
+    check_input(upper, n_schur, node_of);
+    if (upper.cols() == n_schur)
+      return {};
+    Implementation solver(upper, n_schur);
+    solver.analyse(upper, node_of);
+    const Mumps &mumps = *solver.mumps;
+    return {sizeof(double) * in_full(mumps.info(3)),
+            1e6 * mumps.info(17),
+            mumps.data.rinfog[0]};
   }
 
 
@@ -274,9 +316,7 @@ namespace conetact
   {
     if (!implementation->mumps)
       return 0.;
-    // In millions where the number does not fit.
-    const double n_entries = implementation->mumps->info(29);
-    return sizeof(double) * (n_entries < 0. ? -1e6 * n_entries : n_entries);
+    return sizeof(double) * in_full(implementation->mumps->info(29));
   }
 
 

@@ -331,10 +331,10 @@ namespace conetact
   }
 
   template <int dim>
-  unsigned int
-  Continuum<dim>::n_cell_shapes() const
+  Structure::MatrixCount
+  Continuum<dim>::matrix_count() const
   {
-    return matrices.n_shapes();
+    return {static_cast<unsigned int>(mesh.cells.size()), matrices.n_shapes()};
   }
 
   template class Continuum<2>;

@@ -35,6 +35,10 @@ namespace conetact
     void
     report() const;
 
+    /** Memory and time it will take, to the log; nothing is factorised. */
+    void
+    estimate() const;
+
     /**
      * All that may find the scene wrong: loads at all times, condensation.
      * Throws InputError.
@@ -52,7 +56,7 @@ namespace conetact
 
     /** What was done so far. */
     Work
-    work();
+    work() const;
 
   protected:
     /** An increment whose displacements are still to be recovered. */
@@ -100,9 +104,6 @@ namespace conetact
     name(const IncrementRecord &record) const;
     [[noreturn]] void
     fail(const IncrementRecord &record, const std::string &why) const;
-
-    void
-    note_skips();
 
     const Scene                         &scene;
     Log                                 &log;

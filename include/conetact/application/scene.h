@@ -79,8 +79,14 @@ namespace conetact
     SolverOptions             solver;
     PathSettings              path;
     unsigned int              vtu_every = 1;
-    unsigned int              threads   = 1;
-    std::set<unsigned int>    fclib_increments; ///< with a file of their own
+    /** Increments that are drawn. */
+    std::size_t
+    n_drawings() const
+    {
+      return vtu_every > 0 ? times.size() / vtu_every : 0;
+    }
+    unsigned int           threads = 1;
+    std::set<unsigned int> fclib_increments; ///< with a file of their own
 
   private:
     void

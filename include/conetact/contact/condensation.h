@@ -114,6 +114,10 @@ namespace conetact
     std::vector<Eigen::VectorXd> basis, basis_b, basis_f, basis_q;
     unsigned int                 n_reduced = 0;
   };
+  /** What the factorisation of a condensation will take. */
+  FactorEstimate
+  estimate_condensation(const ElasticSystem &elastic,
+                        const Coordinates   &coordinates);
 } // namespace conetact
 
 #endif

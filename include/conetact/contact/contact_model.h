@@ -33,6 +33,12 @@ namespace conetact
     /** Made when first asked for. */
     Condensation &
     condensation();
+    /** Work with it so far. */
+    SchurWork
+    work() const
+    {
+      return condensed ? condensed->work() : SchurWork();
+    }
 
   private:
     bool

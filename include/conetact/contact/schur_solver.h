@@ -35,6 +35,14 @@ namespace conetact
     unsigned int triangular_solves = 0; ///< with the factor
   };
 
+  /** What a factorisation will take, known from the pattern alone. */
+  struct FactorEstimate
+  {
+    double factor_bytes  = 0;
+    double working_bytes = 0; ///< of the direct solver, factor included
+    double flops         = 0; ///< floating-point operations
+  };
+
   /**
    * Factorises the symmetric matrix
    * @f$ A = \begin{pmatrix} A_{FF} & A_{FC}\\ A_{CF} & A_{CC}\end{pmatrix} @f$
@@ -58,6 +66,11 @@ namespace conetact
                 const Eigen::Index                 n_schur,
                 const std::vector<unsigned int>   &node_of);
     ~SchurSolver();
+    /** What that would take: orders and analyses, but does not factorise. */
+    static FactorEstimate
+    estimate(const Eigen::SparseMatrix<double> &upper,
+             const Eigen::Index                 n_schur,
+             const std::vector<unsigned int>   &node_of);
     SchurSolver(const SchurSolver &) = delete;
     SchurSolver &
     operator=(const SchurSolver &) = delete;

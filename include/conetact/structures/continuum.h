@@ -79,10 +79,9 @@ namespace conetact
                    const std::filesystem::path &file) const override;
     std::string
     description() const override;
-
-    /** Cells that are no translated copies of each other. */
-    unsigned int
-    n_cell_shapes() const;
+    /** Cells that are translated copies of each other are congruent. */
+    MatrixCount
+    matrix_count() const override;
 
   private:
     std::unique_ptr<dealii::Triangulation<dim, dim>> triangulation;

@@ -154,6 +154,17 @@ namespace conetact
     virtual void
     for_each_element(const ElementVisitor &visit) const = 0;
 
+    /** For the log: congruent elements share a matrix. */
+    struct MatrixCount
+    {
+      unsigned int elements = 0, matrices = 0;
+    };
+    virtual MatrixCount
+    matrix_count() const
+    {
+      return {};
+    }
+
     /** Ids that some face has, for checks and messages. */
     virtual BoundaryIds
     boundary_ids() const = 0;
