@@ -47,9 +47,10 @@ for ((i = 0; i <= runs; ++i)); do
   timed small "${small[@]}"
   [ "$i" != 0 ] || rm empty small # the first ones fill caches
 done
+printf '| time | empty, s | scene, s | ratio |\n|---|---|---|---|\n'
 for column in 1 2; do
   e=$(median empty $column)
   s=$(median small $column)
-  echo "$([ $column = 1 ] && echo CPU || echo wall): empty $e s, scene $s s, ratio" \
-    "$(awk "BEGIN { printf \"%.2f\", $s / $e }")"
+  echo "| $([ $column = 1 ] && echo CPU || echo wall) | $e | $s |" \
+    "$(awk "BEGIN { printf \"%.2f\", $s / $e }") |"
 done

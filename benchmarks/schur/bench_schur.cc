@@ -204,8 +204,8 @@ namespace
 
     const auto   cholmod = time_cholmod(block, places);
     const double ours = t2 - t1, theirs = cholmod[0] + cholmod[1];
-    std::printf("%3d %8td %6td %8.3f %8.3f %8.3f %8.3f %8.2f %8.3f %8.3f %6.2f "
-                "%6.2f\n",
+    std::printf("| %d | %td | %td | %.3f | %.3f | %.3f | %.3f | %.2f | %.3f "
+                "| %.3f | %.2f | %.2f |\n",
                 n,
                 block.upper.cols(),
                 block.n_schur,
@@ -244,10 +244,11 @@ main(int argc, char **argv)
   const conetact::ProcessSession session(n_threads);
   const Block                    tiny = assemble(2); // starts MPI
   conetact::SchurSolver(tiny.upper, tiny.n_schur, tiny.node_of);
-  std::printf("%s seconds; factor in GB; 11 right-hand sides; the ratios are "
-              "with and without CHOLMOD's analysis\n"
-              "  n unknowns  Schur    METIS  S,METIS   reduce   expand   "
-              "factor  analyse   factor   ratios\n",
+  std::printf("%s seconds; factor in GB; 11 right-hand sides; ratios to "
+              "CHOLMOD with and without its analysis\n\n"
+              "| n | unknowns | Schur | METIS | METIS and S | reduce | expand "
+              "| factor | CHOLMOD analysis | CHOLMOD | ratio | without |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|---|\n",
               conetact::ProcessSession::n_threads() == 1 ? "CPU" : "Wall");
   for (const int n : sizes)
     run(n);

@@ -12,6 +12,7 @@ One thread; seconds of the solves alone, medians of REPEAT, residuals by one
 measure. A solver of Siconos that misses a tolerance tenfold does not count, and
 what does not end within LIMIT seconds is stopped.
 """
+import importlib.util
 import os
 import re
 import statistics
@@ -20,8 +21,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from measure import TOP, table  # noqa: E402
+
 os.environ["OPENBLAS_NUM_THREADS"] = "1"
-TOP = Path(__file__).resolve().parent.parent.parent
 SOLVERS = ("NSN_AC", "NSN_FB", "NSGS", "ADMM")
 REPEAT, LIMIT = 3, 600
 
@@ -34,10 +37,18 @@ def export(build, n, folder):
     return Path(folder) / "problem-0001.hdf5"
 
 
-def ours(build, file, tolerance):
-    text = subprocess.run([build / "conetact-fclib", "solve", file, "--tolerance", str(tolerance)],
-                          check=True, capture_output=True, text=True).stdout
-    return tuple(float(re.search(rf"^{what} +(\S+)", text, re.M)[1]) for what in ("time", "residual"))
+def ours(build, file, tolerance, method="automatic"):
+    """Seconds and residual; None where it does not converge."""
+    run = subprocess.run([build / "conetact-fclib", "solve", file, "--tolerance", str(tolerance), "--solver", method],
+                         capture_output=True, text=True)
+    if run.returncode != 0:
+        return None
+    return tuple(float(re.search(rf"^{what} +(\S+)", run.stdout, re.M)[1]) for what in ("time", "residual"))
+
+
+def installed(solvers):
+    """None of them without Siconos and h5py."""
+    return solvers if all(map(importlib.util.find_spec, ("siconos", "h5py"))) else ()
 
 
 def theirs(file, solver, tolerance):
@@ -62,26 +73,26 @@ def repeated(solve):
 
 
 def compare(build, n):
+    """Rows of the table: every solver at both tolerances."""
     with tempfile.TemporaryDirectory() as folder:
         file = export(build, n, folder)
         for tolerance in (1e-8, 1e-12):
             own = repeated(lambda: ours(build, file, tolerance))
-            print(f"n_c = {(n + 1)**2}, {tolerance:g}: ours {own[0]:.4g} s, residual {own[1]:.1e}", flush=True)
-            best = None
+            yield (n + 1)**2, f"{tolerance:g}", "Conetact", f"{own[0]:.4g}", f"{own[1]:.1e}", 1
             for solver in SOLVERS:
-                result = repeated(lambda: theirs(file, solver, tolerance))
-                if result is None:
-                    print(f"  {solver}: no result within {LIMIT} s", flush=True)
-                    continue
-                counts = result[1] <= 10 * tolerance
-                print(f"  {solver}: {result[0]:.4g} s, residual {result[1]:.1e}" + ("" if counts else ", not reached"),
-                      flush=True)
-                if counts and (best is None or result[0] < best[0]):
-                    best = (result[0], solver)
-            print(f"  best {best[1]}, ratio {best[0] / own[0]:.1f}" if best else "  no solver reaches it", flush=True)
+                found = repeated(lambda: theirs(file, solver, tolerance))
+                row = (n + 1)**2, f"{tolerance:g}", solver
+                if found is None:
+                    yield *row, f"> {LIMIT}", "-", "-"
+                else:
+                    counts = found[1] <= 10 * tolerance
+                    yield *row, f"{found[0]:.4g}", f"{found[1]:.1e}", f"{found[0] / own[0]:.1f}" if counts else "missed"
 
 
 if __name__ == "__main__":
+    if not installed(SOLVERS):
+        sys.exit("Siconos is not installed (Debian: python3-siconos, python3-h5py)")
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else TOP / "build").resolve()
-    for size in [int(n) for n in sys.argv[2:]] or (16, 24, 32):
-        compare(folder, size)
+    sizes = [int(n) for n in sys.argv[2:]] or (16, 24, 32)
+    print(table(("n_c", "tolerance", "solver", "seconds", "residual", "times ours"),
+                [row for n in sizes for row in compare(folder, n)]))

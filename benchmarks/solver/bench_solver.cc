@@ -68,7 +68,7 @@ namespace
     Condensation::Load
     load(const double t)
     {
-      return model->condensation().reduce(scene.forces(t),
+      return model->condensation().reduce(scene.nodal_loads().at(t),
                                           model->coordinates.prescribed(t));
     }
     const Eigen::MatrixXd &
@@ -172,8 +172,7 @@ namespace
         const double        lu,
         const SolverReport &report)
   {
-    std::printf("%-12s %8.4f s  %5.2f LU  %s, %u linear solves, "
-                "%u factorisations, residual %.1e\n",
+    std::printf("| %s | %.4f | %.2f | %s | %u | %u | %.1e |\n",
                 name,
                 seconds,
                 seconds / lu,
@@ -197,9 +196,10 @@ main(int argc, char **argv)
   Block        block(n);
   const auto   size = block.K().rows();
   const double lu   = median_time(runs, [&] { return time_lu(block.K()); });
-  std::printf("n_c = %ld\n%-12s %8.4f s\n",
+  std::printf("%ld contact nodes, a dense LU of that size: %.4f s\n\n"
+              "| solve | s | LU | solver | linear solves | factorisations | "
+              "residual |\n|---|---|---|---|---|---|---|\n",
               static_cast<long>(size / 3),
-              "dense LU",
               lu);
 
   SolverReport report;
@@ -218,8 +218,7 @@ main(int argc, char **argv)
     return warm.seconds;
   });
   print("warm 1e-10", seconds, lu, warm.report);
-  std::printf("%-12s %.0f %% of the nodes change state\n",
-              "",
+  std::printf("\nwarm: %.0f %% of the nodes change state\n",
               100 * warm.changed);
   return 0;
 }

@@ -118,7 +118,7 @@ def families_table(setup, names):
         if not results:
             continue
         lines.append(family_line(FAMILIES[name][0] if name in FAMILIES else "random condensed problems", results))
-        print(lines[-1], flush=True)
+        print(lines[-1], file=sys.stderr, flush=True)
         failures += [(name, result) for result in results if result.failure]
     return lines, failures
 

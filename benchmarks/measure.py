@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CPU seconds of processes, and Markdown tables: what the benchmarks share."""
+import os
+import statistics
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parent.parent
+
+
+def cpu_seconds(command, output=os.devnull):
+    """Of the whole process, pinned to one core; what it prints goes to a file."""
+    command = [str(word) for word in command]
+    child = os.fork()
+    if child == 0:
+        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+        os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
+        os.dup2(os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), 1)
+        os.execv(command[0], command)
+    _, status, usage = os.wait4(child, 0)
+    if status != 0:
+        raise SystemExit(f"{' '.join(command)} failed" + (f"; what it said is in {output}" if output != os.devnull else ""))
+    return usage.ru_utime + usage.ru_stime
+
+
+def median_cpu_seconds(command, runs=3):
+    return statistics.median(cpu_seconds(command) for _ in range(runs))
+
+
+def table(columns, rows):
+    """A Markdown table."""
+    lines = [columns, ["---"] * len(columns), *rows]
+    return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines)
