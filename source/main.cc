@@ -75,6 +75,7 @@ namespace
     analysis->report();
     if (line.dry_run)
       {
+        analysis->check_history();
         analysis->estimate();
         log.note(describe(analysis->work()));
         return;

@@ -48,6 +48,10 @@ def loads_once(laws):
     for value, count in (("0 ; -1", 1), ("0 ; -0.1*t", 20)):
         run = laws.run(scenes.merge(scene, {"Load side": scenes.load("traction", value, 1)}))
         demand_work(laws, f"traction {value}, 20 increments", run, {"integrations of loads": count})
+        laws.demand("the log says what is skipped",
+                    f"skipped: {40 - count} of 40 integrations of loads" in log_of(run)
+                    and "skipped: 19 of 20 factorisations" in log_of(run)
+                    and "of 20 load cases, combinations of others" in log_of(run))
 
 
 def tables_once(laws):
@@ -128,6 +132,12 @@ def dry_run(laws):
         flops = float(re.search(r"estimate: (\S+) floating", text)[1])
         laws.demand(f"{name}: {flops:.3g} operations, columns of equal length would take {mean:.3g}",
                     mean < flops < 5 * mean)
+
+
+    scene = scenes.merge(scene, {"Load side": scenes.load("traction", "1/(t - 2) ; 0 ; 0", 0)})
+    scenes.write_scene(scene, file)
+    done = subprocess.run([laws.program, file, "--dry-run"], capture_output=True, text=True)
+    laws.demand("a dry run finds a load that is not finite", done.returncode == 1 and "is not finite" in done.stderr)
 
 
 def frictionless(laws):

@@ -131,7 +131,7 @@ namespace conetact
   }
 
   void
-  Analysis::prepare()
+  Analysis::check_history()
   {
     for (const double t : scene.times)
       {
@@ -140,6 +140,12 @@ namespace conetact
         model.elastic.ground_forces(t);
       }
     log.time("loads and supports at all times");
+  }
+
+  void
+  Analysis::prepare()
+  {
+    check_history();
     const double bytes = model.condensation().factor_bytes();
     log.time("condensation: order, factor and Schur complement, factor of " +
              to_text(bytes / 1e6) + " MB");
@@ -205,12 +211,29 @@ namespace conetact
         if (!batch.empty() && (full || k > scene.times.size()))
           k = finish(batch);
       }
-    const unsigned int n_reduced = model.condensation().n_reductions();
-    if (n_reduced < scene.times.size())
-      log.note("skipped: reductions of " +
-               std::to_string(scene.times.size() - n_reduced) + " of " +
-               std::to_string(scene.times.size()) +
-               " load cases, combinations of others");
+    note_skips();
+  }
+
+  void
+  Analysis::note_skips()
+  {
+    const auto n_increments = static_cast<unsigned int>(scene.times.size());
+    const auto note         = [this](const unsigned int n_done,
+                             const unsigned int n_all,
+                             const char        *what) {
+      if (n_done < n_all)
+        log.note("skipped: " + std::to_string(n_all - n_done) + " of " +
+                 std::to_string(n_all) + " " + what);
+    };
+    note(model.work().factorizations,
+         n_increments,
+         "factorisations, the stiffness stays the same");
+    note(model.condensation().n_reductions(),
+         n_increments,
+         "load cases, combinations of others");
+    note(loads.n_integrations(),
+         loads.n_evaluations(),
+         "integrations of loads, known already");
   }
 
   Work

@@ -59,10 +59,10 @@ namespace conetact
 
 
   void
-  PathAnalysis::prepare()
+  PathAnalysis::check_history()
   {
     scene.check_stages();
-    Analysis::prepare();
+    Analysis::check_history();
   }
 
 

@@ -45,6 +45,7 @@ namespace conetact
   void
   NodalLoads::add(const std::size_t load, const double t, Eigen::VectorXd &f)
   {
+    ++evaluations;
     const double time  = loads[load].uses_time() ? t : 0;
     const auto   found = kept[load].find(time);
     if (found != kept[load].end())

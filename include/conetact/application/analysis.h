@@ -39,11 +39,15 @@ namespace conetact
     void
     estimate() const;
 
-    /**
-     * All that may find the scene wrong: loads at all times, condensation.
-     * Throws InputError.
-     */
+    /** Loads and supports at all times. Throws InputError. */
     virtual void
+    check_history();
+
+    /**
+     * All that may find the scene wrong: its history, condensation. Throws
+     * InputError.
+     */
+    void
     prepare();
 
     /**
@@ -74,6 +78,8 @@ namespace conetact
     refuse_empty_contacts() const;
     void
     create_outputs(const std::filesystem::path &folder, const bool quiet);
+    void
+    note_skips();
     std::size_t
     batch_size(const unsigned int n_finished) const;
     void

@@ -26,7 +26,7 @@ namespace conetact
     /** Throws InputError. */
     PathAnalysis(const Scene &scene, Log &log);
     void
-    prepare() override;
+    check_history() override;
     /** Throws AnalysisError where the path does not converge. */
     void
     run(const std::filesystem::path &folder, const bool quiet) override;

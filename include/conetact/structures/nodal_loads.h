@@ -32,6 +32,12 @@ namespace conetact
     Eigen::VectorXd
     at(const double t);
 
+    /** Loads that were asked for, and those that had to be integrated. */
+    unsigned int
+    n_evaluations() const
+    {
+      return evaluations;
+    }
     unsigned int
     n_integrations() const
     {
@@ -47,7 +53,7 @@ namespace conetact
     const std::vector<const Structure *> &structures;
     std::vector<std::map<double, Forces>> kept; ///< of each load, by time
     Eigen::Index                          room;
-    unsigned int                          integrations = 0;
+    unsigned int                          evaluations = 0, integrations = 0;
   };
 } // namespace conetact
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "lattice.h"
@@ -248,6 +249,47 @@ TEST(SchurSolver, KeepsNullVectors)
                                 exact_schur_complement(dense(system.upper),
                                                        n_schur)),
             1e-14);
+}
+
+
+
+TEST(SchurSolver, CountsItsWork)
+{
+  const System      system = Lattice{{6, 6}}.assemble();
+  const Index       n = system.upper.cols(), n_schur = 12;
+  const SchurSolver solver(system.upper, n_schur, system.node_of);
+  EXPECT_EQ(solver.work().factorizations, 1u);
+  EXPECT_EQ(solver.work().condensations, 1u);
+  const unsigned int before = solver.work().triangular_solves;
+
+  solver.reduce(MatrixXd::Ones(n, 3));
+  EXPECT_EQ(solver.work().reductions, 3u);
+  EXPECT_EQ(solver.work().triangular_solves, before + 3);
+  solver.expand(MatrixXd::Ones(n, 2), MatrixXd::Ones(n_schur, 2));
+  EXPECT_EQ(solver.work().expansions, 2u);
+  EXPECT_EQ(solver.work().triangular_solves, before + 3 + 4);
+}
+
+
+
+TEST(SchurSolver, EstimatesItsFactor)
+{
+  const System system = Lattice{{12, 12, 12}}.assemble();
+  for (const Index n_schur : {Index(0), Index(3 * 144)})
+    {
+      const double bytes =
+        SchurSolver(system.upper, n_schur, system.node_of).factor_bytes();
+      const auto estimate =
+        SchurSolver::estimate(system.upper, n_schur, system.node_of);
+      EXPECT_GT(estimate.factor_bytes, .9 * bytes);
+      EXPECT_LT(estimate.factor_bytes, 1.5 * bytes);
+      EXPECT_GT(estimate.working_bytes, bytes);
+      // columns of the factor with c entries take c^2 operations
+      const double mean =
+        std::pow(bytes / 8, 2) / static_cast<double>(system.upper.cols());
+      EXPECT_GT(estimate.flops, mean);
+      EXPECT_LT(estimate.flops, 5 * mean);
+    }
 }
 
 
