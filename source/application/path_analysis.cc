@@ -108,10 +108,12 @@ namespace conetact
     remove_mechanism();
     create_outputs(folder, true);
     events.emplace(folder);
-    const auto      system   = model.condensation().system();
-    Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);
-    const auto      follower = make_bracketing_follower(system, gap, options);
-    PathResult      result;
+    const auto      system = model.condensation().system();
+    Eigen::VectorXd gap    = initial_gap.cwiseMax(0.);
+    const auto      make =
+      scene.bodies.dim == 2 ? make_event_follower : make_bracketing_follower;
+    const auto follower = make(system, gap, options);
+    PathResult result;
     try
       {
         result = follow(*follower);

@@ -59,6 +59,10 @@ namespace conetact
           return "slip-";
         case PathState::slip:
           return "slip";
+        case PathState::open_plus:
+          return "open+";
+        case PathState::open_minus:
+          return "open-";
       }
     return "";
   }

@@ -80,10 +80,9 @@ namespace conetact
                            "Law = incremental.");
         return;
       }
-    if (!is_path || cohesive || path.law == PathLaw::holonomic)
-      throw InputError("Solver/Method: only the incremental law without "
-                       "cohesion can be followed so far. Choose load path, "
-                       "Law = incremental, and leave Cohesion 0.");
+    if (!is_path)
+      throw InputError("Solver/Method: lemke is not there yet. Choose load "
+                       "path.");
     if (bodies.dim == 3 && !is_path)
       throw InputError("Solver/Method: lemke is for 2D, where friction has two "
                        "directions. Choose load path.");

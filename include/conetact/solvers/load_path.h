@@ -20,14 +20,19 @@ namespace conetact
     holonomic    ///< its total: the law of [P]
   };
 
-  /** State of a contact node on a path; in 3D `slip` has no sign. */
+  /**
+   * State of a contact node on a path. `slip` has no sign: in 3D, and where
+   * there is no friction. With cohesion open nodes stick and slip, too.
+   */
   enum class PathState : unsigned char
   {
     open,
     stick,
     slip_plus,  ///< slips along +t, r_t = -(mu r_n + c)
     slip_minus, ///< slips along -t, r_t = +(mu r_n + c)
-    slip
+    slip,
+    open_plus, ///< open, slips along +t against its cohesion, r_t = -c
+    open_minus ///< open, slips along -t against its cohesion, r_t = +c
   };
 
   struct PathOptions
@@ -37,7 +42,11 @@ namespace conetact
     Eigen::VectorXd cohesion; ///< c >= 0 of each node [force]; empty: none
   };
 
-  /** Loads f = load + (p - begin) * rate while p goes from begin to end. */
+  /**
+   * Loads f = load + (p - begin) * rate while p goes from begin to end. A stage
+   * starts with the loads the one before it ended with; the first one, where
+   * nothing has happened yet, with f = K (0, gap).
+   */
   struct PathStage
   {
     Eigen::VectorXd load; ///< f of ContactProblem in total terms: K v = r + f
@@ -112,7 +121,9 @@ namespace conetact
 
   /**
    * The exact follower of 2D problems (at most one tangent a node), event by
-   * event; stiffness form, K may be singular. `gap` is g at the start.
+   * event; stiffness form, K may be singular. `gap` is g at the start. Throws
+   * std::invalid_argument for other problems, and for a stage that does not
+   * start where the one before it ended.
    */
   std::unique_ptr<PathFollower>
   make_event_follower(std::shared_ptr<const ContactSystem> system,

@@ -1,0 +1,498 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/event_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    /** Quantities below this share of the largest have vanished. */
+    constexpr double value_tolerance = 1e-12;
+    /** Events closer than this share of the way from the start are one. */
+    constexpr double same_event = 1e-10;
+    /** An event this close behind the end of a stage, in its length, counts. */
+    constexpr double beyond_end = 1e-12;
+    /** Step beyond a point without continuation, in the length of the stage. */
+    constexpr double jump_step = 1e-8;
+
+    double
+    largest(const VectorXd &x)
+    {
+      return x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.;
+    }
+  } // namespace
+
+
+
+  EventFollower::EventFollower(std::shared_ptr<const ContactSystem> s,
+                               const VectorXd                      &gap,
+                               const PathOptions                   &o)
+    : contact(std::move(s))
+    , options(o)
+    , system(*contact, options.cohesion)
+    , scheme(static_cast<std::size_t>(system.n_nodes()))
+    , v(VectorXd::Zero(system.size()))
+    , r(VectorXd::Zero(system.size()))
+    , load(VectorXd::Zero(system.size()))
+  {
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index n = system.normal[static_cast<std::size_t>(i)];
+        v(n)          = gap(i) / system.scale(n);
+      }
+    load       = system.K * v;
+    last.v     = system.scale.cwiseProduct(v);
+    last.r     = r;
+    last.state = path_states();
+  }
+
+
+
+  void
+  EventFollower::check_start(const PathStage &s) const
+  {
+    const VectorXd start = system.scale.cwiseProduct(s.load);
+    if (largest(start - load) > 1e-9 * std::max(largest(start), largest(load)))
+      throw std::invalid_argument(
+        "A stage of a load path must start with the loads that the stage "
+        "before it ended with, the first one with none but K (0, gap).");
+    if (!(s.end > s.begin))
+      throw std::invalid_argument("A stage of a load path must have a length.");
+  }
+
+
+
+  /** All nodes that stand at a corner of their law. */
+  CriticalNodes
+  EventFollower::critical_nodes() const
+  {
+    const double v_zero = value_tolerance * largest(v);
+    const double r_zero = value_tolerance * std::max(largest(r), largest(load));
+    const bool   holonomic = options.law == PathLaw::holonomic;
+    CriticalNodes result(scheme.size());
+    for (std::size_t i = 0; i < scheme.size(); ++i)
+      {
+        const auto       index = static_cast<Index>(i);
+        const NodeScheme s     = scheme[i];
+        const Index      n = system.normal[i], t = system.tangent[i];
+        CriticalNode    &c = result[i];
+        c.normal           = s.closed ? r(n) <= r_zero : v(n) <= v_zero;
+        if (t < 0 || system.mu(index) + system.cohesion(index) == 0)
+          continue;
+        if (system.cohesion(index) == 0 && (c.normal || !s.closed))
+          {
+            // at the apex, where a total slip has a direction of its own
+            const bool turned = holonomic && std::abs(v(t)) > v_zero;
+            c.plus = c.minus = c.normal && !turned;
+            continue;
+          }
+        const double bound = system.mu(index) * r(n) + system.cohesion(index);
+        if (s.slip != 0)
+          {
+            const bool stops = !holonomic || s.slip * v(t) <= v_zero;
+            c.plus           = s.slip > 0 && stops;
+            c.minus          = s.slip < 0 && stops;
+          }
+        else
+          {
+            c.plus  = bound + r(t) <= r_zero;
+            c.minus = bound - r(t) <= r_zero;
+          }
+      }
+    return result;
+  }
+
+
+
+  void
+  EventFollower::mark(const Event &event, CriticalNodes &nodes) const
+  {
+    const auto    i = static_cast<std::size_t>(event.node);
+    CriticalNode &c = nodes[i];
+    const Index   t = system.tangent[i];
+    if (event.hit == Hit::plus)
+      c.plus = true;
+    else if (event.hit == Hit::minus)
+      c.minus = true;
+    else
+      {
+        c.normal = true;
+        if (t < 0 || system.cohesion(event.node) > 0 ||
+            system.mu(event.node) == 0)
+          return;
+        const bool turned = options.law == PathLaw::holonomic &&
+                            std::abs(v(t)) > value_tolerance * largest(v);
+        c.plus = c.minus = !turned;
+      }
+  }
+
+
+
+  /** What vanishes along a straight path, and when. */
+  std::vector<EventFollower::Event>
+  EventFollower::events(const VectorXd &v_rate, const VectorXd &r_rate) const
+  {
+    const double v_size = largest(v), v_fast = largest(v_rate);
+    const double r_size = largest(r), r_fast = largest(r_rate);
+    const bool   holonomic = options.law == PathLaw::holonomic;
+
+    std::vector<Event> result;
+    const auto         consider = [&](const Index  i,
+                              const Hit    hit,
+                              const double value,
+                              const double rate,
+                              const double size,
+                              const double fast) {
+      const bool   zero  = value <= value_tolerance * size;
+      const double limit = (zero ? 10 * rate_tolerance : 1e-14) * fast;
+      if (rate < -limit)
+        result.push_back(
+          {std::max(0., value) / -rate, 1e-13 * size / -rate, i, hit});
+    };
+    for (std::size_t k = 0; k < scheme.size(); ++k)
+      {
+        const auto       i = static_cast<Index>(k);
+        const NodeScheme s = scheme[k];
+        const Index      n = system.normal[k], t = system.tangent[k];
+        if (s.closed)
+          consider(i, Hit::normal, r(n), r_rate(n), r_size, r_fast);
+        else
+          consider(i, Hit::normal, v(n), v_rate(n), v_size, v_fast);
+        if (t < 0 || system.is_free(i, s.closed))
+          continue;
+        const double mu = system.mu(i), bound = mu * r(n) + system.cohesion(i);
+        for (const int side : {1, -1})
+          {
+            const Hit hit = side > 0 ? Hit::plus : Hit::minus;
+            if (s.slip == 0)
+              consider(i,
+                       hit,
+                       bound + side * r(t),
+                       mu * r_rate(n) + side * r_rate(t),
+                       r_size,
+                       r_fast);
+            else if (holonomic && s.slip == side)
+              consider(i, hit, side * v(t), side * v_rate(t), v_size, v_fast);
+          }
+      }
+    return result;
+  }
+
+
+
+  std::vector<EventFollower::Event>
+  EventFollower::first_events(const std::vector<Event> &all,
+                              const double              from) const
+  {
+    const auto earlier = [](const Event &a, const Event &b) {
+      return a.step < b.step;
+    };
+    std::vector<Event> result;
+    if (all.empty())
+      return result;
+    const double step = std::min_element(all.begin(), all.end(), earlier)->step;
+    for (const Event &e : all)
+      if (e.step <= step + e.blur + same_event * (from + step))
+        result.push_back(e);
+    std::sort(result.begin(), result.end(), earlier);
+    return result;
+  }
+
+
+
+  bool
+  EventFollower::add(const std::vector<Event> &first)
+  {
+    bool added = false;
+    for (const Event &e : first)
+      {
+        const auto         i      = static_cast<std::size_t>(e.node);
+        const CriticalNode before = critical[i];
+        mark(e, critical);
+        added = added || before.normal != critical[i].normal ||
+                before.plus != critical[i].plus ||
+                before.minus != critical[i].minus;
+      }
+    return added;
+  }
+
+
+
+  /**
+   * A node that closes under the holonomic law slips the way it has moved: its
+   * guess for the rate problem.
+   */
+  void
+  EventFollower::turn_closing_nodes()
+  {
+    if (options.law == PathLaw::incremental)
+      return;
+    for (std::size_t i = 0; i < scheme.size(); ++i)
+      if (const Index t = system.tangent[i];
+          t >= 0 && critical[i].normal && !scheme[i].closed &&
+          system.is_free(static_cast<Index>(i), false))
+        scheme[i].slip = critical[i].plus ? 0 : v(t) > 0 ? 1 : -1;
+  }
+
+
+
+  /** Takes the decision of a rate problem. */
+  void
+  EventFollower::take(Rates &rates)
+  {
+    scheme = rates.scheme;
+    factor = std::move(rates.factor);
+    if (options.law == PathLaw::holonomic)
+      for (std::size_t i = 0; i < scheme.size(); ++i)
+        if (system.tangent[i] >= 0 && scheme[i].slip == 0 &&
+            !system.is_free(static_cast<Index>(i), scheme[i].closed))
+          v(system.tangent[i]) = 0;
+    // Those of a mechanism are those of the scheme before it.
+    if (rates.outcome == RateOutcome::found)
+      factor.values(load, v, r);
+  }
+
+
+
+  void
+  EventFollower::move_to(const double p, const VectorXd &v_rate)
+  {
+    v += (p - parameter) * v_rate;
+    parameter = p;
+    load =
+      system.scale.cwiseProduct(stage.load + (p - stage.begin) * stage.rate);
+    factor.values(load, v, r);
+  }
+
+
+
+  /** Follows a mechanism until it stops; false: it never does. */
+  bool
+  EventFollower::move_at_constant_load(const VectorXd &velocity)
+  {
+    const std::vector<Event> stops =
+      first_events(events(velocity, VectorXd::Zero(r.size())), 0);
+    if (stops.empty())
+      return false;
+    v += stops.front().step * velocity;
+    plateau  = true;
+    critical = critical_nodes();
+    add(stops);
+    return true;
+  }
+
+
+
+  /**
+   * Solves the whole problem at a load just beyond, and takes its states. The
+   * loads are then those of before; false if that gives no equilibrium.
+   */
+  bool
+  EventFollower::jump(PathResult &result)
+  {
+    if (options.cohesion.size() > 0 && options.cohesion.maxCoeff() > 0)
+      {
+        result.reason = "The path has no continuation at this load, and with "
+                        "cohesion there is no way to jump over the gap.";
+        return false;
+      }
+    const VectorXd scaled_before = v;
+    VectorXd       held          = system.scale.cwiseProduct(v);
+    ContactProblem problem;
+    problem.system = contact;
+    problem.gap.resize(system.n_nodes());
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index n  = system.normal[static_cast<std::size_t>(i)];
+        problem.gap(i) = std::max(0., held(n));
+        held(n)        = 0;
+      }
+    problem.load = load.cwiseQuotient(system.scale) +
+                   jump_step * (stage.end - stage.begin) * stage.rate -
+                   contact->matrix * held;
+    ContactState state;
+    state.v = system.scale.cwiseProduct(v) - held;
+    state.r = r.cwiseQuotient(system.scale);
+    SolverOptions solver_options;
+    solver_options.tolerance = options.tolerance;
+    const SolverReport report =
+      make_solver(solver_options)->solve(problem, state);
+    if (!report.converged)
+      {
+        result.reason = "The path has no continuation at this load, and a full "
+                        "solve found no other equilibrium: " +
+                        report.reason;
+        return false;
+      }
+    for (std::size_t i = 0; i < scheme.size(); ++i)
+      {
+        const Index t    = system.tangent[i];
+        scheme[i].closed = state.node[i] != NodeState::open;
+        scheme[i].slip   = 0;
+        if (t >= 0 && state.node[i] == NodeState::slip)
+          scheme[i].slip = state.v(t) > 0 ? 1 : -1;
+      }
+    v      = (held + state.v).cwiseQuotient(system.scale);
+    factor = SchemeFactor(system, scheme, false);
+    if (!factor.regular())
+      factor = SchemeFactor(system, scheme, true);
+    factor.values(load, v, r);
+    jumped   = true;
+    critical = critical_nodes();
+    return true;
+  }
+
+
+
+  PathResult
+  EventFollower::end_without_rates(PathResult result)
+  {
+    const VectorXd backward = system.scale.cwiseProduct(-stage.rate);
+    const Rates back = solve_rate_problem(system, scheme, critical, backward);
+    if (back.outcome == RateOutcome::found)
+      result.outcome = PathOutcome::turning_point;
+    else
+      result.reason = "The path has no continuation at this load, neither with "
+                      "growing nor with falling loads.";
+    return result;
+  }
+
+
+
+  std::vector<PathState>
+  EventFollower::path_states() const
+  {
+    std::vector<PathState> result;
+    for (std::size_t i = 0; i < scheme.size(); ++i)
+      {
+        const NodeScheme s    = scheme[i];
+        const auto       node = static_cast<Index>(i);
+        const bool       free = system.is_free(node, s.closed);
+        if (!s.closed)
+          result.push_back(s.slip == 0 || free ? PathState::open :
+                           s.slip > 0          ? PathState::open_plus :
+                                                 PathState::open_minus);
+        else if (free && system.tangent[i] >= 0)
+          result.push_back(PathState::slip);
+        else
+          result.push_back(s.slip == 0 ? PathState::stick :
+                           s.slip > 0  ? PathState::slip_plus :
+                                         PathState::slip_minus);
+      }
+    return result;
+  }
+
+
+
+  /** Shows where the path stands, if a state has changed or always. */
+  void
+  EventFollower::emit(const PathVisitor &visit, const bool always)
+  {
+    PathPoint point;
+    point.state = path_states();
+    for (std::size_t i = 0; i < point.state.size(); ++i)
+      if (point.state[i] != last.state[i])
+        point.changes.push_back(
+          {static_cast<Index>(i), last.state[i], point.state[i]});
+    if (point.changes.empty() && !always && !plateau && !jumped)
+      return;
+    point.parameter = parameter;
+    point.v         = system.scale.cwiseProduct(v);
+    point.r         = r.cwiseQuotient(system.scale);
+    point.plateau   = std::exchange(plateau, false);
+    point.jump      = std::exchange(jumped, false);
+    point.residual  = path_residual(
+      *contact, options, load.cwiseQuotient(system.scale), last, point);
+    if (visit)
+      visit(point);
+    last = std::move(point);
+  }
+
+
+
+  PathResult
+  EventFollower::follow(const PathStage &s, const PathVisitor &visit)
+  {
+    check_start(s);
+    stage                    = s;
+    parameter                = stage.begin;
+    const VectorXd load_rate = system.scale.cwiseProduct(stage.rate);
+    const double   length    = stage.end - stage.begin;
+    critical                 = critical_nodes();
+
+    PathResult        result;
+    unsigned int      jumps       = 0;
+    const std::size_t most_events = 1000 + 100 * scheme.size();
+    for (std::size_t k = 0; k < most_events; ++k)
+      {
+        result.parameter = parameter;
+        turn_closing_nodes();
+        Rates rates = solve_rate_problem(system, scheme, critical, load_rate);
+        if (rates.outcome == RateOutcome::none)
+          {
+            if (options.law == PathLaw::holonomic)
+              return end_without_rates(result);
+            if (++jumps > 3 || !jump(result))
+              return result;
+            continue;
+          }
+        take(rates);
+        if (rates.outcome == RateOutcome::mechanism)
+          {
+            emit(visit, false);
+            if (move_at_constant_load(rates.v))
+              continue;
+            result.outcome   = PathOutcome::limit_load;
+            result.mechanism = system.scale.cwiseProduct(rates.v);
+            result.mechanism /= largest(result.mechanism);
+            return result;
+          }
+
+        const std::vector<Event> first =
+          first_events(events(rates.v, rates.r), parameter - stage.begin);
+        const double step = first.empty() ? 0. : first.front().step;
+        // What follows at once belongs to the same event.
+        if (!first.empty() &&
+            step <=
+              first.front().blur + same_event * (parameter - stage.begin) &&
+            add(first))
+          continue;
+        emit(visit, false);
+        jumps = 0;
+        if (first.empty() || parameter + step > stage.end + beyond_end * length)
+          {
+            move_to(stage.end, rates.v);
+            emit(visit, true);
+            result.parameter = parameter;
+            result.outcome   = first.empty() ? PathOutcome::no_further_change :
+                                               PathOutcome::target_reached;
+            return result;
+          }
+        move_to(std::min(parameter + step, stage.end), rates.v);
+        critical = critical_nodes();
+        add(first);
+      }
+    result.reason = "The states of contact change without end at this load.";
+    return result;
+  }
+
+
+
+  std::unique_ptr<PathFollower>
+  make_event_follower(std::shared_ptr<const ContactSystem> system,
+                      const Eigen::VectorXd               &gap,
+                      const PathOptions                   &options)
+  {
+    return std::make_unique<EventFollower>(std::move(system), gap, options);
+  }
+} // namespace conetact

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/load_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "q1_block.h"
+
+using namespace conetact;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace
+{
+  /** Follows stages and keeps the points of all, events and ends. */
+  struct Path
+  {
+    Path(std::shared_ptr<const ContactSystem> system,
+         const VectorXd                      &gap,
+         const PathOptions                   &options = {})
+      : follower(make_event_follower(system, gap, options))
+      , load(VectorXd::Zero(system->n_unknowns()))
+    {}
+
+    PathResult
+    follow(const VectorXd &rate, const double begin, const double end)
+    {
+      points.clear();
+      const PathStage  stage{load, rate, begin, end};
+      const PathResult result =
+        follower->follow(stage, [this](const PathPoint &p) {
+          EXPECT_LE(p.residual, 1e-10) << "at " << p.parameter;
+          points.push_back(p);
+        });
+      load += (result.parameter - begin) * rate;
+      return result;
+    }
+
+    std::vector<double>
+    events() const
+    {
+      std::vector<double> result;
+      for (const PathPoint &p : points)
+        if (!p.changes.empty())
+          result.push_back(p.parameter);
+      return result;
+    }
+
+    std::unique_ptr<PathFollower> follower;
+    VectorXd                      load;
+    std::vector<PathPoint>        points;
+  };
+
+  /** The pair of dofs of tests/reference: x = R z + Rc + p Rv, f = .5. */
+  std::shared_ptr<ContactSystem>
+  pair()
+  {
+    auto system    = std::make_shared<ContactSystem>();
+    system->first  = {0, 2};
+    system->matrix = (MatrixXd(2, 2) << 1, .3, .3, 2).finished();
+    system->mu     = VectorXd::Constant(1, .5);
+    return system;
+  }
+  const Eigen::Vector2d pair_constant(0, -1), pair_variable(1, .4);
+
+  PathOptions
+  law(const PathLaw which)
+  {
+    PathOptions options;
+    options.law = which;
+    return options;
+  }
+} // namespace
+
+TEST(EventFollower, PairLoadsAndUnloads)
+{
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    {
+      Path path(pair(), VectorXd::Zero(1), law(which));
+      EXPECT_EQ(path.follow(pair_constant, 0, 1).outcome,
+                PathOutcome::no_further_change);
+      EXPECT_EQ(path.points.back().state[0], PathState::stick);
+
+      EXPECT_EQ(path.follow(pair_variable, 0, 1).outcome,
+                PathOutcome::target_reached);
+      ASSERT_EQ(path.events().size(), 1u);
+      EXPECT_NEAR(path.events()[0], 5. / 12, 1e-14);
+      EXPECT_NEAR(path.points.back().v(0), 0.6086956521739131, 1e-14);
+      EXPECT_NEAR(path.points.back().r(1), 0.782608695652174, 1e-14);
+      EXPECT_EQ(path.points.back().state[0], PathState::slip_plus);
+
+      // back from 1 to 0
+      path.follow(-pair_variable, 0, 1);
+      if (which == PathLaw::incremental)
+        {
+          ASSERT_EQ(path.events().size(), 2u);
+          EXPECT_EQ(path.events()[0], 0);
+          EXPECT_EQ(path.points[0].state[0], PathState::stick);
+          EXPECT_NEAR(1 - path.events()[1], 0.021739130434782657, 1e-14);
+          EXPECT_NEAR(path.points.back().v(0), 0.5882352941176471, 1e-14);
+          EXPECT_NEAR(path.points.back().r(1), 1.1764705882352942, 1e-14);
+          EXPECT_NEAR(path.points.back().r(0), 0.5882352941176471, 1e-14);
+        }
+      else
+        {
+          ASSERT_EQ(path.events().size(), 1u);
+          EXPECT_NEAR(path.events()[0], 7. / 12, 1e-14);
+          EXPECT_EQ(path.points.back().v(0), 0);
+        }
+    }
+}
+
+TEST(EventFollower, PairOpens)
+{
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    {
+      Path path(pair(), VectorXd::Zero(1), law(which));
+      path.follow(pair_constant, 0, 1);
+      EXPECT_EQ(path.follow(pair_variable, 0, 20).outcome,
+                PathOutcome::no_further_change);
+      ASSERT_EQ(path.events().size(), 2u);
+      EXPECT_NEAR(path.events()[1], 10, 1e-12);
+      EXPECT_NEAR(path.points.back().v(1), 0.5235602094240843, 1e-12);
+      EXPECT_NEAR(path.points.back().v(0), 19.842931937172775, 1e-12);
+      EXPECT_EQ(path.points.back().state[0], PathState::open);
+    }
+}
+
+TEST(EventFollower, BlockSlidesOrTips)
+{
+  for (const double f : {.3, .8, 1.25, 2.})
+    for (const double height : {.31, .77, .95})
+      for (const Index nx : {4, 13})
+        for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+          {
+            const Q1Block block(2, 1, nx, 1 + nx / 2);
+            Path path(block.system(f), VectorXd::Zero(nx + 1), law(which));
+            const PathResult first =
+              path.follow(block.condensed(block.weight(2000)), 0, 1);
+            EXPECT_EQ(first.outcome, PathOutcome::no_further_change);
+            const PathResult result =
+              path.follow(block.condensed(block.push(2000, height)), 0, 10);
+            EXPECT_EQ(result.outcome, PathOutcome::limit_load)
+              << f << " " << height << " " << nx << " " << result.reason;
+            const double limit = std::min(f, 1 / height);
+            EXPECT_NEAR(result.parameter, limit, 1e-11 * limit)
+              << f << " " << height << " " << nx;
+          }
+}
+
+TEST(EventFollower, RefusesWhatItCannotDo)
+{
+  auto three_d   = std::make_shared<ContactSystem>();
+  three_d->first = {0, 3};
+  three_d->mu    = VectorXd::Ones(1);
+  three_d->matrix.setIdentity(3, 3);
+  EXPECT_THROW(make_event_follower(three_d, VectorXd::Zero(1), {}),
+               std::invalid_argument);
+  auto compliance  = pair();
+  compliance->form = Form::compliance;
+  EXPECT_THROW(make_event_follower(compliance, VectorXd::Zero(1), {}),
+               std::invalid_argument);
+  // the first stage must start without loads
+  Path path(pair(), VectorXd::Zero(1));
+  path.load = pair_constant;
+  EXPECT_THROW(path.follow(pair_variable, 0, 1), std::invalid_argument);
+}
+
+namespace
+{
+  /** [P] Example 2: a bar on n - 1 supports, clamped at its start. */
+  std::shared_ptr<const ContactSystem>
+  bar_chain(const Index n, const double spring, const double mu)
+  {
+    auto system    = std::make_shared<ContactSystem>();
+    system->matrix = MatrixXd::Zero(2 * (n - 1), 2 * (n - 1));
+    system->mu     = VectorXd::Constant(n - 1, mu);
+    for (Index i = 0; i < n - 1; ++i)
+      {
+        system->first.push_back(2 * (i + 1));
+        system->matrix(2 * i, 2 * i) = i + 1 < n - 1 ? 2 * spring : spring;
+        system->matrix(2 * i + 1, 2 * i + 1) = spring;
+        if (i > 0)
+          system->matrix(2 * i, 2 * i - 2) = system->matrix(2 * i - 2, 2 * i) =
+            -spring;
+      }
+    return system;
+  }
+} // namespace
+
+TEST(EventFollower, BarOnRoughSupports)
+{
+  const double L = 260, q = 3975, f = .3, force = 243750, EA = 1.95e9 * .0936;
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    for (const Index n : {5, 10, 40, 160})
+      {
+        const double h    = L / static_cast<double>(n - 1);
+        VectorXd     down = VectorXd::Zero(2 * (n - 1)), pull = down;
+        for (Index i = 0; i < n - 1; ++i)
+          down(2 * i + 1) = -q * h * (i + 1 < n - 1 ? 1 : .5);
+        pull(2 * (n - 2)) = force;
+        Path path(bar_chain(n, EA / h, f), VectorXd::Zero(n - 1), law(which));
+        path.follow(down, 0, 1);
+        EXPECT_EQ(path.follow(pull, 0, 3).outcome,
+                  PathOutcome::no_further_change);
+        const std::vector<double> events = path.events();
+        ASSERT_EQ(events.size(), static_cast<std::size_t>(n - 1));
+        for (std::size_t j = 0; j < events.size(); ++j)
+          {
+            const double p = f * q * h * (static_cast<double>(j) + .5) / force;
+            EXPECT_NEAR(events[j], p, 1e-12 * p);
+            ASSERT_EQ(path.points[j].changes.size(), 1u);
+            EXPECT_EQ(path.points[j].changes[0].node,
+                      n - 2 - static_cast<Index>(j));
+          }
+      }
+}
+
+TEST(EventFollower, WhatComesAtOnceIsOneEvent)
+{
+  // forty pairs, not quite independent
+  const Index n      = 40;
+  auto        system = std::make_shared<ContactSystem>();
+  VectorXd    constant(2 * n), variable(2 * n);
+  system->matrix.setConstant(2 * n, 2 * n, 1e-3);
+  for (Index i = 0; i < n; ++i)
+    {
+      system->first.push_back(2 * (i + 1));
+      system->matrix.block<2, 2>(2 * i, 2 * i) += pair()->matrix;
+      constant.segment<2>(2 * i) = pair_constant;
+      variable.segment<2>(2 * i) = pair_variable;
+    }
+  system->mu = VectorXd::Constant(n, .5);
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    {
+      Path path(system, VectorXd::Zero(n), law(which));
+      path.follow(constant, 0, 1);
+      path.follow(variable, 0, 1);
+      ASSERT_EQ(path.events().size(), 1u);
+      EXPECT_NEAR(path.events()[0], 5. / 12, 1e-12);
+      EXPECT_EQ(path.points[0].changes.size(), 40u);
+      path.follow(-variable, 0, 1);
+      for (const PathPoint &p : path.points)
+        EXPECT_EQ(p.changes.size(), p.parameter < 1 ? 40u : 0u);
+    }
+}
+
+TEST(EventFollower, SymmetricStatesStaySymmetric)
+{
+  const Index   nx = 16;
+  const Q1Block block(2, 1, nx, 6);
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    {
+      Path path(block.system(.2), VectorXd::Zero(nx + 1), law(which));
+      path.follow(block.condensed(block.weight(1)), 0, 1);
+      VectorXd both                      = block.push(2, 1);
+      both.tail(2 * (nx + 1)).tail(2)(0) = -2; // the other upper corner
+      path.follow(block.condensed(both), 0, 1);
+      EXPECT_GT(path.events().size(), 1u);
+      for (const PathPoint &p : path.points)
+        for (Index i = 0; i <= nx; ++i)
+          {
+            PathState mirrored = p.state[static_cast<std::size_t>(nx - i)];
+            if (mirrored == PathState::slip_plus)
+              mirrored = PathState::slip_minus;
+            else if (mirrored == PathState::slip_minus)
+              mirrored = PathState::slip_plus;
+            EXPECT_EQ(p.state[static_cast<std::size_t>(i)], mirrored)
+              << "node " << i << " at " << p.parameter;
+          }
+    }
+}
