@@ -57,6 +57,13 @@ namespace
   }
 
   void
+  note_work(const Analysis &analysis, Log &log)
+  {
+    log.note("memory: " + megabytes(peak_memory()) + " at most");
+    log.note(describe(analysis.work()));
+  }
+
+  void
   run(const CommandLine &line)
   {
     Log   log(line.quiet, line.dry_run);
@@ -87,10 +94,18 @@ namespace
     make_folder(folder);
     log.open(folder);
     write_atomically(folder / "used.prm", scene.values());
-    analysis->run(folder, line.quiet);
+    try
+      {
+        analysis->run(folder, line.quiet);
+      }
+    catch (const AnalysisError &error)
+      {
+        log.note(error.what());
+        note_work(*analysis, log);
+        throw;
+      }
     log.say("Results are in " + folder.string());
-    log.note("memory: " + megabytes(peak_memory()) + " at most");
-    log.note(describe(analysis->work()));
+    note_work(*analysis, log);
   }
 
   int

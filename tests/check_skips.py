@@ -140,6 +140,14 @@ def dry_run(laws):
     laws.demand("a dry run finds a load that is not finite", done.returncode == 1 and "is not finite" in done.stderr)
 
 
+def failed(laws):
+    """A run without an equilibrium says what it did, too."""
+    done, folder = laws.start(scenes.SHIPPED / "floating-block.prm", "-s", "Contact bottom/Friction coefficient=0.01")
+    last = (folder / "log.txt").read_text().splitlines()[-3:]
+    laws.demand(f"exit code {done.returncode}: the reason, memory and work end the log",
+                done.returncode == 2 and done.stderr.endswith(last[0] + "\n") and last[2].startswith("work: 1 fact"))
+
+
 def frictionless(laws):
     """Tangential displacements of nodes without friction are condensed with the rest."""
     for dim in (2, 3):
@@ -151,7 +159,7 @@ def frictionless(laws):
 
 
 CHECKS = (factor_once, loads_once, tables_once, drawn_only, no_contact, at_rest, congruent, dry_run,
-          frictionless)
+          failed, frictionless)
 
 
 def main(program):
