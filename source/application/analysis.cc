@@ -465,10 +465,13 @@ namespace conetact
   {
     if (finished.empty())
       return;
+    log.time("contact, displacements and equilibrium of " +
+             std::to_string(finished.size()) + " increments");
     for (const auto &output : outputs)
       output->write(finished);
+    log.time("their tables and drawings");
     for (const IncrementRecord &record : finished)
-      log.time(name(record) + ", " + record.report.solver + ": " +
+      log.note(name(record) + ", " + record.report.solver + ": " +
                std::to_string(record.report.iterations) +
                " linear solves, residual " + to_text(record.report.residual) +
                ", equilibrium " + to_text(record.equilibrium));

@@ -20,7 +20,8 @@ Coulomb cone.
   -s, --set SECTION/ENTRY=VALUE replace an entry of the scene; may be repeated
       --parameters              print all entries of the scene with their
                                 documentation
-      --dry-run                 read, check and mesh the scene, report sizes
+      --dry-run                 read, check and mesh the scene; report sizes,
+                                memory, time and what will be skipped
   -q, --quiet                   print errors only
       --version                 print the version
   -h, --help                    print this text
