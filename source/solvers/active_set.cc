@@ -16,6 +16,9 @@ namespace conetact
     /** Steps in a row without much gain before giving up. */
     constexpr unsigned int max_stalls = 2, max_damped_stalls = 10;
 
+    /** A load that differs by less from the one in balance is the same. */
+    constexpr double rounding = 1e-15;
+
     std::string
     stalled(const double residual)
     {
@@ -40,7 +43,8 @@ namespace conetact
     if (!relation || !relation->is(problem.system))
       {
         relation.emplace(problem.system);
-        newton = NewtonSystem();
+        newton    = NewtonSystem();
+        predictor = Predictor();
       }
     relation->set_load(problem);
   }
@@ -167,13 +171,64 @@ namespace conetact
 
 
   SolverReport
-  ActiveSet::solve(const ContactProblem &problem, ContactState &state)
+  ActiveSet::solve_from_states(const ContactProblem &problem,
+                               ContactState         &state)
   {
-    attach(problem);
     Point point;
     relation->to_scaled(state, point.p, point.d);
     point.sets = sets_of_state(*relation, state);
     return run(problem, point, state);
+  }
+
+
+
+  SolverReport
+  ActiveSet::unchanged(const ContactProblem &problem, ContactState &state) const
+  {
+    SolverReport report;
+    state.node       = classify(problem, state, 0);
+    report.residual  = contact_residual(problem, state);
+    report.converged = report.residual <= options.tolerance;
+    report.solver    = "active set";
+    return report;
+  }
+
+
+
+  SolverReport
+  ActiveSet::solve(const ContactProblem &problem, ContactState &state)
+  {
+    attach(problem);
+    const ContactState start = state;
+    Array              p, d;
+    relation->to_scaled(start, p, d);
+    Array change = d - dual(p);
+    if (change.norm() <= rounding * std::max({p.norm(), d.norm(), 1.}))
+      if (const SolverReport report = unchanged(problem, state);
+          report.converged)
+        return report;
+
+    ContactState with_units;
+    relation->from_scaled(p, change, with_units);
+    change = relation->stiffness() ? with_units.r : with_units.v;
+    SolverReport report;
+    if (std::optional<ContactState> guess = predictor.predict(start, change))
+      {
+        report = polish(problem, *guess);
+        state  = *guess;
+      }
+    if (!report.converged)
+      {
+        const unsigned int iterations     = report.iterations;
+        const unsigned int factorizations = report.factorizations;
+        state                             = start;
+        report                            = solve_from_states(problem, state);
+        report.iterations += iterations;
+        report.factorizations += factorizations;
+      }
+    if (report.converged)
+      predictor.remember(start, state, change);
+    return report;
   }
 
 

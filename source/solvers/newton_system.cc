@@ -17,7 +17,7 @@ namespace conetact
     using Eigen::VectorXd;
 
     /** Below this size a factorisation costs less than its reuse. */
-    constexpr Index reuse_from = 500;
+    constexpr Index reuse_from = 150;
 
     /** Does row k of the law say what unknown k is, and nothing else? */
     bool

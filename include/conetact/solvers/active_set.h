@@ -7,13 +7,16 @@
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/newton_system.h"
 #include "conetact/solvers/node_sets.h"
+#include "conetact/solvers/predictor.h"
 
 #include <optional>
 
 /**
  * Semismooth Newton method of Alart and Curnier (see NodeSets) with full steps,
- * from the states of the last increment. In 2D a step is exact as soon as the
- * states are; in 3D the direction of slip converges quadratically. Where state
+ * from the states of the last increment, or from where the load leads if it
+ * goes on as before (see Predictor). A load that has not changed takes no step.
+ * In 2D a step is exact as soon as the states are; in 3D the direction of slip
+ * converges quadratically. Where state
  * sets come again the step is cut to what reduces the residual, and where that
  * does not help either the report says so. The zeros of the result are exact.
  */
@@ -49,6 +52,10 @@ namespace conetact
 
     void
     attach(const ContactProblem &problem);
+    SolverReport
+    unchanged(const ContactProblem &problem, ContactState &state) const;
+    SolverReport
+    solve_from_states(const ContactProblem &problem, ContactState &state);
     /** d = M p + l. */
     Array
     dual(const Array &p) const;
@@ -65,6 +72,7 @@ namespace conetact
     SolverOptions                 options;
     std::optional<LinearRelation> relation;
     NewtonSystem                  newton;
+    Predictor                     predictor;
   };
 
   std::unique_ptr<ContactSolver>

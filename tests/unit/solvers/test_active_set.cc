@@ -17,6 +17,25 @@ namespace
     return make_active_set({})->solve(problem, state);
   }
 
+  /** The increment after one that ended with `state`, under the same load. */
+  ContactProblem
+  next_increment(ContactProblem problem, ContactState &state)
+  {
+    const ContactSystem &system = *problem.system;
+    Eigen::VectorXd      slip   = state.v;
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      {
+        slip(system.normal(i)) = 0;
+        problem.gap(i)         = state.v(system.normal(i));
+      }
+    if (system.form == Form::stiffness)
+      problem.load -= system.matrix * slip;
+    else
+      problem.load -= slip;
+    state.v -= slip;
+    return problem;
+  }
+
   void
   expect_exact_zeros(const ContactSystem &system, const ContactState &state)
   {
@@ -75,11 +94,66 @@ TEST(ActiveSet, OneStepFromTheRightStates)
       o.n_nodes                  = 50;
       const RandomProblem random = random_problem(o);
       ContactState        state  = random.solution;
-      const SolverReport  report = solve(random.problem, state);
+      state.r *= .9;
+      const SolverReport report = solve(random.problem, state);
       EXPECT_TRUE(report.converged);
       EXPECT_EQ(report.iterations, 1u);
       EXPECT_LT((state.r - random.solution.r).norm(), 1e-12);
       EXPECT_LT((state.v - random.solution.v).norm(), 1e-12);
+    }
+}
+
+TEST(ActiveSet, LoadThatHasNotChangedTakesNoStep)
+{
+  for (const Form form : {Form::stiffness, Form::compliance})
+    for (const int tangents : {0, 1, 2})
+      {
+        RandomOptions o;
+        o.form                     = form;
+        o.tangents                 = tangents;
+        o.n_nodes                  = 60;
+        const RandomProblem random = random_problem(o);
+        ContactState        state  = unloaded(random.problem);
+        const auto          solver = make_active_set({});
+        ASSERT_TRUE(solver->solve(random.problem, state).converged);
+
+        const Eigen::VectorXd r       = state.r;
+        const ContactProblem  same    = next_increment(random.problem, state);
+        const SolverReport    nothing = solver->solve(same, state);
+        EXPECT_TRUE(nothing.converged);
+        EXPECT_EQ(nothing.iterations, 0u);
+        EXPECT_EQ(nothing.factorizations, 0u);
+        EXPECT_EQ(state.r, r);
+        EXPECT_LE(contact_residual(same, state), 1e-12);
+        expect_exact_zeros(*random.problem.system, state);
+      }
+}
+
+TEST(ActiveSet, LoadThatGoesOnTakesOneStep)
+{
+  // More of the same load after the first, which fixes who slips and sticks.
+  for (const Form form : {Form::stiffness, Form::compliance})
+    {
+      RandomOptions o;
+      o.form                        = form;
+      o.tangents                    = 1;
+      o.n_nodes                     = 60;
+      o.open                        = 0;
+      const RandomProblem   first   = random_problem(o);
+      const Eigen::VectorXd step    = .1 * first.problem.load;
+      ContactProblem        problem = first.problem;
+      ContactState          state   = unloaded(problem);
+      const auto            solver  = make_active_set({});
+      ASSERT_TRUE(solver->solve(problem, state).converged);
+      for (int k = 0; k < 4; ++k)
+        {
+          problem = next_increment(problem, state);
+          problem.load += step;
+          const SolverReport report = solver->solve(problem, state);
+          EXPECT_TRUE(report.converged);
+          EXPECT_LE(report.iterations, 1u);
+          EXPECT_LE(contact_residual(problem, state), 1e-12);
+        }
     }
 }
 

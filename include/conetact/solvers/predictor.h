@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_predictor_h
+#define conetact_solvers_predictor_h
+
+#include "conetact/solvers/contact_problem.h"
+
+#include <optional>
+
+/**
+ * Where an increment may end: if its load changes as that of the increment
+ * before, @f$\Delta f = s\,\Delta f_{last}@f$ but for a tenth of it, then
+ * displacements and reactions may do so too. Only a first guess of states and
+ * directions of slip: what a solver makes of it is judged like any other
+ * result.
+ */
+namespace conetact
+{
+  class Predictor
+  {
+  public:
+    /**
+     * `change` is the load of the increment less the load that `start` is in
+     * balance with. Nothing if the load goes another way than before, or if
+     * the last increment did not end where this one starts.
+     */
+    std::optional<ContactState>
+    predict(const ContactState &start, const Eigen::VectorXd &change) const;
+
+    /** An increment that was solved. */
+    void
+    remember(const ContactState    &start,
+             const ContactState    &end,
+             const Eigen::VectorXd &change);
+
+  private:
+    Eigen::VectorXd last_change, dv, dr; ///< of the last increment
+    Eigen::VectorXd last_reaction;       ///< at its end
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/predictor.h"
+
+namespace conetact
+{
+  std::optional<ContactState>
+  Predictor::predict(const ContactState    &start,
+                     const Eigen::VectorXd &change) const
+  {
+    if (last_reaction.size() != start.r.size() || last_reaction != start.r)
+      return std::nullopt;
+    const double ratio = change.dot(last_change) / last_change.squaredNorm();
+    if (!(ratio > 0) ||
+        !((change - ratio * last_change).norm() < .1 * change.norm()))
+      return std::nullopt;
+    ContactState guess = start;
+    guess.v += ratio * dv;
+    guess.r += ratio * dr;
+    return guess;
+  }
+
+
+
+  void
+  Predictor::remember(const ContactState    &start,
+                      const ContactState    &end,
+                      const Eigen::VectorXd &change)
+  {
+    last_change   = change;
+    last_reaction = end.r;
+    dv            = end.v - start.v;
+    dr            = end.r - start.r;
+  }
+} // namespace conetact
