@@ -156,9 +156,9 @@ namespace conetact
     prm.declare_entry("Threads",
                       "1",
                       dealii::Patterns::Integer(0, 1024),
-                      "Threads of the direct solver and of dense linear "
-                      "algebra; 0: one for each core. Results do not depend "
-                      "on it but for rounding.");
+                      "Threads of the factorisation of the bodies' stiffness; "
+                      "0: one for each core. Results do not depend on it but "
+                      "for rounding.");
     prm.leave_subsection();
     prm.enter_subsection("Output");
     prm.declare_entry("VTU",

@@ -47,6 +47,8 @@ namespace conetact
     void
     set_blas_threads(const int n)
     {
+      if (omp_set_num_threads != nullptr)
+        omp_set_num_threads(n);
       if (openblas_set_num_threads == nullptr)
         return;
       openblas_set_num_threads(n);
@@ -137,11 +139,8 @@ namespace conetact
                       std::max(1U, std::thread::hardware_concurrency());
     if (wanted == threads)
       return;
-    threads     = wanted;
-    const int n = static_cast<int>(threads);
-    set_blas_threads(n);
-    if (omp_set_num_threads != nullptr)
-      omp_set_num_threads(n);
+    threads = wanted;
+    set_blas_threads(1);
     dealii::MultithreadInfo::set_thread_limit(threads);
   }
 
@@ -151,5 +150,21 @@ namespace conetact
   ProcessSession::n_threads()
   {
     return std::max(1U, threads);
+  }
+
+
+
+  ManyThreads::ManyThreads()
+  {
+    if (ProcessSession::n_threads() > 1)
+      set_blas_threads(static_cast<int>(ProcessSession::n_threads()));
+  }
+
+
+
+  ManyThreads::~ManyThreads()
+  {
+    if (ProcessSession::n_threads() > 1)
+      set_blas_threads(1);
   }
 } // namespace conetact

@@ -48,6 +48,7 @@ namespace conetact
   void
   Mumps::factorize()
   {
+    const ManyThreads threads;
     call(2);
     while ((info(1) == -8 || info(1) == -9) && control(14) < 2000)
       {

@@ -103,6 +103,15 @@ namespace conetact
 
 
 
+  /** A step of a small system costs nothing, and squares what is left. */
+  bool
+  ActiveSet::worth_one_more(const Point &point, const bool improved) const
+  {
+    return newton.was_small() && improved && point.residual > 2 * rounding;
+  }
+
+
+
   std::string
   ActiveSet::iterate(Point &point, SolverReport &report)
   {
@@ -129,7 +138,8 @@ namespace conetact
         current                    = next;
         stalls                     = improved ? 0 : stalls + 1;
         // Within the goal states may still differ where nothing depends on it.
-        if (point.residual <= goal || (same && stalls > max_stalls))
+        if ((point.residual <= goal && !worth_one_more(point, improved)) ||
+            (same && stalls > max_stalls))
           break;
         if (!same && !improved && seen.count(next) > 0)
           {

@@ -126,7 +126,12 @@ namespace conetact
       return;
 
     Array product = Array::Zero(sx.size());
-    add_columns(contact_system->matrix, columns, sx, product);
+    if (2 * static_cast<Index>(columns.size()) > sx.size())
+      // half of the matrix is enough
+      product.noalias() +=
+        contact_system->matrix.selfadjointView<Eigen::Lower>() * sx;
+    else
+      add_columns(contact_system->matrix, columns, sx, product);
     y += scale.cwiseProduct(product);
   }
 

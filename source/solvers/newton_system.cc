@@ -17,7 +17,7 @@ namespace conetact
     using Eigen::VectorXd;
 
     /** Below this size a factorisation costs less than its reuse. */
-    constexpr Index reuse_from = 150;
+    constexpr Index reuse_from = 500;
 
     /** Does row k of the law say what unknown k is, and nothing else? */
     bool
@@ -44,6 +44,14 @@ namespace conetact
       return n == 0 || pivot.minCoeff() > 1e-13 * pivot.maxCoeff();
     }
   } // namespace
+
+
+
+  bool
+  NewtonSystem::was_small() const
+  {
+    return static_cast<Index>(unknown.size()) < reuse_from;
+  }
 
 
 
@@ -154,20 +162,29 @@ namespace conetact
               0;
       }
 
+    // Four columns at once: what is known of a row is read once for them.
     J.resize(static_cast<Index>(n), static_cast<Index>(n));
-    Eigen::Matrix<Number, Eigen::Dynamic, 1> column =
-      Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(system.n_unknowns() + 2);
-    for (std::size_t b = 0; b < n; ++b)
+    Eigen::Array<Number, 4, Eigen::Dynamic> columns =
+      Eigen::Array<Number, 4, Eigen::Dynamic>::Zero(4, system.n_unknowns() + 2);
+    for (std::size_t b = 0; b < n; b += 4)
       {
-        const Index global = unknown[b];
-        column.head(system.n_unknowns()) =
-          (scale(global) * system.matrix.col(global)).template cast<Number>();
-        Number *out = J.col(static_cast<Index>(b)).data();
+        const std::size_t width = std::min<std::size_t>(4, n - b);
+        for (std::size_t k = 0; k < width; ++k)
+          columns.row(static_cast<Index>(k)).head(system.n_unknowns()) =
+            (scale(unknown[b + k]) * system.matrix.col(unknown[b + k]))
+              .transpose()
+              .array()
+              .template cast<Number>();
         for (std::size_t a = 0; a < n; ++a)
           {
-            const Number *c = column.data() + weights[a].start;
-            out[a]          = weights[a].w[0] * c[0] + weights[a].w[1] * c[1] +
-                     weights[a].w[2] * c[2];
+            const Number                    *w = weights[a].w;
+            const Index                      c = weights[a].start;
+            const Eigen::Array<Number, 4, 1> entries =
+              w[0] * columns.col(c) + w[1] * columns.col(c + 1) +
+              w[2] * columns.col(c + 2);
+            for (std::size_t k = 0; k < width; ++k)
+              J(static_cast<Index>(a), static_cast<Index>(b + k)) =
+                entries(static_cast<Index>(k));
           }
       }
     add_node_blocks(laws, shift, J);
@@ -208,7 +225,7 @@ namespace conetact
                                  const double                precision,
                                  Array                      &x)
   {
-    if (static_cast<Index>(unknown.size()) < reuse_from)
+    if (was_small())
       return false;
     const double norm = right_hand_side.norm();
     if (!(norm > 0) || !std::isfinite(norm))

@@ -37,14 +37,30 @@ namespace conetact
     mpi_is_running();
 
     /**
-     * Sets the threads of BLAS, OpenMP and deal.II (0: one for each core).
-     * Results do not depend on the number but for rounding.
+     * Sets the threads of deal.II, and those that ManyThreads gives BLAS and
+     * OpenMP (0: one for each core). Results do not depend on the number but
+     * for rounding.
      */
     static void
     set_threads(const unsigned int n_threads);
 
     static unsigned int
     n_threads();
+  };
+
+  /**
+   * While it lives BLAS and OpenMP have all threads of the process, otherwise
+   * one: for the factorisation of large matrices. Threads that wait for one
+   * another in small products spin and cost more than they gain.
+   */
+  class ManyThreads
+  {
+  public:
+    ManyThreads();
+    ~ManyThreads();
+    ManyThreads(const ManyThreads &) = delete;
+    ManyThreads &
+    operator=(const ManyThreads &) = delete;
   };
 } // namespace conetact
 

@@ -68,6 +68,8 @@ namespace conetact
     iterate(Point &point, SolverReport &report);
     bool
     step(Point &point, const bool damped, const double goal);
+    bool
+    worth_one_more(const Point &point, const bool improved) const;
 
     SolverOptions                 options;
     std::optional<LinearRelation> relation;

@@ -46,6 +46,10 @@ namespace conetact
           const double                precision,
           Array                      &dp);
 
+    /** Whether the last system was too small to save a factorisation. */
+    bool
+    was_small() const;
+
     unsigned int
     n_factorizations() const
     {
