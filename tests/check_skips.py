@@ -69,6 +69,22 @@ def drawn_only(laws):
     laws.demand("the log says so", "skipped: drawings of 8 of 10 increments" in log_of(run))
 
 
+def paused(laws):
+    """Increments in which no load changes cost no solve."""
+    for dim in (2, 3):
+        scene = scenes.press_and_shear(dim, increments=3)
+        top = scene["Support top"]["Displacement"].replace("t - 1", "min(t, 3) - 1")
+        short = laws.run(scene)
+        pause = laws.run(scenes.merge(scene, {"Support top": {"Displacement": top}, "Time": {"End": 9, "Increments": 9}}))
+        once = work_of(short)
+        demand_work(laws, f"{dim}D, 3 increments and 6 without change", pause,
+                    {what: once[what] for what in ("reductions of loads", "recoveries of displacements", "triangular solves",
+                                                   "linear solves of contact", "dense factorisations")})
+        last = [row for row in pause.rows if row["increment"] == 9]
+        laws.demand("nothing moves", all(row["du_t1"] == 0 == row["du_t2"] for row in last)
+                    and [row["r_n"] for row in last] == [row["r_n"] for row in short.rows if row["increment"] == 3])
+
+
 def no_contact(laws):
     """One linear solve of each different load; the others are combinations."""
     for dim in (2, 3):
@@ -158,7 +174,7 @@ def frictionless(laws):
                     and f"skipped: friction cones of {n} contact nodes" in log_of(run))
 
 
-CHECKS = (factor_once, loads_once, tables_once, drawn_only, no_contact, at_rest, congruent, dry_run,
+CHECKS = (factor_once, loads_once, tables_once, drawn_only, paused, no_contact, at_rest, congruent, dry_run,
           failed, frictionless)
 
 

@@ -109,21 +109,32 @@ namespace conetact
   Condensation::expand(const std::vector<Load>            &loads,
                        const std::vector<Eigen::VectorXd> &contact) const
   {
-    const auto      n = static_cast<Eigen::Index>(loads.size());
+    // Where nothing has changed the displacements are those before.
+    std::vector<std::size_t>  different;
+    std::vector<Eigen::Index> column;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      {
+        if (k == 0 || loads[k].b != loads[k - 1].b ||
+            contact[k] != contact[k - 1])
+          different.push_back(k);
+        column.push_back(static_cast<Eigen::Index>(different.size()) - 1);
+      }
+    const auto      n = static_cast<Eigen::Index>(different.size());
     Eigen::MatrixXd b(coordinates.n_unknowns(), n);
     Eigen::MatrixXd q_contact(coordinates.n_contact_unknowns(), n);
-    for (Eigen::Index k = 0; k < n; ++k)
+    for (Eigen::Index i = 0; i < n; ++i)
       {
-        const Load &load = loads[static_cast<std::size_t>(k)];
-        b.col(k)         = is_linear() ? load.q : load.b;
-        q_contact.col(k) = contact[static_cast<std::size_t>(k)];
+        const std::size_t k = different[static_cast<std::size_t>(i)];
+        b.col(i)            = is_linear() ? loads[k].q : loads[k].b;
+        q_contact.col(i)    = contact[k];
       }
     const Eigen::MatrixXd q =
       is_linear() ? b : solver->expand(b / stiffness_scale, q_contact);
-    Eigen::MatrixXd u(coordinates.n_dofs(), n);
-    for (Eigen::Index k = 0; k < n; ++k)
-      u.col(k) = coordinates.expand(q.col(k)) +
-                 loads[static_cast<std::size_t>(k)].prescribed;
+    Eigen::MatrixXd u(coordinates.n_dofs(),
+                      static_cast<Eigen::Index>(loads.size()));
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      u.col(static_cast<Eigen::Index>(k)) =
+        coordinates.expand(q.col(column[k])) + loads[k].prescribed;
     return u;
   }
 
