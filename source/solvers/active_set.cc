@@ -115,7 +115,7 @@ namespace conetact
   std::string
   ActiveSet::iterate(Point &point, SolverReport &report)
   {
-    const double          goal = std::max(1e-3 * options.tolerance, 1e-14);
+    const double          goal = std::max(1e-4 * options.tolerance, 1e-14);
     std::set<std::string> seen;
     std::string           current = signature(point.sets);
     bool                  damped  = false;
