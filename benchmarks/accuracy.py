@@ -37,9 +37,11 @@ TOLERANCES = [10.0**-k for k in range(1, 14, 2)]
 
 
 class Bench:
-    def __init__(self, options):
-        self.program, self.build, self.quick = options.build.resolve() / "conetact", options.build.resolve(), options.quick
-        self.folder = Path(tempfile.mkdtemp(prefix="conetact-accuracy-"))
+    """Where things are, and how much of them is run."""
+
+    def __init__(self, build, folder, quick):
+        self.build, self.folder, self.quick = build.resolve(), Path(folder), quick
+        self.program = self.build / "conetact"
 
     def timed(self, scene, dim, *arguments):
         """Median CPU seconds without VTU files; the tables, and VTU files too if asked for."""
@@ -85,7 +87,7 @@ def meshes(bench):
 
 def solvers(bench):
     """Curves by solver: (tolerance, seconds, residual), as far as the residual falls."""
-    file = compare.export(bench.build, 8 if bench.quick else 16, bench.folder / "export")
+    file = compare.export(bench.build, 8 if bench.quick else 24, bench.folder / "export")
     runs = {name: lambda tolerance, name=name: compare.ours(bench.build, file, tolerance, name) for name in METHODS}
     for peer in compare.installed(PEERS):
         runs[f"Siconos {peer}"] = lambda tolerance, peer=peer: compare.theirs(file, peer, tolerance)
@@ -103,10 +105,11 @@ def draw(curves_of, startup, file):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    panels = (("elements", 2, f"elements, nu = {POISSON}", "energy norm of the error, relative"),
-              ("elements", 3, f"elements, nu = {POISSON}", "error of reactions, relative"),
-              ("meshes", 3, "partial slip in space", "error of shear stress, relative"),
-              ("solvers", 2, "condensed problem, 289 nodes", "residual, without units"))
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+    panels = (("elements", 2, f"sliding cube, nu = {POISSON}", "energy norm of the error, relative"),
+              ("elements", 3, f"sliding cube, nu = {POISSON}", "error of reactions, relative"),
+              ("meshes", 3, "Cattaneo-Mindlin in space", "error of shear stress, relative"),
+              ("solvers", 2, "one condensed problem", "residual, without units"))
     figure, axes = plt.subplots(2, 2, figsize=(9.5, 7.5), constrained_layout=True)
     for axis, (study, column, title, ylabel) in zip(axes.flat, panels):
         for name, points in curves_of[study].items():
@@ -115,6 +118,9 @@ def draw(curves_of, startup, file):
         if study != "solvers":
             axis.axvline(startup, color="0.7", zorder=0)
         axis.set(title=title, ylabel=ylabel, xlabel="CPU time, s")
+        axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+        axis.xaxis.set_minor_formatter(NullFormatter())
         axis.grid(True, which="major", alpha=.3)
         axis.legend(fontsize=8)
     figure.savefig(file, dpi=130)
@@ -134,15 +140,15 @@ def parse():
 
 
 def main():
-    options = parse()
-    bench = Bench(options)
-    startup = bench.startup()
-    print(f"A process that prints its version: {startup:.2f} s\n")
-    curves = {}
-    for study in (elements, meshes, solvers):
-        curves[study.__name__] = found = study(bench)
-        rows = [(name, *(f"{x:.3g}" for x in point)) for name, points in found.items() for point in points]
-        print(table(COLUMNS[study.__name__], rows) + "\n", flush=True)
+    options, curves = parse(), {}
+    with tempfile.TemporaryDirectory(prefix="conetact-accuracy-") as folder:
+        bench = Bench(options.build, folder, options.quick)
+        startup = bench.startup()
+        print(f"A process that prints its version: {startup:.2f} s\n")
+        for study in (elements, meshes, solvers):
+            curves[study.__name__] = found = study(bench)
+            rows = [(name, *(f"{x:.3g}" for x in point)) for name, points in found.items() for point in points]
+            print(table(COLUMNS[study.__name__], rows) + "\n", flush=True)
     options.results.mkdir(parents=True, exist_ok=True)
     draw(curves, startup, options.results / "run-time-against-error.png")
 

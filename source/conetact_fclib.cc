@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <new>
 #include <string>
@@ -146,11 +147,14 @@ namespace
         state = *guess;
       }
 
-    const auto         start = std::chrono::steady_clock::now();
+    const auto         start     = std::chrono::steady_clock::now();
+    const std::clock_t cpu_start = std::clock();
     const SolverReport report =
       make_solver(line.options)->solve(problem, state);
     const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - start;
+    const double cpu_time =
+      static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
     const double residual = contact_residual(problem, state);
     const bool solved = report.converged && residual <= line.options.tolerance;
 
@@ -158,7 +162,8 @@ namespace
               << "solver     "
               << (report.solver.empty() ? line.options.method : report.solver)
               << "\niterations " << report.iterations << "\ntime       "
-              << time.count() << " s\nresidual   " << residual << '\n';
+              << time.count() << " s\nCPU time   " << cpu_time
+              << " s\nresidual   " << residual << '\n';
     if (!solved)
       {
         std::cerr << "Not converged: "

@@ -85,7 +85,7 @@ def manufactured_family(laws):
 
 def hertz(laws):
     for dim, sizes, grading, bounds in ((2, (16, 32), 2, (5e-4, 5e-5, 7e-4, .013)),
-                                        (3, (4, 8), 1, (5e-3, 1e-3, 3e-3, .05))):
+                                        (3, (4, 8), 1, (1e-3, 2e-3, 5e-4, .05))):
         found = [half_space.hertz_errors(laws.run(half_space.hertz(dim, n, grading)), n) for n in sizes]
         for name, error, order, bound in zip(found[-1], found[-1].values(),
                                              orders(sizes, [list(f.values()) for f in found]), bounds):
@@ -94,7 +94,7 @@ def hertz(laws):
 
 def partial_slip(laws):
     for dim, sizes, grading, bounds in ((2, (16, 32), 2, (5e-4, 5e-4, 1e-4, .04, .022, 1)),
-                                        (3, (4, 8), 1, (4e-3, 2e-3, 4e-3, .04, .06, 1))):
+                                        (3, (4, 8), 1, (1e-3, 2e-3, 2e-3, .04, .06, 1))):
         found = [half_space.partial_slip_errors(laws.run(half_space.partial_slip(dim, n, grading)), n) for n in sizes]
         for (name, error), bound in zip(found[-1].items(), bounds):
             laws.check(f"{dim}D: {name}", error, bound)

@@ -4,9 +4,9 @@
 
 The far sides of each body are moved as they are moved in the half space: in the
 plane by the exact displacement (Muskhelishvili's potentials of an elliptic stress),
-so that nothing is left of the size of the domain; in space by that of forces at
-the origin (Boussinesq, Cerruti), which misses terms of order (a/L)^3. Contact half
-width a = 1, Young's modulus 1, radius RADIUS.
+so that nothing is left of the size L of the domain; in space by that of four forces
+(Boussinesq, Cerruti) with the moments of the stress, which misses terms of order
+(a/L)^5. Contact half width a = 1, Young's modulus 1, radius RADIUS.
 
 Partial slip needs two bodies of one material, for pressure alone would make a body
 slip on a rigid obstacle; in space Poisson's ratio 0, for else the slips are not
@@ -58,17 +58,28 @@ class Elliptic:
                 f"{-self.factor!r}*({self.kappa - 1!r}*{g[1]} - 2*{y}*{f[0]})")
 
 
-def boussinesq(force, poisson, z):
-    r, k = f"sqrt(x^2 + y^2 + {z}^2)", repr(force * (1 + poisson) / (2 * math.pi))
+def boussinesq(force, poisson, x, y, z):
+    """Displacement by a normal force at the origin of coordinates that are given as texts."""
+    r, k = f"sqrt({x}^2 + {y}^2 + {z}^2)", repr(force * (1 + poisson) / (2 * math.pi))
     side = f"({z}/{r}^3 - {1 - 2 * poisson!r}/({r}*({r} + {z})))"
-    return f"{k}*x*{side}", f"{k}*y*{side}", f"{k}*({z}^2/{r}^3 + {2 - 2 * poisson!r}/{r})"
+    return f"{k}*{x}*{side}", f"{k}*{y}*{side}", f"{k}*({z}^2/{r}^3 + {2 - 2 * poisson!r}/{r})"
 
 
-def cerruti(force, poisson, z):
-    r, k, c = f"sqrt(x^2 + y^2 + {z}^2)", repr(force * (1 + poisson) / (2 * math.pi)), repr(1 - 2 * poisson)
-    return (f"{k}*(1/{r} + x^2/{r}^3 + {c}*(1/({r} + {z}) - x^2/({r}*({r} + {z})^2)))",
-            f"{k}*x*y*(1/{r}^3 - {c}/({r}*({r} + {z})^2))",
-            f"{k}*x*({z}/{r}^3 + {c}/({r}*({r} + {z})))")
+def cerruti(force, poisson, x, y, z):
+    """The same by a force along x."""
+    r, k = f"sqrt({x}^2 + {y}^2 + {z}^2)", repr(force * (1 + poisson) / (2 * math.pi))
+    c = repr(1 - 2 * poisson)
+    return (f"{k}*(1/{r} + {x}^2/{r}^3 + {c}*(1/({r} + {z}) - {x}^2/({r}*({r} + {z})^2)))",
+            f"{k}*{x}*{y}*(1/{r}^3 - {c}/({r}*({r} + {z})^2))",
+            f"{k}*{x}*({z}/{r}^3 + {c}/({r}*({r} + {z})))")
+
+
+def far_field(kernel, force, poisson, z, mean_square):
+    """Of a stress with this mean of r^2: four forces have the same moments up to the third."""
+    d = repr(math.sqrt(mean_square))
+    fields = [kernel(force / 4, poisson, x, y, z)
+              for x, y in ((f"(x - {d})", "y"), (f"(x + {d})", "y"), ("x", f"(y - {d})"), ("x", f"(y + {d})"))]
+    return tuple(" + ".join(component) for component in zip(*fields))
 
 
 class Hertz:
@@ -120,7 +131,7 @@ def hertz(dim, fineness, grading):
         motion = field.normal("y")
         motion = f"{motion[0]} ; {motion[1]} - {field.centre()!r}"
     else:
-        motion = " ; ".join(boussinesq(exact.force, poisson, "z")) + f" - {exact.approach!r}"
+        motion = " ; ".join(far_field(boussinesq, exact.force, poisson, "z", .4)) + f" - {exact.approach!r}"
     far = "1, 3" if dim == 2 else "1, 3, 5"
     return {"Dimension": dim,
             "Body block": block([0] * dim, [SIZE] * dim, fineness, grading, poisson),
@@ -164,10 +175,10 @@ def press_and_shear(exact, poisson, depth):
         u, v = press.normal(depth)
         slip = [f"{a} - {b}" for a, b in zip(full.tangential(depth), less.tangential(depth))]
         return (u, f"{v} - {press.centre()!r}"), (f"{slip[0]} - {full.centre() - less.centre()!r}", slip[1])
-    u, v, w = boussinesq(force, poisson, depth)
+    u, v, w = far_field(boussinesq, force, poisson, depth, .4)  # mean of r^2: 2/5 a^2
     # Mindlin's displacement of the stick zone for nu = 0, of one body
     drift = 3 * MU * force / 16 * 2 * (2 * (1 + poisson)) * (1 - STICK**2)
-    a, b, c = cerruti(shear, poisson, depth)
+    a, b, c = far_field(cerruti, shear, poisson, depth, .4 * (1 - STICK**5) / (1 - STICK**3))
     return (u, v, f"{w} - {exact.approach / 2!r}"), (f"{a} - {drift!r}", b, c)
 
 

@@ -8,7 +8,7 @@ usage: compare.py [BUILD [N...]]      (default: build/ and N = 16 24 32)
 block-press-shear.prm with N^3 elements, pressed and sheared in one increment,
 is exported and solved from a cold start to 1e-8 and 1e-12 by `conetact-fclib
 solve` and by the solvers of Siconos, which get the problem in balanced units.
-One thread; seconds of the solves alone, medians of REPEAT, residuals by one
+One thread; CPU seconds of the solves alone, medians of REPEAT, residuals by one
 measure. A solver of Siconos that misses a tolerance tenfold does not count, and
 what does not end within LIMIT seconds is stopped.
 """
@@ -38,12 +38,12 @@ def export(build, n, folder):
 
 
 def ours(build, file, tolerance, method="automatic"):
-    """Seconds and residual; None where it does not converge."""
+    """CPU seconds and residual; None where it does not converge."""
     run = subprocess.run([build / "conetact-fclib", "solve", file, "--tolerance", str(tolerance), "--solver", method],
                          capture_output=True, text=True)
     if run.returncode != 0:
         return None
-    return tuple(float(re.search(rf"^{what} +(\S+)", run.stdout, re.M)[1]) for what in ("time", "residual"))
+    return tuple(float(re.search(rf"^{what} +(\S+)", run.stdout, re.M)[1]) for what in ("CPU time", "residual"))
 
 
 def installed(solvers):
@@ -63,7 +63,7 @@ def theirs(file, solver, tolerance):
 
 
 def repeated(solve):
-    """Median seconds and worst residual; one run is enough if it failed."""
+    """Median CPU seconds and worst residual; one run is enough if it failed."""
     runs = []
     for _ in range(REPEAT):
         runs.append(solve())
@@ -94,5 +94,5 @@ if __name__ == "__main__":
         sys.exit("Siconos is not installed (Debian: python3-siconos, python3-h5py)")
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else TOP / "build").resolve()
     sizes = [int(n) for n in sys.argv[2:]] or (16, 24, 32)
-    print(table(("n_c", "tolerance", "solver", "seconds", "residual", "times ours"),
+    print(table(("n_c", "tolerance", "solver", "CPU s", "residual", "times ours"),
                 [row for n in sizes for row in compare(folder, n)]))

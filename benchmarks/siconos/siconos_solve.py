@@ -65,7 +65,7 @@ def project(z, mu):
 
 
 def solve(problem, solver, tolerance, iterations=None):
-    """Reactions, seconds of the solve itself, what Siconos returned."""
+    """Reactions, CPU seconds of the solve itself, what Siconos returned."""
     W, q = problem.balanced()
     contacts = siconos.FrictionContactProblem(problem.dim, problem.mu.size, W, q, problem.mu)
     name = f"SICONOS_FRICTION_{problem.dim}D_{solver}"
@@ -75,9 +75,9 @@ def solve(problem, solver, tolerance, iterations=None):
         options.iparam[siconos.SICONOS_IPARAM_MAX_ITER] = iterations
     r, u = np.zeros(q.size), np.zeros(q.size)
     driver = siconos.fc3d_driver if problem.dim == 3 else siconos.fc2d_driver
-    start = time.perf_counter()
+    start = time.process_time()
     info = driver(contacts, r, u, options)
-    return r * problem.force, time.perf_counter() - start, info
+    return r * problem.force, time.process_time() - start, info
 
 
 def main(file, solver=None, tolerance="1e-8"):
