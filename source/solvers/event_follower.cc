@@ -147,15 +147,18 @@ namespace conetact
     const bool   holonomic = options.law == PathLaw::holonomic;
 
     std::vector<Event> result;
-    const auto         consider = [&](const Index  i,
+    // Critical quantities have been decided: what falls there is round-off.
+    const auto consider = [&](const Index  i,
                               const Hit    hit,
                               const double value,
                               const double rate,
                               const double size,
                               const double fast) {
-      const bool   zero  = value <= value_tolerance * size;
-      const double limit = (zero ? 10 * rate_tolerance : 1e-14) * fast;
-      if (rate < -limit)
+      const CriticalNode &c       = critical[static_cast<std::size_t>(i)];
+      const bool          decided = hit == Hit::normal ? c.normal :
+                                    hit == Hit::plus   ? c.plus :
+                                                         c.minus;
+      if (!decided && rate < -1e-14 * fast)
         result.push_back(
           {std::max(0., value) / -rate, 1e-13 * size / -rate, i, hit});
     };
@@ -284,9 +287,13 @@ namespace conetact
       first_events(events(velocity, VectorXd::Zero(r.size())), 0);
     if (stops.empty())
       return false;
-    v += stops.front().step * velocity;
-    plateau  = true;
-    critical = critical_nodes();
+    const double step = stops.front().step;
+    if (step * largest(velocity) > value_tolerance * largest(v))
+      {
+        v += step * velocity;
+        plateau  = true;
+        critical = critical_nodes();
+      }
     add(stops);
     return true;
   }

@@ -19,12 +19,6 @@ namespace conetact
 
     constexpr int max_active_set_steps = 25;
 
-    /**
-     * Share of the loads that the springs of PathSystem::held may carry where
-     * a scheme is singular: round-off of a load that does no work on it.
-     */
-    constexpr double undriven = 1e-9;
-
     double
     largest(const VectorXd &x)
     {
@@ -61,10 +55,6 @@ namespace conetact
               NodeScheme  &node) const;
       bool
       lemke(const Scheme &guess, Scheme &result) const;
-      bool
-      is_driven(const Rates &rates) const;
-      void
-      sharpen(Rates &rates) const;
 
       const PathSystem    &system;
       const CriticalNodes &critical;
@@ -233,34 +223,6 @@ namespace conetact
 
 
 
-    /** Do the springs that hold rigid motions carry a part of the load? */
-    bool
-    RateProblem::is_driven(const Rates &rates) const
-    {
-      return PathSystem::shift *
-               largest(system.null_space.transpose() * rates.v) >
-             undriven * largest(load_rate);
-    }
-
-
-
-    /** From the motion on soft springs to that without any. */
-    void
-    RateProblem::sharpen(Rates &rates) const
-    {
-      for (int k = 0; k < 2; ++k)
-        {
-          const VectorXd force = PathSystem::shift * system.null_space *
-                                 (system.null_space.transpose() * rates.v);
-          rates.factor.rates(force, rates.v, rates.r);
-        }
-      rates.v /= largest(rates.v);
-      rates.r.setZero();
-      rates.outcome = RateOutcome::mechanism;
-    }
-
-
-
     Rates
     RateProblem::solve(const Scheme &guess) const
     {
@@ -284,8 +246,13 @@ namespace conetact
       exact.outcome = RateOutcome::found;
       if (active_set(rates.scheme, false, exact))
         return exact;
-      if (is_driven(rates))
-        sharpen(rates);
+      if (rates.factor.is_driven(load_rate, rates.v))
+        {
+          rates.outcome = RateOutcome::mechanism;
+          rates.v       = rates.factor.motion(rates.v);
+          rates.v /= largest(rates.v);
+          rates.r.setZero();
+        }
       return rates;
     }
   } // namespace

@@ -25,6 +25,12 @@ namespace conetact
      */
     constexpr double singular = 1e-13;
 
+    /**
+     * Share of the loads that the springs of PathSystem::held may carry where
+     * a scheme is a mechanism: round-off of loads that do no work on it.
+     */
+    constexpr double undriven = 1e-9;
+
     /** Refinements of a solution by its residual. */
     constexpr int n_refinements = 2;
 
@@ -89,6 +95,8 @@ namespace conetact
   {
     collect_unknowns();
     factorize();
+    if (held && is_regular)
+      find_motions();
   }
 
 
@@ -144,6 +152,40 @@ namespace conetact
       LAPACKE_dgecon(
         LAPACK_COL_MAJOR, '1', n, factor.data(), n, norm, &condition) == 0 &&
       condition > singular;
+  }
+
+
+
+  /**
+   * With N the null space of K and k the springs on it, the motions are the
+   * X = (J + k N N^T)^-1 k N a that stretch the springs as the loads k N a
+   * alone do, N^T X = a: nothing but the springs resists them.
+   */
+  void
+  SchemeFactor::find_motions()
+  {
+    const MatrixXd &N = system->null_space;
+    if (N.cols() == 0)
+      return;
+    MatrixXd X;
+    solve(PathSystem::shift * N, X);
+    const MatrixXd rest =
+      MatrixXd::Identity(N.cols(), N.cols()) - N.transpose() * X;
+    const Eigen::JacobiSVD<MatrixXd> svd(rest, Eigen::ComputeFullV);
+    const Index    n_motions = (svd.singularValues().array() < 1e-3).count();
+    const MatrixXd a         = svd.matrixV().rightCols(n_motions);
+    motions                  = X * a;
+    coordinates              = a.transpose() * N.transpose();
+  }
+
+
+
+  bool
+  SchemeFactor::is_driven(const Vector &load_rate, const Vector &v) const
+  {
+    return motions.cols() > 0 &&
+           PathSystem::shift * (coordinates * v).lpNorm<Eigen::Infinity>() >
+             undriven * load_rate.lpNorm<Eigen::Infinity>();
   }
 
 
@@ -210,6 +252,8 @@ namespace conetact
         solve(load_rate - *K * v, step);
         v += step;
       }
+    if (motions.cols() > 0 && !is_driven(load_rate, v))
+      v -= motion(v);
     MatrixXd reaction = *K * v - load_rate;
     clean(reaction, false);
     r = reaction;
@@ -236,6 +280,8 @@ namespace conetact
       {
         solve(cohesive - system->K * v, step);
         v += step;
+        if (motions.cols() > 0)
+          v -= motion(step);
       }
     MatrixXd reaction = system->K * v - load;
     clean(reaction, true);

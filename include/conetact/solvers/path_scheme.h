@@ -93,9 +93,26 @@ namespace conetact
       return is_regular;
     }
 
-    /** Rates (v, r) for rates of the loads. */
+    /**
+     * Rates (v, r) for rates of the loads. Where the scheme is a mechanism that
+     * these loads drive (or are in balance with) see is_driven().
+     */
     void
     rates(const Vector &load_rate, Vector &v, Vector &r) const;
+
+    /**
+     * Do the loads drive a mechanism? Rates v are then those on the soft
+     * springs of PathSystem::held; the mechanism is what they show.
+     */
+    bool
+    is_driven(const Vector &load_rate, const Vector &v) const;
+
+    /** The part of v that is a motion of the mechanism. */
+    Vector
+    motion(const Vector &v) const
+    {
+      return motions * (coordinates * v);
+    }
 
     /**
      * Displacements and reactions of the scheme under the loads. v comes in
@@ -118,6 +135,8 @@ namespace conetact
     collect_unknowns();
     void
     factorize();
+    void
+    find_motions();
     /** Imbalances of all unknowns in, corrections of v out. */
     void
     solve(const Eigen::MatrixXd &imbalance, Eigen::MatrixXd &v) const;
@@ -134,6 +153,8 @@ namespace conetact
     Eigen::MatrixXd        factor;
     std::vector<int>       pivots;
     bool                   is_regular = false;
+    Eigen::MatrixXd        motions;     ///< of a mechanism, held softly
+    Eigen::MatrixXd        coordinates; ///< v -> its share of the motions
   };
 } // namespace conetact
 
