@@ -20,6 +20,8 @@ namespace conetact
     constexpr double value_tolerance = 1e-12;
     /** Events closer than this share of the way from the start are one. */
     constexpr double same_event = 1e-10;
+    /** Rates below this share of the largest are round-off. */
+    constexpr double rate_noise = 1e-14, motion_noise = 1e-9;
     /** An event this close behind the end of a stage, in its length, counts. */
     constexpr double beyond_end = 1e-12;
     /** Step beyond a point without continuation, in the length of the stage. */
@@ -140,7 +142,9 @@ namespace conetact
 
   /** What vanishes along a straight path, and when. */
   std::vector<EventFollower::Event>
-  EventFollower::events(const VectorXd &v_rate, const VectorXd &r_rate) const
+  EventFollower::events(const VectorXd &v_rate,
+                        const VectorXd &r_rate,
+                        const double    noise) const
   {
     const double v_size = largest(v), v_fast = largest(v_rate);
     const double r_size = largest(r), r_fast = largest(r_rate);
@@ -158,7 +162,7 @@ namespace conetact
       const bool          decided = hit == Hit::normal ? c.normal :
                                     hit == Hit::plus   ? c.plus :
                                                          c.minus;
-      if (!decided && rate < -1e-14 * fast)
+      if (!decided && rate < -noise * fast)
         result.push_back(
           {std::max(0., value) / -rate, 1e-13 * size / -rate, i, hit});
     };
@@ -284,7 +288,7 @@ namespace conetact
   EventFollower::move_at_constant_load(const VectorXd &velocity)
   {
     const std::vector<Event> stops =
-      first_events(events(velocity, VectorXd::Zero(r.size())), 0);
+      first_events(events(velocity, VectorXd::Zero(r.size()), motion_noise), 0);
     if (stops.empty())
       return false;
     const double step = stops.front().step;
@@ -466,7 +470,8 @@ namespace conetact
           }
 
         const std::vector<Event> first =
-          first_events(events(rates.v, rates.r), parameter - stage.begin);
+          first_events(events(rates.v, rates.r, rate_noise),
+                       parameter - stage.begin);
         const double step = first.empty() ? 0. : first.front().step;
         // What follows at once belongs to the same event.
         if (!first.empty() &&

@@ -252,9 +252,15 @@ namespace conetact
         solve(load_rate - *K * v, step);
         v += step;
       }
-    if (motions.cols() > 0 && !is_driven(load_rate, v))
-      v -= motion(v);
-    MatrixXd reaction = *K * v - load_rate;
+    const bool in_balance = motions.cols() > 0 && !is_driven(load_rate, v);
+    for (int k = 0; in_balance && k < n_refinements; ++k)
+      {
+        // without the springs, and without moving
+        v -= motion(v);
+        solve(load_rate - system->K * v, step);
+        v += step - motion(step);
+      }
+    MatrixXd reaction = (in_balance ? system->K : *K) * v - load_rate;
     clean(reaction, false);
     r = reaction;
   }

@@ -52,8 +52,11 @@ namespace conetact
     critical_nodes() const;
     void
     mark(const Event &event, CriticalNodes &critical) const;
+    /** Rates that are round-off come as a share of the largest. */
     std::vector<Event>
-    events(const Vector &v_rate, const Vector &r_rate) const;
+    events(const Vector &v_rate,
+           const Vector &r_rate,
+           const double  noise) const;
     /** The first of them, with all that come at the same time. */
     std::vector<Event>
     first_events(const std::vector<Event> &all, const double from) const;

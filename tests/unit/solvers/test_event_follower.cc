@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "q1_block.h"
+#include "random_problem.h"
 
 using namespace conetact;
 using Eigen::Index;
@@ -273,4 +274,233 @@ TEST(EventFollower, SymmetricStatesStaySymmetric)
               << "node " << i << " at " << p.parameter;
           }
     }
+}
+
+TEST(EventFollower, CohesionAddsToTheLimit)
+{
+  const Index   nx = 9;
+  const Q1Block block(2, 1, nx, 5);
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    for (const double f : {.1, .3, 3.})
+      {
+        PathOptions options = law(which);
+        options.cohesion    = VectorXd::Constant(nx + 1, 20);
+        Path path(block.system(f), VectorXd::Zero(nx + 1), options);
+        path.follow(block.condensed(block.weight(2000)), 0, 1);
+        const PathResult result =
+          path.follow(block.condensed(block.push(2000, .8)), 0, 10);
+        EXPECT_EQ(result.outcome, PathOutcome::limit_load);
+        EXPECT_NEAR(result.parameter, std::min(f + .1, 1.25), 1e-10);
+      }
+}
+
+TEST(EventFollower, MechanismsTellSlidingFromTipping)
+{
+  const Index   nx = 6;
+  const Q1Block block(2, 1, nx, 3);
+  for (const double f : {.4, 2.})
+    {
+      Path path(block.system(f), VectorXd::Zero(nx + 1));
+      path.follow(block.condensed(block.weight(2000)), 0, 1);
+      const PathResult result =
+        path.follow(block.condensed(block.push(2000, 1)), 0, 10);
+      for (Index i = 0; i <= nx; ++i)
+        {
+          const double slides = f < 1 ? 1 : 0;
+          const double rises  = f < 1 ? 0 : 1 - block.x(i) / 2;
+          EXPECT_NEAR(result.mechanism(2 * i), slides, 1e-8);
+          EXPECT_NEAR(result.mechanism(2 * i + 1), rises, 1e-8);
+        }
+    }
+}
+
+TEST(EventFollower, WithoutFrictionNothingHoldsTheBlock)
+{
+  const Index   nx = 6;
+  const Q1Block block(2, 1, nx, 3);
+  Path          path(block.system(0), VectorXd::Zero(nx + 1));
+  EXPECT_EQ(path.follow(block.condensed(block.weight(2000)), 0, 1).outcome,
+            PathOutcome::no_further_change);
+  EXPECT_EQ(path.points.back().state[0], PathState::slip);
+  const PathResult result =
+    path.follow(block.condensed(block.push(2000, .5)), 0, 1);
+  EXPECT_EQ(result.outcome, PathOutcome::limit_load);
+  EXPECT_EQ(result.parameter, 0);
+}
+
+TEST(EventFollower, FallsThroughItsGap)
+{
+  const Index   nx = 4;
+  const Q1Block block(2, 1, nx, 3);
+  VectorXd      gap(nx + 1);
+  gap << .01, .02, .03, .02, .02;
+  Path path(block.system(.5), gap);
+  for (Index i = 0; i <= nx; ++i)
+    path.load(2 * i + 1) = gap(i);
+  path.load = block.system(.5)->matrix * path.load;
+  path.follow(block.condensed(block.weight(2000)), 0, 1);
+  EXPECT_TRUE(path.points.front().plateau);
+  EXPECT_EQ(path.points.front().parameter, 0);
+  const PathResult result =
+    path.follow(block.condensed(block.push(2000, .5)), 0, 1);
+  EXPECT_EQ(result.outcome, PathOutcome::limit_load);
+  EXPECT_NEAR(result.parameter, .5, 1e-10);
+}
+
+namespace
+{
+  /** A node pressed on a floor it can lose by slipping: mu times coupling > 1.
+   */
+  std::shared_ptr<ContactSystem>
+  losing_grip()
+  {
+    auto system    = std::make_shared<ContactSystem>();
+    system->first  = {0, 2};
+    system->matrix = (MatrixXd(2, 2) << 1, -.8, -.8, 1).finished();
+    system->mu     = VectorXd::Constant(1, 2);
+    return system;
+  }
+} // namespace
+
+TEST(EventFollower, JumpsWhereTheIncrementalLawBreaksOff)
+{
+  Path path(losing_grip(), VectorXd::Zero(1));
+  path.follow(Eigen::Vector2d(0, -1), 0, 1);
+  EXPECT_EQ(path.follow(Eigen::Vector2d(1, 0), 0, 3).outcome,
+            PathOutcome::no_further_change);
+  ASSERT_EQ(path.points.size(), 2u);
+  const PathPoint &jump = path.points[0];
+  EXPECT_TRUE(jump.jump);
+  EXPECT_NEAR(jump.parameter, 2, 1e-14);
+  EXPECT_EQ(jump.state[0], PathState::open);
+  EXPECT_NEAR(jump.v(0), 1.2 / .36, 1e-12);
+  EXPECT_NEAR(jump.v(1), .6 / .36, 1e-12);
+}
+
+TEST(EventFollower, TurnsBackWhereTheHolonomicLawDoes)
+{
+  Path path(losing_grip(), VectorXd::Zero(1), law(PathLaw::holonomic));
+  path.follow(Eigen::Vector2d(0, -1), 0, 1);
+  const PathResult result = path.follow(Eigen::Vector2d(1, 0), 0, 3);
+  EXPECT_EQ(result.outcome, PathOutcome::turning_point);
+  EXPECT_NEAR(result.parameter, 2, 1e-14);
+}
+
+TEST(EventFollower, SlidesAtConstantLoadToItsStop)
+{
+  // a weight on a floor (t, n) and, half a unit ahead on a spring, a stop
+  auto system          = std::make_shared<ContactSystem>();
+  system->first        = {0, 2, 3};
+  system->matrix       = MatrixXd::Zero(3, 3);
+  system->matrix(0, 0) = system->matrix(0, 2) = 4;
+  system->matrix(2, 0) = system->matrix(2, 2) = 4;
+  system->mu                                  = Eigen::Vector2d(.5, 0);
+  system->null_space                          = MatrixXd::Zero(3, 2);
+  system->null_space.col(0) << 1, 0, -1;
+  system->null_space(1, 1) = 1;
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    {
+      Path path(system, Eigen::Vector2d(0, .5), law(which));
+      path.load = system->matrix.col(2) * .5;
+      path.follow(Eigen::Vector3d(0, -1, 0), 0, 1);
+      EXPECT_EQ(path.follow(Eigen::Vector3d(1, 0, 0), 0, 2).outcome,
+                PathOutcome::no_further_change);
+      ASSERT_EQ(path.points.size(), 3u);
+      EXPECT_NEAR(path.points[0].parameter, .5, 1e-14);
+      EXPECT_EQ(path.points[0].state[0], PathState::slip_plus);
+      const PathPoint &stop = path.points[1];
+      EXPECT_TRUE(stop.plateau);
+      EXPECT_NEAR(stop.parameter, .5, 1e-14);
+      EXPECT_NEAR(stop.v(0), .5, 1e-12);
+      EXPECT_EQ(stop.state[1], PathState::stick);
+      EXPECT_NEAR(path.points[2].v(0), .5 + 1.5 / 4, 1e-12);
+      EXPECT_NEAR(path.points[2].r(2), 1.5, 1e-12);
+    }
+}
+
+namespace
+{
+  struct RandomPath
+  {
+    std::shared_ptr<ContactSystem> system = std::make_shared<ContactSystem>();
+    VectorXd                       gap, start, rate;
+
+    explicit RandomPath(const unsigned int seed)
+    {
+      conetact::internal::Random random(seed);
+      const auto                 n = static_cast<Index>(3 + seed % 8);
+      MatrixXd                   none;
+      const auto                 draw = [&](const double a, const double b) {
+        return conetact::internal::uniform(random, a, b);
+      };
+      system->matrix =
+        conetact::internal::random_operator(random, 2 * n, 0, .5, none);
+      system->mu.resize(n);
+      gap   = VectorXd::Zero(n);
+      rate  = conetact::internal::random_matrix(random, 2 * n, 1);
+      start = VectorXd::Zero(2 * n);
+      for (Index i = 0; i < n; ++i)
+        {
+          system->first.push_back(2 * (i + 1));
+          system->mu(i) = draw(0, 1);
+          if (draw(0, 1) < .5)
+            gap(i) = draw(0, .3);
+          start(2 * i + 1) = gap(i);
+          rate(2 * i + 1) -= 1;
+        }
+      start = system->matrix * start;
+    }
+  };
+
+  /** Reactions after so many equal increments of the SOCLCP. */
+  VectorXd
+  by_increments(const RandomPath &path, const VectorXd &turn, const int steps)
+  {
+    const auto   solver  = make_solver(SolverOptions());
+    const Index  n       = path.start.size();
+    VectorXd     slipped = VectorXd::Zero(n), gap = path.gap;
+    ContactState state;
+    state.r = slipped;
+    for (int k = 1; k <= 2 * steps; ++k)
+      {
+        const double   s = static_cast<double>(k) / steps;
+        ContactProblem problem;
+        problem.system = path.system;
+        problem.gap    = gap;
+        problem.load   = path.start + std::min(s, 1.) * path.rate +
+                       std::max(s - 1, 0.) * turn -
+                       path.system->matrix * slipped;
+        state.v = VectorXd::Zero(n);
+        for (Index i = 0; i < gap.size(); ++i)
+          state.v(2 * i + 1) = gap(i);
+        EXPECT_TRUE(solver->solve(problem, state).converged);
+        for (Index i = 0; i < gap.size(); ++i)
+          {
+            slipped(2 * i) += state.v(2 * i);
+            gap(i) = std::max(0., state.v(2 * i + 1));
+          }
+      }
+    return state.r;
+  }
+} // namespace
+
+TEST(EventFollower, IncrementsConvergeToThePath)
+{
+  double coarse = 0, fine = 0;
+  for (unsigned int seed = 0; seed < 40; ++seed)
+    {
+      const RandomPath random(seed);
+      VectorXd         turn = VectorXd::Zero(random.rate.size());
+      for (Index i = 0; i < turn.size(); i += 2)
+        turn(i) = -random.rate(i);
+      Path path(random.system, random.gap);
+      path.load = random.start;
+      path.follow(random.rate, 0, 1);
+      path.follow(turn, 0, 1);
+      const VectorXd &r = path.points.back().r;
+      coarse += (by_increments(random, turn, 8) - r).norm() / r.norm();
+      fine += (by_increments(random, turn, 64) - r).norm() / r.norm();
+    }
+  EXPECT_LT(fine, coarse / 5);
+  EXPECT_LT(fine / 40, 2e-3);
 }
