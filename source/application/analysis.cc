@@ -180,7 +180,7 @@ namespace conetact
       return 1;
     const Eigen::Index n = model.coordinates.n_unknowns();
     return static_cast<std::size_t>(
-      std::clamp<Eigen::Index>(2000000 / std::max<Eigen::Index>(n, 1),
+      std::clamp<Eigen::Index>(8000000 / std::max<Eigen::Index>(n, 1),
                                1,
                                std::max(16u, n_finished / 8)));
   }

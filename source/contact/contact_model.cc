@@ -94,7 +94,8 @@ namespace conetact
     ContactProblem problem;
     problem.system = system;
     problem.load   = load.f;
-    problem.load.noalias() += system->matrix * shift();
+    problem.load.noalias() +=
+      system->matrix.selfadjointView<Eigen::Lower>() * shift();
     problem.gap.resize(system->n_nodes());
     for (Eigen::Index i = 0; i < system->n_nodes(); ++i)
       problem.gap[i] = initial_gap[i] + q[system->normal(i)];

@@ -39,6 +39,13 @@ namespace conetact
       return system.form == Form::stiffness ? mean : 1. / mean;
     }
 
+    /** Matrix times x: of a symmetric matrix half is enough to be read. */
+    VectorXd
+    product(const ContactSystem &system, const VectorXd &x)
+    {
+      return system.matrix.selfadjointView<Eigen::Lower>() * x;
+    }
+
     /** Residual of the linear relation, as forces. */
     VectorXd
     relation_residual(const ContactProblem &problem,
@@ -47,8 +54,8 @@ namespace conetact
     {
       const ContactSystem &system = *problem.system;
       if (system.form == Form::stiffness)
-        return system.matrix * state.v - state.r - problem.load;
-      return rho * (system.matrix * state.r + problem.load - state.v);
+        return product(system, state.v) - state.r - problem.load;
+      return rho * (product(system, state.r) + problem.load - state.v);
     }
 
     /** Residual of the contact law, as forces. */
@@ -116,11 +123,11 @@ namespace conetact
     // The side that the linear relation gives from the other one.
     VectorXd v = state.v, r = state.r;
     if (stiffness)
-      r = system.matrix * state.v - problem.load;
+      r = product(system, state.v) - problem.load;
     else
-      v = system.matrix * state.r + problem.load;
+      v = product(system, state.r) + problem.load;
 
-    double product = 0, relation_product = 0;
+    double own = 0, relation = 0;
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index first = system.first[i], nt = system.n_tangents(i);
@@ -130,10 +137,10 @@ namespace conetact
           return lambda * system.mu(i) * y(first + nt) +
                  x.segment(first, nt + 1).dot(y.segment(first, nt + 1));
         };
-        product += add(state.v, state.r);
-        relation_product += add(v, r);
+        own += add(state.v, state.r);
+        relation += add(v, r);
       }
-    return {product / (1 + product), relation_product / (1 + product)};
+    return {own / (1 + own), relation / (1 + own)};
   }
 
 

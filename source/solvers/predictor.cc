@@ -9,7 +9,10 @@ namespace conetact
   Predictor::predict(const ContactState    &start,
                      const Eigen::VectorXd &change) const
   {
-    if (last_reaction.size() != start.r.size() || last_reaction != start.r)
+    if (last_start.r.size() != start.r.size())
+      return std::nullopt;
+    const bool once_more = start.r == last_start.r && start.v == last_start.v;
+    if (!once_more && start.r != last_end)
       return std::nullopt;
     const double ratio = change.dot(last_change) / last_change.squaredNorm();
     if (!(ratio > 0) ||
@@ -28,9 +31,10 @@ namespace conetact
                       const ContactState    &end,
                       const Eigen::VectorXd &change)
   {
-    last_change   = change;
-    last_reaction = end.r;
-    dv            = end.v - start.v;
-    dr            = end.r - start.r;
+    last_change = change;
+    last_start  = start;
+    last_end    = end.r;
+    dv          = end.v - start.v;
+    dr          = end.r - start.r;
   }
 } // namespace conetact

@@ -23,7 +23,9 @@ namespace conetact
     /**
      * `change` is the load of the increment less the load that `start` is in
      * balance with. Nothing if the load goes another way than before, or if
-     * the last increment did not end where this one starts.
+     * this increment starts neither where the last one ended nor where it
+     * started (then it is solved once more, with a load that is a little
+     * better).
      */
     std::optional<ContactState>
     predict(const ContactState &start, const Eigen::VectorXd &change) const;
@@ -36,7 +38,8 @@ namespace conetact
 
   private:
     Eigen::VectorXd last_change, dv, dr; ///< of the last increment
-    Eigen::VectorXd last_reaction;       ///< at its end
+    ContactState    last_start;
+    Eigen::VectorXd last_end; ///< its reactions
   };
 } // namespace conetact
 

@@ -129,6 +129,22 @@ TEST(ActiveSet, LoadThatHasNotChangedTakesNoStep)
       }
 }
 
+TEST(ActiveSet, LoadThatIsALittleBetterTakesOneStep)
+{
+  RandomOptions o;
+  o.tangents             = 1;
+  o.n_nodes              = 60;
+  ContactProblem problem = random_problem(o).problem;
+  const auto     solver  = make_active_set({});
+  ContactState   state   = unloaded(problem);
+  ASSERT_TRUE(solver->solve(problem, state).converged);
+  problem.load *= 1 + 1e-9;
+  state                     = unloaded(problem);
+  const SolverReport report = solver->solve(problem, state);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LE(report.iterations, 1u);
+}
+
 TEST(ActiveSet, LoadThatGoesOnTakesOneStep)
 {
   // More of the same load after the first, which fixes who slips and sticks.
