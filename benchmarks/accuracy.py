@@ -21,7 +21,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measure import TOP, cpu_seconds, median_cpu_seconds, table
+from measure import TOP, cpu_seconds, median_cpu_seconds, plain_ticks, table
 
 sys.path[:0] = [str(TOP / "tests"), str(TOP / "benchmarks" / "siconos")]
 import compare  # noqa: E402
@@ -105,7 +105,6 @@ def draw(curves_of, startup, file):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
     panels = (("elements", 2, f"sliding cube, nu = {POISSON}", "energy norm of the error, relative"),
               ("elements", 3, f"sliding cube, nu = {POISSON}", "error of reactions, relative"),
               ("meshes", 3, "Cattaneo-Mindlin in space", "error of shear stress, relative"),
@@ -118,9 +117,7 @@ def draw(curves_of, startup, file):
         if study != "solvers":
             axis.axvline(startup, color="0.7", zorder=0)
         axis.set(title=title, ylabel=ylabel, xlabel="CPU time, s")
-        axis.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-        axis.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-        axis.xaxis.set_minor_formatter(NullFormatter())
+        plain_ticks(axis.xaxis)
         axis.grid(True, which="major", alpha=.3)
         axis.legend(fontsize=8)
     figure.savefig(file, dpi=130)

@@ -16,7 +16,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from measure import TOP, table
+from measure import TOP, plain_ticks, table
 
 sys.path.insert(0, str(TOP / "tests"))
 import half_space  # noqa: E402
@@ -57,6 +57,7 @@ def draw(studies, file):
         for what in errors[0]:
             axis.loglog([1 / n for n in sizes], [e[what] for e in errors], "o-", markersize=4, label=what)
         axis.set(title=f"{name}, {'plane' if dim == 2 else 'space'}", xlabel="h", ylabel="relative error")
+        plain_ticks(axis.xaxis)
         axis.grid(True, which="major", alpha=.3)
         axis.legend(fontsize=7)
     figure.savefig(file, dpi=110)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CPU seconds of processes, and Markdown tables: what the benchmarks share."""
+"""CPU seconds of processes, Markdown tables, axes: what the benchmarks share."""
 import os
 import statistics
 from pathlib import Path
@@ -31,3 +31,11 @@ def table(columns, rows):
     """A Markdown table."""
     lines = [columns, ["---"] * len(columns), *rows]
     return "\n".join("| " + " | ".join(map(str, line)) + " |" for line in lines)
+
+
+def plain_ticks(axis):
+    """Numbers 1, 2, 5 of each decade along a logarithmic axis of matplotlib, written out."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    axis.set_minor_formatter(NullFormatter())
