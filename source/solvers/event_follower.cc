@@ -24,8 +24,9 @@ namespace conetact
     constexpr double rate_noise = 1e-14, motion_noise = 1e-9;
     /** An event this close behind the end of a stage, in its length, counts. */
     constexpr double beyond_end = 1e-12;
-    /** Step beyond a point without continuation, in the length of the stage. */
-    constexpr double jump_step = 1e-8;
+    /** Steps beyond a point without continuation, in the length of the stage.
+     */
+    constexpr double jump_steps[] = {1e-8, 1e-6, 1e-4};
 
     double
     largest(const VectorXd &x)
@@ -305,46 +306,35 @@ namespace conetact
 
 
   /**
-   * Solves the whole problem at a load just beyond, and takes its states. The
-   * loads are then those of before; false if that gives no equilibrium.
+   * Solves the whole problem from where the path stands, at a parameter just
+   * beyond, and takes the states of the result.
    */
   bool
-  EventFollower::jump(PathResult &result)
+  EventFollower::solve_beyond(const double p, std::string &reason)
   {
-    if (options.cohesion.size() > 0 && options.cohesion.maxCoeff() > 0)
-      {
-        result.reason = "The path has no continuation at this load, and with "
-                        "cohesion there is no way to jump over the gap.";
-        return false;
-      }
-    const VectorXd scaled_before = v;
-    VectorXd       held          = system.scale.cwiseProduct(v);
+    VectorXd       slipped = system.scale.cwiseProduct(v);
+    ContactState   state;
     ContactProblem problem;
+    state.v        = slipped;
+    state.r        = r.cwiseQuotient(system.scale);
     problem.system = contact;
     problem.gap.resize(system.n_nodes());
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index n  = system.normal[static_cast<std::size_t>(i)];
-        problem.gap(i) = std::max(0., held(n));
-        held(n)        = 0;
+        problem.gap(i) = std::max(0., slipped(n));
+        slipped(n)     = 0;
       }
-    problem.load = load.cwiseQuotient(system.scale) +
-                   jump_step * (stage.end - stage.begin) * stage.rate -
-                   contact->matrix * held;
-    ContactState state;
-    state.v = system.scale.cwiseProduct(v) - held;
-    state.r = r.cwiseQuotient(system.scale);
+    state.v -= slipped;
+    problem.load =
+      stage.load + (p - stage.begin) * stage.rate - contact->matrix * slipped;
     SolverOptions solver_options;
     solver_options.tolerance = options.tolerance;
     const SolverReport report =
       make_solver(solver_options)->solve(problem, state);
+    reason = report.reason;
     if (!report.converged)
-      {
-        result.reason = "The path has no continuation at this load, and a full "
-                        "solve found no other equilibrium: " +
-                        report.reason;
-        return false;
-      }
+      return false;
     for (std::size_t i = 0; i < scheme.size(); ++i)
       {
         const Index t    = system.tangent[i];
@@ -353,14 +343,59 @@ namespace conetact
         if (t >= 0 && state.node[i] == NodeState::slip)
           scheme[i].slip = state.v(t) > 0 ? 1 : -1;
       }
-    v      = (held + state.v).cwiseQuotient(system.scale);
+    v      = (slipped + state.v).cwiseQuotient(system.scale);
     factor = SchemeFactor(system, scheme, false);
     if (!factor.regular())
       factor = SchemeFactor(system, scheme, true);
-    factor.values(load, v, r);
-    jumped   = true;
-    critical = critical_nodes();
     return true;
+  }
+
+
+
+  /**
+   * Over a gap of the path to another equilibrium, at the same load if its
+   * states hold there, else at the one just beyond for which it was found.
+   */
+  bool
+  EventFollower::jump(const PathVisitor &visit, PathResult &result)
+  {
+    result.reason = "The path has no continuation at this load, and with "
+                    "cohesion there is no way to jump over the gap.";
+    if (system.cohesion.maxCoeff() > 0)
+      return false;
+    if (parameter > last.parameter)
+      emit(visit, true);
+    const double   from     = parameter;
+    const VectorXd v_before = v, r_before = r;
+    const Scheme   scheme_before = scheme;
+    std::string    reason;
+    for (const double step : jump_steps)
+      {
+        const double beyond = from + step * (stage.end - stage.begin);
+        if (solve_beyond(beyond, reason))
+          {
+            for (const double p : {from, beyond})
+              {
+                move_to(p, VectorXd::Zero(v.size()));
+                if (here().residual <= options.tolerance)
+                  {
+                    jumped   = true;
+                    critical = critical_nodes();
+                    result.reason.clear();
+                    return true;
+                  }
+              }
+            reason = "an equilibrium was found in several steps only.";
+          }
+        v         = v_before;
+        r         = r_before;
+        scheme    = scheme_before;
+        parameter = from;
+      }
+    result.reason = "The path has no continuation at this load, and a full "
+                    "solve found no other equilibrium: " +
+                    reason;
+    return false;
   }
 
 
@@ -405,25 +440,36 @@ namespace conetact
 
 
 
-  /** Shows where the path stands, if a state has changed or always. */
-  void
-  EventFollower::emit(const PathVisitor &visit, const bool always)
+  /** Where the path stands, as a point after the last one. */
+  PathPoint
+  EventFollower::here() const
   {
     PathPoint point;
-    point.state = path_states();
+    point.parameter = parameter;
+    point.v         = system.scale.cwiseProduct(v);
+    point.r         = r.cwiseQuotient(system.scale);
+    point.plateau   = plateau;
+    point.jump      = jumped;
+    point.state     = path_states();
     for (std::size_t i = 0; i < point.state.size(); ++i)
       if (point.state[i] != last.state[i])
         point.changes.push_back(
           {static_cast<Index>(i), last.state[i], point.state[i]});
+    point.residual = path_residual(
+      *contact, options, load.cwiseQuotient(system.scale), last, point);
+    return point;
+  }
+
+
+
+  /** Shows where the path stands, if a state has changed or always. */
+  void
+  EventFollower::emit(const PathVisitor &visit, const bool always)
+  {
+    PathPoint point = here();
     if (point.changes.empty() && !always && !plateau && !jumped)
       return;
-    point.parameter = parameter;
-    point.v         = system.scale.cwiseProduct(v);
-    point.r         = r.cwiseQuotient(system.scale);
-    point.plateau   = std::exchange(plateau, false);
-    point.jump      = std::exchange(jumped, false);
-    point.residual  = path_residual(
-      *contact, options, load.cwiseQuotient(system.scale), last, point);
+    plateau = jumped = false;
     if (visit)
       visit(point);
     last = std::move(point);
@@ -435,11 +481,11 @@ namespace conetact
   EventFollower::follow(const PathStage &s, const PathVisitor &visit)
   {
     check_start(s);
-    stage                    = s;
-    parameter                = stage.begin;
-    const VectorXd load_rate = system.scale.cwiseProduct(stage.rate);
-    const double   length    = stage.end - stage.begin;
-    critical                 = critical_nodes();
+    stage     = s;
+    parameter = last.parameter = stage.begin;
+    const VectorXd load_rate   = system.scale.cwiseProduct(stage.rate);
+    const double   length      = stage.end - stage.begin;
+    critical                   = critical_nodes();
 
     PathResult        result;
     unsigned int      jumps       = 0;
@@ -453,7 +499,7 @@ namespace conetact
           {
             if (options.law == PathLaw::holonomic)
               return end_without_rates(result);
-            if (++jumps > 3 || !jump(result))
+            if (++jumps > 3 || !jump(visit, result))
               return result;
             continue;
           }

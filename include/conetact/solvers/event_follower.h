@@ -73,12 +73,16 @@ namespace conetact
     bool
     move_at_constant_load(const Vector &velocity);
     bool
-    jump(PathResult &result);
+    solve_beyond(const double p, std::string &reason);
+    bool
+    jump(const PathVisitor &visit, PathResult &result);
     PathResult
     end_without_rates(PathResult result);
 
     std::vector<PathState>
     path_states() const;
+    PathPoint
+    here() const;
     void
     emit(const PathVisitor &visit, const bool always);
 

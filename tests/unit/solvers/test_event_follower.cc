@@ -368,8 +368,9 @@ TEST(EventFollower, JumpsWhereTheIncrementalLawBreaksOff)
   path.follow(Eigen::Vector2d(0, -1), 0, 1);
   EXPECT_EQ(path.follow(Eigen::Vector2d(1, 0), 0, 3).outcome,
             PathOutcome::no_further_change);
-  ASSERT_EQ(path.points.size(), 2u);
-  const PathPoint &jump = path.points[0];
+  ASSERT_EQ(path.points.size(), 3u); // where it breaks off, jump, end
+  EXPECT_EQ(path.points[0].state[0], PathState::stick);
+  const PathPoint &jump = path.points[1];
   EXPECT_TRUE(jump.jump);
   EXPECT_NEAR(jump.parameter, 2, 1e-14);
   EXPECT_EQ(jump.state[0], PathState::open);
