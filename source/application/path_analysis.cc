@@ -7,6 +7,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/output/csv.h"
+#include "conetact/solvers/lemke.h"
 
 #include <algorithm>
 #include <set>
@@ -42,7 +43,9 @@ namespace conetact
     , initial_gap(model.coordinates.layout().n_nodes())
     , names_are_unique(numbers_are_unique(model.coordinates))
   {
-    options.law       = scene.path.law;
+    options.law       = scene.path.method == PathSettings::Method::lemke ?
+                          PathLaw::holonomic :
+                          scene.path.law;
     options.tolerance = scene.solver.tolerance;
     options.cohesion.resize(initial_gap.size());
     Eigen::Index i = 0;
@@ -101,6 +104,24 @@ namespace conetact
 
 
 
+  std::unique_ptr<PathFollower>
+  PathAnalysis::make_follower(std::shared_ptr<const ContactSystem> system,
+                              const Eigen::VectorXd               &gap) const
+  {
+    if (scene.path.method == PathSettings::Method::lemke)
+      {
+        LemkeOptions lemke;
+        lemke.weight = scene.path.weight;
+        lemke.log    = [this](const std::string &line) { log.note(line); };
+        return make_lemke_follower(system, options, lemke);
+      }
+    return scene.bodies.dim == 2 ?
+             make_event_follower(system, gap, options) :
+             make_bracketing_follower(system, gap, options);
+  }
+
+
+
   void
   PathAnalysis::run(const std::filesystem::path &f, const bool /*quiet*/)
   {
@@ -108,12 +129,10 @@ namespace conetact
     remove_mechanism();
     create_outputs(folder, true);
     events.emplace(folder);
-    const auto      system = model.condensation().system();
-    Eigen::VectorXd gap    = initial_gap.cwiseMax(0.);
-    const auto      make =
-      scene.bodies.dim == 2 ? make_event_follower : make_bracketing_follower;
-    const auto follower = make(system, gap, options);
-    PathResult result;
+    const auto      system   = model.condensation().system();
+    Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);
+    const auto      follower = make_follower(system, gap);
+    PathResult      result;
     try
       {
         result = follow(*follower);
@@ -199,6 +218,10 @@ namespace conetact
   void
   PathAnalysis::record(const PathPoint &point, const Case &at, const double t)
   {
+    // Pivots of Lemke's method are those of the tightened problem.
+    if (scene.path.method == PathSettings::Method::lemke &&
+        !point.changes.empty())
+      return add_events(point);
     const ContactSystem &system = *model.condensation().system();
     Pending          pending{{}, at.forces, at.load, {}, {}, history, history};
     IncrementRecord &record  = pending.record;

@@ -80,9 +80,6 @@ namespace conetact
                            "Law = incremental.");
         return;
       }
-    if (!is_path)
-      throw InputError("Solver/Method: lemke is not there yet. Choose load "
-                       "path.");
     if (bodies.dim == 3 && !is_path)
       throw InputError("Solver/Method: lemke is for 2D, where friction has two "
                        "directions. Choose load path.");

@@ -44,6 +44,9 @@ namespace conetact
     static Case
     between(const Case &a, const Case &b, const double part);
 
+    std::unique_ptr<PathFollower>
+    make_follower(std::shared_ptr<const ContactSystem> system,
+                  const Eigen::VectorXd               &gap) const;
     PathResult
     follow(PathFollower &follower);
     PathResult
