@@ -7,6 +7,7 @@
 #include "conetact/application/path_analysis.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/candidates.h"
 #include "conetact/contact/equilibrium.h"
 #include "conetact/contact/refusal.h"
 #include "conetact/output/problem_files.h"
@@ -59,8 +60,18 @@ namespace conetact
   }
 
   void
-  Analysis::report() const
+  Analysis::choose_working_set()
   {
+    if (scene.leave_out_far_nodes)
+      model.choose(guess_working_set(
+        model, [&](const double t) { return loads.at(t); }, scene.times));
+    n_first_condensed = model.working_set().nodes().size();
+  }
+
+  void
+  Analysis::report()
+  {
+    choose_working_set();
     const Bodies &bodies = scene.bodies;
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
       log.say("Body " + bodies.names[b] + ": " +
@@ -85,10 +96,15 @@ namespace conetact
     if (layout.n_nodes() == 0)
       log.note("skipped: condensation, no node may touch anything");
     else
-      log.note("condensed stiffness: " +
-               to_text(8e-6 * static_cast<double>(layout.n_unknowns()) *
-                       static_cast<double>(layout.n_unknowns())) +
-               " MB");
+      {
+        const auto n =
+          static_cast<double>(model.working_set().layout().n_unknowns());
+        log.note("condensed stiffness: " + to_text(8e-6 * n * n) + " MB");
+      }
+    if (!model.working_set().is_all())
+      log.note("working set: " + std::to_string(n_first_condensed) +
+               " contact nodes are likely to touch, the others are condensed "
+               "when they do");
     for (std::size_t c = 0; c < scene.n_free_nodes.size(); ++c)
       if (scene.n_free_nodes[c] > 0)
         log.note("Contact " + scene.contact_names[c] + ": " +
@@ -179,10 +195,15 @@ namespace conetact
     if (correcting)
       return 1;
     const Eigen::Index n = model.coordinates.n_unknowns();
-    return static_cast<std::size_t>(
+    const auto         most =
       std::clamp<Eigen::Index>(8000000 / std::max<Eigen::Index>(n, 1),
                                1,
-                               std::max(16u, n_finished / 8)));
+                               std::max(16u, n_finished / 8));
+    // what follows an increment in which a node is missing is solved in vain
+    const auto sure = model.working_set().is_all() ?
+                        most :
+                        std::max<Eigen::Index>(1, n_finished - first_unsure);
+    return static_cast<std::size_t>(std::min(most, sure));
   }
 
   void
@@ -202,7 +223,7 @@ namespace conetact
             // unless an increment before it is corrected: then once more
             if (const unsigned int next = finish(batch); next < k)
               k = next;
-            else
+            else if (!condense_all())
               throw;
           }
         const bool full =
@@ -234,6 +255,17 @@ namespace conetact
     note(loads.n_integrations(),
          loads.n_evaluations(),
          "integrations of loads, known already");
+    const auto n_candidates =
+      static_cast<std::size_t>(model.working_set().n_candidates());
+    const std::size_t n_condensed = model.working_set().nodes().size();
+    if (n_first_condensed < n_candidates)
+      log.note("skipped: condensation of " +
+               std::to_string(n_candidates - n_condensed) + " of " +
+               std::to_string(n_candidates) +
+               " contact nodes, working set of " +
+               std::to_string(n_first_condensed) + " at the start and " +
+               std::to_string(n_condensed) + " at the end, " +
+               std::to_string(n_extensions) + " times larger");
   }
 
   Work
@@ -253,7 +285,7 @@ namespace conetact
   Analysis::Pending
   Analysis::solve(const unsigned int k)
   {
-    Pending increment{{}, {}, {}, {}, {}, history, history};
+    Pending increment{{}, {}, {}, {}, {}, history, history, {}};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     increment.forces           = loads.at(increment.record.time) + prestress;
@@ -269,7 +301,7 @@ namespace conetact
   SolverReport
   Analysis::solve_contact(const Condensation::Load &load, Pending &increment)
   {
-    ContactState &state = increment.state;
+    ContactState &state = increment.end;
     state               = history.start();
     SolverReport report;
     if (state.v.size() == 0)
@@ -279,7 +311,7 @@ namespace conetact
         return report;
       }
     const ContactProblem problem = history.problem(load);
-    check_existence(problem, increment);
+    check_existence(problem, state.r, increment);
     report = solver->solve(problem, state);
     done.add(report);
     // parts of an increment were checked one by one: the law is incremental
@@ -290,6 +322,9 @@ namespace conetact
            report.reason.empty() ?
              "the residual is " + to_text(report.residual) :
              report.reason);
+    // nor were candidates that are left out
+    if (report.substeps > 1 && !model.working_set().is_all())
+      fail(increment.record, "it was solved in parts");
     if (scene.fclib_increments.count(increment.record.increment) > 0)
       increment.record.condensed = std::make_shared<const CondensedIncrement>(
         CondensedIncrement{problem,
@@ -298,12 +333,14 @@ namespace conetact
                              std::nullopt});
     increment.record.errors = kanno_errors(problem, state);
     history.advance(state);
+    increment.state = history.of_candidates(state, increment.before);
     return report;
   }
 
   void
-  Analysis::check_existence(const ContactProblem &problem,
-                            const Pending        &increment)
+  Analysis::check_existence(const ContactProblem  &problem,
+                            const Eigen::VectorXd &start,
+                            const Pending         &increment)
   {
     if (problem.system->null_space.cols() == 0)
       return;
@@ -311,9 +348,8 @@ namespace conetact
       existence = std::make_unique<ExistenceCheck>(make_existence_check(model));
     // at the start of the increment the reactions balance the load on the null
     // space
-    const Existence result = existence->check(problem.load,
-                                              -increment.state.r,
-                                              problem.reference_force);
+    const Existence result =
+      existence->check(problem.load, -start, problem.reference_force);
     if (!result.admissible)
       fail(increment.record,
            "no equilibrium exists, " + describe(result, model));
@@ -329,33 +365,96 @@ namespace conetact
     for (const Pending &increment : batch)
       {
         cases.push_back(increment.load);
-        contact.push_back(increment.contact);
+        contact.push_back(model.working_set().gather(increment.contact));
       }
-    const Eigen::MatrixXd u = model.condensation().expand(cases, contact);
+    const Eigen::MatrixXd u       = model.condensation().expand(cases, contact);
+    const std::size_t     n_right = recover_all(batch, u);
     std::vector<IncrementRecord> finished;
-    try
+    std::vector<Pending>         all = std::move(batch);
+    batch.clear();
+    for (std::size_t i = 0; i < n_right; ++i)
       {
-        for (std::size_t i = 0; i < batch.size(); ++i)
+        bool corrected = false;
+        try
           {
-            const bool corrected =
-              check(batch[i], u.col(static_cast<Eigen::Index>(i)));
-            finished.push_back(std::move(batch[i].record));
-            if (corrected)
-              {
-                history    = batch[i].after;
-                correcting = true;
-                break; // those after it started from what was not exact
-              }
+            corrected = check(all[i], u.col(static_cast<Eigen::Index>(i)));
+          }
+        catch (const AnalysisError &)
+          {
+            write(finished);
+            history = all[i].before;
+            if (!condense_all())
+              throw;
+            return all[i].record.increment;
+          }
+        finished.push_back(std::move(all[i].record));
+        history = all[i].after;
+        if (corrected)
+          {
+            correcting = true;
+            write(finished);
+            return finished.back().increment + 1;
+            // those after it started from what was not exact
           }
       }
-    catch (const AnalysisError &)
-      {
-        write(finished);
-        throw;
-      }
     write(finished);
-    batch.clear();
-    return finished.back().increment + 1;
+    if (n_right == all.size())
+      return finished.back().increment + 1;
+    history = all[n_right].before;
+    extend_set(all[n_right].after.gaps());
+    first_unsure = all[n_right].record.increment - 1;
+    return all[n_right].record.increment;
+  }
+
+  void
+  Analysis::recover(Pending &increment, const Eigen::VectorXd &u) const
+  {
+    if (model.working_set().is_all())
+      return;
+    increment.after.recover(
+      candidate_displacements(model, u, increment.record.time));
+    increment.state =
+      increment.after.of_candidates(increment.end, increment.before);
+    increment.contact = increment.after.displacements();
+  }
+
+  std::size_t
+  Analysis::recover_all(std::vector<Pending>  &batch,
+                        const Eigen::MatrixXd &u) const
+  {
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      {
+        if (i > 0)
+          batch[i].before = batch[i - 1].after;
+        recover(batch[i], u.col(static_cast<Eigen::Index>(i)));
+        if (!penetrating(model, batch[i].after.gaps()).empty())
+          return i;
+      }
+    return batch.size();
+  }
+
+  void
+  Analysis::extend_set(const Eigen::VectorXd &gaps)
+  {
+    const std::size_t before = model.working_set().nodes().size();
+    join(model, gaps);
+    existence.reset();
+    ++n_extensions;
+    log.time("working set: " +
+             std::to_string(model.working_set().nodes().size() - before) +
+             " contact nodes join " + std::to_string(before));
+  }
+
+  bool
+  Analysis::condense_all()
+  {
+    if (model.working_set().is_all())
+      return false;
+    log.note("working set: all contact nodes, the increment is not solved "
+             "without");
+    model.choose(WorkingSet(model.coordinates.layout()));
+    existence.reset();
+    return true;
   }
 
   Equilibrium
@@ -402,6 +501,8 @@ namespace conetact
         corrected = true;
       }
     history = latest;
+    if (corrected)
+      recover(increment, u);
     complete(increment.record, e, increment, u);
     return corrected;
   }
@@ -418,10 +519,12 @@ namespace conetact
     const Eigen::VectorXd old    = increment.contact;
     increment.record.report      = solve_contact(increment.load, increment);
     increment.record.report.iterations += before;
-    increment.contact = history.displacements();
-    increment.after   = history;
+    increment.contact            = history.displacements();
+    increment.after              = history;
+    const Eigen::VectorXd change = increment.contact - old;
     return u +
-           model.condensation().correction(unbalanced, increment.contact - old);
+           model.condensation().correction(unbalanced,
+                                           model.working_set().gather(change));
   }
 
   void

@@ -75,11 +75,12 @@ namespace conetact
   {
     const Coordinates &coordinates = model.coordinates;
     const auto         n_contact =
-      static_cast<double>(coordinates.n_contact_unknowns());
+      static_cast<double>(model.working_set().layout().n_unknowns());
     const auto n_dofs     = static_cast<double>(coordinates.n_dofs());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
-    cost.factor          = estimate_condensation(model.elastic, coordinates);
+    cost.factor =
+      estimate_condensation(model.elastic, coordinates, model.working_set());
     cost.stiffness_bytes = 8 * n_contact * n_contact;
     // and at most as much again for Newton's matrix
     cost.memory_bytes =

@@ -223,7 +223,7 @@ namespace conetact
         !point.changes.empty())
       return add_events(point);
     const ContactSystem &system = *model.condensation().system();
-    Pending          pending{{}, at.forces, at.load, {}, {}, history, history};
+    Pending pending{{}, at.forces, at.load, {}, {}, history, history, {}};
     IncrementRecord &record  = pending.record;
     record.increment         = ++n_records;
     record.time              = t;

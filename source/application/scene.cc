@@ -159,6 +159,14 @@ namespace conetact
                       "Threads of the factorisation of the bodies' stiffness; "
                       "0: one for each core. Results do not depend on it but "
                       "for rounding.");
+    prm.declare_entry("Working set",
+                      "automatic",
+                      dealii::Patterns::Selection("automatic|all"),
+                      "Contact nodes that are condensed. automatic: those that "
+                      "are likely to touch, where that saves much; as soon as "
+                      "another one would penetrate it joins them, so that the "
+                      "result is that of all. all: all from the start, as "
+                      "with FCLib increments and the load path.");
     prm.leave_subsection();
     prm.enter_subsection("Output");
     prm.declare_entry("VTU",
@@ -183,9 +191,11 @@ namespace conetact
     times = create_times(prm);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
-    solver  = create_solver_options(prm);
-    path    = create_path_settings(prm);
-    threads = static_cast<unsigned int>(prm.get_integer("Threads"));
+    solver              = create_solver_options(prm);
+    path                = create_path_settings(prm);
+    threads             = static_cast<unsigned int>(prm.get_integer("Threads"));
+    leave_out_far_nodes = prm.get("Working set") == "automatic" &&
+                          path.method == PathSettings::Method::none;
     prm.leave_subsection();
     prm.enter_subsection("Output");
     vtu_every = static_cast<unsigned int>(prm.get_integer("VTU"));
@@ -193,6 +203,7 @@ namespace conetact
       parse_problem_increments(prm.get("FCLib increments"),
                                static_cast<unsigned int>(times.size()));
     prm.leave_subsection();
+    leave_out_far_nodes &= fclib_increments.empty();
   }
 
   void

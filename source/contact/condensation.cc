@@ -27,31 +27,129 @@ namespace conetact
           matrix.diagonal().sum() / static_cast<double>(matrix.rows());
       return mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1.;
     }
+
+    using Places = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic>;
+
+    /** Places of the unknowns with those of the set last; empty: as they are.
+     */
+    Places
+    set_last(const Coordinates &coordinates, const WorkingSet &set)
+    {
+      Places place;
+      if (set.is_all())
+        return place;
+      place.resize(coordinates.n_unknowns());
+      place.indices().setConstant(-1);
+      const Eigen::Index n_free =
+        coordinates.n_unknowns() - coordinates.n_contact_unknowns();
+      auto next =
+        static_cast<int>(coordinates.n_unknowns() - set.layout().n_unknowns());
+      for (const Eigen::Index c : set.unknowns())
+        place.indices()[n_free + c] = next++;
+      next = 0;
+      for (int &p : place.indices())
+        if (p < 0)
+          p = next++;
+      return place;
+    }
+
+    void
+    sort(Eigen::SparseMatrix<double> &upper, const Places &place)
+    {
+      if (place.size() == 0)
+        return;
+      Eigen::SparseMatrix<double> sorted(upper.rows(), upper.cols());
+      sorted.selfadjointView<Eigen::Upper>() =
+        upper.selfadjointView<Eigen::Upper>().twistedBy(place);
+      upper.swap(sorted);
+    }
+
+    std::vector<unsigned int>
+    sorted(const std::vector<unsigned int> &node_of, const Places &place)
+    {
+      std::vector<unsigned int> nodes = node_of;
+      for (Eigen::Index i = 0; i < place.size(); ++i)
+        nodes[static_cast<std::size_t>(place.indices()[i])] =
+          node_of[static_cast<std::size_t>(i)];
+      return nodes;
+    }
   } // namespace
 
   Condensation::Condensation(const ElasticSystem   &e,
                              const Coordinates     &c,
+                             const WorkingSet      &s,
                              const Eigen::MatrixXd &null_space,
                              const bool             find_mechanisms)
     : elastic(e)
     , coordinates(c)
+    , set(s)
+    , place(set_last(coordinates, set))
   {
     Eigen::SparseMatrix<double> stiffness = assemble(elastic, coordinates);
     // MUMPS has thresholds of its own, which know no units.
     stiffness_scale = mean_diagonal(stiffness);
     stiffness /= stiffness_scale;
-    solver = std::make_unique<SchurSolver>(stiffness,
-                                           coordinates.n_contact_unknowns(),
-                                           coordinates.node_of_unknowns());
+    sort(stiffness, place);
+    const Eigen::Index n = set.layout().n_unknowns();
+    solver               = std::make_unique<ExtendedSchur>(
+      stiffness, n, sorted(coordinates.node_of_unknowns(), place));
 
-    auto system    = std::make_shared<ContactSystem>(coordinates.layout());
-    system->matrix = solver->take_schur_complement();
+    auto system    = std::make_shared<ContactSystem>(set.layout());
+    system->matrix = solver->base().take_schur_complement();
     system->matrix *= stiffness_scale;
-    const Eigen::Index n = coordinates.n_contact_unknowns();
     system->null_space = find_mechanisms && n > 0 && n <= largest_rank_search ?
                            null_space_basis(system->matrix) :
-                           null_space;
+                           set.gather(null_space);
     contact_system     = system;
+  }
+
+  Eigen::MatrixXd
+  Condensation::to_solver(Eigen::MatrixXd b) const
+  {
+    if (place.size() > 0)
+      b = place * b;
+    return b;
+  }
+
+  Eigen::MatrixXd
+  Condensation::from_solver(Eigen::MatrixXd b) const
+  {
+    if (place.size() > 0)
+      b = place.transpose() * b;
+    return b;
+  }
+
+  void
+  Condensation::extend(const std::vector<Eigen::Index> &nodes,
+                       const Eigen::MatrixXd           &null_space)
+  {
+    const WorkingSet          added(coordinates.layout(), nodes);
+    std::vector<Eigen::Index> all = set.nodes();
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    set = WorkingSet(coordinates.layout(), all);
+
+    std::vector<Eigen::Index> unknowns;
+    for (const Eigen::Index c : added.unknowns())
+      unknowns.push_back(place.indices()[coordinates.n_unknowns() -
+                                         coordinates.n_contact_unknowns() + c]);
+    auto system    = std::make_shared<ContactSystem>(set.layout());
+    system->matrix = contact_system->matrix / stiffness_scale;
+    solver->extend(unknowns, system->matrix);
+    system->matrix *= stiffness_scale;
+    system->null_space = set.gather(null_space);
+    contact_system     = system;
+    for (std::size_t i = 0; i < basis.size(); ++i)
+      basis_f[i] = solver->reduce(to_solver(basis_b[i]));
+  }
+
+  bool
+  Condensation::extension_is_cheaper(const Eigen::Index n_new) const
+  {
+    // order, assembly and analysis take as long as some 80 unknowns
+    constexpr double n_free  = 80;
+    const double     entries = solver->base().factor_bytes() / sizeof(double);
+    return 12 * entries * (static_cast<double>(n_new) - n_free) <
+           solver->base().factor_operations();
   }
 
   Condensation::Load
@@ -66,7 +164,7 @@ namespace conetact
     const double size = rest.norm();
     Load         load{prescribed,
               Eigen::VectorXd::Zero(coordinates.n_unknowns()),
-              Eigen::VectorXd::Zero(coordinates.n_contact_unknowns()),
+              Eigen::VectorXd::Zero(set.layout().n_unknowns()),
               Eigen::VectorXd::Zero(is_linear() ? coordinates.n_unknowns() :
                                                   0)};
     const auto   project = [&] {
@@ -96,7 +194,7 @@ namespace conetact
     basis.push_back(rest);
     basis_b.push_back(coordinates.restrict(
       rest.head(n) - elastic.internal_forces(rest.tail(n) / stiffness_scale)));
-    basis_f.push_back(solver->reduce(basis_b.back()));
+    basis_f.push_back(solver->reduce(to_solver(basis_b.back())));
     basis_q.push_back(is_linear() ? solve(basis_b.back()) : Eigen::VectorXd());
     ++n_reduced;
     load.b += norm * basis_b.back();
@@ -121,15 +219,17 @@ namespace conetact
       }
     const auto      n = static_cast<Eigen::Index>(different.size());
     Eigen::MatrixXd b(coordinates.n_unknowns(), n);
-    Eigen::MatrixXd q_contact(coordinates.n_contact_unknowns(), n);
+    Eigen::MatrixXd q_contact(set.layout().n_unknowns(), n);
+    Eigen::MatrixXd reduced(q_contact.rows(), n);
     for (Eigen::Index i = 0; i < n; ++i)
       {
         const std::size_t k = different[static_cast<std::size_t>(i)];
         b.col(i)            = is_linear() ? loads[k].q : loads[k].b;
+        reduced.col(i)      = loads[k].f;
         q_contact.col(i)    = contact[k];
       }
     const Eigen::MatrixXd q =
-      is_linear() ? b : solver->expand(b / stiffness_scale, q_contact);
+      is_linear() ? b : expand_unknowns(b, q_contact, reduced);
     Eigen::MatrixXd u(coordinates.n_dofs(),
                       static_cast<Eigen::Index>(loads.size()));
     for (std::size_t k = 0; k < loads.size(); ++k)
@@ -147,29 +247,45 @@ namespace conetact
   Eigen::VectorXd
   Condensation::solve(const Eigen::VectorXd &b) const
   {
-    return solver->expand(b / stiffness_scale, Eigen::MatrixXd(0, 1));
+    return expand_unknowns(b, Eigen::MatrixXd(0, 1), Eigen::MatrixXd(0, 1));
+  }
+
+  Eigen::MatrixXd
+  Condensation::expand_unknowns(const Eigen::MatrixXd &b,
+                                const Eigen::MatrixXd &contact,
+                                const Eigen::MatrixXd &reduced) const
+  {
+    return from_solver(solver->expand(to_solver(b / stiffness_scale),
+                                      contact,
+                                      reduced / stiffness_scale));
   }
 
   Eigen::VectorXd
   Condensation::reduce_unbalanced(const Eigen::VectorXd &unbalanced) const
   {
-    return solver->reduce(unbalanced);
+    return solver->reduce(to_solver(unbalanced));
   }
 
   Eigen::VectorXd
   Condensation::correction(const Eigen::VectorXd &unbalanced,
                            const Eigen::VectorXd &contact) const
   {
-    return coordinates.expand(
-      solver->expand(-unbalanced / stiffness_scale, contact));
+    Eigen::VectorXd reduced = Eigen::VectorXd::Zero(contact.size());
+    if (solver->is_extended())
+      reduced = -reduce_unbalanced(unbalanced);
+    return coordinates.expand(expand_unknowns(-unbalanced, contact, reduced));
   }
 
   FactorEstimate
   estimate_condensation(const ElasticSystem &elastic,
-                        const Coordinates   &coordinates)
+                        const Coordinates   &coordinates,
+                        const WorkingSet    &set)
   {
-    return SchurSolver::estimate(assemble(elastic, coordinates),
-                                 coordinates.n_contact_unknowns(),
-                                 coordinates.node_of_unknowns());
+    const Places                place = set_last(coordinates, set);
+    Eigen::SparseMatrix<double> upper = assemble(elastic, coordinates);
+    sort(upper, place);
+    return SchurSolver::estimate(upper,
+                                 set.layout().n_unknowns(),
+                                 sorted(coordinates.node_of_unknowns(), place));
   }
 } // namespace conetact

@@ -16,6 +16,7 @@ namespace conetact
     , coordinates(bodies, rules)
     , elastic(bodies)
     , motions(bodies, rules, coordinates)
+    , chosen(coordinates.layout())
   {}
 
   std::string
@@ -56,6 +57,7 @@ namespace conetact
         if (!condensed)
           condensed = std::make_unique<Condensation>(elastic,
                                                      coordinates,
+                                                     chosen,
                                                      motions.null_space(),
                                                      may_be_mechanism());
       }
@@ -64,6 +66,29 @@ namespace conetact
         throw InputError(singular_sentence(error));
       }
     return *condensed;
+  }
+
+  void
+  ContactModel::choose(WorkingSet set)
+  {
+    former_work = work();
+    condensed.reset();
+    chosen = std::move(set);
+  }
+
+  void
+  ContactModel::extend(const std::vector<Eigen::Index> &nodes)
+  {
+    condensation().extend(nodes, motions.null_space());
+  }
+
+  SchurWork
+  ContactModel::work() const
+  {
+    SchurWork sum = former_work;
+    if (condensed)
+      sum += condensed->work();
+    return sum;
   }
 
   ContactHistory::ContactHistory(ContactModel &m)
@@ -87,18 +112,28 @@ namespace conetact
     return s;
   }
 
+  Eigen::VectorXd
+  ContactHistory::gaps() const
+  {
+    const ContactSystem &layout = model->coordinates.layout();
+    Eigen::VectorXd      gap    = initial_gap;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      gap[i] += q[layout.normal(i)];
+    return gap;
+  }
+
   ContactProblem
   ContactHistory::problem(const Condensation::Load &load)
   {
-    const auto    &system = model->condensation().system();
-    ContactProblem problem;
-    problem.system = system;
-    problem.load   = load.f;
+    const auto       &system = model->condensation().system();
+    const WorkingSet &set    = model->working_set();
+    ContactProblem    problem;
+    problem.system            = system;
+    problem.load              = load.f;
+    const Eigen::VectorXd own = set.gather(shift());
     problem.load.noalias() +=
-      system->matrix.selfadjointView<Eigen::Lower>() * shift();
-    problem.gap.resize(system->n_nodes());
-    for (Eigen::Index i = 0; i < system->n_nodes(); ++i)
-      problem.gap[i] = initial_gap[i] + q[system->normal(i)];
+      system->matrix.selfadjointView<Eigen::Lower>() * own;
+    problem.gap             = gaps()(set.nodes());
     problem.reference_force = largest;
     if (load.f.size() > 0)
       largest = std::max(largest, load.f.cwiseAbs().maxCoeff());
@@ -108,26 +143,52 @@ namespace conetact
   ContactState
   ContactHistory::start() const
   {
-    const ContactSystem &layout = model->coordinates.layout();
-    ContactState         state;
-    state.v = Eigen::VectorXd::Zero(q.size());
+    const WorkingSet     &set    = model->working_set();
+    const ContactSystem  &layout = set.layout();
+    const Eigen::VectorXd gap    = gaps()(set.nodes());
+    ContactState          state;
+    state.v = Eigen::VectorXd::Zero(layout.n_unknowns());
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      state.v[layout.normal(i)] = initial_gap[i] + q[layout.normal(i)];
-    state.r    = r;
-    state.node = states;
+      state.v[layout.normal(i)] = gap[i];
+    state.r    = set.gather(r);
+    state.node = set.gather(states);
     return state;
   }
 
   void
   ContactHistory::advance(const ContactState &end)
   {
-    const ContactSystem &layout = model->coordinates.layout();
-    q += end.v;
+    const WorkingSet     &set    = model->working_set();
+    const ContactSystem  &layout = set.layout();
+    const Eigen::VectorXd gap    = initial_gap(set.nodes());
+    Eigen::VectorXd       own    = set.gather(q) + end.v;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i];
-    r      = end.r;
-    states = end.node;
+      own[layout.normal(i)] = end.v[layout.normal(i)] - gap[i];
+    set.scatter(own, q);
+    set.scatter(end.r, r);
+    states = set.scatter(end.node);
     if (r.size() > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
+  }
+
+  void
+  ContactHistory::recover(const Eigen::VectorXd &displacements)
+  {
+    const Eigen::VectorXd own = model->working_set().gather(q);
+    q                         = displacements;
+    model->working_set().scatter(own, q);
+  }
+
+  ContactState
+  ContactHistory::of_candidates(const ContactState   &end,
+                                const ContactHistory &before) const
+  {
+    const WorkingSet    &set    = model->working_set();
+    const ContactSystem &layout = model->coordinates.layout();
+    ContactState         state{q - before.q, r, set.scatter(end.node)};
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      state.v[layout.normal(i)] = initial_gap[i] + q[layout.normal(i)];
+    set.scatter(end.v, state.v);
+    return state;
   }
 } // namespace conetact

@@ -15,12 +15,14 @@ namespace conetact
     Tensor<1, 3>
     slip_direction(const Existence &refusal, const ContactModel &model)
     {
-      const ContactSystem &layout = model.coordinates.layout();
+      const ContactSystem &layout = model.working_set().layout();
       Tensor<1, 3>         sum;
       for (const Eigen::Index i : refusal.tight)
         {
-          const auto      k    = static_cast<std::size_t>(i);
-          const NodeRule &rule = *model.coordinates.contact_rules()[k];
+          const auto      k = static_cast<std::size_t>(i);
+          const NodeRule &rule =
+            *model.coordinates.contact_rules()[static_cast<std::size_t>(
+              model.working_set().nodes()[k])];
           for (Eigen::Index c = 0; c < layout.n_tangents(i); ++c)
             sum += refusal.v[layout.first[k] + c] *
                    rule.contact[static_cast<std::size_t>(c)];
@@ -32,8 +34,10 @@ namespace conetact
     RigidMotions::Motion
     rigid_motion(const Existence &refusal, const ContactModel &model)
     {
-      return model.motions.motion(
-        model.motions.null_space().colPivHouseholderQr().solve(refusal.v));
+      return model.motions.motion(model.working_set()
+                                    .gather(model.motions.null_space())
+                                    .colPivHouseholderQr()
+                                    .solve(refusal.v));
     }
 
     std::string
@@ -64,8 +68,10 @@ namespace conetact
   make_existence_check(ContactModel &model)
   {
     std::vector<ExistenceCheck::Frame> frames;
-    for (const NodeRule *rule : model.coordinates.contact_rules())
+    for (const Eigen::Index i : model.working_set().nodes())
       {
+        const NodeRule *rule =
+          model.coordinates.contact_rules()[static_cast<std::size_t>(i)];
         ExistenceCheck::Frame frame(
           3, static_cast<Eigen::Index>(rule->contact.size()));
         for (Eigen::Index c = 0; c < frame.cols(); ++c)

@@ -69,6 +69,19 @@ namespace conetact
 
 
 
+  SchurWork &
+  SchurWork::operator+=(const SchurWork &other)
+  {
+    factorizations += other.factorizations;
+    condensations += other.condensations;
+    reductions += other.reductions;
+    expansions += other.expansions;
+    triangular_solves += other.triangular_solves;
+    return *this;
+  }
+
+
+
   struct SchurSolver::Implementation
   {
     Implementation(const SparseMatrix &upper, const Index n_schur);
@@ -317,6 +330,14 @@ namespace conetact
     if (!implementation->mumps)
       return 0.;
     return sizeof(double) * in_full(implementation->mumps->info(29));
+  }
+
+
+
+  double
+  SchurSolver::factor_operations() const
+  {
+    return implementation->mumps ? implementation->mumps->data.rinfog[2] : 0.;
   }
 
 

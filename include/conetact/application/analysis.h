@@ -33,7 +33,7 @@ namespace conetact
 
     /** Sizes and what will be skipped, to the log. */
     void
-    report() const;
+    report();
 
     /** Memory and time it will take, to the log; nothing is factorised. */
     void
@@ -72,10 +72,13 @@ namespace conetact
       ContactState       state;
       Eigen::VectorXd    contact; ///< displacements of contact unknowns
       ContactHistory     before, after;
+      ContactState       end; ///< of the working set alone
     };
     /** Throws InputError for a contact none of whose nodes may touch. */
     void
     refuse_empty_contacts() const;
+    void
+    choose_working_set();
     void
     create_outputs(const std::filesystem::path &folder, const bool quiet);
     void
@@ -83,13 +86,23 @@ namespace conetact
     std::size_t
     batch_size(const unsigned int n_finished) const;
     void
-    check_existence(const ContactProblem &problem, const Pending &increment);
+    check_existence(const ContactProblem  &problem,
+                    const Eigen::VectorXd &start,
+                    const Pending         &increment);
     Pending
     solve(const unsigned int k);
     SolverReport
     solve_contact(const Condensation::Load &load, Pending &increment);
     unsigned int
     finish(std::vector<Pending> &batch);
+    void
+    recover(Pending &increment, const Eigen::VectorXd &u) const;
+    std::size_t
+    recover_all(std::vector<Pending> &batch, const Eigen::MatrixXd &u) const;
+    void
+    extend_set(const Eigen::VectorXd &gaps);
+    bool
+    condense_all();
     bool
     check(Pending &increment, Eigen::VectorXd u);
     Equilibrium
@@ -123,7 +136,10 @@ namespace conetact
     RunDescription                       description;
     std::vector<std::unique_ptr<Output>> outputs;
     Work                                 done;
-    bool   correcting    = false; ///< increments need refinement
+    std::size_t  n_first_condensed = 0;     ///< contact nodes, at the start
+    unsigned int n_extensions      = 0;     ///< of the working set
+    unsigned int first_unsure      = 0;     ///< increments before the last one
+    bool         correcting        = false; ///< increments need refinement
     double largest_force = 0; ///< nodal force of the increments so far [force]
   };
 

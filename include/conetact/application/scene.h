@@ -85,7 +85,8 @@ namespace conetact
     {
       return vtu_every > 0 ? times.size() / vtu_every : 0;
     }
-    unsigned int           threads = 1;
+    unsigned int           threads             = 1;
+    bool                   leave_out_far_nodes = true; ///< working set
     std::set<unsigned int> fclib_increments; ///< with a file of their own
 
   private:

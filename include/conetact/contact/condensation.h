@@ -6,7 +6,8 @@
 
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
-#include "conetact/contact/schur_solver.h"
+#include "conetact/contact/extended_schur.h"
+#include "conetact/contact/working_set.h"
 
 #include <memory>
 #include <vector>
@@ -14,23 +15,46 @@
 namespace conetact
 {
   /**
-   * The elastic system condensed to its contact unknowns, [K] section 4: one
-   * factorisation gives @f$ K q_C = r + f @f$ and serves all loads of all
-   * increments.
+   * The elastic system condensed to the contact unknowns of a working set, [K]
+   * section 4: one factorisation gives @f$ K q_C = r + f @f$ and serves all
+   * loads of all increments. Vectors of contact unknowns are those of the set.
    */
   class Condensation
   {
   public:
     /**
-     * `null_space`: rigid motions in the contact unknowns; with
+     * `null_space`: rigid motions in the unknowns of all candidates; with
      * `find_mechanisms` other motions without strain are looked for besides.
-     * Throws SingularMatrix if a body can move although its contact nodes are
-     * fixed.
+     * Throws SingularMatrix if a body can move although the contact nodes of
+     * the set are fixed.
      */
     Condensation(const ElasticSystem   &elastic,
                  const Coordinates     &coordinates,
+                 const WorkingSet      &set,
                  const Eigen::MatrixXd &null_space,
                  const bool             find_mechanisms);
+
+    const WorkingSet &
+    working_set() const
+    {
+      return set;
+    }
+
+    /**
+     * Adds candidates to the set with the factor at hand: system() is another
+     * one then, and load cases must be reduced again, at no cost.
+     */
+    void
+    extend(const std::vector<Eigen::Index> &nodes,
+           const Eigen::MatrixXd           &null_space);
+
+    /**
+     * Whether adding `n_new` unknowns is cheaper than condensing anew with
+     * them: three triangular solves for each, which run at half the speed of
+     * the factorisation.
+     */
+    bool
+    extension_is_cheaper(const Eigen::Index n_new) const;
 
     /** K, its cones and its null space. */
     const std::shared_ptr<const ContactSystem> &
@@ -83,14 +107,14 @@ namespace conetact
     double
     factor_bytes() const
     {
-      return solver->factor_bytes();
+      return solver->base().factor_bytes();
     }
 
     /** Work with the factor so far. */
     const SchurWork &
     work() const
     {
-      return solver->work();
+      return solver->base().work();
     }
 
   private:
@@ -100,24 +124,41 @@ namespace conetact
     /** Displacements of the unknowns [length], in a linear system. */
     Eigen::VectorXd
     solve(const Eigen::VectorXd &b) const;
+    /** Rows in the order of the solver, and back. */
+    Eigen::MatrixXd
+    to_solver(Eigen::MatrixXd b) const;
+    Eigen::MatrixXd
+    from_solver(Eigen::MatrixXd b) const;
+    Eigen::MatrixXd
+    expand_unknowns(const Eigen::MatrixXd &b,
+                    const Eigen::MatrixXd &contact,
+                    const Eigen::MatrixXd &reduced) const;
 
     const ElasticSystem                 &elastic;
     const Coordinates                   &coordinates;
-    std::unique_ptr<SchurSolver>         solver;
+    WorkingSet                           set;
+    std::unique_ptr<ExtendedSchur>       solver;
     std::shared_ptr<const ContactSystem> contact_system;
 
     /**
      * What is known of load cases: an orthonormal basis of those seen,
      * (forces, stiffness x prescribed displacements), and what they reduce to.
      */
-    double                       stiffness_scale;
+    double stiffness_scale;
+    /**
+     * Place of each unknown in the solver, those of the set last; empty: as
+     * they are.
+     */
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic> place;
     std::vector<Eigen::VectorXd> basis, basis_b, basis_f, basis_q;
     unsigned int                 n_reduced = 0;
   };
+
   /** What the factorisation of a condensation will take. */
   FactorEstimate
   estimate_condensation(const ElasticSystem &elastic,
-                        const Coordinates   &coordinates);
+                        const Coordinates   &coordinates,
+                        const WorkingSet    &set);
 } // namespace conetact
 
 #endif

@@ -30,29 +30,45 @@ namespace conetact
     const ElasticSystem elastic;
     const RigidMotions  motions;
 
-    /** Made when first asked for. */
+    /** Made when first asked for, of the working set. */
     Condensation &
     condensation();
-    /** Work with it so far. */
-    SchurWork
-    work() const
-    {
-      return condensed ? condensed->work() : SchurWork();
-    }
 
-  private:
+    /** The candidates to be condensed; all, unless chosen otherwise. */
+    const WorkingSet &
+    working_set() const
+    {
+      return condensed ? condensed->working_set() : chosen;
+    }
+    /** Chooses them; a condensation made before is made anew. */
+    void
+    choose(WorkingSet set);
+    /** Adds candidates to the condensation at hand. */
+    void
+    extend(const std::vector<Eigen::Index> &nodes);
+
     bool
     may_be_mechanism() const;
+
+    /** Work with all elastic factors so far. */
+    SchurWork
+    work() const;
+
+  private:
     std::string
     singular_sentence(const SingularMatrix &error) const;
 
+    WorkingSet                    chosen;
     std::unique_ptr<Condensation> condensed;
+    SchurWork                     former_work; ///< before condensed anew
   };
 
   /**
    * One increment in the terms of [K] (17): unknowns are slips of the
    * increment and new gaps, so that @f$ f = f_{total} + K (-u_t, g_0) @f$ with
-   * the tangential displacements u_t at its start and the undeformed gaps.
+   * the tangential displacements u_t at its start and the undeformed gaps. It
+   * knows all candidates; problems and states of solvers are those of the
+   * model's working set.
    */
   class ContactHistory
   {
@@ -68,13 +84,25 @@ namespace conetact
     /** Takes over the end of an increment. */
     void
     advance(const ContactState &end);
+    /**
+     * Displacements of all candidates, once they are known: those outside the
+     * working set are taken over.
+     */
+    void
+    recover(const Eigen::VectorXd &displacements);
+    /** `end` of an increment for all candidates that began at `before`. */
+    ContactState
+    of_candidates(const ContactState &end, const ContactHistory &before) const;
 
-    /** Relative displacements of the contact unknowns since the start. */
+    /** Relative displacements of all contact unknowns since the start. */
     const Eigen::VectorXd &
     displacements() const
     {
       return q;
     }
+    /** Gaps of all candidates. */
+    Eigen::VectorXd
+    gaps() const;
 
   private:
     Eigen::VectorXd

@@ -33,6 +33,9 @@ namespace conetact
     unsigned int reductions        = 0; ///< of loads to C
     unsigned int expansions        = 0; ///< from C to all unknowns
     unsigned int triangular_solves = 0; ///< with the factor
+
+    SchurWork &
+    operator+=(const SchurWork &other);
   };
 
   /** What a factorisation will take, known from the pattern alone. */
@@ -96,6 +99,10 @@ namespace conetact
     /** Memory of the factor [bytes], for the log. */
     double
     factor_bytes() const;
+
+    /** Operations of the factorisation. */
+    double
+    factor_operations() const;
 
     const SchurWork &
     work() const;
