@@ -3,8 +3,8 @@
 
 #include "conetact/application/analysis.h"
 
-#include "conetact/application/cost.h"
 #include "conetact/application/path_analysis.h"
+#include "conetact/application/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/candidates.h"
@@ -72,78 +72,13 @@ namespace conetact
   Analysis::report()
   {
     choose_working_set();
-    const Bodies &bodies = scene.bodies;
-    for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      log.say("Body " + bodies.names[b] + ": " +
-              bodies.structures[b]->description());
-    for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      if (bodies.is_at_rest(b))
-        log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +
-                 " dofs of body " + bodies.names[b] +
-                 ", which no load, support motion or contact reaches");
-    for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      if (const auto [elements, matrices] =
-            bodies.structures[b]->matrix_count();
-          matrices < elements)
-        log.note("skipped: " + std::to_string(elements - matrices) + " of " +
-                 std::to_string(elements) + " cell matrices of body " +
-                 bodies.names[b] + ", congruent to others");
-    const ContactSystem &layout = model.coordinates.layout();
-    log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
-            std::to_string(layout.n_unknowns()) + " unknowns of " +
-            std::to_string(model.coordinates.n_unknowns()) + ", " +
-            std::to_string(scene.times.size()) + " increments");
-    if (layout.n_nodes() == 0)
-      log.note("skipped: condensation, no node may touch anything");
-    else
-      {
-        const auto n =
-          static_cast<double>(model.working_set().layout().n_unknowns());
-        log.note("condensed stiffness: " + to_text(8e-6 * n * n) + " MB");
-      }
-    if (!model.working_set().is_all())
-      log.note("working set: " + std::to_string(n_first_condensed) +
-               " contact nodes are likely to touch, the others are condensed "
-               "when they do");
-    for (std::size_t c = 0; c < scene.n_free_nodes.size(); ++c)
-      if (scene.n_free_nodes[c] > 0)
-        log.note("Contact " + scene.contact_names[c] + ": " +
-                 std::to_string(scene.n_free_nodes[c]) +
-                 " nodes face no master and stay free");
-    Eigen::Index n_no_cone = 0;
-    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      n_no_cone += layout.n_tangents(i) == 0;
-    if (n_no_cone > 0)
-      log.note("skipped: friction cones of " + std::to_string(n_no_cone) +
-               " contact nodes without friction or with held tangents");
-    if (model.rules.n_held_contact_nodes() > 0)
-      log.note(
-        "skipped: " + std::to_string(model.rules.n_held_contact_nodes()) +
-        " contact nodes whose normal is held by a support");
-    if (scene.path.method == PathSettings::Method::none &&
-        scene.n_drawings() < scene.times.size())
-      log.note("skipped: drawings of " +
-               std::to_string(scene.times.size() - scene.n_drawings()) +
-               " of " + std::to_string(scene.times.size()) + " increments");
-    if (model.motions.null_space().cols() > 0)
-      log.note(std::to_string(model.motions.null_space().cols()) +
-               " rigid motions are held by contact alone");
+    report_sizes(scene, model, log);
   }
 
   void
   Analysis::estimate() const
   {
-    const Cost cost =
-      estimate_cost(model, scene.times.size(), scene.n_drawings());
-    log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
-            ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
-            ", memory of " + megabytes(cost.memory_bytes) + " in all");
-    log.say("estimate: " + to_text(cost.factor.flops) +
-            " floating-point operations to factorise, " +
-            to_text(std::round(10 * cost.seconds) / 10) + " s in all");
-    if (cost.memory_bytes > machine_memory())
-      log.say("warning: this machine has " + megabytes(machine_memory()) +
-              " of memory only. Use a coarser mesh or fewer contact nodes.");
+    report_cost(scene, model, log);
   }
 
   void

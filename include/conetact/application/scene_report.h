@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_application_scene_report_h
+#define conetact_application_scene_report_h
+
+#include "conetact/application/log.h"
+#include "conetact/application/scene.h"
+#include "conetact/contact/contact_model.h"
+
+namespace conetact
+{
+  /** Sizes and what will be skipped, to the log. */
+  void
+  report_sizes(const Scene &scene, const ContactModel &model, Log &log);
+
+  /** Memory and time it will take, to the log; nothing is factorised. */
+  void
+  report_cost(const Scene &scene, const ContactModel &model, Log &log);
+} // namespace conetact
+
+#endif
