@@ -7,6 +7,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/output/csv.h"
+#include "conetact/output/graphics.h"
 #include "conetact/solvers/lemke.h"
 
 #include <algorithm>
@@ -222,6 +223,12 @@ namespace conetact
     if (scene.path.method == PathSettings::Method::lemke &&
         !point.changes.empty())
       return add_events(point);
+    // Nodes that touch before anything acts get their states at p = 0.
+    if (n_records == 0 && t == 0 && !point.changes.empty())
+      {
+        last = point;
+        return add_events(point);
+      }
     const ContactSystem &system = *model.condensation().system();
     Pending pending{{}, at.forces, at.load, {}, {}, history, history, {}};
     IncrementRecord &record  = pending.record;
@@ -349,12 +356,18 @@ namespace conetact
       Eigen::VectorXd::Zero(model.coordinates.n_unknowns()), velocity);
     if (const double size = largest(u); size > 0)
       u /= size;
+    std::vector<std::pair<std::string, std::string>> blocks;
     for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
-      scene.bodies.structures[b]->write_graphics(
-        u.segment(model.coordinates.offset(b),
-                  scene.bodies.structures[b]->n_dofs()),
-        t,
-        folder / mechanism_file(b));
+      {
+        const std::string body = safe_name(scene.bodies.names[b]);
+        blocks.emplace_back(body, mechanism_file(b));
+        scene.bodies.structures[b]->write_graphics(
+          u.segment(model.coordinates.offset(b),
+                    scene.bodies.structures[b]->n_dofs()),
+          t,
+          folder / blocks.back().second);
+      }
+    PvdFile(folder / "mechanism.pvd").add(t, blocks);
   }
 
 
@@ -364,6 +377,7 @@ namespace conetact
   PathAnalysis::remove_mechanism() const
   {
     std::error_code ignored;
+    std::filesystem::remove(folder / "mechanism.pvd", ignored);
     for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
       std::filesystem::remove(folder / mechanism_file(b), ignored);
   }

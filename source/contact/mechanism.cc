@@ -42,15 +42,18 @@ namespace conetact
       });
     }
 
+    /** `lifts`: nodes move away from their obstacle, open ones counted. */
     std::string
-    kind_of(const Mechanism &m, const std::vector<Tensor<1, 3>> &v)
+    kind_of(const Mechanism                 &m,
+            const std::vector<Tensor<1, 3>> &v,
+            const bool                       lifts)
     {
       if (m.slide.empty() && m.stay.empty())
         return "lifting";
       if (m.stay.empty() && one_translation(m.slide, v) &&
-          (m.slide.size() > 1 || m.open.empty()))
+          (m.slide.size() > 1 || !lifts))
         return "sliding";
-      return m.open.empty() ? "turning" : "tipping";
+      return lifts ? "tipping" : "turning";
     }
   } // namespace
 
@@ -71,12 +74,14 @@ namespace conetact
           moving.insert(rules[i]->body);
       }
     Mechanism result;
+    bool      lifts = false;
     for (std::size_t i = 0; i < rules.size(); ++i)
       {
-        if (!touching[i] || moving.count(rules[i]->body) == 0)
-          continue;
         const double away = velocity[model.coordinates.layout().normal(
           static_cast<Eigen::Index>(i))];
+        lifts             = lifts || away > at_rest;
+        if (!touching[i] || moving.count(rules[i]->body) == 0)
+          continue;
         if (away > at_rest)
           result.open.push_back(i);
         else if (v[i].norm() > at_rest)
@@ -84,7 +89,7 @@ namespace conetact
         else
           result.stay.push_back(i);
       }
-    result.kind = kind_of(result, v);
+    result.kind = kind_of(result, v, lifts);
     return result;
   }
 

@@ -22,6 +22,8 @@ namespace conetact
     constexpr double same_event = 1e-10;
     /** Rates below this share of the largest are round-off. */
     constexpr double rate_noise = 1e-14, motion_noise = 1e-9;
+    /** Events further off, in times of what a path took so far, never come. */
+    constexpr double horizon = 1e7;
     /** An event this close behind the end of a stage, in its length, counts. */
     constexpr double beyond_end = 1e-12;
     /** Steps beyond a point without continuation, in the length of the stage.
@@ -163,7 +165,8 @@ namespace conetact
       const bool          decided = hit == Hit::normal ? c.normal :
                                     hit == Hit::plus   ? c.plus :
                                                          c.minus;
-      if (!decided && rate < -noise * fast)
+      if (!decided && rate < -noise * fast &&
+          value * fast <= -rate * horizon * std::max(size, value))
         result.push_back(
           {std::max(0., value) / -rate, 1e-13 * size / -rate, i, hit});
     };
