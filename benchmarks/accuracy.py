@@ -27,9 +27,8 @@ sys.path[:0] = [str(TOP / "tests"), str(TOP / "benchmarks" / "siconos")]
 import compare  # noqa: E402
 import half_space  # noqa: E402
 import manufactured  # noqa: E402
-from laws import Run, merge, write_scene  # noqa: E402
+from laws import ELEMENTS, Run, merge, write_scene  # noqa: E402
 
-ELEMENTS = ("Q1",)
 POISSON = .4999
 METHODS = ("automatic", "smoothing", "active set", "gauss-seidel")
 PEERS = ("NSN_AC", "NSGS", "ADMM")

@@ -31,6 +31,7 @@ REFERENCE = Path(__file__).resolve().parent / "reference"
 LISTS = {"Body": "Bodies", "Obstacle": "Obstacles", "Contact": "Contacts", "Support": "Supports", "Load": "Loads"}
 TEXTS = ("contact", "state", "solver")
 TOGETHER = 16  # increments that a small scene finishes together
+ELEMENTS = ("Q1", "Q1 B-bar", "Q1 incompatible modes")
 
 
 # ---------------------------------------------------------------- vectors
@@ -154,6 +155,10 @@ def press_and_shear(dim, cells=None, mu=.3, increments=4, **body):
             "Output": {"VTU": 0}}
 
 
+def with_element(scene, element, body="block"):
+    return merge(scene, {f"Body {body}": {"Element": element}})
+
+
 def write_msh(file, dim, points, cells, faces):
     """Gmsh 2.2; cells and faces as lists of node numbers from 0, faces with an id."""
     kinds = (1, 3) if dim == 2 else (3, 5)
@@ -197,6 +202,52 @@ def distorted(file, dim, n=4):
     write_msh(file, dim, points, cells, faces)
     bottom = 12 if dim == 2 else 14
     return points, [nodes for tag, nodes in faces if tag == bottom]
+
+
+def cantilever(dim, element, poisson, cells, length=10.0):
+    """A beam of height 1 (and width 1), bent by end tractions; and the exact deflection of its end."""
+    young, curvature = 1000.0, 1e-3
+    plane_strain = dim == 2
+    stiffness, ratio = (young / (1 - poisson**2), poisson / (1 - poisson)) if plane_strain else (young, poisson)
+    bent = f"{-curvature * ratio / 2!r}*(y^2 - z^2)", f"{-curvature * ratio!r}*y*z"
+    origin = (0.0, -.5, -.5)[:dim]
+    far = {"Shape": "half space", "Normal": (-1, 0, 0)[:dim], "Point": (2 * length, 0, 0)[:dim]}
+    scene = {"Dimension": dim,
+             "Body block": {"Element": element, **box(cells, (length, 1.0, 1.0)[:dim], origin, young, poisson)},
+             "Obstacle far": far, "Contact end": contact(ids=1, obstacle="far"),
+             "Support clamp": support(0, "x"),
+             "Support sections": support(0, "y, z"[:3 * dim - 5], " ; ".join(bent[:dim - 1]), Stiffness=1.0),
+             "Load end": load("traction", " ; ".join((f"{stiffness * curvature!r}*y", "0", "0")[:dim]), 1),
+             "Solver": {"Tolerance": 1e-8},  # rounding of motions far above the strains, of nu far above E
+             "Output": {"VTU": 0}}
+    return scene, -curvature * length**2 / 2
+
+
+def cook(folder, element, poisson, n):
+    """Cook's membrane in plane strain, E = 240.565, sheared by 6.25 a length at its right end."""
+    def place(i, j):
+        x, y = i / n, j / n
+        return 48 * x, 44 * x + y * (44 - 28 * x), 0.0
+
+    def number(i, j):
+        return i * (n + 1) + j
+    points = [place(i, j) for i in range(n + 1) for j in range(n + 1)]
+    cells = [[number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)]
+             for i in range(n) for j in range(n)]
+    faces = [(tag, [number(i, j), number(i, j + 1)]) for tag, i in ((10, 0), (11, n)) for j in range(n)]
+    write_msh(folder / f"cook{n}.msh", 2, points, cells, faces)
+    return {"Dimension": 2,
+            "Body block": {"Element": element, "Mesh": {"File": f"cook{n}.msh"},
+                           "Material": {"Young modulus": 240.565, "Poisson ratio": poisson}},
+            "Obstacle far": {"Shape": "half space", "Normal": (-1, 0), "Point": (100, 0)},
+            "Contact end": contact(ids=11, obstacle="far"), "Support clamp": support(10, "x, y"),
+            "Load end": load("traction", "0 ; 6.25", 11), "Output": {"VTU": 0}}
+
+
+def deflection(run, y=0.0):
+    """Along y of the node at this height (z = 0) of an end that touches nothing."""
+    row = min(run.rows, key=lambda row: abs(row["y"] - y) + abs(row["z"]))
+    return in_space(row, run.dim, MOTION)[1]
 
 
 def tributary(points, faces):
@@ -358,11 +409,11 @@ class Laws:
 # ---------------------------------------------------------------- families
 
 def balance(laws):
-    for n in (8, 16):
-        scene = press_and_shear(3, cells=(n, n, n), increments=6)
+    for n, element in ((8, "Q1"), (16, "Q1"), *((8, element) for element in ELEMENTS[1:])):
+        scene = with_element(press_and_shear(3, cells=(n, n, n), increments=6), element)
         run = laws.run(scene, bounds=False)
         for column in ("residual", "equilibrium", "balance"):
-            laws.check(f"{n}^3: {column}", max(row[column] for row in run.increments), 1e-10)
+            laws.check(f"{n}^3 {element}: {column}", max(row[column] for row in run.increments), 1e-10)
         force = moment = 0.0
         for increment in run.increments:
             total, about = (0, 0, 0), (0, 0, 0)
@@ -377,18 +428,18 @@ def balance(laws):
         # forces below 1e-9 of the largest are written 0
         laws.check(f"{n}^3: sum of reactions against the resultant", force, 1e-10)
         laws.check(f"{n}^3: sum of moments against the resultant", moment, 1e-9)
-        laws.admissible(f"{n}^3", run, lambda row: .3)
+        laws.admissible(f"{n}^3 {element}", run, lambda row: .3)
 
 
 def extrusion(laws):
     plane = press_and_shear(2, mu=.3)
     plane["Obstacle floor"] = {"Shape": "prescribed gap", "Normal": (-.1, 1.0), "Gap": "0.002*(2 - x)"}
     plane["Load side"] = load("traction", "0.5*t ; -0.2*t", 1)
-    a = laws.run(plane)
-    for n in (1, 3):
+    for n, element in ((1, "Q1"), (3, "Q1"), (2, ELEMENTS[1]), (2, ELEMENTS[2])):
+        a = laws.run(with_element(plane, element))
         solid = merge(plane, {
             "Dimension": 3,
-            "Body block": box((12, 6, n), (2.0, 1.0, 1.0)),
+            "Body block": {"Element": element, **box((12, 6, n), (2.0, 1.0, 1.0))},
             "Obstacle floor": {"Normal": (-.1, 1.0, 0.0)},
             "Support top": {"Directions": "x, y, z", "Displacement": plane["Support top"]["Displacement"] + " ; 0"},
             "Support faces": support("4, 5", "z"),
@@ -405,8 +456,8 @@ def extrusion(laws):
         total = max(math.dist(sums[row["increment"], round(row["x"], 7)], in_space(row, 2, REACTION))
                     for row in a.rows)
         size = a.largest(*REACTION)
-        laws.check(f"{n} cells along z: sums of reactions", total / size, 1e-10)
-        laws.check(f"{n} cells along z: shares of reactions", worst / size, 1e-10)
+        laws.check(f"{element}, {n} cells along z: sums of reactions", total / size, 1e-10)
+        laws.check(f"{element}, {n} cells along z: shares of reactions", worst / size, 1e-10)
 
 
 def turned_scene(dim, axis, degrees, supports):
@@ -464,6 +515,10 @@ def rotation_family(laws):
             for axis, degrees in turns:
                 scene, m = turned_scene(dim, axis, degrees, supports)
                 laws.same(f"{dim}D, {supports}, {degrees} degrees about {axis}", first, laws.run(scene), matrix=m)
+        for element in ELEMENTS[1:]:
+            runs = [laws.run(with_element(turned_scene(dim, *turn, "axes")[0], element))
+                    for turn in (((0, 0, 1), 0.0), turns[0])]
+            laws.same(f"{dim}D, {element}, turned", *runs, matrix=rotation(*turns[0]))
 
 
 def mirror(laws):
@@ -570,8 +625,10 @@ def patch(laws):
         check(f"{dim}D, distorted", *patch_scene(dim, body, ids),
               lambda row: by_place[tuple(round(row[c], 9) for c in "xyz")])
         boxes = "0.4, 0 : 0.6, 0.3 : 2" if dim == 2 else "0.2, 0.2, 0 : 0.45, 0.6, 0.3 : 1"
-        check(f"{dim}D, distorted, hanging nodes",
-              *patch_scene(dim, merge(body, {"Mesh": {"Refinement boxes": boxes}}), ids), None)
+        for element, plane in itertools.product(ELEMENTS, ("strain", "stress")[:4 - dim]):
+            hanging = merge(body, {"Element": element, "Mesh": {"Refinement boxes": boxes}, "Material": {"Plane": plane}})
+            check(f"{dim}D, {element}, plane {plane}, distorted, hanging nodes",
+                  *patch_scene(dim, hanging, ids, plane), None)
     away = box((4, 4), (1.0, 1.0), **{"Refinement boxes": "0.3, 0.6 : 0.7, 0.9 : 2"})
     check("2D, hanging nodes away from the contact", *patch_scene(2, away, (0, 2, 3)),
           lambda row: share(4)(row["x"]))
@@ -597,6 +654,23 @@ def refinement(laws):
         everywhere = ("-1, -1 : 3, 2 : 1" if dim == 2 else "-1, -1, -1 : 3, 2, 2 : 1")
         boxed = laws.run(merge(coarse, {"Body block": {"Mesh": {"Refinement boxes": everywhere}}}))
         laws.same(f"{dim}D, one box around all", fine, boxed, 1e-11)
+
+
+def elements(laws):
+    plain, averaged, bending = ELEMENTS
+    for dim, (poisson, bound) in itertools.product((2, 3), ((.3, 1e-9), (.4999, 1e-7))):
+        ratio = {}
+        for element in ELEMENTS:
+            scene, exact = cantilever(dim, element, poisson, (5, 2, 2)[:dim])
+            ratio[element] = deflection(laws.run(scene, bounds=False)) / exact
+        what = f"{dim}D, nu = {poisson}, slender cells in bending"
+        laws.check(f"{what}: error of {bending}", abs(ratio[bending] - 1), bound)
+        laws.check(f"{what}: {plain} deflects too little", ratio[plain], .01 if (dim, poisson) == (2, .4999) else .5)
+    fine = deflection(laws.run(cook(laws.folder, averaged, .4999, 32)), 60.0)
+    ratio = {element: deflection(laws.run(cook(laws.folder, element, .4999, 8)), 60.0) / fine for element in ELEMENTS}
+    for element in (averaged, bending):
+        laws.check(f"Cook's membrane, nu = .4999: error of {element}", abs(ratio[element] - 1), .06)
+    laws.check(f"Cook's membrane, nu = .4999: {plain} locks", ratio[plain], .3)
 
 
 def obstacles(laws):
@@ -1312,8 +1386,9 @@ def path(laws):
 
 
 FAMILIES = {"balance": balance, "extrusion": extrusion, "rotation": rotation_family, "mirror": mirror, "units": units,
-            "patch": patch, "refinement": refinement, "obstacles": obstacles, "supports": supports, "loads": loads,
-            "friction": friction, "bodies": bodies, "pairs": pairs, "threads": threads, "kill": kill, "hertz": hertz, "path": path}
+            "patch": patch, "elements": elements, "refinement": refinement, "obstacles": obstacles, "supports": supports,
+            "loads": loads, "friction": friction, "bodies": bodies, "pairs": pairs, "threads": threads, "kill": kill,
+            "hertz": hertz, "path": path}
 
 
 def run_families(families, program, *names):

@@ -117,8 +117,8 @@ namespace conetact
     , material(elastic)
     , thickness(dim == 2 ? material.thickness : 1)
     , element_name(row.name)
-    , element(row.create())
-    , matrices(mesh, *element, thickness * material.elasticity(dim))
+    , element(row.create(material))
+    , matrices(mesh, *element, thickness)
   {}
 
   template <int dim>
@@ -286,17 +286,16 @@ namespace conetact
   Continuum<dim>::add_temperature(const ScalarField &change,
                                   Eigen::VectorXd   &f) const
   {
-    using Element = ElementFormulation<dim>;
-    const Eigen::VectorXd unit =
-      thickness * material.elasticity(dim) * material.thermal_strain(dim);
+    using Element                  = ElementFormulation<dim>;
+    const Eigen::VectorXd unit     = material.thermal_strain(dim);
     const Eigen::VectorXd at_nodes = nodal_values(mesh, change);
     for (const auto &cell : mesh.cells)
       {
-        typename Element::Strains stresses;
+        typename Element::Strains strains;
         for (int v = 0; v < Element::n_vertices; ++v)
-          stresses.col(v) = at_nodes[cell[v]] * unit;
+          strains.col(v) = at_nodes[cell[v]] * unit;
         const typename Element::Displacements forces =
-          element->forces(mesh.vertices(cell), stresses);
+          thickness * element->forces(mesh.vertices(cell), strains);
         for (int i = 0; i < Element::n_dofs; ++i)
           f[dim * cell[i / dim] + i % dim] += forces[i];
       }

@@ -3,146 +3,149 @@
 
 #include "conetact/structures/continuum_elements.h"
 
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/base/quadrature_lib.h>
+#include <Eigen/Cholesky>
 
 namespace conetact
 {
-  using dealii::GeometryInfo;
   using dealii::Point;
   using dealii::Tensor;
 
   namespace
   {
-    /** Gradients of the vertices' shape functions in the unit cell. */
-    template <int dim>
-    using Gradients = std::array<Tensor<1, dim>, (1 << dim)>;
-
-    template <int dim>
-    Gradients<dim>
-    unit_gradients(const Point<dim> &p)
-    {
-      Gradients<dim> gradients;
-      for (unsigned int v = 0; v < gradients.size(); ++v)
-        gradients[v] =
-          GeometryInfo<dim>::d_linear_shape_function_gradient(p, v);
-      return gradients;
-    }
-
     /**
-     * Full integration of the d-linear displacements with 2^dim Gauss points:
-     * simple, never unstable; too stiff in bending and near nu = 0.5.
+     * The dilatation is that of the whole cell, its mean (T.J.R. Hughes, Int.
+     * J. Numer. Methods Engrg. 15 (1980) 1413-1418): a nearly incompressible
+     * cell has one constraint instead of 2^dim. In plane strain the strain
+     * along z takes its third of the change.
      */
     template <int dim>
-    class Q1 : public ElementFormulation<dim>
+    class BBar : public ElementFormulation<dim>
     {
     public:
-      using Base = ElementFormulation<dim>;
-      using typename Base::Displacements;
-      using typename Base::Elasticity;
-      using typename Base::Matrix;
-      using typename Base::Strains;
-      using typename Base::Vertices;
-      using StrainMatrix = Eigen::Matrix<double, Base::n_strains, Base::n_dofs>;
-
-      Q1()
-      {
-        const dealii::QGauss<dim> gauss(2);
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          {
-            at_points.push_back(unit_gradients(gauss.point(q)));
-            for (unsigned int v = 0; v < Base::n_vertices; ++v)
-              shapes(v, q) =
-                GeometryInfo<dim>::d_linear_shape_function(gauss.point(q), v);
-            weights.push_back(gauss.weight(q));
-          }
-        for (unsigned int v = 0; v < Base::n_vertices; ++v)
-          at_vertices[v] =
-            unit_gradients(GeometryInfo<dim>::unit_cell_vertex(v));
-      }
-
-      Matrix
-      stiffness(const Vertices &vertices, const Elasticity &c) const override
-      {
-        Matrix k = Matrix::Zero();
-        for (unsigned int q = 0; q < at_points.size(); ++q)
-          {
-            StrainMatrix b;
-            const double w =
-              weights[q] * strain_matrix(at_points[q], vertices, b);
-            const StrainMatrix s = (w * c).lazyProduct(b);
-            k += b.transpose().lazyProduct(s);
-          }
-        k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
-        return k;
-      }
-
-      Displacements
-      forces(const Vertices &vertices, const Strains &stresses) const override
-      {
-        Displacements f = Displacements::Zero();
-        StrainMatrix  b;
-        for (unsigned int q = 0; q < at_points.size(); ++q)
-          {
-            const double w =
-              weights[q] * strain_matrix(at_points[q], vertices, b);
-            f += b.transpose() * (w * (stresses * shapes.col(q)));
-          }
-        return f;
-      }
-
-      Strains
-      strains(const Vertices &vertices, const Displacements &u) const override
-      {
-        Strains      strains;
-        StrainMatrix b;
-        for (unsigned int v = 0; v < Base::n_vertices; ++v)
-          {
-            strain_matrix(at_vertices[v], vertices, b);
-            strains.col(v) = b * u;
-          }
-        return strains;
-      }
+      using ElementFormulation<dim>::ElementFormulation;
 
     private:
-      std::vector<Gradients<dim>>                               at_points;
-      std::vector<double>                                       weights;
-      Eigen::Matrix<double, Base::n_vertices, Base::n_vertices> shapes;
-      std::array<Gradients<dim>, Base::n_vertices>              at_vertices;
+      using Base = ElementFormulation<dim>;
+      using typename Base::Columns;
+      using typename Base::StrainField;
+      using typename Base::Vertices;
 
-      /** Strains over displacements; returns the Jacobian's determinant. */
-      static double
-      strain_matrix(const Gradients<dim> &unit,
-                    const Vertices       &vertices,
-                    StrainMatrix         &b)
+      void
+      improve(const Vertices &, StrainField &strains) const override
       {
-        Tensor<2, dim> jacobian;
-        for (unsigned int v = 0; v < Base::n_vertices; ++v)
-          jacobian += outer_product(vertices[v], unit[v]);
-        const Tensor<2, dim> inverse = invert(jacobian);
-
-        b.setZero();
-        for (unsigned int v = 0; v < Base::n_vertices; ++v)
+        using Row     = Eigen::Matrix<double, 1, Eigen::Dynamic>;
+        Row    mean   = Row::Zero(strains.at_points.front().cols());
+        double volume = 0;
+        for (std::size_t q = 0; q < strains.weights.size(); ++q)
           {
-            const Tensor<1, dim> g = unit[v] * inverse;
-            for (int d = 0; d < dim; ++d)
-              b(d, dim * v + d) = g[d];
-            for (int row = dim; row < Base::n_strains; ++row)
-              {
-                const int i = row - dim, j = (i + 1) % dim;
-                b(row, dim * v + i) = g[j];
-                b(row, dim * v + j) = g[i];
-              }
+            mean += strains.weights[q] *
+                    strains.at_points[q].template topRows<3>().colwise().sum();
+            volume += strains.weights[q];
           }
-        return determinant(jacobian);
+        mean /= volume;
+        for (auto *columns : {&strains.at_points, &strains.at_vertices})
+          for (Columns &e : *columns)
+            {
+              const Row third =
+                (mean - e.template topRows<3>().colwise().sum()) / 3;
+              e.template topRows<3>().rowwise() += third;
+            }
       }
     };
 
+    /**
+     * Each component of the displacements has internal modes
+     * @f$1 - \xi_i^2@f$ that no neighbour knows and that leave the cell
+     * without internal forces (E.L. Wilson, R.L. Taylor and others, 1973).
+     * Their gradients, taken with the Jacobian of the centre, have no mean
+     * over the cell, so that uniform stresses are exact in distorted cells
+     * (R.L. Taylor, P.J. Beresford, E.L. Wilson, Int. J. Numer. Methods
+     * Engrg. 10 (1976) 1211-1219).
+     */
+    template <int dim>
+    class IncompatibleModes : public ElementFormulation<dim>
+    {
+    public:
+      using ElementFormulation<dim>::ElementFormulation;
+
+    private:
+      using Base = ElementFormulation<dim>;
+      using typename Base::Columns;
+      using typename Base::StrainField;
+      using typename Base::Vertices;
+      static constexpr int n_modes = dim * dim;
+      using ModeStrains = Eigen::Matrix<double, Base::n_strains, n_modes>;
+
+      /** Strains of the modes at points of the unit cell. */
+      std::vector<ModeStrains>
+      modes(const Vertices                &vertices,
+            const std::vector<Point<dim>> &unit_points) const
+      {
+        Point<dim> centre;
+        for (int d = 0; d < dim; ++d)
+          centre[d] = .5;
+        const Tensor<2, dim> j0 =
+          this->jacobian(vertices, this->unit_gradients(centre));
+        const Tensor<2, dim>     inverse = invert(j0);
+        std::vector<ModeStrains> result;
+        for (const Point<dim> &p : unit_points)
+          {
+            const double ratio =
+              determinant(j0) /
+              determinant(this->jacobian(vertices, this->unit_gradients(p)));
+            typename Base::template Gradients<dim> gradients;
+            for (unsigned int i = 0; i < dim; ++i)
+              gradients[i] = ratio * (2 * p[i] - 1) * inverse[i];
+            result.push_back(this->template strain_matrix<dim>(gradients));
+          }
+        return result;
+      }
+
+      void
+      improve(const Vertices &vertices, StrainField &strains) const override
+      {
+        using Square         = Eigen::Matrix<double, n_modes, n_modes>;
+        const auto of_points = modes(vertices, this->points);
+        Square     k         = Square::Zero();
+        Eigen::Matrix<double, n_modes, Eigen::Dynamic> f =
+          Eigen::Matrix<double, n_modes, Eigen::Dynamic>::Zero(
+            n_modes, strains.at_points.front().cols());
+        for (std::size_t q = 0; q < of_points.size(); ++q)
+          {
+            const Eigen::Matrix<double, n_modes, Base::n_strains> stress =
+              strains.weights[q] * of_points[q].transpose() * this->c;
+            k += stress * of_points[q];
+            f += stress * strains.at_points[q];
+          }
+        const Eigen::Matrix<double, n_modes, Eigen::Dynamic> factors =
+          -k.llt().solve(f);
+        const auto add = [&factors](const std::vector<ModeStrains> &g,
+                                    std::vector<Columns>           &e) {
+          for (std::size_t i = 0; i < e.size(); ++i)
+            e[i] += g[i] * factors;
+        };
+        add(of_points, strains.at_points);
+        if (!strains.at_vertices.empty())
+          add(modes(vertices, this->corners), strains.at_vertices);
+      }
+    };
+
+    template <int dim, template <int> class Element>
+    std::unique_ptr<ElementFormulation<dim>>
+    create(const ElasticMaterial &material)
+    {
+      return std::make_unique<Element<dim>>(material);
+    }
+
     template <int dim>
     std::unique_ptr<ElementFormulation<dim>>
-    create_q1()
+    create_b_bar(const ElasticMaterial &material)
     {
-      return std::make_unique<Q1<dim>>();
+      // nothing locks where the thickness is free to change
+      const bool is_free =
+        dim == 2 && material.plane == ElasticMaterial::Plane::stress;
+      return is_free ? create<dim, ElementFormulation>(material) :
+                       create<dim, BBar>(material);
     }
   } // namespace
 
@@ -151,7 +154,17 @@ namespace conetact
   element_table()
   {
     static const std::vector<ElementRow<dim>> table = {
-      {"Q1", "bi- or trilinear displacements, full integration", &create_q1}};
+      {"Q1",
+       "bi- or trilinear displacements, full integration; too stiff in bending "
+       "and near nu = 0.5",
+       &create<dim, ElementFormulation>},
+      {"Q1 B-bar",
+       "Q1 with one dilatation a cell, the mean, for nu near 0.5 (in plane "
+       "stress, where nothing locks, it is Q1)",
+       &create_b_bar<dim>},
+      {"Q1 incompatible modes",
+       "Q1 with internal modes, exact for bending of rectangular cells",
+       &create<dim, IncompatibleModes>}};
     return table;
   }
 

@@ -85,9 +85,8 @@ namespace conetact
                       const Eigen::VectorXd         &u,
                       const Eigen::VectorXd         &temperature)
     {
-      using Element                              = ElementFormulation<dim>;
-      const typename Element::Elasticity c       = material.elasticity(dim);
-      const Eigen::VectorXd              thermal = material.thermal_strain(dim);
+      using Element                 = ElementFormulation<dim>;
+      const Eigen::VectorXd thermal = material.thermal_strain(dim);
       const auto      n_nodes = static_cast<Eigen::Index>(mesh.nodes.size());
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Element::n_strains, n_nodes);
       Eigen::VectorXd n_cells = Eigen::VectorXd::Zero(n_nodes);
@@ -97,11 +96,11 @@ namespace conetact
           for (int v = 0; v < Element::n_vertices; ++v)
             u_cell.template segment<dim>(dim * v) =
               u.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
-          typename Element::Strains strains =
-            element.strains(mesh.vertices(cell), u_cell);
+          typename Element::Strains initial;
           for (int v = 0; v < Element::n_vertices; ++v)
-            strains.col(v) -= temperature[cell[v]] * thermal;
-          const typename Element::Strains stresses = c * strains;
+            initial.col(v) = temperature[cell[v]] * thermal;
+          const typename Element::Strains stresses =
+            element.stresses(mesh.vertices(cell), u_cell, initial);
           for (int v = 0; v < Element::n_vertices; ++v)
             {
               sum.col(cell[v]) += stresses.col(v);
@@ -122,21 +121,13 @@ namespace conetact
     }
 
     Eigen::Matrix3d
-    tensor(const Eigen::VectorXd &s,
-           const double           temperature,
-           const ElasticMaterial &material)
+    tensor(const Eigen::VectorXd &s)
     {
       Eigen::Matrix3d t = Eigen::Matrix3d::Zero();
-      if (s.size() == 3)
+      t.diagonal()      = s.head<3>();
+      t(0, 1) = t(1, 0) = s[3];
+      if (s.size() == 6)
         {
-          t.diagonal() << s[0], s[1],
-            material.out_of_plane_stress(s[0] + s[1], temperature);
-          t(0, 1) = t(1, 0) = s[2];
-        }
-      else
-        {
-          t.diagonal() = s.head<3>();
-          t(0, 1) = t(1, 0) = s[3];
           t(1, 2) = t(2, 1) = s[4];
           t(2, 0) = t(0, 2) = s[5];
         }
@@ -168,8 +159,7 @@ namespace conetact
     for (Eigen::Index i = 0; i < fields.rows(); ++i)
       {
         fields.row(i).template head<dim>() = u.segment<dim>(dim * i);
-        const Eigen::Matrix3d stress =
-          tensor(stresses.col(i), temperature[i], material);
+        const Eigen::Matrix3d stress       = tensor(stresses.col(i));
         fields.row(i).segment<9>(3) =
           Eigen::Map<const Eigen::Matrix<double, 1, 9>>(stress.data());
         fields(i, 12) = von_mises(stress);

@@ -58,13 +58,12 @@ namespace conetact
   } // namespace
 
   template <int dim>
-  CellMatrices<dim>::CellMatrices(
-    const ContinuumMesh<dim>           &of_mesh,
-    const Element                      &formulation,
-    const typename Element::Elasticity &elasticity)
+  CellMatrices<dim>::CellMatrices(const ContinuumMesh<dim> &of_mesh,
+                                  const Element            &formulation,
+                                  const double              body_thickness)
     : mesh(of_mesh)
     , element(formulation)
-    , c(elasticity)
+    , thickness(body_thickness)
   {
     find_shapes();
     keep_matrices();
@@ -123,7 +122,7 @@ namespace conetact
   typename ElementFormulation<dim>::Matrix
   CellMatrices<dim>::compute(const unsigned int cell) const
   {
-    return element.stiffness(mesh.vertices(mesh.cells[cell]), c);
+    return thickness * element.stiffness(mesh.vertices(mesh.cells[cell]));
   }
 
   template <int dim>

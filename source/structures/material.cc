@@ -39,38 +39,27 @@ namespace conetact
   Eigen::MatrixXd
   ElasticMaterial::elasticity(const unsigned int dim) const
   {
-    const double shear = young_modulus / (2 * (1 + poisson_ratio));
-    const double lame =
-      (dim == 2 && plane == Plane::stress) ?
-        young_modulus * poisson_ratio / (1 - poisson_ratio * poisson_ratio) :
-        2 * shear * poisson_ratio / (1 - 2 * poisson_ratio);
-    const auto n = static_cast<Eigen::Index>(dim);
+    const bool         free  = dim == 2 && plane == Plane::stress;
+    const Eigen::Index n     = free ? 2 : 3; // axes with stress
+    const double       shear = young_modulus / (2 * (1 + poisson_ratio));
+    const double       lame =
+      free ?
+              young_modulus * poisson_ratio / (1 - poisson_ratio * poisson_ratio) :
+              2 * shear * poisson_ratio / (1 - 2 * poisson_ratio);
 
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(n * (n + 1) / 2, n * (n + 1) / 2);
+    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(2 * dim, 2 * dim);
     c.topLeftCorner(n, n).setConstant(lame);
-    c.diagonal().array() += shear;
-    c.diagonal().head(n).array() += shear;
+    c.diagonal().head(n).array() += 2 * shear;
+    c.diagonal().tail(2 * dim - 3).setConstant(shear);
     return c;
   }
 
   Eigen::VectorXd
   ElasticMaterial::thermal_strain(const unsigned int dim) const
   {
-    const auto      n      = static_cast<Eigen::Index>(dim);
-    const bool      held   = dim == 2 && plane == Plane::strain;
-    Eigen::VectorXd strain = Eigen::VectorXd::Zero(n * (n + 1) / 2);
-    strain.head(n).setConstant(held ? (1 + poisson_ratio) * expansion :
-                                      expansion);
+    Eigen::VectorXd strain = Eigen::VectorXd::Zero(2 * dim);
+    strain.head<3>().setConstant(expansion);
     return strain;
-  }
-
-  double
-  ElasticMaterial::out_of_plane_stress(const double sum,
-                                       const double temperature) const
-  {
-    return plane == Plane::strain ?
-             poisson_ratio * sum - young_modulus * expansion * temperature :
-             0;
   }
 
   void
@@ -83,11 +72,13 @@ namespace conetact
                       "Young's modulus E, above 0; must be given. A number or "
                       "a constant expression such as 210e3. "
                       "[force/length^2]");
-    prm.declare_entry("Poisson ratio",
-                      "",
-                      Patterns::Anything(),
-                      "Poisson's ratio nu, between -1 and 0.5; must be given. "
-                      "Near 0.5 the elements become too stiff (locking). [-]");
+    prm.declare_entry(
+      "Poisson ratio",
+      "",
+      Patterns::Anything(),
+      "Poisson's ratio nu, between -1 and 0.5; must be given. "
+      "Near 0.5 the elements Q1 become too stiff (locking); see "
+      "Element. [-]");
     prm.declare_entry("Plane",
                       "strain",
                       Patterns::Selection("strain|stress"),

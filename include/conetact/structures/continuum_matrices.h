@@ -22,10 +22,13 @@ namespace conetact
   public:
     using Element = ElementFormulation<dim>;
 
-    /** Mesh and formulation must live longer than this object. */
-    CellMatrices(const ContinuumMesh<dim>           &of_mesh,
-                 const Element                      &formulation,
-                 const typename Element::Elasticity &elasticity);
+    /**
+     * Mesh and formulation must live longer than this object; thickness 1 in
+     * 3D.
+     */
+    CellMatrices(const ContinuumMesh<dim> &of_mesh,
+                 const Element            &formulation,
+                 const double              thickness);
 
     void
     for_each(const ElementVisitor &visit) const;
@@ -48,7 +51,7 @@ namespace conetact
 
     const ContinuumMesh<dim>             &mesh;
     const Element                        &element;
-    typename Element::Elasticity          c;
+    double                                thickness;
     std::vector<Shape>                    shapes;
     std::vector<unsigned int>             shape_of_cell;
     std::vector<typename Element::Matrix> matrices;

@@ -31,23 +31,16 @@ namespace conetact
     double expansion     = 0;             ///< alpha [1/K]
 
     /**
-     * Elasticity matrix of stresses over strains in the order xx, yy, xy (2D,
-     * by `plane`) or xx, yy, zz, xy, yz, zx (3D); shear strains are the
-     * engineers' (twice the tensor's components).
+     * Elasticity matrix of stresses over strains in the order xx, yy, zz, xy
+     * and, in 3D, yz, zx; shear strains are the engineers' (twice the tensor's
+     * components). In plane stress zz takes no part.
      */
     Eigen::MatrixXd
     elasticity(const unsigned int dim) const;
 
-    /**
-     * Strain that 1 K causes where nothing resists, in that order; in plane
-     * strain that of a body held along z, (1 + nu) alpha.
-     */
+    /** Strain that 1 K causes where nothing resists, in that order. */
     Eigen::VectorXd
     thermal_strain(const unsigned int dim) const;
-
-    /** sigma_zz of a 2D body from sigma_xx + sigma_yy and temperature. */
-    double
-    out_of_plane_stress(const double sum, const double temperature) const;
   };
 
   /** Entries of `subsection Material`, in the body's subsection. */

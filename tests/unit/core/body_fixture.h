@@ -51,7 +51,8 @@ namespace conetact::test
   make_body(const unsigned int dim,
             const std::string &mesh,
             const std::string &material = "Young modulus = 5|"
-                                          "Poisson ratio = 0.3")
+                                          "Poisson ratio = 0.3",
+            const std::string &element  = "Q1")
   {
     const auto lines = [](const std::string &entries) {
       std::string text = "set ";
@@ -61,9 +62,9 @@ namespace conetact::test
     };
     dealii::ParameterHandler prm;
     declare_body(prm);
-    prm.parse_input_from_string("subsection Mesh\n" + lines(mesh) +
-                                "\nend\nsubsection Material\n" +
-                                lines(material) + "\nend\n");
+    prm.parse_input_from_string(
+      "set Element = " + element + "\nsubsection Mesh\n" + lines(mesh) +
+      "\nend\nsubsection Material\n" + lines(material) + "\nend\n");
     return create_body(prm, dim, folder(), "block");
   }
 

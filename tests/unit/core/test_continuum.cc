@@ -5,6 +5,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include "body_fixture.h"
@@ -27,17 +28,31 @@ namespace
                              "Global refinements = 2|"
                              "Refinement boxes = -1, -1 : 1, -0.8 : 2";
 
-  /** Bodies of all sorts: congruent, distorted, curved, with hanging nodes. */
+  /**
+   * Bodies of all sorts: congruent, distorted, curved, with hanging nodes, of
+   * all elements, in plane strain and plane stress.
+   */
   std::vector<std::unique_ptr<Structure>>
   bodies()
   {
+    const std::vector<std::pair<unsigned int, std::string>> meshes = {
+      {2, square},
+      {3, brick},
+      {2, "File = " + write_distorted_mesh(2, 4)},
+      {3, "File = " + write_distorted_mesh(3, 3)},
+      {2, disk},
+      {3, ball}};
     std::vector<std::unique_ptr<Structure>> all;
-    all.push_back(make_body(2, square));
-    all.push_back(make_body(3, brick));
-    all.push_back(make_body(2, "File = " + write_distorted_mesh(2, 4)));
-    all.push_back(make_body(3, "File = " + write_distorted_mesh(3, 3)));
-    all.push_back(make_body(2, disk));
-    all.push_back(make_body(3, ball));
+    for (const auto &row : element_table<2>())
+      for (const auto &[dim, mesh] : meshes)
+        for (const std::string plane : {"strain", "stress"})
+          if (dim == 2 || plane == "strain")
+            all.push_back(
+              make_body(dim,
+                        mesh,
+                        "Young modulus = 5|Poisson ratio = 0.3|Plane = " +
+                          plane,
+                        row.name));
     return all;
   }
 
@@ -107,6 +122,25 @@ TEST(Continuum, ElementsAreExactlySymmetric)
           for (std::size_t j = 0; j < i; ++j)
             ASSERT_EQ(matrix[i * dofs.size() + j], matrix[j * dofs.size() + i]);
       });
+}
+
+TEST(Continuum, OnlyRigidMotionsNeedNoEnergy)
+{
+  for (const auto &body : bodies())
+    {
+      const Eigen::Index n_rigid = body->n_components() == 2 ? 3 : 6;
+      body->for_each_element(
+        [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+          const auto            n = static_cast<Eigen::Index>(dofs.size());
+          const Eigen::VectorXd energies =
+            Eigen::Map<const Eigen::MatrixXd>(matrix, n, n)
+              .selfadjointView<Eigen::Lower>()
+              .eigenvalues();
+          ASSERT_LE(std::abs(energies[n_rigid - 1]), 1e-13 * energies[n - 1]);
+          ASSERT_GE(energies[n_rigid], 1e-3 * energies[n - 1])
+            << body->description();
+        });
+    }
 }
 
 TEST(Continuum, StretchMeetsTheStressOfThePlane)

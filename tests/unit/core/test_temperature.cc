@@ -33,18 +33,33 @@ namespace
   {
     unsigned int dim;
     std::string  plane;
-    double       stretch; ///< free strain over alpha times temperature
+    double       stretch;  ///< free strain over alpha times temperature
+    double       pressure; ///< where nothing moves along dim axes
+    std::string  element;
   };
-  const std::vector<Case> cases = {{2, "strain", 1 + nu},
-                                   {2, "stress", 1},
-                                   {3, "strain", 1}};
+
+  std::vector<Case>
+  cases_of_all_elements()
+  {
+    const double      p = E * alpha * change;
+    std::vector<Case> all;
+    for (const auto &row : element_table<2>())
+      for (const Case &c :
+           std::vector<Case>{{2, "strain", 1 + nu, p / (1 - 2 * nu), row.name},
+                             {2, "stress", 1, p / (1 - nu), row.name},
+                             {3, "strain", 1, p / (1 - 2 * nu), row.name}})
+        all.push_back(c);
+    return all;
+  }
+  const std::vector<Case> cases = cases_of_all_elements();
 
   std::unique_ptr<Structure>
   distorted(const Case &c)
   {
     return make_body(c.dim,
                      "File = " + write_distorted_mesh(c.dim, 3),
-                     material(c.plane));
+                     material(c.plane),
+                     c.element);
   }
 } // namespace
 
@@ -65,22 +80,18 @@ TEST(Temperature, FreeExpansionNeedsNoForce)
 
 TEST(Temperature, HeldBodyPressesOnItsBoundary)
 {
-  // sigma = -E alpha T over 1 - 2 nu (held along all axes), 1 - nu (plane
-  // stress, held in the plane); the resultant on the side x = 1 of area 2
-  const std::vector<double> sigma = {E * alpha * change / (1 - 2 * nu),
-                                     E * alpha * change / (1 - nu),
-                                     E * alpha * change / (1 - 2 * nu)};
-  for (std::size_t i = 0; i < cases.size(); ++i)
+  // the resultant on the side x = 1 of area 2 (of 1 in 3D)
+  for (const Case &c : cases)
     {
-      const auto      body = distorted(cases[i]);
+      const auto      body = distorted(c);
       Eigen::VectorXd f    = no_forces(*body);
       body->add_temperature(heat(), f);
       double sum = 0;
       for (unsigned int n = 0; n < body->n_nodes(); ++n)
         if (std::abs(body->position(n)[0] - 1) < 1e-9)
           sum += f[body->n_components() * n];
-      const double area = cases[i].dim == 2 ? 2 : 1;
-      EXPECT_NEAR(sum, sigma[i] * area, 1e-13 * sigma[i]);
+      const double area = c.dim == 2 ? 2 : 1;
+      EXPECT_NEAR(sum, c.pressure * area, 1e-13 * c.pressure);
     }
 }
 
@@ -97,7 +108,8 @@ TEST(Temperature, StressesOfABarBetweenWalls)
                               "Arguments = ") +
                     (c.dim == 2 ? "3, 2 : 0, 0 : 3, 1 : true" :
                                   "3, 2, 2 : 0, 0, 0 : 3, 1, 1 : true"),
-                  material(c.plane));
+                  material(c.plane),
+                  c.element);
       std::vector<unsigned int> held;
       for (unsigned int n = 0; n < body->n_nodes(); ++n)
         {
@@ -129,9 +141,28 @@ TEST(Temperature, StressOutOfThePlane)
   steel.young_modulus = E;
   steel.poisson_ratio = nu;
   steel.expansion     = alpha;
-  EXPECT_EQ(steel.out_of_plane_stress(0, change), -E * alpha * change);
-  steel.plane = ElasticMaterial::Plane::stress;
-  EXPECT_EQ(steel.out_of_plane_stress(1, change), 0);
+  using Element       = ElementFormulation<2>;
+  Element::Vertices      vertices;
+  Element::Displacements u;
+  for (unsigned int v = 0; v < 4; ++v)
+    {
+      vertices[v] = dealii::GeometryInfo<2>::unit_cell_vertex(v);
+      u.segment<2>(2 * v) << .03 * vertices[v][0], .01 * vertices[v][1];
+    }
+  const auto stresses = [&](const ElementRow<2> &row) -> Element::Strains {
+    const Element::Strains heated =
+      change * steel.thermal_strain(2).replicate(1, 4);
+    return row.create(steel)->stresses(vertices, u, heated);
+  };
+  for (const auto &row : element_table<2>())
+    for (unsigned int v = 0; v < 4; ++v)
+      {
+        steel.plane             = ElasticMaterial::Plane::strain;
+        const Eigen::Vector4d s = stresses(row).col(v);
+        EXPECT_NEAR(s[2], nu * (s[0] + s[1]) - E * alpha * change, 1e-14);
+        steel.plane = ElasticMaterial::Plane::stress;
+        EXPECT_EQ(stresses(row)(2, v), 0);
+      }
 }
 
 TEST(Temperature, NothingExpandsWithoutCoefficient)
