@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/application/adaptive_refinement.h"
 #include "conetact/application/analysis.h"
 #include "conetact/application/command_line.h"
 #include "conetact/application/cost.h"
@@ -63,49 +64,110 @@ namespace
     log.note(describe(analysis.work()));
   }
 
+  /** To a folder that exists from now on. */
   void
-  run(const CommandLine &line)
+  start_writing(const std::filesystem::path &folder,
+                const Scene                 &scene,
+                Log                         &log)
   {
-    Log   log(line.quiet, line.dry_run);
+    make_folder(folder);
+    log.open(folder);
+    write_atomically(folder / "used.prm", scene.values());
+  }
+
+  void
+  foretell(Analysis &analysis, const Scene &scene, Log &log)
+  {
+    analysis.check_history();
+    analysis.estimate();
+    if (scene.adaptive.cycles > 0)
+      log.say("estimates are those of the first of " +
+              std::to_string(scene.adaptive.cycles + 1) + " meshes");
+    log.note(describe(analysis.work()));
+  }
+
+  /** Runs the history on the mesh at hand. */
+  void
+  run_history(Analysis                    &analysis,
+              const std::filesystem::path &folder,
+              const bool                   quiet,
+              Log                         &log)
+  {
+    try
+      {
+        analysis.run(folder, quiet);
+      }
+    catch (const AnalysisError &error)
+      {
+        log.note(error.what());
+        note_work(analysis, log);
+        throw;
+      }
+  }
+
+  /** Whether there is another mesh to run the history on. */
+  bool
+  run_mesh(const CommandLine &line, AdaptiveRefinement &adaptive, Log &log)
+  {
     Scene scene(line);
     if (line.print_parameters)
       {
         std::cout << scene.documentation();
-        return;
+        return false;
       }
+    const bool first = adaptive.n_meshes() == 0;
+    const bool last  = adaptive.n_meshes() == scene.adaptive.cycles;
+    if (!last)
+      scene.draw_nothing();
     ProcessSession::set_threads(scene.threads);
-    log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
-    scene.build();
+    if (first)
+      log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
+    scene.build(adaptive.refinements());
     log.time("bodies, obstacles, contacts");
     const std::unique_ptr<Analysis> analysis = make_analysis(scene, log);
     log.time("contact nodes and supports");
     analysis->report();
     if (line.dry_run)
       {
-        analysis->check_history();
-        analysis->estimate();
-        log.note(describe(analysis->work()));
-        return;
+        foretell(*analysis, scene, log);
+        return false;
       }
 
     const std::filesystem::path folder = folder_of(line, scene);
     check_folder(folder);
     analysis->prepare();
-    make_folder(folder);
-    log.open(folder);
-    write_atomically(folder / "used.prm", scene.values());
+    if (first)
+      start_writing(folder, scene, log);
+    run_history(*analysis, folder, line.quiet, log);
+    if (scene.adaptive.cycles > 0)
+      adaptive.advance(scene, analysis->last_increment(), folder, log);
+    if (last)
+      log.say("Results are in " + folder.string());
+    note_work(*analysis, log);
+    return !last;
+  }
+
+  void
+  run(const CommandLine &line)
+  {
+    Log                log(line.quiet, line.dry_run);
+    AdaptiveRefinement adaptive;
     try
       {
-        analysis->run(folder, line.quiet);
+        while (run_mesh(line, adaptive, log))
+          {}
       }
-    catch (const AnalysisError &error)
+    catch (const InputError &error)
       {
-        log.note(error.what());
-        note_work(*analysis, log);
-        throw;
+        if (adaptive.n_meshes() == 0)
+          throw;
+        // results of the mesh before are on disk
+        const std::string why = "Adaptive refinement, mesh " +
+                                std::to_string(adaptive.n_meshes() + 1) + ": " +
+                                error.what();
+        log.note(why);
+        throw AnalysisError(why);
       }
-    log.say("Results are in " + folder.string());
-    note_work(*analysis, log);
   }
 
   int

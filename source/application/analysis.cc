@@ -489,7 +489,8 @@ namespace conetact
              "far; a larger Solver/Tolerance would accept them");
     record.rows =
       contact_rows.rows(increment.state, increment.contact, u, record.time);
-    if (!description.is_drawn(record.increment))
+    if (!description.is_drawn(record.increment) &&
+        !(scene.adaptive.cycles > 0 && record.increment == scene.times.size()))
       return;
     record.actions = scene.actions(record.time);
     for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
@@ -507,6 +508,8 @@ namespace conetact
              std::to_string(finished.size()) + " increments");
     for (const auto &output : outputs)
       output->write(finished);
+    if (scene.adaptive.cycles > 0)
+      final_record = finished.back();
     log.time("their tables and drawings");
     for (const IncrementRecord &record : finished)
       log.note(name(record) + ", " + record.report.solver + ": " +

@@ -143,6 +143,7 @@ namespace conetact
   Scene::declare()
   {
     declare_names(prm);
+    declare_adaptive(prm);
     declare_each(prm, "Body", bodies.names, declare_body);
     declare_each(prm, "Obstacle", obstacle_names, declare_obstacle);
     declare_each(prm, "Contact", contact_names, declare_contact);
@@ -187,6 +188,7 @@ namespace conetact
   void
   Scene::read_options()
   {
+    adaptive = create_adaptive(prm);
     prm.enter_subsection("Time");
     times = create_times(prm);
     prm.leave_subsection();
@@ -207,12 +209,18 @@ namespace conetact
   }
 
   void
-  Scene::build()
+  Scene::build(const std::vector<Refinements> &refinements)
   {
     const unsigned int dim    = bodies.dim;
     const auto         folder = file.parent_path();
     create_each(prm, "Body", bodies.names, [&](const std::string &name) {
-      structures.push_back(create_body(prm, dim, folder, name));
+      const std::size_t b = structures.size();
+      structures.push_back(
+        create_body(prm,
+                    dim,
+                    folder,
+                    name,
+                    refinements.empty() ? Refinements() : refinements[b]));
       bodies.structures.push_back(structures.back().get());
     });
     create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {
@@ -250,6 +258,7 @@ namespace conetact
     align_with_supports(bodies);
     bodies.at_rest = bodies_at_rest();
     check_path();
+    check_adaptive(adaptive, bodies.structures);
   }
 
   std::vector<bool>

@@ -63,6 +63,10 @@ namespace conetact
   void
   Scene::check_path() const
   {
+    if (adaptive.cycles > 0 && path.method != PathSettings::Method::none)
+      throw InputError("Adaptive refinement: the Solver/Method of this scene "
+                       "follows a path on one mesh. Set it to 0, or choose "
+                       "another method.");
     const bool is_path = path.method == PathSettings::Method::events;
     const bool cohesive =
       std::any_of(bodies.contact_nodes.begin(),

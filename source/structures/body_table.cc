@@ -91,13 +91,15 @@ namespace conetact
     create_continuum(ParameterHandler            &prm,
                      const unsigned int           dim,
                      const std::filesystem::path &folder,
-                     const std::string           &name)
+                     const std::string           &name,
+                     const Refinements           &refinements)
     {
       const std::string body = "Body '" + name + "'";
       expect_unset(prm, {"Generator", "File", "Nodes"}, "Frame", body);
       const std::string     element  = prm.get("Element");
       const ElasticMaterial material = parse_material(prm, body);
-      const MeshParameters  mesh     = parse_mesh(prm, dim, folder, body);
+      MeshParameters        mesh     = parse_mesh(prm, dim, folder, body);
+      mesh.refinements               = refinements;
       switch (dim)
         {
           case 2:
@@ -114,7 +116,8 @@ namespace conetact
     create_frame(ParameterHandler            &prm,
                  const unsigned int           dim,
                  const std::filesystem::path &folder,
-                 const std::string           &name)
+                 const std::string           &name,
+                 const Refinements & /*refinements*/)
     {
       const std::string body = "Body '" + name + "'";
       expect_unset(prm, {"Generator", "File", "Boundary ids"}, "Mesh", body);
@@ -153,9 +156,10 @@ namespace conetact
   create_body(ParameterHandler            &prm,
               const unsigned int           dim,
               const std::filesystem::path &folder,
-              const std::string           &name)
+              const std::string           &name,
+              const Refinements           &refinements)
   {
     return find_row(body_table(), prm.get("Kind"))
-      .create(prm, dim, folder, name);
+      .create(prm, dim, folder, name, refinements);
   }
 } // namespace conetact

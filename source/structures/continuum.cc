@@ -5,6 +5,7 @@
 
 #include "conetact/structures/continuum_graphics.h"
 #include "conetact/structures/continuum_quadrature.h"
+#include "conetact/structures/continuum_refinement.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -334,6 +335,16 @@ namespace conetact
   Continuum<dim>::matrix_count() const
   {
     return {static_cast<unsigned int>(mesh.cells.size()), matrices.n_shapes()};
+  }
+
+  template <int dim>
+  std::vector<double>
+  Continuum<dim>::element_errors(const Eigen::VectorXd &u) const
+  {
+    std::vector<double> errors = squared_jumps(*triangulation, u);
+    for (double &error : errors)
+      error *= thickness * material.young_modulus;
+    return errors;
   }
 
   template class Continuum<2>;

@@ -5,7 +5,9 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/structures/continuum_mesh.h"
 #include "conetact/structures/grid_sources.h"
+#include "conetact/structures/local_refinement.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/manifold.h>
@@ -23,85 +25,6 @@ namespace conetact
 
   namespace
   {
-    template <int dim>
-    Point<3>
-    lift(const Point<dim> &p)
-    {
-      Point<3> q;
-      for (unsigned int d = 0; d < dim; ++d)
-        q[d] = p[d];
-      return q;
-    }
-
-    /** Whether the cell, where the scene puts it, reaches into the box. */
-    template <class Cell>
-    bool
-    overlaps(const Cell                &cell,
-             const MeshParameters::Box &box,
-             const MeshParameters      &parameters)
-    {
-      constexpr unsigned int dim = Cell::AccessorType::dimension;
-      Point<3>               lower, upper;
-      for (const unsigned int v : cell->vertex_indices())
-        {
-          const Point<3> p = parameters.to_scene(lift(cell->vertex(v)));
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              lower[d] = v == 0 ? p[d] : std::min(lower[d], p[d]);
-              upper[d] = v == 0 ? p[d] : std::max(upper[d], p[d]);
-            }
-        }
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          // cells that only touch the box from outside stay as they are
-          const double tolerance = 1e-9 * (upper[d] - lower[d]);
-          if (upper[d] <= box.lower[d] + tolerance ||
-              lower[d] >= box.upper[d] - tolerance)
-            return false;
-        }
-      return true;
-    }
-
-    template <int dim>
-    void
-    refine_boxes(Triangulation<dim> &mesh, const MeshParameters &parameters)
-    {
-      const unsigned int base    = parameters.global_refinements;
-      bool               changed = true;
-      while (changed)
-        {
-          changed = false;
-          for (unsigned int b = 0; b < parameters.boxes.size(); ++b)
-            {
-              const MeshParameters::Box &box   = parameters.boxes[b];
-              bool                       empty = true;
-              for (const auto &cell : mesh.active_cell_iterators())
-                if (overlaps(cell, box, parameters))
-                  {
-                    empty = false;
-                    if (static_cast<unsigned int>(cell->level()) <
-                        base + box.levels)
-                      {
-                        cell->set_refine_flag();
-                        changed = true;
-                      }
-                  }
-              if (empty)
-                throw InputError(parameters.where + "Refinement boxes: box " +
-                                 std::to_string(b + 1) + " from " +
-                                 to_text(Tensor<1, 3>(box.lower)) + " to " +
-                                 to_text(Tensor<1, 3>(box.upper)) +
-                                 " holds no cell. Boxes are in the " +
-                                 "coordinates of the scene, where the mesh " +
-                                 "is scaled, rotated and moved.");
-            }
-          if (changed)
-            mesh.execute_coarsening_and_refinement();
-        }
-    }
-
-
-
     /**
      * Refinement puts hanging vertices onto a curved shape, but the d-linear
      * coarser neighbour has them on its straight edges. There they must lie,
@@ -133,7 +56,7 @@ namespace conetact
         for (const unsigned int v : cell->vertex_indices())
           if (!done[cell->vertex_index(v)])
             {
-              const Point<3> p = parameters.to_scene(lift(cell->vertex(v)));
+              const Point<3> p = parameters.to_scene(to_space(cell->vertex(v)));
               for (unsigned int d = 0; d < dim; ++d)
                 cell->vertex(v)[d] = p[d];
               done[cell->vertex_index(v)] = true;
@@ -163,9 +86,10 @@ namespace conetact
               throw InputError(
                 parameters.where +
                 (parameters.file.empty() ? "Generator: " : "File: ") +
-                "the cell at " + to_text(Tensor<1, 3>(lift(cell->center()))) +
+                "the cell at " +
+                to_text(Tensor<1, 3>(to_space(cell->center()))) +
                 " is distorted: it is folded or flat at its corner " +
-                to_text(Tensor<1, 3>(lift(vertices[v]))) +
+                to_text(Tensor<1, 3>(to_space(vertices[v]))) +
                 ". Give convex cells, or check that the mesh has dimension " +
                 std::to_string(dim) + ".");
         }
@@ -179,7 +103,8 @@ namespace conetact
         {
           bool found = false;
           for (const auto &face : mesh.active_face_iterators())
-            if (face->at_boundary() && tag.condition(lift(face->center())) != 0)
+            if (face->at_boundary() && tag.condition(parameters.to_scene(
+                                         to_space(face->center()))) != 0)
               {
                 face->set_boundary_id(tag.id);
                 found = true;
@@ -201,11 +126,12 @@ namespace conetact
   {
     auto mesh = generate_or_read<dim>(parameters);
     mesh->refine_global(parameters.global_refinements);
-    refine_boxes(*mesh, parameters);
+    refine_locally(*mesh, parameters);
+    tag(*mesh, parameters);
+    refine_elements(*mesh, parameters.refinements);
     straighten_hanging_vertices(*mesh);
     place(*mesh, parameters);
     refuse_distorted(*mesh, parameters);
-    tag(*mesh, parameters);
     return mesh;
   }
 

@@ -66,6 +66,27 @@ namespace conetact
         "coordinates a corner), in the scene's coordinates. Cells that "
         "reach into a box are refined; nodes that hang on a coarser cell "
         "follow it. [length]");
+      prm.declare_entry(
+        "Refinement distance",
+        "",
+        Patterns::Anything(),
+        "Boundaries beside which the mesh is refined further, such as those "
+        "of contact: boundary ids, a distance and the number of divisions, "
+        "'2 : 5 : 3 ; 4, 6 : 1 : 2'. Cells nearer than the distance to a face "
+        "of these ids (between the boxes around cell and face, along the axes "
+        "of the mesh as generated or read) are refined. Boxes come first. "
+        "[length]");
+    }
+
+    unsigned int
+    to_levels(const std::string &text, const std::string &entry)
+    {
+      const double levels = to_number(text, entry);
+      if (!(levels >= 0 && levels <= 12 && levels == std::floor(levels)))
+        throw InputError(entry + ": '" + text +
+                         "' is not a number of levels. "
+                         "Give a whole number from 0 to 12.");
+      return static_cast<unsigned int>(levels);
     }
 
     std::vector<MeshParameters::Box>
@@ -83,23 +104,40 @@ namespace conetact
               "' is not a box. Write two corners and the " +
               "number of levels, separated by ':', such as " +
               (dim == 2 ? "0, 0 : 1, 1 : 2." : "0, 0, 0 : 1, 1, 1 : 2."));
-          const Tensor<1, 3> a      = to_vector(fields[0], dim, entry);
-          const Tensor<1, 3> b      = to_vector(fields[1], dim, entry);
-          const double       levels = to_number(fields[2], entry);
-          if (!(levels >= 0 && levels <= 12 && levels == std::floor(levels)))
-            throw InputError(entry + ": '" + fields[2] +
-                             "' is not a number of levels. Give a whole " +
-                             "number from 0 to 12.");
+          const Tensor<1, 3>  a = to_vector(fields[0], dim, entry);
+          const Tensor<1, 3>  b = to_vector(fields[1], dim, entry);
           MeshParameters::Box box;
           for (unsigned int d = 0; d < 3; ++d)
             {
               box.lower[d] = std::min(a[d], b[d]);
               box.upper[d] = std::max(a[d], b[d]);
             }
-          box.levels = static_cast<unsigned int>(levels);
+          box.levels = to_levels(fields[2], entry);
           boxes.push_back(box);
         }
       return boxes;
+    }
+
+    std::vector<MeshParameters::Zone>
+    parse_zones(const std::string &text, const std::string &entry)
+    {
+      std::vector<MeshParameters::Zone> zones;
+      for (const std::string &part : split(text, ';'))
+        {
+          const std::vector<std::string> fields = split(part, ':');
+          if (fields.size() != 3)
+            throw InputError(entry + ": '" + part +
+                             "' is not a distance. "
+                             "Write boundary ids, the distance and the number "
+                             "of levels, separated by ':', such as 2 : 5 : 3.");
+          const double distance = to_number(fields[1], entry);
+          if (!(distance > 0 && std::isfinite(distance)))
+            throw InputError(entry + ": the distance '" + fields[1] +
+                             "' is not positive. Give a length above 0.");
+          zones.push_back(
+            {to_ids(fields[0], entry), distance, to_levels(fields[2], entry)});
+        }
+      return zones;
     }
 
     void
@@ -112,7 +150,8 @@ namespace conetact
         "Boundary ids of faces by conditions, 'id: condition ; ...', such as "
         "'7: y > 79.9 && x < 40 ; 8: abs(x) < 1e-6': a face of the finished "
         "mesh whose centre (x, y, z in the scene's coordinates) satisfies a "
-        "condition gets its id. Later ones win; other faces keep theirs. [-]");
+        "condition gets its id. Later ones win; other faces keep theirs. What "
+        "Adaptive refinement divides passes its ids on. [-]");
     }
 
     void
@@ -128,6 +167,17 @@ namespace conetact
                          "Remove them.");
     }
   } // namespace
+
+  unsigned int
+  MeshParameters::boundary_id(const unsigned int      own,
+                              const dealii::Point<3> &centre) const
+  {
+    unsigned int id = own;
+    for (const BoundaryTag &tag : tags)
+      if (tag.condition(centre) != 0)
+        id = tag.id;
+    return id;
+  }
 
   void
   declare_mesh(ParameterHandler &prm)
@@ -161,6 +211,8 @@ namespace conetact
     mesh.boxes     = parse_boxes(text("Refinement boxes"),
                              dim,
                              mesh.where + "Refinement boxes");
+    mesh.zones     = parse_zones(text("Refinement distance"),
+                             mesh.where + "Refinement distance");
     mesh.placement = parse_placement(prm, dim, mesh.where);
     mesh.tags = parse_tags(text("Boundary ids"), mesh.where + "Boundary ids");
     prm.leave_subsection();

@@ -62,6 +62,13 @@ namespace conetact
     Work
     work() const;
 
+    /** The last increment with its displacements, of adaptive scenes only. */
+    const IncrementRecord &
+    last_increment() const
+    {
+      return final_record;
+    }
+
   protected:
     /** An increment whose displacements are still to be recovered. */
     struct Pending
@@ -134,6 +141,7 @@ namespace conetact
     std::unique_ptr<ContactSolver>       solver;
     std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
     RunDescription                       description;
+    IncrementRecord                      final_record; ///< of adaptive scenes
     std::vector<std::unique_ptr<Output>> outputs;
     Work                                 done;
     std::size_t  n_first_condensed = 0;     ///< contact nodes, at the start

@@ -4,6 +4,7 @@
 #ifndef conetact_application_scene_h
 #define conetact_application_scene_h
 
+#include "conetact/application/adaptive_settings.h"
 #include "conetact/application/command_line.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/contact/node_rules.h"
@@ -34,10 +35,12 @@ namespace conetact
      */
     explicit Scene(const CommandLine &line);
 
-    /** Makes bodies, obstacles, contacts, supports, loads. Throws InputError.
+    /**
+     * Makes bodies (refined, one entry a body, or as they are), obstacles,
+     * contacts, supports, loads. Throws InputError.
      */
     void
-    build();
+    build(const std::vector<Refinements> &refinements = {});
 
     /** All entries with their documentation, or just their values. */
     std::string
@@ -78,12 +81,20 @@ namespace conetact
     std::vector<double>       times;
     SolverOptions             solver;
     PathSettings              path;
+    AdaptiveSettings          adaptive;
     unsigned int              vtu_every = 1;
     /** Increments that are drawn. */
     std::size_t
     n_drawings() const
     {
       return vtu_every > 0 ? times.size() / vtu_every : 0;
+    }
+    /** Only the last of several meshes is drawn and has problem files. */
+    void
+    draw_nothing()
+    {
+      vtu_every = 0;
+      fclib_increments.clear();
     }
     unsigned int           threads             = 1;
     bool                   leave_out_far_nodes = true; ///< working set

@@ -24,7 +24,8 @@ namespace conetact
     std::unique_ptr<Structure> (*create)(dealii::ParameterHandler    &prm,
                                          const unsigned int           dim,
                                          const std::filesystem::path &folder,
-                                         const std::string           &name);
+                                         const std::string           &name,
+                                         const Refinements &refinements);
   };
   const std::vector<BodyRow> &
   body_table();
@@ -36,14 +37,15 @@ namespace conetact
   void
   declare_body(dealii::ParameterHandler &prm);
   /**
-   * The body of the parsed entries; files are relative to `folder`. Throws
-   * InputError.
+   * The body of the parsed entries, its mesh refined further where it has one;
+   * files are relative to `folder`. Throws InputError.
    */
   std::unique_ptr<Structure>
   create_body(dealii::ParameterHandler    &prm,
               const unsigned int           dim,
               const std::filesystem::path &folder,
-              const std::string           &name);
+              const std::string           &name,
+              const Refinements           &refinements = {});
 } // namespace conetact
 
 #endif

@@ -82,6 +82,8 @@ namespace conetact
     /** Cells that are translated copies of each other are congruent. */
     MatrixCount
     matrix_count() const override;
+    std::vector<double>
+    element_errors(const Eigen::VectorXd &u) const override;
 
   private:
     std::unique_ptr<dealii::Triangulation<dim, dim>> triangulation;

@@ -5,11 +5,13 @@
 #define conetact_structures_mesh_parameters_h
 
 #include "conetact/structures/placement.h"
+#include "conetact/structures/structure.h"
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,13 +26,22 @@ namespace conetact
       dealii::Point<3> lower, upper; ///< in the scene's coordinates
       unsigned int     levels;
     };
+    /** Cells nearer to faces of `ids` are refined `levels` times more. */
+    struct Zone
+    {
+      std::set<unsigned int> ids;
+      double                 distance; ///< of the scene [length]
+      unsigned int           levels;
+    };
     std::string              where; ///< for messages: "Body 'block', Mesh/"
     std::string              generator, arguments;
     std::filesystem::path    file; ///< empty: generated
     unsigned int             global_refinements = 0;
     std::vector<Box>         boxes;
+    std::vector<Zone>        zones; ///< beside boundaries
     Placement                placement;
-    std::vector<BoundaryTag> tags; ///< of faces, by their centres
+    std::vector<BoundaryTag> tags;        ///< of faces, by their centres
+    Refinements              refinements; ///< of tagged meshes
 
     /** A point of the mesh as generated or read, scaled, rotated, moved. */
     dealii::Point<3>
@@ -38,6 +49,9 @@ namespace conetact
     {
       return placement.to_scene(p);
     }
+    /** Of a face with this centre, in the scene, that has the id `own`. */
+    unsigned int
+    boundary_id(const unsigned int own, const dealii::Point<3> &centre) const;
   };
 
   /** Entries of `subsection Mesh`, in the body's subsection. */

@@ -55,6 +55,12 @@ namespace conetact
     std::vector<std::pair<unsigned int, double>> masters;
   };
 
+  /**
+   * Elements that are refined in one mesh after the other, by their number in
+   * it.
+   */
+  using Refinements = std::vector<std::set<unsigned int>>;
+
   /** A scalar field of position [units as its user says]. */
   using ScalarField = std::function<double(const Point<3> &)>;
   /** A vector field of position [units as its user says]. */
@@ -161,6 +167,17 @@ namespace conetact
     };
     virtual MatrixCount
     matrix_count() const
+    {
+      return {};
+    }
+
+    /**
+     * Estimated errors of the displacements u (all dofs), one for each element
+     * in their order: squares of their energy norms, up to a factor
+     * [force*length]. Empty if there is no mesh to refine.
+     */
+    virtual std::vector<double>
+    element_errors(const Eigen::VectorXd & /*u*/) const
     {
       return {};
     }

@@ -173,6 +173,26 @@ TEST(MeshInput, BoxesRefineWhatTheyReachInto)
             "16 cells Q1, 25 nodes");
 }
 
+TEST(MeshInput, CellsBesideABoundaryAreRefined)
+{
+  const std::string mesh  = square + "|Global refinements = 1|Scale = 8|";
+  const auto        count = [&](const std::string &entries) {
+    return make_body(2, mesh + entries)->description();
+  };
+  const std::string once = "10 cells Q1, 18 nodes (2 hanging)";
+  EXPECT_EQ(count("Refinement distance = 2 : 1 : 1"), once);
+  EXPECT_EQ(count("Refinement distance = 2 : 4 : 1"), once);
+  EXPECT_EQ(count("Rotation = 30|Refinement distance = 2 : 1 : 1"), once);
+  EXPECT_EQ(count("Boundary ids = 7: y < .1|Refinement distance = 7 : 1 : 1"),
+            once);
+  EXPECT_EQ(count("Refinement distance = 2 : 4.1 : 1"),
+            "16 cells Q1, 25 nodes");
+  EXPECT_EQ(count("Refinement distance = 2, 3 : 1 : 1"),
+            "16 cells Q1, 25 nodes");
+  EXPECT_EQ(count("Refinement distance = 2 : 1 : 2 ; 3 : 1 : 0"),
+            "22 cells Q1, 35 nodes (6 hanging)");
+}
+
 TEST(MeshInput, MaterialIsChecked)
 {
   const auto refuse = [](const std::string &entries) {
@@ -238,6 +258,18 @@ TEST(MeshInput, PlacementIsChecked)
   expect_refusal(refuse("Refinement boxes = 3, 3 : 4, 4 : 1"),
                  "Mesh/Refinement boxes",
                  "no cell");
+  expect_refusal(refuse("Refinement distance = 2 : 1"),
+                 "Mesh/Refinement distance",
+                 "not a distance");
+  expect_refusal(refuse("Refinement distance = 2 : -1 : 1"),
+                 "Mesh/Refinement distance",
+                 "not positive");
+  expect_refusal(refuse("Refinement distance = 2 : 1 : 0.5"),
+                 "Mesh/Refinement distance",
+                 "levels");
+  expect_refusal(refuse("Refinement distance = 2, 9 : 1 : 1"),
+                 "Mesh/Refinement distance",
+                 "id 9");
   expect_refusal(
     refusal(3, "Generator = hyper_cube|Arguments = 0:1:true|Rotation=0,0,0,9"),
     "Mesh/Rotation",
