@@ -78,7 +78,7 @@ TEST(Refinement, DividedCellsPassTheirIdsAndTheirShapeOn)
       "subsection Mesh\nset Generator = hyper_ball\n"
       "set Arguments = 0, 0 : 1 : false\nset Global refinements = 1\n"
       "set Translation = 0, 3\nset Boundary ids = 7: y < 2.2\nend\n"
-      "subsection Material\nset Young modulus = 5\nend\n");
+      "subsection Material\nset Young modulus = 5\nset Poisson ratio = 0.3\nend\n");
     return create_body(prm, 2, folder(), "ball", refinements);
   };
   const auto tagged  = make({})->surface({7}).faces.size();
