@@ -71,6 +71,10 @@ namespace
                 Log                         &log)
   {
     make_folder(folder);
+    // of an earlier run, which this one may not replace
+    std::error_code ignored;
+    for (const char *table : {"events.csv", "refinement.csv"})
+      std::filesystem::remove(folder / table, ignored);
     log.open(folder);
     write_atomically(folder / "used.prm", scene.values());
   }
