@@ -121,6 +121,47 @@ def congruent(laws):
     laws.demand("congruent cells share a matrix", "skipped: 79 of 80 cell matrices of body block" in log_of(run))
 
 
+def beside_each_other(block, names):
+    """A block with equal ones beside it, each on the same floor."""
+    dim, scene = block["Dimension"], dict(block)
+    cells, size = ((12, 6), (2.0, 1.0)) if dim == 2 else ((5, 4, 4), (1.5, 1.0, 1.0))
+    for k, name in enumerate(names, 1):
+        scene[f"Body {name}"] = scenes.box(cells, size, (3.0 * k,) + (0.0,) * (dim - 1))
+        scene[f"Contact {name}"] = {**block["Contact bottom"], "Body": name}
+        scene[f"Support {name}"] = {**block["Support top"], "Body": name}
+    return scene
+
+
+def reactions(run, contact):
+    return [row[what] for row in run.rows if row["contact"] == contact for what in scenes.REACTION]
+
+
+def used_again(laws):
+    """A body that is there several times is factorised once; one that differs, once more."""
+    for dim in (2, 3):
+        block = scenes.press_and_shear(dim)
+        names = ("b", "c", "d")
+        scene = beside_each_other(block, names)
+        alone = laws.run(block)
+        laws.demand("one body has no equal", "equal to others" not in log_of(alone))
+        expected = reactions(alone, "bottom")
+        size = max(map(abs, expected))
+        for what, change, factors, shared in (
+                ("four equal blocks", {}, 1, 3),
+                ("another material", {"Body c": {"Material": {"Young modulus": 1001}}}, 2, 2),
+                ("another support", {"Support c": {"Stiffness": 500}}, 2, 2)):
+            run = laws.run(scenes.merge(scene, change))
+            demand_work(laws, f"{dim}D, {what}", run, {"factorisations of the elastic system": factors,
+                                                       "condensations": factors})
+            laws.demand("the log says so",
+                        f"skipped: condensation of {shared} of 4 bodies, equal to others" in log_of(run))
+            for name in ("bottom",) + names:
+                if name != "c" or not change:
+                    found = reactions(run, name)
+                    laws.check(f"{name}: reactions are those of the block alone",
+                               max(abs(f - e) for f, e in zip(found, expected, strict=True)) / size, 1e-12)
+
+
 def dry_run(laws):
     """A dry run writes and factorises nothing; its estimates are those of the run."""
     for dim, cells, mu in ((2, (120, 120), .3), (3, (14, 14, 14), .3), (3, (14, 14, 14), 0.0)):
@@ -174,8 +215,8 @@ def frictionless(laws):
                     and f"skipped: friction cones of {n} contact nodes" in log_of(run))
 
 
-CHECKS = (factor_once, loads_once, tables_once, drawn_only, paused, no_contact, at_rest, congruent, dry_run,
-          failed, frictionless)
+CHECKS = (factor_once, loads_once, tables_once, drawn_only, paused, no_contact, at_rest, congruent, used_again,
+          dry_run, failed, frictionless)
 
 
 def main(program):

@@ -121,6 +121,13 @@ def bodies(laws):
     scene["Obstacle floor"]["Displacement"] = "0.02*max(t - 1, 0) ; 0.1*min(t, 1)"
     counts = both(laws, "moving obstacle", scene)
     laws.demand(f"moving obstacle: {counts}", counts and counts["larger"] == 0)
+    scene = sheet(2, (240, 8), "0.005*(x - 12)^2")
+    scene |= {"Body other": box((240, 8), (24.0, 4.0), (30.0, 0.0)),
+              "Obstacle other": {**scene["Obstacle floor"], "Gap": "0.005*(x - 42)^2"},
+              "Contact other": {**scene["Contact bottom"], "Body": "other", "Obstacle": "other"},
+              "Support other": {**scene["Support top"], "Body": "other"}}
+    counts = both(laws, "equal bodies", scene)
+    laws.demand(f"equal bodies: {counts}", counts and counts["factorisations of the elastic system"] == 1)
 
 
 def anywhere(laws):

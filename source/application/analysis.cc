@@ -190,6 +190,11 @@ namespace conetact
     note(loads.n_integrations(),
          loads.n_evaluations(),
          "integrations of loads, known already");
+    if (const unsigned int n_shared = model.condensation().n_shared_bodies();
+        n_shared > 0)
+      log.note("skipped: condensation of " + std::to_string(n_shared) + " of " +
+               std::to_string(model.condensation().n_bodies()) +
+               " bodies, equal to others");
     const auto n_candidates =
       static_cast<std::size_t>(model.working_set().n_candidates());
     const std::size_t n_condensed = model.working_set().nodes().size();

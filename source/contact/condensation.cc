@@ -73,6 +73,14 @@ namespace conetact
           node_of[static_cast<std::size_t>(i)];
       return nodes;
     }
+
+    std::vector<unsigned int>
+    body_of(const Coordinates &coordinates, std::vector<unsigned int> nodes)
+    {
+      for (unsigned int &node : nodes)
+        node = coordinates.locate(node).first;
+      return nodes;
+    }
   } // namespace
 
   Condensation::Condensation(const ElasticSystem   &e,
@@ -90,9 +98,12 @@ namespace conetact
     stiffness_scale = mean_diagonal(stiffness);
     stiffness /= stiffness_scale;
     sort(stiffness, place);
-    const Eigen::Index n = set.layout().n_unknowns();
-    solver               = std::make_unique<ExtendedSchur>(
-      stiffness, n, sorted(coordinates.node_of_unknowns(), place));
+    const Eigen::Index n       = set.layout().n_unknowns();
+    const auto         node_of = sorted(coordinates.node_of_unknowns(), place);
+    solver                     = std::make_unique<ExtendedSchur>(stiffness,
+                                             n,
+                                             node_of,
+                                             body_of(coordinates, node_of));
 
     auto system    = std::make_shared<ContactSystem>(set.layout());
     system->matrix = solver->base().take_schur_complement();
@@ -284,8 +295,10 @@ namespace conetact
     const Places                place = set_last(coordinates, set);
     Eigen::SparseMatrix<double> upper = assemble(elastic, coordinates);
     sort(upper, place);
-    return SchurSolver::estimate(upper,
-                                 set.layout().n_unknowns(),
-                                 sorted(coordinates.node_of_unknowns(), place));
+    const auto node_of = sorted(coordinates.node_of_unknowns(), place);
+    return BlockSchurSolver::estimate(upper,
+                                      set.layout().n_unknowns(),
+                                      node_of,
+                                      body_of(coordinates, node_of));
   }
 } // namespace conetact

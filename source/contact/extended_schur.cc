@@ -27,9 +27,10 @@ namespace conetact
 
   ExtendedSchur::ExtendedSchur(const Eigen::SparseMatrix<double> &upper,
                                const Eigen::Index                 n_schur,
-                               const std::vector<unsigned int>   &node_of)
+                               const std::vector<unsigned int>   &node_of,
+                               const std::vector<unsigned int>   &body_of)
     : n_unknowns(upper.cols())
-    , solver(upper, n_schur, node_of)
+    , solver(upper, n_schur, node_of, body_of)
   {}
 
 

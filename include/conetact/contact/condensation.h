@@ -110,8 +110,20 @@ namespace conetact
       return solver->base().factor_bytes();
     }
 
-    /** Work with the factor so far. */
-    const SchurWork &
+    /** Bodies, and those of them for which an equal one is condensed. */
+    unsigned int
+    n_bodies() const
+    {
+      return solver->base().n_bodies();
+    }
+    unsigned int
+    n_shared_bodies() const
+    {
+      return solver->base().n_shared_bodies();
+    }
+
+    /** Work with the factors so far. */
+    SchurWork
     work() const
     {
       return solver->base().work();

@@ -4,7 +4,7 @@
 #ifndef conetact_contact_extended_schur_h
 #define conetact_contact_extended_schur_h
 
-#include "conetact/contact/schur_solver.h"
+#include "conetact/contact/block_schur.h"
 
 namespace conetact
 {
@@ -20,10 +20,11 @@ namespace conetact
   class ExtendedSchur
   {
   public:
-    /** As SchurSolver. */
+    /** As BlockSchurSolver. */
     ExtendedSchur(const Eigen::SparseMatrix<double> &upper,
                   const Eigen::Index                 n_schur,
-                  const std::vector<unsigned int>   &node_of);
+                  const std::vector<unsigned int>   &node_of,
+                  const std::vector<unsigned int>   &body_of = {});
 
     /**
      * Adds `unknowns`, eliminated so far, behind those of S, which becomes the
@@ -53,12 +54,12 @@ namespace conetact
     }
 
     /** Without what was added. */
-    SchurSolver &
+    BlockSchurSolver &
     base()
     {
       return solver;
     }
-    const SchurSolver &
+    const BlockSchurSolver &
     base() const
     {
       return solver;
@@ -70,7 +71,7 @@ namespace conetact
     append(const Eigen::MatrixXd &D, const Eigen::MatrixXd &X);
 
     Eigen::Index              n_unknowns; ///< of A
-    SchurSolver               solver;
+    BlockSchurSolver          solver;
     std::vector<Eigen::Index> added;
     Eigen::MatrixXd           L, B; ///< D = L L^T, B = L^-1 X
   };
