@@ -8,19 +8,35 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parent.parent
 
 
-def cpu_seconds(command, output=os.devnull):
-    """Of the whole process, pinned to one core; what it prints goes to a file."""
+def resources(command, output=os.devnull, folder=".", one_core=True):
+    """What the whole process used (CPU seconds, peak memory [MB]), None if it fails.
+
+    It runs in the folder, pinned to one core unless told otherwise; what it prints goes to a file.
+    """
     command = [str(word) for word in command]
     child = os.fork()
     if child == 0:
-        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-        os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
+        os.chdir(folder)
+        if one_core:
+            os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+            os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
         os.dup2(os.open(output, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), 1)
         os.execv(command[0], command)
     _, status, usage = os.wait4(child, 0)
-    if status != 0:
-        raise SystemExit(f"{' '.join(command)} failed" + (f"; what it said is in {output}" if output != os.devnull else ""))
-    return usage.ru_utime + usage.ru_stime
+    return (usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1e3) if status == 0 else None
+
+
+def checked_resources(command, output=os.devnull, **how):
+    """The same of a process that must not fail."""
+    used = resources(command, output, **how)
+    if used is None:
+        raise SystemExit(f"{' '.join(map(str, command))} failed"
+                         + (f"; what it said is in {output}" if output != os.devnull else ""))
+    return used
+
+
+def cpu_seconds(command, output=os.devnull, **how):
+    return checked_resources(command, output, **how)[0]
 
 
 def median_cpu_seconds(command, runs=3):

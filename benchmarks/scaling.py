@@ -15,13 +15,13 @@ scaling.png (where matplotlib is there) to FOLDER. 40^3 needs 6 GB, 50^3 13 GB, 
 import argparse
 import csv
 import math
-import os
 import re
 import sys
 import tempfile
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parent.parent
+from measure import TOP, checked_resources
+
 COLUMNS = ("elements", "dofs", "contact nodes", "CPU s", "condensation s", "ratio", "peak MB", "factor MB", "K MB")
 SCENES = {
     "block": ("block-press-shear", lambda n: [f"Body block/Mesh/Arguments={n}, {n}, {n} : 0, 0, 0 : 1, 1, 1 : true"]),
@@ -36,14 +36,7 @@ def run(build, kind, n, folder):
     command = [str(build / "conetact"), str(TOP / f"parameter-files/{scene}.prm"), "-q", "-o", str(folder)]
     for change in [*changes(n), "Output/VTU=0"]:
         command += ["-s", change]
-    child = os.fork()
-    if child == 0:
-        os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
-        os.execv(command[0], command)
-    _, status, usage = os.wait4(child, 0)
-    if status != 0:
-        raise SystemExit(f"{' '.join(command)} failed")
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1e3
+    return checked_resources(command)
 
 
 def measure(build, kind, n):

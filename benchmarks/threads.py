@@ -11,14 +11,14 @@ reactions.csv over its largest value. Wants an idle machine.
 """
 import argparse
 import csv
-import os
 import statistics
 import sys
 import tempfile
 import time
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parent.parent
+from measure import TOP, cpu_seconds
+
 COLUMNS = ("elements", "1 thread: clock s", "CPU s", "T threads: clock s", "CPU s", "clock ratio", "difference")
 
 
@@ -28,13 +28,8 @@ def run(build, n, threads, folder):
                "-s", "Output/VTU=0", "-s", f"Solver/Threads={threads}",
                "-s", f"Body block/Mesh/Arguments={n}, {n}, {n} : 0, 0, 0 : 1, 1, 1 : true"]
     start = time.perf_counter()
-    child = os.fork()
-    if child == 0:
-        os.execv(command[0], command)
-    _, status, usage = os.wait4(child, 0)
-    if status != 0:
-        raise SystemExit(f"{' '.join(command)} failed")
-    return time.perf_counter() - start, usage.ru_utime + usage.ru_stime
+    seconds = cpu_seconds(command, one_core=False)
+    return time.perf_counter() - start, seconds
 
 
 def reactions(folder):

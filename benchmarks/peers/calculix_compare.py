@@ -13,30 +13,18 @@ a tenth; the forces of the exact cone are ours.
 import argparse
 import csv
 import itertools
-import os
 import shutil
 import statistics
 import sys
 import tempfile
 from pathlib import Path
 
-TOP = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from measure import TOP, cpu_seconds, resources  # noqa: E402
+
 PENALTIES = (10, 100, 1000)
 INCREMENTS = 11
 COLUMNS = ("scene", "penalty", "ours s", "CalculiX s", "ratio", "force error")
-
-
-def cpu_seconds(command, folder):
-    """Of the process, pinned to one core; None if it fails."""
-    child = os.fork()
-    if child == 0:
-        os.chdir(folder)
-        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-        os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
-        os.dup2(os.open("said", os.O_WRONLY | os.O_CREAT | os.O_TRUNC), 1)
-        os.execv(command[0], command)
-    _, status, usage = os.wait4(child, 0)
-    return usage.ru_utime + usage.ru_stime if status == 0 else None
 
 
 def node(n, i, j, k):
@@ -105,18 +93,16 @@ def run_peer(n, penalty):
     """CPU seconds and forces; no seconds if it did not finish."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "scene.inp").write_text("\n".join(model(n, penalty)) + "\n")
-        seconds = cpu_seconds([shutil.which("ccx"), "scene"], folder)
+        used = resources([shutil.which("ccx"), "scene"], folder=folder)
         forces = peer_forces(Path(folder)) if (Path(folder) / "scene.dat").exists() else []
-    return (seconds if len(forces) == INCREMENTS else None), forces
+    return (used[0] if used and len(forces) == INCREMENTS else None), forces
 
 
 def run_own(build, n):
     with tempfile.TemporaryDirectory() as folder:
         command = [str(build / "conetact"), str(TOP / "parameter-files/block-press-shear.prm"), "-q", "-o", "result",
                    "-s", "Output/VTU=0", "-s", f"Body block/Mesh/Arguments={n}, {n}, {n} : 0, 0, 0 : 1, 1, 1 : true"]
-        seconds = [cpu_seconds(command, folder) for _ in range(3)]
-        if None in seconds:
-            raise SystemExit(f"{' '.join(command)} failed")
+        seconds = [cpu_seconds(command, folder=folder) for _ in range(3)]
         with open(Path(folder) / "result/increments.csv", newline="") as table:
             forces = [[float(row[f"bottom_f_{d}"]) for d in "xyz"] for row in csv.DictReader(table)]
     return statistics.median(seconds), forces

@@ -20,12 +20,6 @@ namespace conetact
     /** Reactions below this part of the largest are those of open nodes. */
     constexpr double noise = 1e-12;
 
-    double
-    largest(const Eigen::VectorXd &x)
-    {
-      return x.size() == 0 ? 0. : x.cwiseAbs().maxCoeff();
-    }
-
     bool
     numbers_are_unique(const Coordinates &coordinates)
     {
@@ -290,6 +284,7 @@ namespace conetact
       write(finished);
       for (std::size_t i = 0; i < finished.size(); ++i)
         add_events(waiting[i].point);
+      events->write();
       waiting.clear();
     };
     try

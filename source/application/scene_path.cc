@@ -25,19 +25,17 @@ namespace conetact
     {
       double          start = 0;
       Eigen::VectorXd first = values(0.);
-      double size = first.size() == 0 ? 0. : first.cwiseAbs().maxCoeff();
+      double          size  = largest(first);
       for (const double end : times)
         {
           const Eigen::VectorXd last = values(end);
-          size =
-            std::max(size, last.size() == 0 ? 0. : last.cwiseAbs().maxCoeff());
+          size                       = std::max(size, largest(last));
           for (const double part : parts)
             {
               const Eigen::VectorXd bend =
                 values(start + part * (end - start)) -
                 (first + part * (last - first));
-              if (bend.size() > 0 &&
-                  !(bend.cwiseAbs().maxCoeff() <= 1e-11 * size))
+              if (!(largest(bend) <= 1e-11 * size))
                 throw InputError(
                   entry + ": it is not linear in t between t = " +
                   to_text(start) + " and t = " + to_text(end) +
@@ -105,6 +103,8 @@ namespace conetact
   {
     for (const Load &load : loads)
       {
+        if (!load.uses_time())
+          continue;
         const Structure &structure = *bodies.structures[load.body];
         check_linear(times,
                      "Load '" + load.name + "', Value",
@@ -117,9 +117,8 @@ namespace conetact
       }
     for (const Support &support : bodies.supports)
       {
-        const auto nodes =
-          bodies.structures[support.body]->surface(support.ids).nodes;
-        const auto check = [&](const Expression  &expression,
+        const auto &nodes = support.surface.nodes;
+        const auto  check = [&](const Expression  &expression,
                                const std::string &entry) {
           check_linear(
             times,

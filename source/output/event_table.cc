@@ -12,7 +12,7 @@ namespace conetact
     : file(folder / "events.csv")
     , text("event,parameter,node,from,to\n")
   {
-    write_atomically(file, text);
+    write();
   }
 
 
@@ -31,6 +31,13 @@ namespace conetact
         row.add(change.to);
         row.end();
       }
+  }
+
+
+
+  void
+  EventTable::write() const
+  {
     write_atomically(file, text);
   }
 
@@ -46,6 +53,6 @@ namespace conetact
     row.add(std::string());
     row.add(words);
     row.end();
-    write_atomically(file, text);
+    write();
   }
 } // namespace conetact

@@ -22,12 +22,6 @@ namespace conetact
      */
     constexpr double runaway = 1e-4;
 
-    double
-    largest(const VectorXd &x)
-    {
-      return x.size() == 0 ? 0. : x.lpNorm<Eigen::Infinity>();
-    }
-
     /** A stiffness that turns displacements into forces, @f$\rho@f$. */
     double
     reference_stiffness(const ContactSystem &system)
@@ -79,6 +73,12 @@ namespace conetact
       return result;
     }
   } // namespace
+
+  double
+  largest(const VectorXd &x)
+  {
+    return x.size() == 0 ? 0. : x.lpNorm<Eigen::Infinity>();
+  }
 
 
 

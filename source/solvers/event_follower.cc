@@ -29,12 +29,6 @@ namespace conetact
     /** Steps beyond a point without continuation, in the length of the stage.
      */
     constexpr double jump_steps[] = {1e-8, 1e-6, 1e-4};
-
-    double
-    largest(const VectorXd &x)
-    {
-      return x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.;
-    }
   } // namespace
 
 

@@ -19,14 +19,6 @@ namespace conetact
 
     constexpr int max_active_set_steps = 25;
 
-    double
-    largest(const VectorXd &x)
-    {
-      return x.size() > 0 ? x.lpNorm<Eigen::Infinity>() : 0.;
-    }
-
-
-
     /** One rate problem, with everything it needs. */
     class RateProblem
     {

@@ -25,17 +25,14 @@ namespace conetact
     {
       std::string node, from, to;
     };
-    /** All changes of one event. */
+    /** All changes of one event, to be written with others. */
     void
     add(const double parameter, const std::vector<Change> &changes);
     void
+    write() const;
+    /** The last line, written at once. */
+    void
     finish(const double parameter, const std::string &words);
-
-    unsigned int
-    n_events() const
-    {
-      return n;
-    }
 
   private:
     const std::filesystem::path file;

@@ -124,6 +124,10 @@ namespace conetact
     double       residual       = 0; ///< contact_residual() of the result
   };
 
+  /** Largest magnitude of the entries, 0 without any. */
+  double
+  largest(const Eigen::VectorXd &x);
+
   /**
    * The measure of every result, outside all solvers and free of units: with
    * @f$\rho = tr K / n@f$ (compliance: n / tr W),
