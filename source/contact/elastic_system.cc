@@ -3,6 +3,8 @@
 
 #include "conetact/contact/elastic_system.h"
 
+#include "conetact/structures/element_forces.h"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -14,62 +16,6 @@ namespace conetact
   {
     using RowMajorMatrix =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-    /** f += k u on the dofs of one element, k symmetric. */
-    void
-    multiply(const std::vector<unsigned int> &dofs,
-             const double                    *matrix,
-             const Eigen::VectorXd           &u,
-             Eigen::VectorXd                 &local,
-             Eigen::VectorXd                 &f)
-    {
-      const std::size_t n = dofs.size();
-      local.setZero(static_cast<Eigen::Index>(n));
-      double *const sum = local.data();
-      for (std::size_t j = 0; j < n; ++j, matrix += n)
-        {
-          const double u_j = u[dofs[j]];
-          for (std::size_t i = 0; i < n; ++i)
-            sum[i] += matrix[i] * u_j;
-        }
-      for (std::size_t i = 0; i < n; ++i)
-        f[dofs[i]] += sum[i];
-    }
-
-    /**
-     * The same where all dofs are translations: that of the first node is taken
-     * out before k acts and put back only as far as k resists it. Forces of an
-     * element that hardly strains then keep their digits and their sum of zero,
-     * however far it moves.
-     */
-    void
-    multiply_strained(const std::vector<unsigned int> &dofs,
-                      const double                    *matrix,
-                      const unsigned int               dim,
-                      const Eigen::VectorXd           &u,
-                      Eigen::VectorXd                 &local,
-                      Eigen::VectorXd                 &f)
-    {
-      const auto       n = static_cast<Eigen::Index>(dofs.size());
-      Eigen::VectorXd  strained(n);
-      Eigen::MatrixX3d resistance = Eigen::MatrixX3d::Zero(n, 3);
-      Eigen::Vector3d  base       = Eigen::Vector3d::Zero();
-      const Eigen::Map<const Eigen::MatrixXd> k(matrix, n, n);
-      for (Eigen::Index j = n; j-- > 0;)
-        base[dofs[static_cast<std::size_t>(j)] % dim] =
-          u[dofs[static_cast<std::size_t>(j)]];
-      for (Eigen::Index j = 0; j < n; ++j)
-        {
-          const unsigned int dof = dofs[static_cast<std::size_t>(j)];
-          strained[j]            = u[dof] - base[dof % dim];
-          resistance.col(dof % dim) += k.col(j);
-        }
-      local.noalias() = k * strained;
-      if (resistance.cwiseAbs().maxCoeff() > 1e-10 * k.cwiseAbs().maxCoeff())
-        local += resistance * base;
-      for (Eigen::Index i = 0; i < n; ++i)
-        f[dofs[static_cast<std::size_t>(i)]] += local[i];
-    }
 
     /** An element in the unknowns q: C^T k C on the unknowns it touches. */
     struct ReducedElement
@@ -326,24 +272,16 @@ namespace conetact
   Eigen::VectorXd
   ElasticSystem::internal_forces(const Eigen::VectorXd &u) const
   {
-    Eigen::VectorXd f = spring_forces(u), part, local;
+    Eigen::VectorXd f = spring_forces(u), part;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
       {
         if (bodies.is_at_rest(body))
           continue;
-        const Structure      &structure = *bodies.structures[body];
-        const Eigen::VectorXd own =
-          u.segment(dof_offset[body], structure.n_dofs());
-        part.setZero(own.size());
-        const bool only_translations = structure.n_components() == bodies.dim;
-        structure.for_each_element(
-          [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-            if (only_translations)
-              multiply_strained(dofs, matrix, bodies.dim, own, local, part);
-            else
-              multiply(dofs, matrix, own, local, part);
-          });
-        f.segment(dof_offset[body], structure.n_dofs()) += part;
+        const Structure &structure = *bodies.structures[body];
+        part.setZero(structure.n_dofs());
+        structure.add_internal_forces(u.segment(dof_offset[body], part.size()),
+                                      part);
+        f.segment(dof_offset[body], part.size()) += part;
       }
     return f;
   }

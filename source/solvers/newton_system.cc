@@ -162,29 +162,20 @@ namespace conetact
               0;
       }
 
-    // Four columns at once: what is known of a row is read once for them.
     J.resize(static_cast<Index>(n), static_cast<Index>(n));
-    Eigen::Array<Number, 4, Eigen::Dynamic> columns =
-      Eigen::Array<Number, 4, Eigen::Dynamic>::Zero(4, system.n_unknowns() + 2);
-    for (std::size_t b = 0; b < n; b += 4)
+    Eigen::Matrix<Number, Eigen::Dynamic, 1> column =
+      Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(system.n_unknowns() + 2);
+    for (std::size_t b = 0; b < n; ++b)
       {
-        const std::size_t width = std::min<std::size_t>(4, n - b);
-        for (std::size_t k = 0; k < width; ++k)
-          columns.row(static_cast<Index>(k)).head(system.n_unknowns()) =
-            (scale(unknown[b + k]) * system.matrix.col(unknown[b + k]))
-              .transpose()
-              .array()
-              .template cast<Number>();
+        column.head(system.n_unknowns()) =
+          (scale(unknown[b]) * system.matrix.col(unknown[b]))
+            .template cast<Number>();
+        Number *const result = J.col(static_cast<Index>(b)).data();
         for (std::size_t a = 0; a < n; ++a)
           {
-            const Number                    *w = weights[a].w;
-            const Index                      c = weights[a].start;
-            const Eigen::Array<Number, 4, 1> entries =
-              w[0] * columns.col(c) + w[1] * columns.col(c + 1) +
-              w[2] * columns.col(c + 2);
-            for (std::size_t k = 0; k < width; ++k)
-              J(static_cast<Index>(a), static_cast<Index>(b + k)) =
-                entries(static_cast<Index>(k));
+            const Number *const w = weights[a].w;
+            const Number *const m = column.data() + weights[a].start;
+            result[a]             = w[0] * m[0] + w[1] * m[1] + w[2] * m[2];
           }
       }
     add_node_blocks(laws, shift, J);

@@ -160,6 +160,14 @@ namespace conetact
     matrices.for_each(visit);
   }
 
+  template <int dim>
+  void
+  Continuum<dim>::add_internal_forces(const Eigen::VectorXd &u,
+                                      Eigen::VectorXd       &f) const
+  {
+    matrices.add_forces(u, f);
+  }
+
 
 
   template <int dim>

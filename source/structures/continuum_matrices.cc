@@ -15,6 +15,10 @@ namespace conetact
     /** Bytes of matrices that belong to one cell only and are kept. */
     constexpr std::size_t room_for_single_cells = 256u << 20;
 
+    /** Congruent cells that are multiplied together; they fit into the cache.
+     */
+    constexpr unsigned int cells_at_once = 64;
+
     /** Vertices relative to the first one, and how exactly they are known. */
     template <int dim>
     struct Outline
@@ -141,6 +145,50 @@ namespace conetact
         visit(dofs,
               matrix < 0 ? single.data() :
                            matrices[static_cast<std::size_t>(matrix)].data());
+      }
+  }
+
+  template <int dim>
+  typename CellMatrices<dim>::Columns
+  CellMatrices<dim>::strained(const unsigned int     first,
+                              const unsigned int     end,
+                              const Eigen::VectorXd &u) const
+  {
+    Columns result(Element::n_dofs, end - first);
+    for (unsigned int cell = first; cell < end; ++cell)
+      {
+        const auto                         &nodes = mesh.cells[cell];
+        const Eigen::Matrix<double, dim, 1> base =
+          u.template segment<dim>(dim * nodes[0]);
+        for (int v = 0; v < Element::n_vertices; ++v)
+          result.template block<dim, 1>(dim * v, cell - first) =
+            u.template segment<dim>(dim * nodes[v]) - base;
+      }
+    return result;
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::add_forces(const Eigen::VectorXd &u,
+                                Eigen::VectorXd       &f) const
+  {
+    const auto n_cells = static_cast<unsigned int>(mesh.cells.size());
+    Columns    forces;
+    for (unsigned int first = 0, end = 0; first < n_cells; first = end)
+      {
+        const unsigned int shape = shape_of_cell[first];
+        const unsigned int limit = std::min(n_cells, first + cells_at_once);
+        for (end = first + 1; end < limit && shape_of_cell[end] == shape;)
+          ++end;
+        const int kept = shapes[shape].matrix;
+        forces.noalias() =
+          (kept < 0 ? compute(first) :
+                      matrices[static_cast<std::size_t>(kept)]) *
+          strained(first, end, u);
+        for (unsigned int cell = first; cell < end; ++cell)
+          for (int v = 0; v < Element::n_vertices; ++v)
+            f.template segment<dim>(dim * mesh.cells[cell][v]) +=
+              forces.template block<dim, 1>(dim * v, cell - first);
       }
   }
 

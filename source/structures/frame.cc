@@ -3,6 +3,7 @@
 
 #include "conetact/structures/frame.h"
 
+#include "conetact/structures/element_forces.h"
 #include "conetact/structures/frame_graphics.h"
 
 #include <Eigen/Eigenvalues>
@@ -121,6 +122,19 @@ namespace conetact
                              active[static_cast<std::size_t>(j)]);
         visit(dofs, matrix.data());
       }
+  }
+
+  void
+  Frame::add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const
+  {
+    Eigen::VectorXd local;
+    for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        if (rotates)
+          multiply(dofs, matrix, u, local, f);
+        else
+          multiply_strained(dofs, matrix, model.dim, u, local, f);
+      });
   }
 
   void

@@ -41,6 +41,9 @@ namespace conetact
 
     void
     for_each_element(const ElementVisitor &visit) const override;
+    void
+    add_internal_forces(const Eigen::VectorXd &u,
+                        Eigen::VectorXd       &f) const override;
 
     BoundaryIds
     boundary_ids() const override;

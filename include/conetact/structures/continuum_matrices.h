@@ -33,6 +33,15 @@ namespace conetact
     void
     for_each(const ElementVisitor &visit) const;
 
+    /**
+     * f += K u, all dofs. What a cell's first node moves is taken out before
+     * its matrix acts: forces of cells that hardly strain keep their digits and
+     * their sum of zero, however far they move. Neighbours of one shape are
+     * multiplied together.
+     */
+    void
+    add_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const;
+
     /** Cells that are no copies of each other. */
     unsigned int
     n_shapes() const
@@ -56,8 +65,16 @@ namespace conetact
     std::vector<unsigned int>             shape_of_cell;
     std::vector<typename Element::Matrix> matrices;
 
+    /** A column for each cell, its vertices' values or forces. */
+    using Columns = Eigen::Matrix<double, Element::n_dofs, Eigen::Dynamic>;
+
     void
     find_shapes();
+    /** u of cells in a row, relative to that of their first vertices. */
+    Columns
+    strained(const unsigned int     first,
+             const unsigned int     end,
+             const Eigen::VectorXd &u) const;
     void
     keep_matrices();
     typename Element::Matrix

@@ -159,6 +159,12 @@ namespace conetact
     /** All elements, in an order that is the same each time. */
     virtual void
     for_each_element(const ElementVisitor &visit) const = 0;
+    /**
+     * f += K u [force], such that a motion without strain costs no digits of
+     * the forces.
+     */
+    virtual void
+    add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const = 0;
 
     /** For the log: congruent elements share a matrix. */
     struct MatrixCount

@@ -90,6 +90,10 @@ namespace
     void
     for_each_element(const ElementVisitor &) const override
     {}
+    void
+    add_internal_forces(const Eigen::VectorXd &,
+                        Eigen::VectorXd &) const override
+    {}
     BoundaryIds
     boundary_ids() const override
     {
