@@ -21,7 +21,7 @@ namespace conetact
     control(1) = control(2) = control(3) = -1; // silent
     control(4)                           = 0;
     control(7)                           = 1;  // the order is given
-    control(8)                           = 0;  // scaling costs accuracy
+    control(8)                           = -1; // and the scaling
     control(14)                          = 10; // spare workspace [%]
     control(28)                          = 1;  // sequential analysis
   }

@@ -8,6 +8,7 @@
 #include "conetact/contact/mumps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -45,6 +46,23 @@ namespace conetact
         for (SparseMatrix::InnerIterator entry(upper, column); entry; ++entry)
           if (entry.row() > column)
             throw std::invalid_argument("Only the upper triangle is wanted.");
+    }
+
+    // Factors between 1 and 2 that differ from unknown to unknown, 1 for C.
+    // Equal cells are eliminated by equal operations: unscaled they round
+    // alike, and their errors add up over the area of a mesh instead of
+    // cancelling each other.
+    std::vector<double>
+    uneven_scale(const Index n_eliminated, const Index n)
+    {
+      constexpr double    golden_ratio = 0.6180339887498949;
+      std::vector<double> scale(n, 1.);
+      for (Index i = 0; i < n_eliminated; ++i)
+        {
+          const double x = golden_ratio * static_cast<double>(i + 1);
+          scale[i] += x - std::floor(x);
+        }
+      return scale;
     }
 
     // Copies the upper triangle to the lower one, by blocks that fit into the
@@ -89,6 +107,7 @@ namespace conetact
     const Index            n, n_schur, n_eliminated;
     MatrixXd               schur;
     std::vector<int>       schur_unknowns;
+    std::vector<double>    scale; // in use as long as MUMPS
     std::unique_ptr<Mumps> mumps; // none where nothing is eliminated
     SchurWork              work;
 
@@ -190,6 +209,9 @@ namespace conetact
         schur.resize(n_schur, n_schur);
         data.schur = schur.data();
       }
+    scale       = uneven_scale(n_eliminated, n);
+    data.rowsca = scale.data();
+    data.colsca = scale.data();
     mumps->factorize();
     ++work.factorizations;
     work.condensations += n_schur > 0;

@@ -3,6 +3,8 @@
 
 #include "conetact/structures/continuum_matrices.h"
 
+#include "conetact/structures/exact_sums.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -126,7 +128,10 @@ namespace conetact
   typename ElementFormulation<dim>::Matrix
   CellMatrices<dim>::compute(const unsigned int cell) const
   {
-    return thickness * element.stiffness(mesh.vertices(mesh.cells[cell]));
+    typename Element::Matrix k =
+      thickness * element.stiffness(mesh.vertices(mesh.cells[cell]));
+    make_sums_exact(k, dim);
+    return k;
   }
 
   template <int dim>

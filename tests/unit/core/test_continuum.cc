@@ -124,6 +124,38 @@ TEST(Continuum, ElementsAreExactlySymmetric)
       });
 }
 
+TEST(Continuum, TranslationsMeetNoForceToTheLastBit)
+{
+  for (const auto &body : bodies())
+    {
+      const unsigned int dim = body->n_components();
+      body->for_each_element(
+        [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+          for (std::size_t i = 0; i < dofs.size(); ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                double force = 0;
+                for (std::size_t j = c; j < dofs.size(); j += dim)
+                  force += matrix[i * dofs.size() + j];
+                ASSERT_EQ(force, 0.) << body->description();
+              }
+        });
+    }
+  for (const auto &[dim, mesh] : {std::pair{2u, square}, std::pair{3u, brick}})
+    {
+      const auto body = make_body(dim, mesh);
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const Eigen::VectorXd u = interpolate(*body, [c](const Point<3> &) {
+            Tensor<1, 3> along;
+            along[c] = 1;
+            return along;
+          });
+          EXPECT_EQ((stiffness(*body) * u).cwiseAbs().maxCoeff(), 0.);
+        }
+    }
+}
+
 TEST(Continuum, OnlyRigidMotionsNeedNoEnergy)
 {
   for (const auto &body : bodies())

@@ -183,6 +183,62 @@ TEST(SchurSolver, TakesNodesOnBothSides)
 
 
 
+namespace
+{
+  // A square membrane of n x n equal cells with one unknown a node; the rows at
+  // its top are held by springs of stiffness 1. Forces of a cell add up to zero
+  // exactly.
+  System
+  membrane(const Index n)
+  {
+    const double                        k = std::round(0x1p40 * 1.1) * 0x1p-40;
+    std::vector<Eigen::Triplet<double>> entries;
+    System                              system;
+    const auto couple = [&](const Index i, const Index j) {
+      entries.emplace_back(std::min(i, j), std::max(i, j), -k);
+      entries.emplace_back(i, i, k);
+      entries.emplace_back(j, j, k);
+    };
+    for (Index y = 0; y < n; ++y)
+      for (Index x = 0; x < n; ++x)
+        {
+          const Index i = y * n + x;
+          system.node_of.push_back(static_cast<unsigned int>(i));
+          if (y == 0)
+            entries.emplace_back(i, i, 1.);
+          if (x + 1 < n)
+            couple(i, i + 1);
+          if (y + 1 < n)
+            couple(i, i + n);
+          if (x + 1 < n && y + 1 < n)
+            {
+              couple(i, i + n + 1);
+              couple(i + 1, i + n);
+            }
+        }
+    system.upper.resize(n * n, n * n);
+    system.upper.setFromTriplets(entries.begin(), entries.end());
+    return system;
+  }
+} // namespace
+
+
+
+// Rounding errors of equal cells must not add up over the area.
+TEST(SchurSolver, KeepsTheBalanceOfLargeMeshes)
+{
+  constexpr Index n      = 200;
+  const System    system = membrane(n);
+  SchurSolver     solver(system.upper, n, system.node_of);
+  const MatrixXd  u_C       = MatrixXd::Ones(n, 1);
+  const MatrixXd  u         = solver.expand(MatrixXd::Zero(n * n, 1), u_C);
+  const double    at_bottom = (solver.take_schur_complement() * u_C).sum();
+  const double    at_top    = u.topRows(n).sum();
+  EXPECT_LT(std::abs(at_bottom - at_top), 2e-13 * at_top);
+}
+
+
+
 TEST(SchurSolver, TakesAMatrixThatIsNotCompressed)
 {
   System system = Lattice{{4, 4}}.assemble();
