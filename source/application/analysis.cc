@@ -186,7 +186,7 @@ namespace conetact
          "factorisations, the stiffness stays the same");
     note(model.condensation().n_reductions(),
          n_increments,
-         "load cases, combinations of others");
+         "load cases, combinations of others or bodies carried along");
     note(loads.n_integrations(),
          loads.n_evaluations(),
          "integrations of loads, known already");

@@ -93,7 +93,7 @@ namespace conetact
             {mean(a.load.prescribed, b.load.prescribed),
              mean(a.load.b, b.load.b),
              mean(a.load.f, b.load.f),
-             {}},
+             mean(a.load.q, b.load.q)},
             mean(a.f, b.f)};
   }
 

@@ -167,17 +167,36 @@ namespace conetact
   Condensation::reduce(const Eigen::VectorXd &forces,
                        const Eigen::VectorXd &prescribed)
   {
+    Load       load{prescribed,
+              Eigen::VectorXd::Zero(coordinates.n_unknowns()),
+              Eigen::VectorXd::Zero(set.layout().n_unknowns()),
+              Eigen::VectorXd::Zero(coordinates.n_unknowns())};
+    const auto carried = coordinates.carried(prescribed);
+    if (!carried)
+      {
+        add_case(forces, prescribed, load);
+        return load;
+      }
+    load.q = *carried;
+    load.f = contact_forces(load.q);
+    add_case(forces -
+               elastic.spring_forces(coordinates.expand(load.q) + prescribed),
+             Eigen::VectorXd::Zero(prescribed.size()),
+             load);
+    return load;
+  }
+
+  void
+  Condensation::add_case(const Eigen::VectorXd &forces,
+                         const Eigen::VectorXd &prescribed,
+                         Load                  &load)
+  {
     const Eigen::Index n = coordinates.n_dofs();
     Eigen::VectorXd    rest(2 * n);
     rest.head(n) = forces;
     rest.tail(n) = stiffness_scale * prescribed;
 
-    const double size = rest.norm();
-    Load         load{prescribed,
-              Eigen::VectorXd::Zero(coordinates.n_unknowns()),
-              Eigen::VectorXd::Zero(set.layout().n_unknowns()),
-              Eigen::VectorXd::Zero(is_linear() ? coordinates.n_unknowns() :
-                                                  0)};
+    const double size    = rest.norm();
     const auto   project = [&] {
       for (std::size_t i = 0; i < basis.size(); ++i)
         {
@@ -185,14 +204,15 @@ namespace conetact
           rest -= part * basis[i];
           load.b += part * basis_b[i];
           load.f += part * basis_f[i];
-          load.q += part * basis_q[i];
+          if (is_linear())
+            load.q += part * basis_q[i];
         }
     };
     project();
     project(); // twice is enough for orthogonality to round-off
     const double norm = rest.norm();
     if (norm <= 1e-15 * size)
-      return load;
+      return;
 
     if (basis.size() == largest_basis)
       {
@@ -210,8 +230,21 @@ namespace conetact
     ++n_reduced;
     load.b += norm * basis_b.back();
     load.f += norm * basis_f.back();
-    load.q += norm * basis_q.back();
-    return load;
+    if (is_linear())
+      load.q += norm * basis_q.back();
+  }
+
+  Eigen::VectorXd
+  Condensation::contact_part(const Eigen::VectorXd &q) const
+  {
+    return set.gather(q.tail(coordinates.n_contact_unknowns()));
+  }
+
+  Eigen::VectorXd
+  Condensation::contact_forces(const Eigen::VectorXd &q) const
+  {
+    return contact_system->matrix.selfadjointView<Eigen::Lower>() *
+           contact_part(q);
   }
 
   Eigen::MatrixXd
@@ -224,23 +257,27 @@ namespace conetact
     for (std::size_t k = 0; k < loads.size(); ++k)
       {
         if (k == 0 || loads[k].b != loads[k - 1].b ||
-            contact[k] != contact[k - 1])
+            loads[k].q != loads[k - 1].q || contact[k] != contact[k - 1])
           different.push_back(k);
         column.push_back(static_cast<Eigen::Index>(different.size()) - 1);
       }
     const auto      n = static_cast<Eigen::Index>(different.size());
-    Eigen::MatrixXd b(coordinates.n_unknowns(), n);
+    Eigen::MatrixXd q(coordinates.n_unknowns(), n);
+    Eigen::MatrixXd b(q.rows(), n);
     Eigen::MatrixXd q_contact(set.layout().n_unknowns(), n);
     Eigen::MatrixXd reduced(q_contact.rows(), n);
     for (Eigen::Index i = 0; i < n; ++i)
       {
-        const std::size_t k = different[static_cast<std::size_t>(i)];
-        b.col(i)            = is_linear() ? loads[k].q : loads[k].b;
-        reduced.col(i)      = loads[k].f;
-        q_contact.col(i)    = contact[k];
+        const Load &load = loads[different[static_cast<std::size_t>(i)]];
+        q.col(i)         = load.q;
+        b.col(i)         = load.b;
+        if (solver->is_extended())
+          reduced.col(i) = load.f - contact_forces(load.q);
+        q_contact.col(i) = contact[different[static_cast<std::size_t>(i)]] -
+                           contact_part(load.q);
       }
-    const Eigen::MatrixXd q =
-      is_linear() ? b : expand_unknowns(b, q_contact, reduced);
+    if (!is_linear())
+      q += expand_unknowns(b, q_contact, reduced);
     Eigen::MatrixXd u(coordinates.n_dofs(),
                       static_cast<Eigen::Index>(loads.size()));
     for (std::size_t k = 0; k < loads.size(); ++k)

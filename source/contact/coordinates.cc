@@ -6,6 +6,8 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 
 namespace conetact
@@ -235,6 +237,88 @@ namespace conetact
         u[i] = sum;
       }
     return u;
+  }
+
+  Tensor<1, 3>
+  Coordinates::at_node(const Eigen::VectorXd &u,
+                       const unsigned int     body,
+                       const unsigned int     node) const
+  {
+    Tensor<1, 3>       result;
+    const Eigen::Index first = dof(body, node);
+    for (unsigned int c = 0; c < bodies.dim; ++c)
+      result[c] = u[first + c];
+    return result;
+  }
+
+  Eigen::VectorXd
+  Coordinates::translations(const Eigen::VectorXd &d) const
+  {
+    const std::size_t            n = bodies.structures.size();
+    std::vector<Eigen::Matrix3d> left(n, Eigen::Matrix3d::Zero());
+    std::vector<Eigen::Vector3d> right(n, Eigen::Vector3d::Zero());
+    for (const NodeRule &rule : node_rules.rules())
+      for (const HeldDirection &held : rule.held)
+        {
+          const Eigen::Vector3d e(held.direction[0],
+                                  held.direction[1],
+                                  held.direction[2]);
+          left[rule.body] += e * e.transpose();
+          right[rule.body] +=
+            (at_node(d, rule.body, rule.node) * held.direction) * e;
+        }
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(n_dofs());
+    for (unsigned int body = 0; body < n; ++body)
+      {
+        const Eigen::Vector3d t =
+          left[body].completeOrthogonalDecomposition().solve(right[body]);
+        for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+          u.segment(dof(body, i), bodies.dim) = t.head(bodies.dim);
+      }
+    return u;
+  }
+
+  Eigen::VectorXd
+  Coordinates::solve(const Eigen::VectorXd &u) const
+  {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(n_unknowns());
+    for (std::size_t i = 0; i < own_unknown.size(); ++i)
+      if (own_unknown[i] >= 0)
+        q[own_unknown[i]] = u[static_cast<Eigen::Index>(i)];
+    for (const NodeRule &rule : node_rules.rules())
+      {
+        const std::size_t n   = node_offset[rule.body] + rule.node;
+        Tensor<1, 3>      own = at_node(u, rule.body, rule.node);
+        if (rule.contact_node != nullptr)
+          for (const auto &[master, weight] : rule.contact_node->masters)
+            {
+              const Tensor<1, 3> motion =
+                at_node(u, rule.contact_node->master, master);
+              for (unsigned int c = 0; c < bodies.dim; ++c)
+                for (unsigned int e = 0; e < bodies.dim; ++e)
+                  own[c] -= weight * rule.left_free(c, e) * motion[e];
+            }
+        for (std::size_t k = 0; k < rule.free.size(); ++k)
+          q[first_unknown[n] + static_cast<Eigen::Index>(k)] =
+            rule.free[k] * own;
+        for (std::size_t k = 0; k < rule.contact.size(); ++k)
+          q[first_contact[n] + static_cast<Eigen::Index>(k)] =
+            rule.dual[k] * own;
+      }
+    return q;
+  }
+
+  std::optional<Eigen::VectorXd>
+  Coordinates::carried(const Eigen::VectorXd &d) const
+  {
+    constexpr double round_off = 1e-15;
+    Eigen::VectorXd  u         = translations(d);
+    u += translations(d - u); // takes out the rounding of a long sum
+    const Eigen::VectorXd q    = solve(u - d);
+    const double          size = std::max(largest(u), largest(d));
+    if (largest(expand(q) + d - u) > round_off * size)
+      return std::nullopt;
+    return q;
   }
 
   Eigen::VectorXd Coordinates::restrict(const Eigen::VectorXd &f) const

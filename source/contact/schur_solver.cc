@@ -130,6 +130,11 @@ namespace conetact
     void
     solve(const Phase phase, Eigen::Ref<MatrixXd> b, MatrixXd &reduced);
 
+    // Leaves the forward elimination of b = 0 inside MUMPS at no cost: as
+    // right-hand sides of one zero each, among the unknowns C.
+    void
+    reduce_nothing(Eigen::Ref<MatrixXd> b, MatrixXd &reduced);
+
   private:
     std::vector<int> rows, columns, order; // counted from 1
   };
@@ -248,6 +253,27 @@ namespace conetact
 
 
 
+  void
+  SchurSolver::Implementation::reduce_nothing(Eigen::Ref<MatrixXd> b,
+                                              MatrixXd            &reduced)
+  {
+    const auto          count = static_cast<int>(b.cols());
+    std::vector<int>    first(b.cols() + 1), row(b.cols(), static_cast<int>(n));
+    std::vector<double> value(b.cols(), 0.);
+    std::iota(first.begin(), first.end(), 1);
+    DMUMPS_STRUC_C &data = mumps->data;
+    data.nz_rhs          = count;
+    data.irhs_ptr        = first.data();
+    data.irhs_sparse     = row.data();
+    data.rhs_sparse      = value.data();
+    mumps->control(20)   = 1;
+    solve(reduction, b, reduced);
+    mumps->control(20) = 0;
+    work.triangular_solves -= static_cast<unsigned int>(count);
+  }
+
+
+
   SchurSolver::SchurSolver(const SparseMatrix              &upper,
                            const Index                      n_schur,
                            const std::vector<unsigned int> &node_of)
@@ -334,7 +360,10 @@ namespace conetact
             continue;
           }
         // The forward elimination stays inside MUMPS for the expansion.
-        solver.solve(Implementation::reduction, block, reduced);
+        if (block.topRows(solver.n_eliminated).isZero(0.))
+          solver.reduce_nothing(block, reduced);
+        else
+          solver.solve(Implementation::reduction, block, reduced);
         reduced = u_C.middleCols(first, count);
         solver.solve(Implementation::expansion, block, reduced);
       }

@@ -67,13 +67,18 @@ namespace conetact
     struct Load
     {
       Eigen::VectorXd prescribed; ///< d, all dofs [length]
-      Eigen::VectorXd b;          ///< C^T (f - K d), all unknowns [force]
-      Eigen::VectorXd f;          ///< condensed, contact unknowns [force]
-      Eigen::VectorXd q; ///< where nothing may touch: all unknowns [length]
+      Eigen::VectorXd b; ///< C^T (f - K (d + C q)), all unknowns [force]
+      Eigen::VectorXd f; ///< condensed, contact unknowns [force]
+      /**
+       * Known displacements of all unknowns [length]: of bodies that supports
+       * carry along; where nothing may touch, those of the load.
+       */
+      Eigen::VectorXd q;
     };
     /**
      * `forces` are nodal forces on all dofs, `prescribed` is d(t). A load case
-     * that is a linear combination of earlier ones costs no solve.
+     * that is a linear combination of earlier ones costs no solve, nor do
+     * supports that move bodies without strain.
      */
     Load
     reduce(const Eigen::VectorXd &forces, const Eigen::VectorXd &prescribed);
@@ -133,6 +138,17 @@ namespace conetact
     /** Whether nothing may touch: load cases are solved, not reduced. */
     bool
     is_linear() const;
+    /** Adds b, f and q of these forces and prescribed displacements. */
+    void
+    add_case(const Eigen::VectorXd &forces,
+             const Eigen::VectorXd &prescribed,
+             Load                  &load);
+    /** Of all unknowns, those of the set. */
+    Eigen::VectorXd
+    contact_part(const Eigen::VectorXd &q) const;
+    /** K times the contact unknowns among q. */
+    Eigen::VectorXd
+    contact_forces(const Eigen::VectorXd &q) const;
     /** Displacements of the unknowns [length], in a linear system. */
     Eigen::VectorXd
     solve(const Eigen::VectorXd &b) const;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -87,6 +88,12 @@ namespace conetact
     expand(const Eigen::VectorXd &q) const;
     /** C^T f. */
     Eigen::VectorXd restrict(const Eigen::VectorXd &f) const;
+    /**
+     * Where supports carry all bodies along without strain, each by a
+     * translation: q such that C q + d is that motion.
+     */
+    std::optional<Eigen::VectorXd>
+    carried(const Eigen::VectorXd &d) const;
     /** Moves nodal forces of hanging nodes to their masters. */
     void
     unhang(Eigen::VectorXd &f) const;
@@ -128,6 +135,17 @@ namespace conetact
     prescribed(const unsigned int body,
                const unsigned int node,
                const double       t) const;
+    /** The translations of bodies that are nearest to what supports hold. */
+    Eigen::VectorXd
+    translations(const Eigen::VectorXd &d) const;
+    /** q with C q = u, if there is one. */
+    Eigen::VectorXd
+    solve(const Eigen::VectorXd &u) const;
+    /** Components of a node's displacement. */
+    Tensor<1, 3>
+    at_node(const Eigen::VectorXd &u,
+            const unsigned int     body,
+            const unsigned int     node) const;
 
     const Bodies                 &bodies;
     const NodeRules              &node_rules;
