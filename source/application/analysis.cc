@@ -131,7 +131,7 @@ namespace conetact
       return 1;
     const Eigen::Index n = model.coordinates.n_unknowns();
     const auto         most =
-      std::clamp<Eigen::Index>(8000000 / std::max<Eigen::Index>(n, 1),
+      std::clamp<Eigen::Index>(16000000 / std::max<Eigen::Index>(n, 1),
                                1,
                                std::max(16u, n_finished / 8));
     // what follows an increment in which a node is missing is solved in vain
@@ -300,11 +300,11 @@ namespace conetact
   {
     if (batch.empty())
       return std::numeric_limits<unsigned int>::max();
-    std::vector<Condensation::Load> cases;
-    std::vector<Eigen::VectorXd>    contact;
+    std::vector<const Condensation::Load *> cases;
+    std::vector<Eigen::VectorXd>            contact;
     for (const Pending &increment : batch)
       {
-        cases.push_back(increment.load);
+        cases.push_back(&increment.load);
         contact.push_back(model.working_set().gather(increment.contact));
       }
     const Eigen::MatrixXd u       = model.condensation().expand(cases, contact);

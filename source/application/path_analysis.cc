@@ -271,11 +271,11 @@ namespace conetact
   {
     if (waiting.empty())
       return;
-    std::vector<Condensation::Load> cases;
-    std::vector<Eigen::VectorXd>    contact;
+    std::vector<const Condensation::Load *> cases;
+    std::vector<Eigen::VectorXd>            contact;
     for (const Waiting &w : waiting)
       {
-        cases.push_back(w.pending.load);
+        cases.push_back(&w.pending.load);
         contact.push_back(w.pending.contact);
       }
     const Eigen::MatrixXd u = model.condensation().expand(cases, contact);

@@ -248,7 +248,7 @@ namespace conetact
   }
 
   Eigen::MatrixXd
-  Condensation::expand(const std::vector<Load>            &loads,
+  Condensation::expand(const std::vector<const Load *>    &loads,
                        const std::vector<Eigen::VectorXd> &contact) const
   {
     // Where nothing has changed the displacements are those before.
@@ -256,8 +256,8 @@ namespace conetact
     std::vector<Eigen::Index> column;
     for (std::size_t k = 0; k < loads.size(); ++k)
       {
-        if (k == 0 || loads[k].b != loads[k - 1].b ||
-            loads[k].q != loads[k - 1].q || contact[k] != contact[k - 1])
+        if (k == 0 || loads[k]->b != loads[k - 1]->b ||
+            loads[k]->q != loads[k - 1]->q || contact[k] != contact[k - 1])
           different.push_back(k);
         column.push_back(static_cast<Eigen::Index>(different.size()) - 1);
       }
@@ -268,7 +268,7 @@ namespace conetact
     Eigen::MatrixXd reduced(q_contact.rows(), n);
     for (Eigen::Index i = 0; i < n; ++i)
       {
-        const Load &load = loads[different[static_cast<std::size_t>(i)]];
+        const Load &load = *loads[different[static_cast<std::size_t>(i)]];
         q.col(i)         = load.q;
         b.col(i)         = load.b;
         if (solver->is_extended())
@@ -277,12 +277,12 @@ namespace conetact
                            contact_part(load.q);
       }
     if (!is_linear())
-      q += expand_unknowns(b, q_contact, reduced);
+      q += expand_unknowns(std::move(b), q_contact, reduced);
     Eigen::MatrixXd u(coordinates.n_dofs(),
                       static_cast<Eigen::Index>(loads.size()));
     for (std::size_t k = 0; k < loads.size(); ++k)
       u.col(static_cast<Eigen::Index>(k)) =
-        coordinates.expand(q.col(column[k])) + loads[k].prescribed;
+        coordinates.expand(q.col(column[k])) + loads[k]->prescribed;
     return u;
   }
 
@@ -299,11 +299,12 @@ namespace conetact
   }
 
   Eigen::MatrixXd
-  Condensation::expand_unknowns(const Eigen::MatrixXd &b,
+  Condensation::expand_unknowns(Eigen::MatrixXd        b,
                                 const Eigen::MatrixXd &contact,
                                 const Eigen::MatrixXd &reduced) const
   {
-    return from_solver(solver->expand(to_solver(b / stiffness_scale),
+    b /= stiffness_scale;
+    return from_solver(solver->expand(to_solver(std::move(b)),
                                       contact,
                                       reduced / stiffness_scale));
   }

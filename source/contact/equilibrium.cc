@@ -56,10 +56,16 @@ namespace conetact
                   const Visit       &visit)
     {
       for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-        for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
-          visit(body,
-                coordinates.dof(body, i),
-                bodies.structures[body]->position(i));
+        {
+          const Structure   &structure = *bodies.structures[body];
+          const unsigned int n_nodes   = structure.n_nodes();
+          Eigen::Index       dof       = coordinates.dof(body, 0);
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              visit(body, dof, structure.position(i));
+              dof += structure.n_components();
+            }
+        }
     }
 
     /** Largest force of the scene's resultants. */
@@ -141,13 +147,12 @@ namespace conetact
     Eigen::VectorXd       internal = elastic.internal_forces(u);
     const Eigen::VectorXd ground   = elastic.ground_forces(t);
 
-    Eigen::VectorXd unbalanced =
-      coordinates.restrict(internal - loads - ground);
+    Eigen::VectorXd rest       = internal - loads - ground;
+    Eigen::VectorXd unbalanced = coordinates.restrict(rest);
     unbalanced.tail(r.size()) -= r;
     e.unbalanced = unbalanced;
     divide_moments(bodies, coordinates, unbalanced);
 
-    Eigen::VectorXd rest = internal - loads - ground;
     coordinates.unhang(internal);
     std::vector<Resultant> body_sum(bodies.structures.size());
     e.contacts.resize(n_contacts);
@@ -156,6 +161,8 @@ namespace conetact
                          const unsigned int  body,
                          const Point<3>     &p,
                          const Tensor<1, 3> &force) {
+      if (force.norm_square() == 0) // as on most nodes
+        return;
       add(resultant, p, force);
       add(body_sum[body], p, force);
     };

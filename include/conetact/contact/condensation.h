@@ -88,7 +88,7 @@ namespace conetact
      * unknowns.
      */
     Eigen::MatrixXd
-    expand(const std::vector<Load>            &loads,
+    expand(const std::vector<const Load *>    &loads,
            const std::vector<Eigen::VectorXd> &contact) const;
 
     /**
@@ -158,7 +158,7 @@ namespace conetact
     Eigen::MatrixXd
     from_solver(Eigen::MatrixXd b) const;
     Eigen::MatrixXd
-    expand_unknowns(const Eigen::MatrixXd &b,
+    expand_unknowns(Eigen::MatrixXd        b,
                     const Eigen::MatrixXd &contact,
                     const Eigen::MatrixXd &reduced) const;
 
