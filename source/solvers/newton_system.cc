@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace conetact
 {
@@ -17,7 +16,7 @@ namespace conetact
     using Eigen::VectorXd;
 
     /** Below this size a factorisation costs less than its reuse. */
-    constexpr Index reuse_from = 500;
+    constexpr Index reuse_from = 150;
 
     /** Does row k of the law say what unknown k is, and nothing else? */
     bool
@@ -140,43 +139,47 @@ namespace conetact
     using Number                = typename Matrix::Scalar;
     const ContactSystem &system = relation.system();
     const Array         &scale  = relation.column_scale();
-    const std::size_t    n      = unknown.size();
+    const auto           n      = static_cast<Index>(unknown.size());
 
-    // Row a of the result is three consecutive rows of M with three weights,
-    // zero where the node is smaller.
-    struct Weights
+    // The rows of a node are combinations of its rows of M: all of them at
+    // once, by columns of weights.
+    struct NodeRows
     {
-      Number       w[3];
-      std::int32_t start;
+      using Weights = Eigen::Array<Number, 4, 3>;
+      Index   first, start, dim;
+      Weights weights;
     };
-    std::vector<Weights> weights(n);
-    for (std::size_t a = 0; a < n; ++a)
+    std::vector<NodeRows> nodes;
+    for (Index a = 0; a < n; ++a)
       {
-        const NodeLaw &law   = laws[static_cast<std::size_t>(row[a].node)];
-        const Index    start = system.first[row[a].node];
-        weights[a].start     = static_cast<std::int32_t>(start);
-        for (Index k = 0; k < 3; ++k)
-          weights[a].w[k] =
-            k < law.d.cols() ?
-              static_cast<Number>(law.d(row[a].local, k) * scale(start + k)) :
-              0;
+        const Row     &r     = row[static_cast<std::size_t>(a)];
+        const NodeLaw &law   = laws[static_cast<std::size_t>(r.node)];
+        const Index    start = system.first[r.node];
+        if (nodes.empty() || nodes.back().start != start)
+          nodes.push_back({a, start, law.d.cols(), NodeRows::Weights::Zero()});
+        NodeRows &node = nodes.back();
+        for (Index k = 0; k < node.dim; ++k)
+          node.weights(a - node.first, k) =
+            static_cast<Number>(law.d(r.local, k) * scale(start + k));
       }
 
-    J.resize(static_cast<Index>(n), static_cast<Index>(n));
-    Eigen::Matrix<Number, Eigen::Dynamic, 1> column =
-      Eigen::Matrix<Number, Eigen::Dynamic, 1>::Zero(system.n_unknowns() + 2);
-    for (std::size_t b = 0; b < n; ++b)
+    // Four rows are written for each node: those too many are overwritten.
+    J.resize(n, n);
+    Eigen::Array<Number, Eigen::Dynamic, 1> column(n + 4);
+    for (Index b = 0; b < n; ++b)
       {
-        column.head(system.n_unknowns()) =
-          (scale(unknown[b]) * system.matrix.col(unknown[b]))
-            .template cast<Number>();
-        Number *const result = J.col(static_cast<Index>(b)).data();
-        for (std::size_t a = 0; a < n; ++a)
+        const Index   u = unknown[static_cast<std::size_t>(b)];
+        const double *M = system.matrix.col(u).data();
+        for (const NodeRows &node : nodes)
           {
-            const Number *const w = weights[a].w;
-            const Number *const m = column.data() + weights[a].start;
-            result[a]             = w[0] * m[0] + w[1] * m[1] + w[2] * m[2];
+            const double *const        m = M + node.start;
+            Eigen::Array<Number, 4, 1> sum =
+              node.weights.col(0) * static_cast<Number>(m[0]);
+            for (Index k = 1; k < node.dim; ++k)
+              sum += node.weights.col(k) * static_cast<Number>(m[k]);
+            column.template segment<4>(node.first) = sum;
           }
+        J.col(b) = (static_cast<Number>(scale(u)) * column.head(n)).matrix();
       }
     add_node_blocks(laws, shift, J);
   }
