@@ -8,7 +8,6 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/candidates.h"
-#include "conetact/contact/equilibrium.h"
 #include "conetact/contact/refusal.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/output/progress.h"
@@ -26,6 +25,25 @@ namespace conetact
     {
       return std::max(e.residual, e.balance);
     }
+
+    /** Throws InputError for a contact none of whose nodes may touch. */
+    void
+    refuse_empty_contacts(const Scene &scene, const ContactModel &model)
+    {
+      std::vector<bool> empty(scene.contact_names.size(), true);
+      for (const NodeRule *rule : model.coordinates.contact_rules())
+        empty[rule->contact_node->contact] = false;
+      for (std::size_t c = 0; c < empty.size(); ++c)
+        if (empty[c])
+          throw InputError(
+            "Contact '" + scene.contact_names[c] +
+            "' has no node that may touch: " +
+            (scene.n_free_nodes[c] > 0 ?
+               "none faces the master. Check Master boundary ids and the gap " :
+               "supports hold all of them along its normal. Take them out of "
+               "the supports") +
+            std::string(", or remove the contact."));
+    }
   } // namespace
 
   Analysis::Analysis(const Scene &s, Log &l)
@@ -35,43 +53,18 @@ namespace conetact
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
     , history(model)
-    , contact_rows(model, scene.master_side)
+    , set(model)
+    , acceptance(scene, model)
     , solver(make_solver(scene.solver))
   {
-    refuse_empty_contacts();
-  }
-
-  void
-  Analysis::refuse_empty_contacts() const
-  {
-    std::vector<bool> empty(scene.contact_names.size(), true);
-    for (const NodeRule *rule : model.coordinates.contact_rules())
-      empty[rule->contact_node->contact] = false;
-    for (std::size_t c = 0; c < empty.size(); ++c)
-      if (empty[c])
-        throw InputError(
-          "Contact '" + scene.contact_names[c] +
-          "' has no node that may touch: " +
-          (scene.n_free_nodes[c] > 0 ?
-             "none faces the master. Check Master boundary ids and the gap " :
-             "supports hold all of them along its normal. Take them out of "
-             "the supports") +
-          std::string(", or remove the contact."));
-  }
-
-  void
-  Analysis::choose_working_set()
-  {
-    if (scene.leave_out_far_nodes)
-      model.choose(guess_working_set(
-        model, [&](const double t) { return loads.at(t); }, scene.times));
-    n_first_condensed = model.working_set().nodes().size();
+    refuse_empty_contacts(scene, model);
   }
 
   void
   Analysis::report()
   {
-    choose_working_set();
+    if (scene.leave_out_far_nodes)
+      set.start([&](const double t) { return loads.at(t); }, scene.times);
     report_sizes(scene, model, log);
   }
 
@@ -145,7 +138,7 @@ namespace conetact
   Analysis::run(const std::filesystem::path &folder, const bool quiet)
   {
     create_outputs(folder, quiet);
-    std::vector<Pending> batch;
+    std::vector<PendingIncrement> batch;
     for (unsigned int k = 1; k <= scene.times.size();)
       {
         try
@@ -167,45 +160,7 @@ namespace conetact
         if (!batch.empty() && (full || k > scene.times.size()))
           k = finish(batch);
       }
-    note_skips();
-  }
-
-  void
-  Analysis::note_skips()
-  {
-    const auto n_increments = static_cast<unsigned int>(scene.times.size());
-    const auto note         = [this](const unsigned int n_done,
-                             const unsigned int n_all,
-                             const char        *what) {
-      if (n_done < n_all)
-        log.note("skipped: " + std::to_string(n_all - n_done) + " of " +
-                 std::to_string(n_all) + " " + what);
-    };
-    note(model.work().factorizations,
-         n_increments,
-         "factorisations, the stiffness stays the same");
-    note(model.condensation().n_reductions(),
-         n_increments,
-         "load cases, combinations of others or bodies carried along");
-    note(loads.n_integrations(),
-         loads.n_evaluations(),
-         "integrations of loads, known already");
-    if (const unsigned int n_shared = model.condensation().n_shared_bodies();
-        n_shared > 0)
-      log.note("skipped: condensation of " + std::to_string(n_shared) + " of " +
-               std::to_string(model.condensation().n_bodies()) +
-               " bodies, equal to others");
-    const auto n_candidates =
-      static_cast<std::size_t>(model.working_set().n_candidates());
-    const std::size_t n_condensed = model.working_set().nodes().size();
-    if (n_first_condensed < n_candidates)
-      log.note("skipped: condensation of " +
-               std::to_string(n_candidates - n_condensed) + " of " +
-               std::to_string(n_candidates) +
-               " contact nodes, working set of " +
-               std::to_string(n_first_condensed) + " at the start and " +
-               std::to_string(n_condensed) + " at the end, " +
-               std::to_string(n_extensions) + " times larger");
+    report_skips(scene, model, loads, set, log);
   }
 
   Work
@@ -222,10 +177,10 @@ namespace conetact
     return work;
   }
 
-  Analysis::Pending
+  PendingIncrement
   Analysis::solve(const unsigned int k)
   {
-    Pending increment{{}, {}, {}, {}, {}, history, history, {}};
+    PendingIncrement increment{{}, {}, {}, {}, {}, history, history, {}};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     increment.forces           = loads.at(increment.record.time) + prestress;
@@ -239,7 +194,8 @@ namespace conetact
   }
 
   SolverReport
-  Analysis::solve_contact(const Condensation::Load &load, Pending &increment)
+  Analysis::solve_contact(const Condensation::Load &load,
+                          PendingIncrement         &increment)
   {
     ContactState &state = increment.end;
     state               = history.start();
@@ -278,9 +234,9 @@ namespace conetact
   }
 
   void
-  Analysis::check_existence(const ContactProblem  &problem,
-                            const Eigen::VectorXd &start,
-                            const Pending         &increment)
+  Analysis::check_existence(const ContactProblem   &problem,
+                            const Eigen::VectorXd  &start,
+                            const PendingIncrement &increment)
   {
     if (problem.system->null_space.cols() == 0)
       return;
@@ -296,21 +252,21 @@ namespace conetact
   }
 
   unsigned int
-  Analysis::finish(std::vector<Pending> &batch)
+  Analysis::finish(std::vector<PendingIncrement> &batch)
   {
     if (batch.empty())
       return std::numeric_limits<unsigned int>::max();
     std::vector<const Condensation::Load *> cases;
     std::vector<Eigen::VectorXd>            contact;
-    for (const Pending &increment : batch)
+    for (const PendingIncrement &increment : batch)
       {
         cases.push_back(&increment.load);
         contact.push_back(model.working_set().gather(increment.contact));
       }
     const Eigen::MatrixXd u       = model.condensation().expand(cases, contact);
     const std::size_t     n_right = recover_all(batch, u);
-    std::vector<IncrementRecord> finished;
-    std::vector<Pending>         all = std::move(batch);
+    std::vector<IncrementRecord>  finished;
+    std::vector<PendingIncrement> all = std::move(batch);
     batch.clear();
     for (std::size_t i = 0; i < n_right; ++i)
       {
@@ -347,7 +303,7 @@ namespace conetact
   }
 
   void
-  Analysis::recover(Pending &increment, const Eigen::VectorXd &u) const
+  Analysis::recover(PendingIncrement &increment, const Eigen::VectorXd &u) const
   {
     if (model.working_set().is_all())
       return;
@@ -359,15 +315,15 @@ namespace conetact
   }
 
   std::size_t
-  Analysis::recover_all(std::vector<Pending>  &batch,
-                        const Eigen::MatrixXd &u) const
+  Analysis::recover_all(std::vector<PendingIncrement> &batch,
+                        const Eigen::MatrixXd         &u) const
   {
     for (std::size_t i = 0; i < batch.size(); ++i)
       {
         if (i > 0)
           batch[i].before = batch[i - 1].after;
         recover(batch[i], u.col(static_cast<Eigen::Index>(i)));
-        if (!penetrating(model, batch[i].after.gaps()).empty())
+        if (!set.suffices(batch[i].after.gaps()))
           return i;
       }
     return batch.size();
@@ -376,54 +332,36 @@ namespace conetact
   void
   Analysis::extend_set(const Eigen::VectorXd &gaps)
   {
-    const std::size_t before = model.working_set().nodes().size();
-    join(model, gaps);
+    const std::size_t before = set.size(), n_new = set.extend(gaps);
     existence.reset();
-    ++n_extensions;
-    log.time("working set: " +
-             std::to_string(model.working_set().nodes().size() - before) +
-             " contact nodes join " + std::to_string(before));
+    log.time("working set: " + std::to_string(n_new) + " contact nodes join " +
+             std::to_string(before));
   }
 
   bool
   Analysis::condense_all()
   {
-    if (model.working_set().is_all())
+    if (!set.take_all())
       return false;
     log.note("working set: all contact nodes, the increment is not solved "
              "without");
-    model.choose(WorkingSet(model.coordinates.layout()));
     existence.reset();
     return true;
   }
 
-  Equilibrium
-  Analysis::judge(const Pending &increment, const Eigen::VectorXd &u) const
-  {
-    return check_equilibrium(scene.bodies,
-                             model.elastic,
-                             model.coordinates,
-                             u,
-                             increment.state.r,
-                             increment.forces,
-                             increment.record.time,
-                             scene.contact_names.size(),
-                             largest_force);
-  }
-
   bool
-  Analysis::check(Pending &increment, Eigen::VectorXd u)
+  Analysis::check(PendingIncrement &increment, Eigen::VectorXd u)
   {
     constexpr unsigned int most_steps = 3;
     const ContactHistory   latest     = history;
-    Equilibrium            e          = judge(increment, u);
+    Equilibrium            e          = acceptance.judge(increment, u);
     bool                   corrected  = false;
     for (unsigned int step = 0;
          step < most_steps && error_of(e) > .1 * scene.solver.tolerance;
          ++step)
       {
-        Pending         better = increment;
-        Eigen::VectorXd refined;
+        PendingIncrement better = increment;
+        Eigen::VectorXd  refined;
         try
           {
             refined = correct(better, u, e.unbalanced);
@@ -432,7 +370,7 @@ namespace conetact
           {
             break; // the result at hand is judged as it is
           }
-        Equilibrium e_new = judge(better, refined);
+        Equilibrium e_new = acceptance.judge(better, refined);
         if (!(error_of(e_new) < .5 * error_of(e)))
           break;
         increment = std::move(better);
@@ -443,12 +381,12 @@ namespace conetact
     history = latest;
     if (corrected)
       recover(increment, u);
-    complete(increment.record, e, increment, u);
+    complete(increment, e, u);
     return corrected;
   }
 
   Eigen::VectorXd
-  Analysis::correct(Pending               &increment,
+  Analysis::correct(PendingIncrement      &increment,
                     const Eigen::VectorXd &u,
                     const Eigen::VectorXd &unbalanced)
   {
@@ -468,40 +406,16 @@ namespace conetact
   }
 
   void
-  Analysis::complete(IncrementRecord       &record,
+  Analysis::complete(PendingIncrement      &increment,
                      const Equilibrium     &e,
-                     const Pending         &increment,
                      const Eigen::VectorXd &u)
   {
-    largest_force      = std::max(largest_force, e.largest_force);
-    record.equilibrium = e.residual;
-    record.balance     = e.balance;
-    record.contacts    = e.contacts;
-    record.contacts.resize(scene.contact_sides.size());
-    for (std::size_t c = 0; c < e.masters.size(); ++c)
-      if (scene.master_side[c] != c)
-        record.contacts[scene.master_side[c]] = e.masters[c];
-    if (record.body_balance = e.body_balance; record.body_balance.size() == 1)
-      record.body_balance.clear();
-    record.supports = e.supports;
-    record.loads    = e.loads;
-    if (!(record.equilibrium <= scene.solver.tolerance))
-      fail(record,
-           "the uncondensed equilibrium is violated by " +
-             to_text(record.equilibrium) +
-             " of the largest nodal force. Forces cannot be told better from "
-             "rounding where bodies differ this much in stiffness or move this "
-             "far; a larger Solver/Tolerance would accept them");
-    record.rows =
-      contact_rows.rows(increment.state, increment.contact, u, record.time);
-    if (!description.is_drawn(record.increment) &&
-        !(scene.adaptive.cycles > 0 && record.increment == scene.times.size()))
-      return;
-    record.actions = scene.actions(record.time);
-    for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
-      record.displacements.push_back(
-        u.segment(model.coordinates.offset(b),
-                  scene.bodies.structures[b]->n_dofs()));
+    const unsigned int k     = increment.record.increment;
+    const bool         drawn = description.is_drawn(k) ||
+                       (scene.adaptive.cycles > 0 && k == scene.times.size());
+    if (const std::string why = acceptance.complete(increment, e, u, drawn);
+        !why.empty())
+      fail(increment.record, why);
   }
 
   void

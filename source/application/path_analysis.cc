@@ -224,7 +224,8 @@ namespace conetact
         return add_events(point);
       }
     const ContactSystem &system = *model.condensation().system();
-    Pending pending{{}, at.forces, at.load, {}, {}, history, history, {}};
+    PendingIncrement     pending{
+      {}, at.forces, at.load, {}, {}, history, history, {}};
     IncrementRecord &record  = pending.record;
     record.increment         = ++n_records;
     record.time              = t;
@@ -291,9 +292,9 @@ namespace conetact
       {
         for (std::size_t i = 0; i < waiting.size(); ++i)
           {
-            Pending              &pending = waiting[i].pending;
+            PendingIncrement     &pending = waiting[i].pending;
             const Eigen::VectorXd ui      = u.col(static_cast<Eigen::Index>(i));
-            complete(pending.record, judge(pending, ui), pending, ui);
+            complete(pending, acceptance.judge(pending, ui), ui);
             finished.push_back(std::move(pending.record));
           }
       }

@@ -89,4 +89,46 @@ namespace conetact
       log.say("warning: this machine has " + megabytes(machine_memory()) +
               " of memory only. Use a coarser mesh or fewer contact nodes.");
   }
+
+
+  void
+  report_skips(const Scene      &scene,
+               ContactModel     &model,
+               const NodalLoads &loads,
+               const GrowingSet &set,
+               Log              &log)
+  {
+    const auto n_increments = static_cast<unsigned int>(scene.times.size());
+    const auto note         = [&log](const unsigned int n_done,
+                             const unsigned int n_all,
+                             const char        *what) {
+      if (n_done < n_all)
+        log.note("skipped: " + std::to_string(n_all - n_done) + " of " +
+                 std::to_string(n_all) + " " + what);
+    };
+    note(model.work().factorizations,
+         n_increments,
+         "factorisations, the stiffness stays the same");
+    note(model.condensation().n_reductions(),
+         n_increments,
+         "load cases, combinations of others or bodies carried along");
+    note(loads.n_integrations(),
+         loads.n_evaluations(),
+         "integrations of loads, known already");
+    if (const unsigned int n_shared = model.condensation().n_shared_bodies();
+        n_shared > 0)
+      log.note("skipped: condensation of " + std::to_string(n_shared) + " of " +
+               std::to_string(model.condensation().n_bodies()) +
+               " bodies, equal to others");
+    const auto n_candidates =
+      static_cast<std::size_t>(model.working_set().n_candidates());
+    if (set.size_at_start() < n_candidates)
+      log.note("skipped: condensation of " +
+               std::to_string(n_candidates - set.size()) + " of " +
+               std::to_string(n_candidates) +
+               " contact nodes, working set of " +
+               std::to_string(set.size_at_start()) + " at the start and " +
+               std::to_string(set.size()) + " at the end, " +
+               std::to_string(set.n_extensions()) + " times larger");
+  }
 } // namespace conetact

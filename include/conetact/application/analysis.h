@@ -4,12 +4,12 @@
 #ifndef conetact_application_analysis_h
 #define conetact_application_analysis_h
 
+#include "conetact/application/acceptance.h"
 #include "conetact/application/log.h"
 #include "conetact/application/scene.h"
 #include "conetact/application/work.h"
 #include "conetact/contact/contact_model.h"
-#include "conetact/contact/contact_rows.h"
-#include "conetact/contact/equilibrium.h"
+#include "conetact/contact/growing_set.h"
 #include "conetact/output/output.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/existence.h"
@@ -70,58 +70,38 @@ namespace conetact
     }
 
   protected:
-    /** An increment whose displacements are still to be recovered. */
-    struct Pending
-    {
-      IncrementRecord    record;
-      Eigen::VectorXd    forces; ///< nodal loads, all dofs
-      Condensation::Load load;
-      ContactState       state;
-      Eigen::VectorXd    contact; ///< displacements of contact unknowns
-      ContactHistory     before, after;
-      ContactState       end; ///< of the working set alone
-    };
-    /** Throws InputError for a contact none of whose nodes may touch. */
-    void
-    refuse_empty_contacts() const;
-    void
-    choose_working_set();
     void
     create_outputs(const std::filesystem::path &folder, const bool quiet);
-    void
-    note_skips();
     std::size_t
     batch_size(const unsigned int n_finished) const;
     void
-    check_existence(const ContactProblem  &problem,
-                    const Eigen::VectorXd &start,
-                    const Pending         &increment);
-    Pending
+    check_existence(const ContactProblem   &problem,
+                    const Eigen::VectorXd  &start,
+                    const PendingIncrement &increment);
+    PendingIncrement
     solve(const unsigned int k);
     SolverReport
-    solve_contact(const Condensation::Load &load, Pending &increment);
+    solve_contact(const Condensation::Load &load, PendingIncrement &increment);
     unsigned int
-    finish(std::vector<Pending> &batch);
+    finish(std::vector<PendingIncrement> &batch);
     void
-    recover(Pending &increment, const Eigen::VectorXd &u) const;
+    recover(PendingIncrement &increment, const Eigen::VectorXd &u) const;
     std::size_t
-    recover_all(std::vector<Pending> &batch, const Eigen::MatrixXd &u) const;
+    recover_all(std::vector<PendingIncrement> &batch,
+                const Eigen::MatrixXd         &u) const;
     void
     extend_set(const Eigen::VectorXd &gaps);
     bool
     condense_all();
     bool
-    check(Pending &increment, Eigen::VectorXd u);
-    Equilibrium
-    judge(const Pending &increment, const Eigen::VectorXd &u) const;
+    check(PendingIncrement &increment, Eigen::VectorXd u);
     Eigen::VectorXd
-    correct(Pending               &increment,
+    correct(PendingIncrement      &increment,
             const Eigen::VectorXd &u,
             const Eigen::VectorXd &unbalanced);
     void
-    complete(IncrementRecord       &record,
+    complete(PendingIncrement      &increment,
              const Equilibrium     &e,
-             const Pending         &increment,
              const Eigen::VectorXd &u);
     void
     write(const std::vector<IncrementRecord> &finished);
@@ -137,18 +117,16 @@ namespace conetact
     NodalLoads                           loads;
     const Eigen::VectorXd                prestress; ///< all dofs [force]
     ContactHistory                       history;
-    ContactRows                          contact_rows;
+    GrowingSet                           set;
+    Acceptance                           acceptance;
     std::unique_ptr<ContactSolver>       solver;
     std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
     RunDescription                       description;
     IncrementRecord                      final_record; ///< of adaptive scenes
     std::vector<std::unique_ptr<Output>> outputs;
     Work                                 done;
-    std::size_t  n_first_condensed = 0;     ///< contact nodes, at the start
-    unsigned int n_extensions      = 0;     ///< of the working set
-    unsigned int first_unsure      = 0;     ///< increments before the last one
-    bool         correcting        = false; ///< increments need refinement
-    double largest_force = 0; ///< nodal force of the increments so far [force]
+    unsigned int first_unsure = 0;     ///< increments before the last one
+    bool         correcting   = false; ///< increments need refinement
   };
 
   /** The analysis that the scene's Solver/Method asks for. */

@@ -72,8 +72,8 @@ namespace conetact
 
     struct Waiting
     {
-      Pending   pending;
-      PathPoint point;
+      PendingIncrement pending;
+      PathPoint        point;
     };
     Eigen::VectorXd           initial_gap; ///< of each contact node, signed
     PathOptions               options;

@@ -7,6 +7,7 @@
 #include "conetact/application/log.h"
 #include "conetact/application/scene.h"
 #include "conetact/contact/contact_model.h"
+#include "conetact/contact/growing_set.h"
 
 namespace conetact
 {
@@ -17,6 +18,14 @@ namespace conetact
   /** Memory and time it will take, to the log; nothing is factorised. */
   void
   report_cost(const Scene &scene, const ContactModel &model, Log &log);
+
+  /** What the increments were spared, to the log. */
+  void
+  report_skips(const Scene      &scene,
+               ContactModel     &model,
+               const NodalLoads &loads,
+               const GrowingSet &set,
+               Log              &log);
 } // namespace conetact
 
 #endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_application_pending_increment_h
+#define conetact_application_pending_increment_h
+
+#include "conetact/contact/contact_model.h"
+#include "conetact/output/output.h"
+
+namespace conetact
+{
+  /** An increment whose displacements are still to be recovered. */
+  struct PendingIncrement
+  {
+    IncrementRecord    record;
+    Eigen::VectorXd    forces; ///< nodal loads, all dofs
+    Condensation::Load load;
+    ContactState       state;
+    Eigen::VectorXd    contact; ///< displacements of contact unknowns
+    ContactHistory     before, after;
+    ContactState       end; ///< of the working set alone
+  };
+} // namespace conetact
+
+#endif
