@@ -261,7 +261,7 @@ namespace conetact
     if (point.jump || point.plateau)
       on_the_way += std::string(" after a ") +
                     (point.jump ? "jump" : "plateau") + " at p = " + to_text(t);
-    if (waiting.size() >= batch_size(n_records))
+    if (waiting.size() >= most_at_once(n_records))
       flush();
   }
 

@@ -11,8 +11,6 @@
 #include "conetact/contact/contact_model.h"
 #include "conetact/contact/growing_set.h"
 #include "conetact/output/output.h"
-#include "conetact/solvers/contact_solver.h"
-#include "conetact/solvers/existence.h"
 
 #include <filesystem>
 #include <memory>
@@ -21,8 +19,8 @@
 namespace conetact
 {
   /**
-   * The loop over load increments: loads, condensation, contact solver, the
-   * independent check that accepts or rejects, outputs.
+   * What all analyses of a scene share: its contact model, loads and history,
+   * the independent check that accepts or rejects, outputs.
    */
   class Analysis
   {
@@ -56,7 +54,7 @@ namespace conetact
      * it are on disk.
      */
     virtual void
-    run(const std::filesystem::path &folder, const bool quiet);
+    run(const std::filesystem::path &folder, const bool quiet) = 0;
 
     /** What was done so far. */
     Work
@@ -72,33 +70,9 @@ namespace conetact
   protected:
     void
     create_outputs(const std::filesystem::path &folder, const bool quiet);
+    /** Increments whose displacements are recovered together. */
     std::size_t
-    batch_size(const unsigned int n_finished) const;
-    void
-    check_existence(const ContactProblem   &problem,
-                    const Eigen::VectorXd  &start,
-                    const PendingIncrement &increment);
-    PendingIncrement
-    solve(const unsigned int k);
-    SolverReport
-    solve_contact(const Condensation::Load &load, PendingIncrement &increment);
-    unsigned int
-    finish(std::vector<PendingIncrement> &batch);
-    void
-    recover(PendingIncrement &increment, const Eigen::VectorXd &u) const;
-    std::size_t
-    recover_all(std::vector<PendingIncrement> &batch,
-                const Eigen::MatrixXd         &u) const;
-    void
-    extend_set(const Eigen::VectorXd &gaps);
-    bool
-    condense_all();
-    bool
-    check(PendingIncrement &increment, Eigen::VectorXd u);
-    Eigen::VectorXd
-    correct(PendingIncrement      &increment,
-            const Eigen::VectorXd &u,
-            const Eigen::VectorXd &unbalanced);
+    most_at_once(const unsigned int n_finished) const;
     void
     complete(PendingIncrement      &increment,
              const Equilibrium     &e,
@@ -107,7 +81,7 @@ namespace conetact
     write(const std::vector<IncrementRecord> &finished);
     /** "Increment 3 of 5", for messages. */
     virtual std::string
-    name(const IncrementRecord &record) const;
+    name(const IncrementRecord &record) const = 0;
     [[noreturn]] void
     fail(const IncrementRecord &record, const std::string &why) const;
 
@@ -119,14 +93,10 @@ namespace conetact
     ContactHistory                       history;
     GrowingSet                           set;
     Acceptance                           acceptance;
-    std::unique_ptr<ContactSolver>       solver;
-    std::unique_ptr<ExistenceCheck>      existence; ///< of floating bodies
     RunDescription                       description;
     IncrementRecord                      final_record; ///< of adaptive scenes
     std::vector<std::unique_ptr<Output>> outputs;
     Work                                 done;
-    unsigned int first_unsure = 0;     ///< increments before the last one
-    bool         correcting   = false; ///< increments need refinement
   };
 
   /** The analysis that the scene's Solver/Method asks for. */
