@@ -4,10 +4,10 @@
 #ifndef conetact_solvers_event_follower_h
 #define conetact_solvers_event_follower_h
 
-#include "conetact/solvers/load_path.h"
-#include "conetact/solvers/path_rates.h"
+#include "conetact/solvers/path_events.h"
 
-#include <vector>
+#include <memory>
+#include <string>
 
 namespace conetact
 {
@@ -28,44 +28,10 @@ namespace conetact
     follow(const PathStage &stage, const PathVisitor &visit) override;
 
   private:
-    using Index  = Eigen::Index;
     using Vector = Eigen::VectorXd;
-
-    /** A non-negative quantity of a node that is about to vanish. */
-    enum class Hit
-    {
-      normal, ///< the gap, or the normal reaction
-      plus,   ///< the reserve of friction against slip along +t, or the slip
-      minus
-    };
-    struct Event
-    {
-      double step; ///< of the parameter, until it vanishes
-      double blur; ///< what round-off makes of the step
-      Index  node;
-      Hit    hit;
-    };
 
     void
     check_start(const PathStage &stage) const;
-    CriticalNodes
-    critical_nodes() const;
-    void
-    mark(const Event &event, CriticalNodes &critical) const;
-    /** Rates that are round-off come as a share of the largest. */
-    std::vector<Event>
-    events(const Vector &v_rate,
-           const Vector &r_rate,
-           const double  noise) const;
-    /** The first of them, with all that come at the same time. */
-    std::vector<Event>
-    first_events(const std::vector<Event> &all, const double from) const;
-    /** True if critical nodes have been added. */
-    bool
-    add(const std::vector<Event> &first);
-
-    void
-    turn_closing_nodes();
     void
     take(Rates &rates);
     void
@@ -79,8 +45,6 @@ namespace conetact
     PathResult
     end_without_rates(PathResult result);
 
-    std::vector<PathState>
-    path_states() const;
     PathPoint
     here() const;
     void
@@ -89,12 +53,10 @@ namespace conetact
     std::shared_ptr<const ContactSystem> contact;
     PathOptions                          options;
     PathSystem                           system;
+    RatioTest                            ratio_test;
 
-    // where the path stands, scaled
-    Scheme        scheme;
-    SchemeFactor  factor;
-    Vector        v, r, load;
-    CriticalNodes critical;
+    PathPosition now;
+    SchemeFactor factor; ///< of its scheme
 
     // the stage
     PathStage stage;
