@@ -6,10 +6,29 @@
 #include "conetact/application/cost.h"
 #include "conetact/base/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace conetact
 {
+  namespace
+  {
+    void
+    report_shared_bodies(const Bodies      &bodies,
+                         const unsigned int n_shared,
+                         Log               &log)
+    {
+      const auto n_at_rest =
+        std::count(bodies.at_rest.begin(), bodies.at_rest.end(), true);
+      if (n_shared > 0)
+        log.note("skipped: condensation of " + std::to_string(n_shared) +
+                 " of " +
+                 std::to_string(bodies.names.size() -
+                                static_cast<std::size_t>(n_at_rest)) +
+                 " bodies, equal to others");
+    }
+  } // namespace
+
   void
   report_sizes(const Scene &scene, const ContactModel &model, Log &log)
   {
@@ -79,6 +98,7 @@ namespace conetact
   {
     const Cost cost =
       estimate_cost(model, scene.times.size(), scene.n_drawings());
+    report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
     log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
             ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
             ", memory of " + megabytes(cost.memory_bytes) + " in all");
@@ -115,11 +135,9 @@ namespace conetact
     note(loads.n_integrations(),
          loads.n_evaluations(),
          "integrations of loads, known already");
-    if (const unsigned int n_shared = model.condensation().n_shared_bodies();
-        n_shared > 0)
-      log.note("skipped: condensation of " + std::to_string(n_shared) + " of " +
-               std::to_string(model.condensation().n_bodies()) +
-               " bodies, equal to others");
+    report_shared_bodies(scene.bodies,
+                         model.condensation().n_shared_bodies(),
+                         log);
     const auto n_candidates =
       static_cast<std::size_t>(model.working_set().n_candidates());
     if (set.size_at_start() < n_candidates)

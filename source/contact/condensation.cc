@@ -3,6 +3,7 @@
 
 #include "conetact/contact/condensation.h"
 
+#include "conetact/contact/substructures.h"
 #include "conetact/solvers/null_space.h"
 
 #include <cmath>
@@ -19,16 +20,19 @@ namespace conetact
 
     /** A power of two, so that dividing by it rounds nothing. */
     double
-    mean_diagonal(const Eigen::SparseMatrix<double> &matrix)
+    mean_diagonal(const Substructures &substructures)
     {
-      const double mean =
-        matrix.rows() == 0 ?
-          0. :
-          matrix.diagonal().sum() / static_cast<double>(matrix.rows());
-      return mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1.;
+      double       sum = 0;
+      Eigen::Index n   = 0;
+      for (const Substructure &part : substructures.parts)
+        {
+          sum += part.upper.diagonal().sum();
+          n += part.upper.cols();
+        }
+      return sum > 0 ?
+               std::exp2(std::round(std::log2(sum / static_cast<double>(n)))) :
+               1.;
     }
-
-    using Places = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic>;
 
     /** Places of the unknowns with those of the set last; empty: as they are.
      */
@@ -52,35 +56,6 @@ namespace conetact
           p = next++;
       return place;
     }
-
-    void
-    sort(Eigen::SparseMatrix<double> &upper, const Places &place)
-    {
-      if (place.size() == 0)
-        return;
-      Eigen::SparseMatrix<double> sorted(upper.rows(), upper.cols());
-      sorted.selfadjointView<Eigen::Upper>() =
-        upper.selfadjointView<Eigen::Upper>().twistedBy(place);
-      upper.swap(sorted);
-    }
-
-    std::vector<unsigned int>
-    sorted(const std::vector<unsigned int> &node_of, const Places &place)
-    {
-      std::vector<unsigned int> nodes = node_of;
-      for (Eigen::Index i = 0; i < place.size(); ++i)
-        nodes[static_cast<std::size_t>(place.indices()[i])] =
-          node_of[static_cast<std::size_t>(i)];
-      return nodes;
-    }
-
-    std::vector<unsigned int>
-    body_of(const Coordinates &coordinates, std::vector<unsigned int> nodes)
-    {
-      for (unsigned int &node : nodes)
-        node = coordinates.locate(node).first;
-      return nodes;
-    }
   } // namespace
 
   Condensation::Condensation(const ElasticSystem   &e,
@@ -93,17 +68,15 @@ namespace conetact
     , set(s)
     , place(set_last(coordinates, set))
   {
-    Eigen::SparseMatrix<double> stiffness = assemble(elastic, coordinates);
-    // MUMPS has thresholds of its own, which know no units.
-    stiffness_scale = mean_diagonal(stiffness);
-    stiffness /= stiffness_scale;
-    sort(stiffness, place);
-    const Eigen::Index n       = set.layout().n_unknowns();
-    const auto         node_of = sorted(coordinates.node_of_unknowns(), place);
-    solver                     = std::make_unique<ExtendedSchur>(stiffness,
-                                             n,
-                                             node_of,
-                                             body_of(coordinates, node_of));
+    const Eigen::Index n = set.layout().n_unknowns();
+    {
+      auto substructures = make_substructures(elastic, coordinates, place, n);
+      // MUMPS has thresholds of its own, which know no units.
+      stiffness_scale = mean_diagonal(substructures);
+      for (Substructure &part : substructures.parts)
+        part.upper /= stiffness_scale;
+      solver = std::make_unique<ExtendedSchur>(substructures);
+    }
 
     auto system    = std::make_shared<ContactSystem>(set.layout());
     system->matrix = solver->base().take_schur_complement();
@@ -330,13 +303,8 @@ namespace conetact
                         const Coordinates   &coordinates,
                         const WorkingSet    &set)
   {
-    const Places                place = set_last(coordinates, set);
-    Eigen::SparseMatrix<double> upper = assemble(elastic, coordinates);
-    sort(upper, place);
-    const auto node_of = sorted(coordinates.node_of_unknowns(), place);
-    return BlockSchurSolver::estimate(upper,
-                                      set.layout().n_unknowns(),
-                                      node_of,
-                                      body_of(coordinates, node_of));
+    const Eigen::Index n = set.layout().n_unknowns();
+    return SubstructureSolver::estimate(
+      make_substructures(elastic, coordinates, set_last(coordinates, set), n));
   }
 } // namespace conetact

@@ -72,6 +72,7 @@ namespace conetact
                                rule->contact.size(),
                                global);
       }
+    set_n_unknowns(n_free + contact_layout.n_unknowns());
     contact_layout.mu =
       Eigen::Map<Eigen::VectorXd>(mu.data(),
                                   static_cast<Eigen::Index>(mu.size()));
@@ -111,16 +112,14 @@ namespace conetact
   void
   Coordinates::write_rows()
   {
-    row_start.reserve(static_cast<std::size_t>(n_dofs()) + 1);
-    entries.reserve(static_cast<std::size_t>(n_dofs()));
-    row_start.push_back(0);
+    reserve(static_cast<std::size_t>(n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         for (unsigned int c = 0; c < bodies.structures[body]->n_components();
              ++c)
           {
             append_row(body, i, c, 1., 0);
-            row_start.push_back(entries.size());
+            end_row();
           }
   }
 
@@ -134,8 +133,8 @@ namespace conetact
                          const Eigen::Index               first) {
       for (std::size_t k = 0; k < directions.size(); ++k)
         if (directions[k][c] != 0)
-          entries.push_back(
-            {first + static_cast<Eigen::Index>(k), factor * directions[k][c]});
+          append(first + static_cast<Eigen::Index>(k),
+                 factor * directions[k][c]);
     };
     add(rule.free, first_unknown[n]);
     add(rule.contact, first_contact[n]);
@@ -157,7 +156,7 @@ namespace conetact
         if (const Eigen::Index unknown =
               own_unknown[static_cast<std::size_t>(dof(body, node)) + c];
             unknown >= 0)
-          entries.push_back({unknown, factor});
+          append(unknown, factor);
         return;
       }
     if (depth > bodies.structures.size() + 2)
@@ -221,21 +220,6 @@ namespace conetact
     for (const HeldDirection &held : rule->held)
       u += (node_rules.displacement(held, p, t) - u * held.direction) *
            held.direction;
-    return u;
-  }
-
-  Eigen::VectorXd
-  Coordinates::expand(const Eigen::VectorXd &q) const
-  {
-    Eigen::VectorXd u(n_dofs());
-    for (Eigen::Index i = 0; i < n_dofs(); ++i)
-      {
-        double sum              = 0;
-        const auto [begin, end] = row(i);
-        for (const Entry *entry = begin; entry != end; ++entry)
-          sum += entry->factor * q[entry->unknown];
-        u[i] = sum;
-      }
     return u;
   }
 
@@ -319,18 +303,6 @@ namespace conetact
     if (largest(expand(q) + d - u) > round_off * size)
       return std::nullopt;
     return q;
-  }
-
-  Eigen::VectorXd Coordinates::restrict(const Eigen::VectorXd &f) const
-  {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(n_unknowns());
-    for (Eigen::Index i = 0; i < n_dofs(); ++i)
-      {
-        const auto [begin, end] = row(i);
-        for (const Entry *entry = begin; entry != end; ++entry)
-          result[entry->unknown] += entry->factor * f[i];
-      }
-    return result;
   }
 
   void

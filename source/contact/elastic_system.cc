@@ -27,7 +27,7 @@ namespace conetact
     class ElementReduction
     {
     public:
-      explicit ElementReduction(const Coordinates &c)
+      explicit ElementReduction(const LinearMap &c)
         : coordinates(c)
       {}
 
@@ -73,14 +73,14 @@ namespace conetact
       }
 
     private:
-      const Coordinates &coordinates;
-      RowMajorMatrix     map, half;
+      const LinearMap &coordinates;
+      RowMajorMatrix   map, half;
     };
 
     /** Whether each dof of the element is one unknown of its own. */
     bool
     is_plain(const std::vector<unsigned int> &dofs,
-             const Coordinates               &coordinates)
+             const LinearMap                 &coordinates)
     {
       return std::all_of(dofs.begin(), dofs.end(), [&](const unsigned int dof) {
         const auto [begin, end] = coordinates.row(dof);
@@ -98,7 +98,7 @@ namespace conetact
     };
 
     Connectivity
-    connect(const ElasticSystem &system, const Coordinates &coordinates)
+    connect(const ElasticSystem &system, const LinearMap &coordinates)
     {
       Connectivity              c;
       std::vector<Eigen::Index> unknowns;
@@ -353,7 +353,7 @@ namespace conetact
   }
 
   Eigen::SparseMatrix<double>
-  assemble(const ElasticSystem &system, const Coordinates &coordinates)
+  assemble(const ElasticSystem &system, const LinearMap &coordinates)
   {
     Eigen::SparseMatrix<double> upper =
       upper_pattern(connect(system, coordinates), coordinates.n_unknowns());

@@ -34,32 +34,6 @@ namespace conetact
       return result;
     }
 
-    /**
-     * Completes orthonormal directions to a basis of space. Axes come first,
-     * so that rollers along the axes leave the other axes as they are.
-     */
-    std::vector<Tensor<1, 3>>
-    complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
-    {
-      const std::size_t n_given = basis.size();
-      while (basis.size() < dim)
-        {
-          Tensor<1, 3> best;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              Tensor<1, 3> axis;
-              axis[d]                   = 1;
-              const Tensor<1, 3> beyond = remainder(axis, basis);
-              if (beyond.norm() > best.norm() + same_direction)
-                best = beyond;
-            }
-          basis.push_back(best / best.norm());
-        }
-      basis.erase(basis.begin(),
-                  basis.begin() + static_cast<std::ptrdiff_t>(n_given));
-      return basis;
-    }
-
     void
     add_cone(NodeRule &rule, const Tensor<1, 3> &tangent, const double scale)
     {
@@ -106,6 +80,28 @@ namespace conetact
         rule.free.push_back(tangent);
     }
   } // namespace
+
+  std::vector<Tensor<1, 3>>
+  complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
+  {
+    const std::size_t n_given = basis.size();
+    while (basis.size() < dim)
+      {
+        Tensor<1, 3> best;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            Tensor<1, 3> axis;
+            axis[d]                   = 1;
+            const Tensor<1, 3> beyond = remainder(axis, basis);
+            if (beyond.norm() > best.norm() + same_direction)
+              best = beyond;
+          }
+        basis.push_back(best / best.norm());
+      }
+    basis.erase(basis.begin(),
+                basis.begin() + static_cast<std::ptrdiff_t>(n_given));
+    return basis;
+  }
 
   void
   align_with_supports(Bodies &bodies)

@@ -100,6 +100,18 @@ namespace conetact
 
 
 
+  FactorEstimate &
+  FactorEstimate::operator+=(const FactorEstimate &other)
+  {
+    factor_bytes += other.factor_bytes;
+    working_bytes += other.working_bytes;
+    flops += other.flops;
+    n_shared += other.n_shared;
+    return *this;
+  }
+
+
+
   struct SchurSolver::Implementation
   {
     Implementation(const SparseMatrix &upper, const Index n_schur);
@@ -305,7 +317,8 @@ namespace conetact
     const Mumps &mumps = *solver.mumps;
     return {sizeof(double) * in_full(mumps.info(3)),
             1e6 * mumps.info(17),
-            mumps.data.rinfog[0]};
+            mumps.data.rinfog[0],
+            0};
   }
 
 

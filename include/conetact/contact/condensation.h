@@ -115,16 +115,11 @@ namespace conetact
       return solver->base().factor_bytes();
     }
 
-    /** Bodies, and those of them for which an equal one is condensed. */
-    unsigned int
-    n_bodies() const
-    {
-      return solver->base().n_bodies();
-    }
+    /** Bodies for which an equal one is condensed. */
     unsigned int
     n_shared_bodies() const
     {
-      return solver->base().n_shared_bodies();
+      return solver->base().n_shared();
     }
 
     /** Work with the factors so far. */

@@ -4,6 +4,7 @@
 #ifndef conetact_contact_coordinates_h
 #define conetact_contact_coordinates_h
 
+#include "conetact/contact/linear_map.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/solvers/contact_problem.h"
 
@@ -27,7 +28,7 @@ namespace conetact
    * that has no friction is not among them. Where friction is elliptic they
    * are scaled so that the cone is circular: solvers see one coefficient.
    */
-  class Coordinates
+  class Coordinates : public LinearMap
   {
   public:
     Coordinates(const Bodies &bodies, const NodeRules &rules);
@@ -36,11 +37,6 @@ namespace conetact
     n_dofs() const
     {
       return dof_offset.back();
-    }
-    Eigen::Index
-    n_unknowns() const
-    {
-      return n_free + n_contact_unknowns();
     }
     Eigen::Index
     n_contact_unknowns() const
@@ -57,22 +53,22 @@ namespace conetact
     Eigen::Index
     dof(const unsigned int body, const unsigned int node) const;
 
+    /** The number of a node in node_of_unknowns(). */
+    unsigned int
+    number(const unsigned int body, const unsigned int node) const
+    {
+      return node_offset[body] + node;
+    }
+    /** How its displacement comes about; null: by its own unknowns. */
+    const NodeRule *
+    rule(const unsigned int body, const unsigned int node) const
+    {
+      return rule_of_node[number(body, node)];
+    }
     /** Body and node of a number of node_of_unknowns(). */
     std::pair<unsigned int, unsigned int>
     locate(const unsigned int node) const;
 
-    struct Entry
-    {
-      Eigen::Index unknown;
-      double       factor;
-    };
-    /** Row i of C: its first entry and one past its last. */
-    std::pair<const Entry *, const Entry *>
-    row(const Eigen::Index i) const
-    {
-      const auto k = static_cast<std::size_t>(i);
-      return {entries.data() + row_start[k], entries.data() + row_start[k + 1]};
-    }
     /** The node of each unknown, for the order of elimination. */
     const std::vector<unsigned int> &
     node_of_unknowns() const
@@ -83,11 +79,6 @@ namespace conetact
     /** d(t). */
     Eigen::VectorXd
     prescribed(const double t) const;
-    /** C q. */
-    Eigen::VectorXd
-    expand(const Eigen::VectorXd &q) const;
-    /** C^T f. */
-    Eigen::VectorXd restrict(const Eigen::VectorXd &f) const;
     /**
      * Where supports carry all bodies along without strain, each by a
      * translation: q such that C q + d is that motion.
@@ -157,8 +148,6 @@ namespace conetact
     std::vector<Eigen::Index>     first_unknown; ///< of a node's free ones
     std::vector<Eigen::Index>     first_contact; ///< of a node's contact ones
     std::vector<Eigen::Index>     own_unknown;   ///< of each dof, or -1
-    std::vector<Entry>            entries;
-    std::vector<std::size_t>      row_start;
     std::vector<unsigned int>     node_of_unknown;
     std::vector<const NodeRule *> contacts;
     ContactSystem                 contact_layout;

@@ -23,6 +23,8 @@ namespace conetact
   public:
     explicit ElasticSystem(const Bodies &bodies);
 
+    const Bodies &bodies;
+
     /** Elements of all bodies and springs, dofs counted over all bodies. */
     void
     for_each_element(const ElementVisitor &visit) const;
@@ -50,7 +52,6 @@ namespace conetact
       std::vector<double>       matrix;
       std::size_t               support;
     };
-    const Bodies             &bodies;
     std::vector<Eigen::Index> dof_offset;
     std::vector<Spring>       springs;
   };
@@ -60,7 +61,7 @@ namespace conetact
    * `coordinates` [force/length].
    */
   Eigen::SparseMatrix<double>
-  assemble(const ElasticSystem &system, const Coordinates &coordinates);
+  assemble(const ElasticSystem &system, const LinearMap &coordinates);
 } // namespace conetact
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef conetact_contact_extended_schur_h
 #define conetact_contact_extended_schur_h
 
-#include "conetact/contact/block_schur.h"
+#include "conetact/contact/substructure_solver.h"
 
 namespace conetact
 {
@@ -20,11 +20,8 @@ namespace conetact
   class ExtendedSchur
   {
   public:
-    /** As BlockSchurSolver. */
-    ExtendedSchur(const Eigen::SparseMatrix<double> &upper,
-                  const Eigen::Index                 n_schur,
-                  const std::vector<unsigned int>   &node_of,
-                  const std::vector<unsigned int>   &body_of = {});
+    /** As SubstructureSolver. */
+    explicit ExtendedSchur(const Substructures &substructures);
 
     /**
      * Adds `unknowns`, eliminated so far, behind those of S, which becomes the
@@ -54,12 +51,12 @@ namespace conetact
     }
 
     /** Without what was added. */
-    BlockSchurSolver &
+    SubstructureSolver &
     base()
     {
       return solver;
     }
-    const BlockSchurSolver &
+    const SubstructureSolver &
     base() const
     {
       return solver;
@@ -70,8 +67,7 @@ namespace conetact
     void
     append(const Eigen::MatrixXd &D, const Eigen::MatrixXd &X);
 
-    Eigen::Index              n_unknowns; ///< of A
-    BlockSchurSolver          solver;
+    SubstructureSolver        solver;
     std::vector<Eigen::Index> added;
     Eigen::MatrixXd           L, B; ///< D = L L^T, B = L^-1 X
   };

@@ -41,6 +41,13 @@ namespace conetact
   void
   align_with_supports(Bodies &bodies);
 
+  /**
+   * Completes orthonormal directions to a basis of space. Axes come first,
+   * so that rollers along the axes leave the other axes as they are.
+   */
+  std::vector<Tensor<1, 3>>
+  complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim);
+
   /** A direction along which supports prescribe a node's displacement. */
   struct HeldDirection
   {

@@ -41,9 +41,13 @@ namespace conetact
   /** What a factorisation will take, known from the pattern alone. */
   struct FactorEstimate
   {
-    double factor_bytes  = 0;
-    double working_bytes = 0; ///< of the direct solver, factor included
-    double flops         = 0; ///< floating-point operations
+    double       factor_bytes  = 0;
+    double       working_bytes = 0; ///< of the direct solver, factor included
+    double       flops         = 0; ///< floating-point operations
+    unsigned int n_shared      = 0; ///< equal parts that are not factorised
+
+    FactorEstimate &
+    operator+=(const FactorEstimate &other);
   };
 
   /**

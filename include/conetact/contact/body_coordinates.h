@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_body_coordinates_h
+#define conetact_contact_body_coordinates_h
+
+#include "conetact/contact/coordinates.h"
+
+namespace conetact
+{
+  /**
+   * Unknowns p of each body by itself, in its own axes: @f$ u = B p @f$ but for
+   * what is prescribed. Contacts do not join bodies here, p of a slave node is
+   * its displacement itself; what supports hold and hanging nodes are
+   * eliminated. Equal bodies have equal matrices @f$ B^T K B @f$ however they
+   * are turned, if their supports are turned along.
+   */
+  class BodyCoordinates : public LinearMap
+  {
+  public:
+    /** `axes` of each body, as columns of an orthogonal matrix. */
+    BodyCoordinates(const Bodies                    &bodies,
+                    const Coordinates               &coordinates,
+                    const std::vector<Tensor<2, 3>> &axes);
+
+    /** First unknown of a body, and one past its last. */
+    Eigen::Index
+    begin(const std::size_t body) const
+    {
+      return first_unknown[body];
+    }
+    Eigen::Index
+    end(const std::size_t body) const
+    {
+      return first_unknown[body + 1];
+    }
+    /** Nodes of unknowns p, in numbers as Coordinates has them. */
+    unsigned int
+    node_of(const Eigen::Index p) const
+    {
+      return unknowns[static_cast<std::size_t>(p)].node;
+    }
+    /** False where supports are askew to contacts: B does not tell all. */
+    bool
+    is_exact(const std::size_t body) const
+    {
+      return exact[body];
+    }
+
+    /** A row of T, p = T q with the unknowns q of the Coordinates. */
+    std::vector<Entry>
+    row_of(const Eigen::Index p) const;
+
+  private:
+    /** p = direction . u, of components of u from a dof on. */
+    struct Unknown
+    {
+      unsigned int node;
+      Eigen::Index dof;
+      unsigned int n_components;
+      Tensor<1, 3> direction;
+      bool         is_contact; ///< in the span of the node's contact unknowns
+    };
+
+    void
+    add_node(const unsigned int body, const unsigned int node);
+    void
+    add_translations(const unsigned int body, const unsigned int node);
+    void
+    add_rotations(const unsigned int body, const unsigned int node);
+    void
+    append_row(const unsigned int body,
+               const unsigned int node,
+               const unsigned int component,
+               const double       factor);
+
+    const Bodies             &bodies;
+    const Coordinates        &coordinates;
+    std::vector<Tensor<2, 3>> axes;
+    std::vector<Eigen::Index> first_unknown; ///< of each body
+    std::vector<std::size_t>  first_of_node; ///< by numbers of nodes
+    std::vector<Unknown>      unknowns;
+    std::vector<bool>         exact;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_equal_bodies_h
+#define conetact_contact_equal_bodies_h
+
+#include "conetact/contact/body_coordinates.h"
+#include "conetact/contact/elastic_system.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Axes in which each body has its nodes where the first body with as many
+   * nodes has them in the scene's axes, as near as a turn can bring them:
+   * columns of rotations.
+   */
+  std::vector<Tensor<2, 3>>
+  body_axes(const Bodies &bodies);
+
+  /**
+   * Groups of two bodies or more that are equal: they have the same matrix in
+   * their BodyCoordinates but for round-off, 1e-12 of the largest value, and
+   * their foundations have. That is seen from the forces of one displacement
+   * without any order: no matrix is assembled.
+   */
+  std::vector<std::vector<unsigned int>>
+  find_equal_bodies(const ElasticSystem &elastic, const BodyCoordinates &own);
+} // namespace conetact
+
+#endif

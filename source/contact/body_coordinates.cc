@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/body_coordinates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    using Directions = std::vector<Tensor<1, 3>>;
+
+    /** Cosines below this are round-off. */
+    constexpr double round_off = 1e-12;
+
+    /** An orthonormal basis of what is left, in the order of the axes. */
+    Directions
+    left_over(const Directions   &taken,
+              const Tensor<2, 3> &axes,
+              const unsigned int  dim)
+    {
+      Directions in_body;
+      for (const Tensor<1, 3> &e : taken)
+        in_body.push_back(transpose(axes) * e / e.norm());
+      Directions basis = complement(in_body, dim);
+      for (Tensor<1, 3> &e : basis)
+        e = axes * e;
+      return basis;
+    }
+
+    Directions
+    joined(const std::vector<HeldDirection> &held, const Directions &others)
+    {
+      Directions all = others;
+      for (const HeldDirection &h : held)
+        all.push_back(h.direction);
+      return all;
+    }
+
+    bool
+    are_across(const std::vector<HeldDirection> &held, const Directions &others)
+    {
+      for (const HeldDirection &h : held)
+        for (const Tensor<1, 3> &e : others)
+          if (std::abs(h.direction * e) > round_off * e.norm())
+            return false;
+      return true;
+    }
+
+    bool
+    is_held(const NodeRule *rule, const unsigned int component)
+    {
+      return rule != nullptr &&
+             std::any_of(rule->rotations.begin(),
+                         rule->rotations.end(),
+                         [component](const NodeRule::HeldRotation &held) {
+                           return held.component == component;
+                         });
+    }
+  } // namespace
+
+  BodyCoordinates::BodyCoordinates(const Bodies                    &b,
+                                   const Coordinates               &c,
+                                   const std::vector<Tensor<2, 3>> &a)
+    : bodies(b)
+    , coordinates(c)
+    , axes(a)
+    , exact(b.structures.size(), true)
+  {
+    reserve(static_cast<std::size_t>(coordinates.n_dofs()));
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      {
+        const Structure &structure = *bodies.structures[body];
+        first_unknown.push_back(static_cast<Eigen::Index>(unknowns.size()));
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+          {
+            first_of_node.push_back(unknowns.size());
+            if (!bodies.is_at_rest(body))
+              add_node(body, i);
+          }
+      }
+    first_unknown.push_back(static_cast<Eigen::Index>(unknowns.size()));
+    first_of_node.push_back(unknowns.size());
+    set_n_unknowns(first_unknown.back());
+
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+        for (unsigned int k = 0; k < bodies.structures[body]->n_components();
+             ++k)
+          {
+            append_row(body, i, k, 1.);
+            end_row();
+          }
+  }
+
+  void
+  BodyCoordinates::add_node(const unsigned int body, const unsigned int node)
+  {
+    const NodeRule *rule = coordinates.rule(body, node);
+    if (rule == nullptr || rule->masters.empty())
+      add_translations(body, node);
+    add_rotations(body, node);
+  }
+
+  void
+  BodyCoordinates::add_translations(const unsigned int body,
+                                    const unsigned int node)
+  {
+    const unsigned int dim  = bodies.dim;
+    const NodeRule    *rule = coordinates.rule(body, node);
+    const auto         add  = [&](const Directions &taken, const bool contact) {
+      for (const Tensor<1, 3> &e : left_over(taken, axes[body], dim))
+        unknowns.push_back({coordinates.number(body, node),
+                            coordinates.dof(body, node),
+                            dim,
+                            e,
+                            contact});
+    };
+    if (rule == nullptr)
+      {
+        add({}, false);
+        return;
+      }
+    if (!are_across(rule->held, rule->free) ||
+        !are_across(rule->held, rule->contact))
+      exact[body] = false;
+    add(joined(rule->held, rule->contact), false);
+    if (!rule->contact.empty())
+      add(joined(rule->held, rule->free), true);
+  }
+
+  void
+  BodyCoordinates::add_rotations(const unsigned int body,
+                                 const unsigned int node)
+  {
+    const Structure   &structure = *bodies.structures[body];
+    const NodeRule    *rule      = coordinates.rule(body, node);
+    const unsigned int dim = bodies.dim, n = structure.n_components();
+    bool               any_held = false;
+    for (unsigned int c = dim; c < n; ++c)
+      any_held = any_held || is_held(rule, c);
+    for (unsigned int c = dim; c < n; ++c)
+      if (structure.has_dof(node, c) && !is_held(rule, c))
+        {
+          Tensor<1, 3> direction;
+          direction[c - dim] = 1;
+          // supports hold rotations about the axes of the scene
+          if (n - dim == 3 && !any_held)
+            direction = axes[body] * direction;
+          unknowns.push_back({coordinates.number(body, node),
+                              coordinates.dof(body, node) + dim,
+                              n - dim,
+                              direction,
+                              false});
+        }
+  }
+
+  void
+  BodyCoordinates::append_row(const unsigned int body,
+                              const unsigned int node,
+                              const unsigned int component,
+                              const double       factor)
+  {
+    const NodeRule *rule = coordinates.rule(body, node);
+    if (rule != nullptr && component < bodies.dim)
+      for (const auto &[master, weight] : rule->masters)
+        append_row(body, master, component, factor * weight);
+    const std::size_t  number = coordinates.number(body, node);
+    const Eigen::Index dof    = coordinates.dof(body, node) + component;
+    for (std::size_t p = first_of_node[number]; p < first_of_node[number + 1];
+         ++p)
+      {
+        const Eigen::Index c = dof - unknowns[p].dof;
+        if (c < 0 || c >= unknowns[p].n_components)
+          continue;
+        if (const double part = unknowns[p].direction[static_cast<unsigned>(c)];
+            part != 0)
+          append(static_cast<Eigen::Index>(p), factor * part);
+      }
+  }
+
+  std::vector<LinearMap::Entry>
+  BodyCoordinates::row_of(const Eigen::Index p) const
+  {
+    const Unknown     &unknown = unknowns[static_cast<std::size_t>(p)];
+    const Eigen::Index n_free =
+      coordinates.n_unknowns() - coordinates.n_contact_unknowns();
+    std::vector<Entry> row;
+    for (unsigned int c = 0; c < unknown.n_components; ++c)
+      {
+        const auto [first, last] = coordinates.row(unknown.dof + c);
+        for (const Entry *entry = first; entry != last; ++entry)
+          {
+            const double factor = unknown.direction[c] * entry->factor;
+            const auto   q      = static_cast<std::size_t>(entry->unknown);
+            // free and contact directions of a node are orthogonal
+            const bool across =
+              coordinates.node_of_unknowns()[q] == unknown.node &&
+              (entry->unknown >= n_free) != unknown.is_contact;
+            if (factor != 0 && !across)
+              row.push_back({entry->unknown, factor});
+          }
+      }
+    return row;
+  }
+} // namespace conetact

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/equal_bodies.h"
+
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <random>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    // A body that is moved by many times its size, or turned, has this error
+    // in the coordinates of its nodes, over the size of its cells.
+    constexpr double round_off = 1e-12;
+
+    Eigen::Matrix3Xd
+    positions(const Structure &body)
+    {
+      Eigen::Matrix3Xd x(3, body.n_nodes());
+      for (unsigned int i = 0; i < body.n_nodes(); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          x(c, i) = body.position(i)[c];
+      return x.colwise() - Eigen::Vector3d(x.rowwise().mean());
+    }
+
+    // The rotation that brings the points x nearest to y (Kabsch).
+    Tensor<2, 3>
+    rotation(const Eigen::Matrix3Xd &x, const Eigen::Matrix3Xd &y)
+    {
+      Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+      // points on a line do not tell how they are turned about it
+      if ((x - y).cwiseAbs().maxCoeff() > round_off * x.cwiseAbs().maxCoeff())
+        {
+          const Eigen::JacobiSVD<Eigen::Matrix3d> svd(y * x.transpose(),
+                                                      Eigen::ComputeFullU |
+                                                        Eigen::ComputeFullV);
+          const Eigen::Matrix3d                   V = svd.matrixV().transpose();
+          Eigen::Matrix3d                         U = svd.matrixU();
+          if ((U * V).determinant() < 0)
+            U.col(2) = -U.col(2);
+          turn = U * V;
+        }
+      Tensor<2, 3> result;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          result[i][j] = turn(i, j);
+      return result;
+    }
+
+    // The same numbers for each body.
+    VectorXd
+    displacement_without_order(const BodyCoordinates &own,
+                               const std::size_t      n_bodies)
+    {
+      constexpr double range = std::minstd_rand::max();
+      VectorXd         p(own.n_unknowns());
+      for (std::size_t body = 0; body < n_bodies; ++body)
+        {
+          std::minstd_rand random;
+          for (Index i = own.begin(body); i < own.end(body); ++i)
+            p[i] = 2. * static_cast<double>(random()) / range - 1.;
+        }
+      return p;
+    }
+
+    bool
+    are_equal(const Eigen::Ref<const VectorXd> &a,
+              const Eigen::Ref<const VectorXd> &b)
+    {
+      return (a - b).cwiseAbs().maxCoeff() <=
+             round_off * a.cwiseAbs().maxCoeff();
+    }
+  } // namespace
+
+
+
+  std::vector<Tensor<2, 3>>
+  body_axes(const Bodies &bodies)
+  {
+    std::vector<Tensor<2, 3>> axes;
+    for (const Structure *body : bodies.structures)
+      {
+        const Structure *first =
+          *std::find_if(bodies.structures.begin(),
+                        bodies.structures.end(),
+                        [&](const Structure *other) {
+                          return other->n_nodes() == body->n_nodes();
+                        });
+        axes.push_back(rotation(positions(*first), positions(*body)));
+      }
+    return axes;
+  }
+
+
+
+  std::vector<std::vector<unsigned int>>
+  find_equal_bodies(const ElasticSystem &elastic, const BodyCoordinates &own)
+  {
+    const Bodies     &bodies  = elastic.bodies;
+    const std::size_t n       = bodies.structures.size();
+    const VectorXd    u       = own.expand(displacement_without_order(own, n));
+    const VectorXd    forces  = own.restrict(elastic.internal_forces(u));
+    const VectorXd    springs = own.restrict(elastic.spring_forces(u));
+    const auto        equal = [&](const unsigned int a, const unsigned int b) {
+      const Index n_unknowns = own.end(a) - own.begin(a);
+      return n_unknowns == own.end(b) - own.begin(b) &&
+             are_equal(forces.segment(own.begin(a), n_unknowns),
+                       forces.segment(own.begin(b), n_unknowns)) &&
+             are_equal(springs.segment(own.begin(a), n_unknowns),
+                       springs.segment(own.begin(b), n_unknowns));
+    };
+
+    std::vector<std::vector<unsigned int>> groups;
+    for (unsigned int body = 0; body < n; ++body)
+      {
+        if (own.begin(body) == own.end(body) || !own.is_exact(body))
+          continue;
+        const auto group =
+          std::find_if(groups.begin(), groups.end(), [&](const auto &other) {
+            return equal(other[0], body);
+          });
+        if (group == groups.end())
+          groups.push_back({body});
+        else
+          group->push_back(body);
+      }
+    groups.erase(std::remove_if(groups.begin(),
+                                groups.end(),
+                                [](const auto &group) {
+                                  return group.size() == 1;
+                                }),
+                 groups.end());
+    return groups;
+  }
+} // namespace conetact
