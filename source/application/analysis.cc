@@ -3,6 +3,7 @@
 
 #include "conetact/application/analysis.h"
 
+#include "conetact/application/cost.h"
 #include "conetact/application/increment_analysis.h"
 #include "conetact/application/path_analysis.h"
 #include "conetact/application/scene_report.h"
@@ -80,9 +81,8 @@ namespace conetact
   Analysis::prepare()
   {
     check_history();
-    const double bytes = model.condensation().factor_bytes();
     log.time("condensation: order, factor and Schur complement, factor of " +
-             to_text(bytes / 1e6) + " MB");
+             megabytes(model.condensation().factor_bytes()));
     if (!scene.fclib_increments.empty())
       check_problem_is_writable(*model.condensation().system());
   }

@@ -59,7 +59,7 @@ namespace conetact
       {
         const auto n =
           static_cast<double>(model.working_set().layout().n_unknowns());
-        log.note("condensed stiffness: " + to_text(8e-6 * n * n) + " MB");
+        log.note("condensed stiffness: " + megabytes(8 * n * n));
       }
     if (!model.working_set().is_all())
       log.note(
