@@ -6,7 +6,10 @@ results are those of each by itself.
 
 usage: check_equal_bodies.py PROGRAM [FAMILY...]
 """
+import math
+import re
 import shutil
+import subprocess
 import sys
 
 import laws as scenes
@@ -101,12 +104,27 @@ def without_equals(scene, names):
     return scene
 
 
+def told_beforehand(laws, name, scene, run):
+    """A dry run knows what is shared and what it takes."""
+    file = laws.folder / "dry.prm"
+    scenes.write_scene(scene, file)
+    text = subprocess.run([laws.program, file, "--dry-run"], cwd=laws.folder, capture_output=True, text=True,
+                          check=True).stdout
+    skipped = [line for line in log_of(run).splitlines() if "bodies, equal to others" in line]
+    laws.demand(f"{name}: a dry run says so, too", all(line.strip() in text for line in skipped))
+    for what, told, found in (("factor", r"factor of (\S+) MB, ", r"factor of (\S+) MB"),
+                              ("memory", r"memory of (\S+) MB", r"memory: (\S+) MB")):
+        ratio = float(re.search(told, text)[1]) / float(re.search(found, log_of(run))[1])
+        laws.check(f"{name}: {what} over that of the run, {ratio:.3g}", abs(math.log(ratio)), math.log(1.5))
+
+
 def stacked(laws):
     """Blocks one on the other: each is both slave and master."""
     for dim, cells in ((2, (14, 14)), (3, (6, 6, 6))):
         scene = scenes.stack(dim, (cells,) * 4, (1.0,) * 4, .3, .2)
         run = laws.run(scene)
         demand_shared(laws, f"{dim}D, a stack of 4, the topmost held", run, 2, 4)
+        told_beforehand(laws, f"{dim}D, a stack", scene, run)
         whole = laws.run(without_equals(scene, [f"block {i}" for i in range(4)]))
         laws.demand("without equals it is a whole", "equal to others" not in log_of(whole))
         laws.same(f"{dim}D, a stack", whole, run, 1e-9)
