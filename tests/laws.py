@@ -1071,7 +1071,7 @@ def readable(laws, folder, what, quiet=False):
     """Every table and picture on disk is whole."""
     faults = []
     tables = {}
-    for name in ("increments.csv", "reactions.csv"):
+    for name in ("increments.csv", "reactions.csv", "events.csv"):
         file = folder / name
         if not file.exists():
             continue
@@ -1109,18 +1109,15 @@ def readable(laws, folder, what, quiet=False):
     return len(written)
 
 
-def kill(laws):
+def kill_and_read(laws, file, rounds):
+    """Increments on disk after kills at random times; "all" where the program was faster."""
     rng = random.Random(11)
-    scene = merge(press_and_shear(3, cells=(7, 7, 7), increments=120), {"Output": {"VTU": 1}})
-    scene["Support top"]["Displacement"] = "0.001*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)"
-    file = laws.folder / "kill.prm"
-    write_scene(scene, file)
     begin = time.monotonic()
     laws.run(file)
     whole = time.monotonic() - begin
     found = []
-    for i in range(10):
-        folder = laws.folder / f"kill{i}"
+    for i in range(rounds):
+        folder = laws.folder / f"kill-{file.stem}-{i}"
         process = subprocess.Popen([laws.program, file, "-o", folder, "--quiet"], cwd=laws.folder)
         time.sleep(rng.uniform(.2, 1) * whole)
         process.kill()
@@ -1128,7 +1125,21 @@ def kill(laws):
         if folder.exists():
             count = readable(laws, folder, f"killed, round {i}", quiet=True)
             found.append(count if code == -signal.SIGKILL else "all")
+    return found
+
+
+def kill(laws):
+    scene = merge(press_and_shear(3, cells=(7, 7, 7), increments=120), {"Output": {"VTU": 1}})
+    scene["Support top"]["Displacement"] = "0.001*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)"
+    file = laws.folder / "kill.prm"
+    write_scene(scene, file)
+    found = kill_and_read(laws, file, 10)
     laws.demand(f"increments on disk after kill -9: {found}", any(0 < n < 120 for n in found if n != "all"))
+
+    path = laws.folder / "kill-path.prm"
+    write_scene(merge(pushed_block(2, .6, .5, cells=(80, 40)), {"Output": {"VTU": 1}}), path)
+    found = kill_and_read(laws, path, 6)
+    laws.demand(f"points of a load path on disk after kill -9: {found}", any(n != "all" for n in found))
 
     def limit(size):
         def set_limit():

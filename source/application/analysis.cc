@@ -89,6 +89,7 @@ namespace conetact
 
   void
   Analysis::create_outputs(const std::filesystem::path &folder,
+                           const std::size_t            n_increments,
                            const bool                   quiet)
   {
     description.folder       = folder;
@@ -96,7 +97,8 @@ namespace conetact
     description.bodies       = scene.bodies.names;
     description.structures   = scene.bodies.structures;
     description.dim          = scene.bodies.dim;
-    description.n_increments = static_cast<unsigned int>(scene.times.size());
+    description.n_increments = static_cast<unsigned int>(n_increments);
+    description.end          = scene.times.empty() ? 0 : scene.times.back();
     description.vtu_every    = scene.vtu_every;
     for (const OutputRow &row : output_table())
       outputs.push_back(row.create(description));

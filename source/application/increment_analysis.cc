@@ -31,7 +31,7 @@ namespace conetact
   void
   IncrementAnalysis::run(const std::filesystem::path &folder, const bool quiet)
   {
-    create_outputs(folder, quiet);
+    create_outputs(folder, scene.times.size(), quiet);
     std::vector<PendingIncrement> batch;
     for (unsigned int k = 1; k <= scene.times.size();)
       {

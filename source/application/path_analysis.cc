@@ -118,11 +118,11 @@ namespace conetact
 
 
   void
-  PathAnalysis::run(const std::filesystem::path &f, const bool /*quiet*/)
+  PathAnalysis::run(const std::filesystem::path &f, const bool quiet)
   {
     folder = f;
     remove_mechanism();
-    create_outputs(folder, true);
+    create_outputs(folder, 0, quiet);
     events.emplace(folder);
     const auto      system   = model.condensation().system();
     Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);

@@ -15,13 +15,37 @@ namespace conetact
   namespace
   {
     std::string
-    bar(const unsigned int done, const unsigned int all)
+    bar(const double part)
     {
       constexpr unsigned int width = 20;
-      const unsigned int     full =
-        all == 0 ? width : std::min(width, width * done / all);
+      const auto             full  = static_cast<unsigned int>(width * part);
       return '[' + std::string(full, '#') + std::string(width - full, ' ') +
              ']';
+    }
+
+    // " 7/23", or "7" where their number is not known.
+    std::string
+    count(const unsigned int done, const unsigned int all)
+    {
+      const std::string number = std::to_string(done);
+      if (all == 0)
+        return number;
+      const std::string sum = std::to_string(all);
+      return std::string(sum.size() - std::min(sum.size(), number.size()),
+                         ' ') +
+             number + '/' + sum;
+    }
+
+    double
+    part_done(const IncrementRecord &record,
+              const unsigned int     n_increments,
+              const double           end)
+    {
+      const double part = n_increments > 0 ?
+                            double(record.increment) / n_increments :
+                          end > 0 ? record.time / end :
+                                    1.;
+      return std::clamp(part, 0., 1.);
     }
 
     std::string
@@ -41,29 +65,28 @@ namespace conetact
   std::string
   progress_line(const IncrementRecord &record,
                 const unsigned int     n_increments,
+                const double           end,
                 const double           elapsed)
   {
     std::array<unsigned int, 3> n{};
     for (const ContactRow &row : record.rows)
       ++n.at(static_cast<std::size_t>(row.state));
-    const unsigned int done = std::max(1u, record.increment);
-    const unsigned int left = n_increments - std::min(n_increments, done);
+    const double part = part_done(record, n_increments, end);
 
     std::array<char, 160> text;
-    std::snprintf(text.data(),
-                  text.size(),
-                  "%s %*u/%u  t = %-6.4g open %u, stick %u, slip %u  "
-                  "%u iterations  %s left",
-                  bar(record.increment, n_increments).c_str(),
-                  static_cast<int>(std::to_string(n_increments).size()),
-                  record.increment,
-                  n_increments,
-                  record.time,
-                  n[0],
-                  n[1],
-                  n[2],
-                  record.report.iterations,
-                  duration(elapsed / done * left).c_str());
+    std::snprintf(
+      text.data(),
+      text.size(),
+      "%s %s  t = %-6.4g open %u, stick %u, slip %u  "
+      "%u iterations  %s left",
+      bar(part).c_str(),
+      count(record.increment, n_increments).c_str(),
+      record.time,
+      n[0],
+      n[1],
+      n[2],
+      record.report.iterations,
+      duration(elapsed * (1 - part) / std::max(part, 1e-3)).c_str());
     return text.data();
   }
 
@@ -71,6 +94,7 @@ namespace conetact
 
   Progress::Progress(const RunDescription &run, const bool quiet)
     : n_increments(run.n_increments)
+    , end(run.end)
     , shown(!quiet && ::isatty(STDOUT_FILENO) != 0)
     , start(std::chrono::steady_clock::now())
   {}
@@ -85,7 +109,7 @@ namespace conetact
     const std::chrono::duration<double> elapsed =
       std::chrono::steady_clock::now() - start;
     for (const IncrementRecord &record : finished)
-      std::cout << progress_line(record, n_increments, elapsed.count())
+      std::cout << progress_line(record, n_increments, end, elapsed.count())
                 << std::endl;
   }
 } // namespace conetact

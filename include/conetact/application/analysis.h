@@ -68,8 +68,11 @@ namespace conetact
     }
 
   protected:
+    /** `n_increments` is 0 where it is not known beforehand. */
     void
-    create_outputs(const std::filesystem::path &folder, const bool quiet);
+    create_outputs(const std::filesystem::path &folder,
+                   const std::size_t            n_increments,
+                   const bool                   quiet);
     /** Increments whose displacements are recovered together. */
     std::size_t
     most_at_once(const unsigned int n_finished) const;

@@ -81,7 +81,8 @@ namespace conetact
     std::vector<std::string>       bodies;   ///< names
     std::vector<const Structure *> structures;
     unsigned int                   dim          = 2;
-    unsigned int                   n_increments = 0;
+    unsigned int                   n_increments = 0; ///< 0: not known yet
+    double                         end          = 0; ///< time of the last one
     unsigned int                   vtu_every    = 1; ///< 0: never
 
     bool

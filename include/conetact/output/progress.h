@@ -24,17 +24,21 @@ namespace conetact
 
   private:
     const unsigned int                          n_increments;
+    const double                                end;
     const bool                                  shown;
     const std::chrono::steady_clock::time_point start;
   };
 
   /**
    * "[####      ]  7/23  t = 7  open 24, stick 20, slip 7  5 iterations
-   * 12 s left", with `elapsed` seconds since the start.
+   * 12 s left", with `elapsed` seconds since the start. Where the number of
+   * increments is not known (`n_increments` is 0, a load path) the bar shows
+   * the time, which ends at `end`.
    */
   std::string
   progress_line(const IncrementRecord &record,
                 const unsigned int     n_increments,
+                const double           end,
                 const double           elapsed);
 } // namespace conetact
 

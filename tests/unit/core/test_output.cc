@@ -480,10 +480,17 @@ namespace
 
   TEST_F(OutputTest, ProgressLine)
   {
-    const std::string line = progress_line(record(1), 4, 30);
+    const std::string line = progress_line(record(1), 4, 4, 30);
     EXPECT_NE(line.find("[#####               ] 1/4"), std::string::npos);
     EXPECT_NE(line.find("open 0, stick 1, slip 1"), std::string::npos);
     EXPECT_NE(line.find("90 s left"), std::string::npos);
+  }
+
+  TEST_F(OutputTest, ProgressLineWithoutANumberOfIncrements)
+  {
+    const std::string line = progress_line(record(1), 0, 2 * record(1).time, 9);
+    EXPECT_NE(line.find("[##########          ] 1  t = "), std::string::npos);
+    EXPECT_NE(line.find("9 s left"), std::string::npos);
   }
 
   TEST_F(OutputTest, NoProgressIntoAFile)
