@@ -26,7 +26,7 @@ SCENES = (
     ("square-greco", (), (1, 1, 1, 1, 5, 10, 9), (.37, .034)),
     ("inclined-obstacle", (), (1, 1, 0, 23, 25, 60, 59), (2.4, .084)),
     # a large mesh: no increment is corrected, which would double recoveries and solves
-    ("inclined-obstacle", (SQUARES, "Time/End=20", "Time/Increments=20"), (1, 1, 0, 20, 22, 106, 9), (56, 1.4)),
+    ("inclined-obstacle", (SQUARES, "Time/End=20", "Time/Increments=20"), (1, 1, 0, 20, 22, 124, 9), (56, 1.4)),
     ("block-press-shear", (CUBES,), (1, 1, 0, 11, 13, 57, 56), (3.4, .48)),
     ("double-layer-grid-07", (), (1, 1, 1, 1, 5, 10, 9), (.11, .18)),
     ("double-layer-grid-unloading", (), (1, 1, 1, 6, 15, 37, 35), (.53, 1.5)),

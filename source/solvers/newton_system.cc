@@ -36,8 +36,8 @@ namespace conetact
       pivots.resize(static_cast<std::size_t>(n));
       if (!A.allFinite())
         return false;
-      if (LAPACKE_dgetrf(LAPACK_COL_MAJOR, n, n, A.data(), n, pivots.data()) !=
-          0)
+      if (LAPACKE_dgetrf_work(
+            LAPACK_COL_MAJOR, n, n, A.data(), n, pivots.data()) != 0)
         return false;
       const auto pivot = A.diagonal().cwiseAbs();
       return n == 0 || pivot.minCoeff() > 1e-13 * pivot.maxCoeff();
@@ -225,7 +225,16 @@ namespace conetact
     if (!(norm > 0) || !std::isfinite(norm))
       return false;
     Eigen::VectorXf solution;
-    assemble(relation, laws, 0, single);
+    // Newton's method converges quadratically: what a step leaves of the
+    // right-hand side is also the part of the matrix that it changes.
+    fresh =
+      !(fresh && unknown == assembled && norm < .1 * precision * last_norm);
+    last_norm = norm;
+    if (fresh)
+      {
+        assemble(relation, laws, 0, single);
+        assembled = unknown;
+      }
     const unsigned int before = reused.n_factorizations();
     const bool         done   = reused.solve(single,
                                    unknown,

@@ -15,7 +15,7 @@ namespace conetact
     using Eigen::Index;
 
     /** Vectors of the Krylov space: beyond, a new factor is cheaper. */
-    constexpr Index max_directions = 30;
+    constexpr Index max_directions = 40;
 
     /** Rotates (a, b) to (r, 0). */
     struct Rotation
@@ -50,8 +50,8 @@ namespace conetact
     factor_numbers = numbers;
     pivots.resize(numbers.size());
     ++factorizations;
-    const lapack_int info =
-      LAPACKE_sgetrf(LAPACK_COL_MAJOR, n, n, factor.data(), n, pivots.data());
+    const lapack_int info = LAPACKE_sgetrf_work(
+      LAPACK_COL_MAJOR, n, n, factor.data(), n, pivots.data());
     const auto pivot = factor.diagonal().cwiseAbs();
     const bool good  = info == 0 && pivot.minCoeff() > 1e-6f * pivot.maxCoeff();
     if (!good)
@@ -179,13 +179,10 @@ namespace conetact
                       const float               precision,
                       Vector                   &x)
   {
-    const float reachable = std::max(precision, 3e-6f);
     match(A, numbers);
-    // A first step is far from the solution: its matrix is not worth keeping.
-    if (factor_numbers.empty() && precision >= 5e-3f &&
-        gmres(A, b, reachable, x))
-      return true;
-    if (worth_trying(A.rows()) && gmres(A, b, reachable, x))
+    if (!worth_trying(A.rows()))
+      factor_numbers.clear();
+    if (gmres(A, b, std::max(precision, 3e-6f), x))
       return true;
     if (!factorize(A, numbers))
       return false;

@@ -69,7 +69,9 @@ namespace conetact
     bool
     step(Point &point, const bool damped, const double goal);
     bool
-    worth_one_more(const Point &point, const bool improved) const;
+    worth_one_more(const Point &point,
+                   const bool   improved,
+                   const double goal) const;
 
     SolverOptions                 options;
     std::optional<LinearRelation> relation;

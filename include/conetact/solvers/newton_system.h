@@ -100,6 +100,9 @@ namespace conetact
     Array              right_hand_side;
     Eigen::MatrixXd    matrix;
     Eigen::MatrixXf    single;
+    std::vector<Index> assembled;     ///< unknowns of `single`
+    bool               fresh = false; ///< it was assembled in the last solve
+    double             last_norm = 0; ///< of the right-hand side there
     ReusedFactor       reused;
     unsigned int       factorizations = 0;
   };
