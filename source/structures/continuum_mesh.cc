@@ -6,7 +6,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -16,17 +15,12 @@ namespace conetact
 
   namespace
   {
-    /** The node of a vertex whose dofs come one after the other. */
-    template <int dim, class Accessor>
+    /** One dof at each vertex: its number is that of the node. */
+    template <class Accessor>
     unsigned int
     node_of(const Accessor &object, const unsigned int vertex)
     {
-      const auto first = object->vertex_dof_index(vertex, 0);
-      for (unsigned int c = 0; c < dim; ++c)
-        AssertThrow(first % dim == 0 &&
-                      object->vertex_dof_index(vertex, c) == first + c,
-                    dealii::ExcInternalError());
-      return static_cast<unsigned int>(first / dim);
+      return static_cast<unsigned int>(object->vertex_dof_index(vertex, 0));
     }
 
     template <int dim>
@@ -37,7 +31,7 @@ namespace conetact
       const auto                        face = cell->face(number);
       typename ContinuumMesh<dim>::Face result;
       for (const unsigned int v : face->vertex_indices())
-        result.nodes[v] = node_of<dim>(face, v);
+        result.nodes[v] = node_of(face, v);
       result.id = face->boundary_id();
 
       const auto along = [&](const unsigned int v, const unsigned int w) {
@@ -62,14 +56,12 @@ namespace conetact
 
       std::vector<HangingNode> hanging;
       for (const auto &line : constraints.get_lines())
-        if (line.index % dim == 0)
-          {
-            HangingNode node{static_cast<unsigned int>(line.index / dim), {}};
-            for (const auto &[dof, weight] : line.entries)
-              node.masters.emplace_back(static_cast<unsigned int>(dof / dim),
-                                        weight);
-            hanging.push_back(node);
-          }
+        {
+          HangingNode node{static_cast<unsigned int>(line.index), {}};
+          for (const auto &[dof, weight] : line.entries)
+            node.masters.emplace_back(static_cast<unsigned int>(dof), weight);
+          hanging.push_back(node);
+        }
       return hanging;
     }
   } // namespace
@@ -77,17 +69,16 @@ namespace conetact
   template <int dim>
   ContinuumMesh<dim>::ContinuumMesh(const dealii::Triangulation<dim> &mesh)
   {
-    const dealii::FESystem<dim> fe(dealii::FE_Q<dim>(1), dim);
-    DoFHandler<dim>             dofs(mesh);
-    dofs.distribute_dofs(fe);
-    nodes.resize(dofs.n_dofs() / dim);
+    DoFHandler<dim> dofs(mesh);
+    dofs.distribute_dofs(dealii::FE_Q<dim>(1));
+    nodes.resize(dofs.n_dofs());
     cells.reserve(mesh.n_active_cells());
     for (const auto &cell : dofs.active_cell_iterators())
       {
         cells.emplace_back();
         for (const unsigned int v : cell->vertex_indices())
           {
-            cells.back()[v]        = node_of<dim>(cell, v);
+            cells.back()[v]        = node_of(cell, v);
             nodes[cells.back()[v]] = cell->vertex(v);
           }
         for (const unsigned int f : cell->face_indices())

@@ -19,8 +19,7 @@ namespace conetact
 {
   /**
    * A mesh as plain arrays: numbered nodes, cells, boundary faces, hanging
-   * nodes. Nodes are numbered like the vertices' dofs of deal.II's
-   * FESystem(FE_Q(1), dim), node = dof / dim.
+   * nodes. Nodes are numbered like the dofs of deal.II's FE_Q(1).
    */
   template <int dim>
   struct ContinuumMesh
