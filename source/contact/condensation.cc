@@ -3,7 +3,6 @@
 
 #include "conetact/contact/condensation.h"
 
-#include "conetact/contact/substructures.h"
 #include "conetact/solvers/null_space.h"
 
 #include <cmath>

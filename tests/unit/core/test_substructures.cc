@@ -145,3 +145,14 @@ TEST(Substructures, LeavesSupportsAskewToContactsAlone)
   scene.bodies.supports[1].directions[0] += Tensor<1, 3>({0, 0, 1e-6});
   EXPECT_EQ(n_parts(scene), 2u);
 }
+
+
+
+TEST(Substructures, TellsBodiesApartOnAStiffFoundation)
+{
+  // so stiff that forces of the bodies are round-off beside its own
+  Scene two("Young modulus = 5|Poisson ratio = 0.31");
+  for (Support &support : two.bodies.supports)
+    support.stiffness.emplace("1e16", "test");
+  EXPECT_EQ(n_parts(two), 2u);
+}
