@@ -16,6 +16,10 @@ namespace conetact
     /** Steps in a row without much gain before giving up. */
     constexpr unsigned int max_stalls = 2, max_damped_stalls = 10;
 
+    // Where so many steps are not enough, the load is near its limit or states
+    // do not settle: then what a step leaves open matters.
+    constexpr unsigned int exact_from = 12;
+
     /** A load that differs by less from the one in balance is the same. */
     constexpr double rounding = 1e-15;
 
@@ -75,11 +79,17 @@ namespace conetact
 
   /** One Newton step; false if there is none. */
   bool
-  ActiveSet::step(Point &point, const bool damped, const double goal)
+  ActiveSet::step(Point       &point,
+                  const bool   damped,
+                  const double goal,
+                  const bool   exact)
   {
     // What Newton gains anyway, or what is left to gain if that is less.
     const double precision =
-      std::min(1e-2, std::max(.1 * point.residual, .3 * goal / point.residual));
+      exact ?
+        0. :
+        std::min(1e-2,
+                 std::max(.1 * point.residual, .3 * goal / point.residual));
     const Array none = Array::Zero(point.p.size());
     Array       dp;
     if (!newton.solve(*relation,
@@ -137,7 +147,7 @@ namespace conetact
       {
         seen.insert(current);
         const double before = point.residual;
-        if (!step(point, damped, goal))
+        if (!step(point, damped, goal, report.iterations >= exact_from))
           return "singular tangent";
         ++report.iterations;
 

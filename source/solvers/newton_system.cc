@@ -219,7 +219,7 @@ namespace conetact
                                  const double                precision,
                                  Array                      &x)
   {
-    if (was_small())
+    if (was_small() || precision == 0)
       return false;
     const double norm = right_hand_side.norm();
     if (!(norm > 0) || !std::isfinite(norm))

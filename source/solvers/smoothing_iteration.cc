@@ -324,7 +324,9 @@ namespace conetact
         out.h         = law.h;
         out.p += eps * out.d;
       }
-    if (!newton.solve(relation, laws, residual.relation, 1e-5, delta.p))
+    // The published form has no scale in which a part of it could be small.
+    const double precision = options.scaled ? 1e-5 : 0;
+    if (!newton.solve(relation, laws, residual.relation, precision, delta.p))
       return false;
     ++iterations;
     delta.d = residual.relation + eps * delta.p;

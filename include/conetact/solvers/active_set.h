@@ -67,7 +67,7 @@ namespace conetact
     std::string
     iterate(Point &point, SolverReport &report);
     bool
-    step(Point &point, const bool damped, const double goal);
+    step(Point &point, const bool damped, const double goal, const bool exact);
     bool
     worth_one_more(const Point &point,
                    const bool   improved,

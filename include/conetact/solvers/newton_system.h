@@ -36,7 +36,8 @@ namespace conetact
 
     /**
      * Solves for the increment of p, to the relative precision asked for (a
-     * hint: small systems are always solved directly). False if the matrix is
+     * hint: small systems are always solved directly, and all of them where it
+     * is 0). False if the matrix is
      * singular beyond help or the result is not finite.
      */
     bool
