@@ -223,11 +223,13 @@ namespace conetact
   {
     for (const Structure *structure : bodies.structures)
       dof_offset.push_back(dof_offset.back() + structure->n_dofs());
+    std::vector<unsigned int> n_foundations_of(bodies.structures.size());
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
         const Support &support = bodies.supports[s];
         if (!support.stiffness || bodies.is_at_rest(support.body))
           continue;
+        const unsigned int place = n_foundations_of[support.body]++;
         const auto offset = static_cast<unsigned int>(dof_offset[support.body]);
         bodies.structures[support.body]->visit_springs(
           support.ids,
@@ -237,7 +239,8 @@ namespace conetact
           [&](const std::vector<unsigned int> &dofs, const double *matrix) {
             Spring spring{dofs,
                           {matrix, matrix + dofs.size() * dofs.size()},
-                          s};
+                          s,
+                          place};
             for (unsigned int &dof : spring.dofs)
               dof += offset;
             springs.push_back(std::move(spring));
@@ -315,6 +318,26 @@ namespace conetact
     for (const Spring &spring : springs)
       multiply(spring.dofs, spring.matrix.data(), u, local, f);
     return f;
+  }
+
+  Eigen::VectorXd
+  ElasticSystem::spring_forces(const Eigen::VectorXd &u,
+                               const unsigned int     k) const
+  {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), local;
+    for (const Spring &spring : springs)
+      if (spring.place == k)
+        multiply(spring.dofs, spring.matrix.data(), u, local, f);
+    return f;
+  }
+
+  unsigned int
+  ElasticSystem::n_foundations() const
+  {
+    unsigned int most = 0;
+    for (const Spring &spring : springs)
+      most = std::max(most, spring.place + 1);
+    return most;
   }
 
   Eigen::VectorXd

@@ -102,18 +102,20 @@ namespace conetact
   std::vector<std::vector<unsigned int>>
   find_equal_bodies(const ElasticSystem &elastic, const BodyCoordinates &own)
   {
-    const Bodies     &bodies  = elastic.bodies;
-    const std::size_t n       = bodies.structures.size();
-    const VectorXd    u       = own.expand(displacement_without_order(own, n));
-    const VectorXd    forces  = own.restrict(elastic.structure_forces(u));
-    const VectorXd    springs = own.restrict(elastic.spring_forces(u));
-    const auto        equal = [&](const unsigned int a, const unsigned int b) {
+    const Bodies     &bodies = elastic.bodies;
+    const std::size_t n      = bodies.structures.size();
+    const VectorXd    u      = own.expand(displacement_without_order(own, n));
+    // each by itself: a stiff one would hide a soft one
+    std::vector<VectorXd> forces = {own.restrict(elastic.structure_forces(u))};
+    for (unsigned int k = 0; k < elastic.n_foundations(); ++k)
+      forces.push_back(own.restrict(elastic.spring_forces(u, k)));
+    const auto equal = [&](const unsigned int a, const unsigned int b) {
       const Index n_unknowns = own.end(a) - own.begin(a);
       return n_unknowns == own.end(b) - own.begin(b) &&
-             are_equal(forces.segment(own.begin(a), n_unknowns),
-                       forces.segment(own.begin(b), n_unknowns)) &&
-             are_equal(springs.segment(own.begin(a), n_unknowns),
-                       springs.segment(own.begin(b), n_unknowns));
+             std::all_of(forces.begin(), forces.end(), [&](const VectorXd &f) {
+               return are_equal(f.segment(own.begin(a), n_unknowns),
+                                f.segment(own.begin(b), n_unknowns));
+             });
     };
 
     std::vector<std::vector<unsigned int>> groups;

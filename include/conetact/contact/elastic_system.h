@@ -37,6 +37,12 @@ namespace conetact
     structure_forces(const Eigen::VectorXd &u) const;
     Eigen::VectorXd
     spring_forces(const Eigen::VectorXd &u) const;
+    /** Those of the k-th foundation of each body. */
+    Eigen::VectorXd
+    spring_forces(const Eigen::VectorXd &u, const unsigned int k) const;
+    /** Foundations of the body that has the most of them. */
+    unsigned int
+    n_foundations() const;
     /**
      * Largest sum of the magnitudes of the terms of K u [force]; its rounding
      * is that of the forces, however small they are themselves.
@@ -53,6 +59,7 @@ namespace conetact
       std::vector<unsigned int> dofs;
       std::vector<double>       matrix;
       std::size_t               support;
+      unsigned int              place; ///< of it, among those of its body
     };
     std::vector<Eigen::Index> dof_offset;
     std::vector<Spring>       springs;

@@ -22,8 +22,8 @@ namespace conetact
   /**
    * Groups of two bodies or more that are equal: they have the same matrix in
    * their BodyCoordinates but for round-off, 1e-12 of the largest value, and
-   * so have their foundations by themselves, soft or stiff. That is seen from
-   * the forces of one displacement without any order: no matrix is assembled.
+   * so has each of their foundations. That is seen from the forces of one
+   * displacement without any order: no matrix is assembled.
    */
   std::vector<std::vector<unsigned int>>
   find_equal_bodies(const ElasticSystem &elastic, const BodyCoordinates &own);

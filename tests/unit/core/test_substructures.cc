@@ -156,3 +156,24 @@ TEST(Substructures, TellsBodiesApartOnAStiffFoundation)
     support.stiffness.emplace("1e16", "test");
   EXPECT_EQ(n_parts(two), 2u);
 }
+
+
+
+TEST(Substructures, TellsSoftFoundationsApartBesideStiffOnes)
+{
+  for (const char *third : {"1", "2"})
+    {
+      Scene      scene;
+      const auto n_supports = scene.bodies.supports.size();
+      for (std::size_t s = 0; s < n_supports; ++s)
+        {
+          const unsigned int body = scene.bodies.supports[s].body;
+          scene.hold(body, scene.bodies.supports[s].directions[0]);
+          scene.bodies.supports[s].stiffness.emplace("1e16", "test");
+          scene.bodies.supports.back().stiffness.emplace(body == 2 ? third :
+                                                                     "1",
+                                                         "test");
+        }
+      EXPECT_EQ(n_parts(scene), *third == '1' ? 1u : 2u);
+    }
+}
