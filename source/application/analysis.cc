@@ -83,6 +83,9 @@ namespace conetact
     check_history();
     log.time("condensation: order, factor and Schur complement, factor of " +
              megabytes(model.condensation().factor_bytes()));
+    report_shared_bodies(scene.bodies,
+                         model.condensation().n_shared_bodies(),
+                         log);
     if (!scene.fclib_increments.empty())
       check_problem_is_writable(*model.condensation().system());
   }

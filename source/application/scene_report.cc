@@ -11,23 +11,19 @@
 
 namespace conetact
 {
-  namespace
+  void
+  report_shared_bodies(const Bodies      &bodies,
+                       const unsigned int n_shared,
+                       Log               &log)
   {
-    void
-    report_shared_bodies(const Bodies      &bodies,
-                         const unsigned int n_shared,
-                         Log               &log)
-    {
-      const auto n_at_rest =
-        std::count(bodies.at_rest.begin(), bodies.at_rest.end(), true);
-      if (n_shared > 0)
-        log.note("skipped: condensation of " + std::to_string(n_shared) +
-                 " of " +
-                 std::to_string(bodies.names.size() -
-                                static_cast<std::size_t>(n_at_rest)) +
-                 " bodies, equal to others");
-    }
-  } // namespace
+    const auto n_at_rest =
+      std::count(bodies.at_rest.begin(), bodies.at_rest.end(), true);
+    if (n_shared > 0)
+      log.note("skipped: condensation of " + std::to_string(n_shared) + " of " +
+               std::to_string(bodies.names.size() -
+                              static_cast<std::size_t>(n_at_rest)) +
+               " bodies, equal to others");
+  }
 
   void
   report_sizes(const Scene &scene, const ContactModel &model, Log &log)
@@ -135,9 +131,6 @@ namespace conetact
     note(loads.n_integrations(),
          loads.n_evaluations(),
          "integrations of loads, known already");
-    report_shared_bodies(scene.bodies,
-                         model.condensation().n_shared_bodies(),
-                         log);
     const auto n_candidates =
       static_cast<std::size_t>(model.working_set().n_candidates());
     if (set.size_at_start() < n_candidates)

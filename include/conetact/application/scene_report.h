@@ -19,6 +19,12 @@ namespace conetact
   void
   report_cost(const Scene &scene, const ContactModel &model, Log &log);
 
+  /** That `n_shared` bodies equal others and are not condensed. */
+  void
+  report_shared_bodies(const Bodies      &bodies,
+                       const unsigned int n_shared,
+                       Log               &log);
+
   /** What the increments were spared, to the log. */
   void
   report_skips(const Scene      &scene,
