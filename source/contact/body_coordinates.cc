@@ -52,12 +52,7 @@ namespace conetact
     bool
     is_held(const NodeRule *rule, const unsigned int component)
     {
-      return rule != nullptr &&
-             std::any_of(rule->rotations.begin(),
-                         rule->rotations.end(),
-                         [component](const NodeRule::HeldRotation &held) {
-                           return held.component == component;
-                         });
+      return rule != nullptr && rule->holds_rotation(component);
     }
   } // namespace
 

@@ -91,18 +91,11 @@ namespace conetact
     if (rule != nullptr)
       n_free += static_cast<Eigen::Index>(rule->free.size());
 
-    const auto is_held = [&](const unsigned int c) {
-      return rule != nullptr &&
-             std::any_of(rule->rotations.begin(),
-                         rule->rotations.end(),
-                         [c](const NodeRule::HeldRotation &held) {
-                           return held.component == c;
-                         });
-    };
     for (unsigned int c = rule != nullptr ? bodies.dim : 0;
          c < structure.n_components();
          ++c)
-      if (structure.has_dof(node, c) && !is_held(c))
+      if (structure.has_dof(node, c) &&
+          !(rule != nullptr && rule->holds_rotation(c)))
         own_unknown[static_cast<std::size_t>(dof(body, node)) + c] = n_free++;
     node_of_unknown.insert(node_of_unknown.end(),
                            static_cast<std::size_t>(n_free - before),

@@ -320,24 +320,18 @@ namespace conetact
     return f;
   }
 
-  Eigen::VectorXd
-  ElasticSystem::spring_forces(const Eigen::VectorXd &u,
-                               const unsigned int     k) const
+  std::vector<Eigen::VectorXd>
+  ElasticSystem::forces_by_foundation(const Eigen::VectorXd &u) const
   {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), local;
+    std::vector<Eigen::VectorXd> f;
+    Eigen::VectorXd              local;
     for (const Spring &spring : springs)
-      if (spring.place == k)
-        multiply(spring.dofs, spring.matrix.data(), u, local, f);
+      {
+        if (spring.place >= f.size())
+          f.resize(spring.place + 1, Eigen::VectorXd::Zero(u.size()));
+        multiply(spring.dofs, spring.matrix.data(), u, local, f[spring.place]);
+      }
     return f;
-  }
-
-  unsigned int
-  ElasticSystem::n_foundations() const
-  {
-    unsigned int most = 0;
-    for (const Spring &spring : springs)
-      most = std::max(most, spring.place + 1);
-    return most;
   }
 
   Eigen::VectorXd

@@ -3,10 +3,11 @@
 
 #include "conetact/contact/equal_bodies.h"
 
+#include "conetact/contact/free_motion.h"
+
 #include <Eigen/SVD>
 
 #include <algorithm>
-#include <random>
 
 namespace conetact
 {
@@ -58,13 +59,11 @@ namespace conetact
     displacement_without_order(const BodyCoordinates &own,
                                const std::size_t      n_bodies)
     {
-      constexpr double range = std::minstd_rand::max();
-      VectorXd         p(own.n_unknowns());
+      VectorXd p(own.n_unknowns());
       for (std::size_t body = 0; body < n_bodies; ++body)
         {
-          std::minstd_rand random;
-          for (Index i = own.begin(body); i < own.end(body); ++i)
-            p[i] = 2. * static_cast<double>(random()) / range - 1.;
+          const Index n                 = own.end(body) - own.begin(body);
+          p.segment(own.begin(body), n) = numbers_without_order(n);
         }
       return p;
     }
@@ -107,8 +106,8 @@ namespace conetact
     const VectorXd    u      = own.expand(displacement_without_order(own, n));
     // each by itself: a stiff one would hide a soft one
     std::vector<VectorXd> forces = {own.restrict(elastic.structure_forces(u))};
-    for (unsigned int k = 0; k < elastic.n_foundations(); ++k)
-      forces.push_back(own.restrict(elastic.spring_forces(u, k)));
+    for (const VectorXd &f : elastic.forces_by_foundation(u))
+      forces.push_back(own.restrict(f));
     const auto equal = [&](const unsigned int a, const unsigned int b) {
       const Index n_unknowns = own.end(a) - own.begin(a);
       return n_unknowns == own.end(b) - own.begin(b) &&

@@ -21,15 +21,23 @@ namespace conetact
 
 
   Eigen::VectorXd
+  numbers_without_order(const Eigen::Index n)
+  {
+    std::minstd_rand random;
+    constexpr double range = std::minstd_rand::max();
+    Eigen::VectorXd  numbers(n);
+    for (double &number : numbers)
+      number = 2. * static_cast<double>(random()) / range - 1.;
+    return numbers;
+  }
+
+
+
+  Eigen::VectorXd
   probe_load(const Eigen::VectorXd &diagonal)
   {
-    std::minstd_rand random; // the same in every run and on every machine
-    constexpr double range = std::minstd_rand::max();
-    Eigen::VectorXd  load(diagonal.size());
-    for (Eigen::Index i = 0; i < load.size(); ++i)
-      load[i] = std::sqrt(diagonal[i]) *
-                (2. * static_cast<double>(random()) / range - 1.);
-    return load;
+    return diagonal.cwiseSqrt().cwiseProduct(
+      numbers_without_order(diagonal.size()));
   }
 
 

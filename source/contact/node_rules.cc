@@ -134,6 +134,18 @@ namespace conetact
       }
   }
 
+  bool
+  NodeRule::holds_rotation(const unsigned int component) const
+  {
+    return std::any_of(rotations.begin(),
+                       rotations.end(),
+                       [component](const HeldRotation &rotation) {
+                         return rotation.component == component;
+                       });
+  }
+
+
+
   double
   NodeRule::left_free(const unsigned int c, const unsigned int d) const
   {

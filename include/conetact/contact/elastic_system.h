@@ -37,12 +37,9 @@ namespace conetact
     structure_forces(const Eigen::VectorXd &u) const;
     Eigen::VectorXd
     spring_forces(const Eigen::VectorXd &u) const;
-    /** Those of the k-th foundation of each body. */
-    Eigen::VectorXd
-    spring_forces(const Eigen::VectorXd &u, const unsigned int k) const;
-    /** Foundations of the body that has the most of them. */
-    unsigned int
-    n_foundations() const;
+    /** Those of the first foundations of all bodies, of the second ones ... */
+    std::vector<Eigen::VectorXd>
+    forces_by_foundation(const Eigen::VectorXd &u) const;
     /**
      * Largest sum of the magnitudes of the terms of K u [force]; its rounding
      * is that of the forces, however small they are themselves.

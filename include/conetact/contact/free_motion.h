@@ -12,6 +12,9 @@
 
 namespace conetact
 {
+  /** Numbers between -1 and 1, the same in every run and on every machine. */
+  Eigen::VectorXd
+  numbers_without_order(const Eigen::Index n);
 
   /**
    * Whether a factorised matrix A was singular but for rounding cannot be

@@ -86,6 +86,8 @@ namespace conetact
       std::size_t  support, rotation;
     };
     std::vector<HeldRotation> rotations;
+    bool
+    holds_rotation(const unsigned int component) const;
 
     /**
      * Entry (c, d) of the projection on what no support holds: the part of a
