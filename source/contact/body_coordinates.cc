@@ -176,6 +176,21 @@ namespace conetact
       }
   }
 
+  Eigen::VectorXd
+  BodyCoordinates::values(const Eigen::VectorXd &u) const
+  {
+    Eigen::VectorXd p(n_unknowns());
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      {
+        const Unknown &unknown = unknowns[i];
+        double         sum     = 0;
+        for (unsigned int c = 0; c < unknown.n_components; ++c)
+          sum += unknown.direction[c] * u[unknown.dof + c];
+        p[static_cast<Eigen::Index>(i)] = sum;
+      }
+    return p;
+  }
+
   std::vector<LinearMap::Entry>
   BodyCoordinates::row_of(const Eigen::Index p) const
   {

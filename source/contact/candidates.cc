@@ -304,12 +304,8 @@ namespace conetact
   {
     const ContactSystem     &candidates = model.coordinates.layout();
     const std::vector<Index> nodes      = penetrating(model, gaps);
-    const WorkingSet         added(candidates, nodes);
-    if (model.condensation().extension_is_cheaper(added.layout().n_unknowns()))
-      {
-        model.extend(nodes);
-        return;
-      }
+    if (model.extend(nodes))
+      return;
     std::vector<bool> chosen(static_cast<std::size_t>(candidates.n_nodes()));
     for (Index i = 0; i < candidates.n_nodes(); ++i)
       chosen[static_cast<std::size_t>(i)] = model.working_set().contains(i);

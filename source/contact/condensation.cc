@@ -11,9 +11,6 @@ namespace conetact
 {
   namespace
   {
-    /** More different loads than this are forgotten and begun anew. */
-    constexpr std::size_t largest_basis = 8;
-
     /** Mechanisms are searched for in systems up to this size. */
     constexpr Eigen::Index largest_rank_search = 2000;
 
@@ -65,6 +62,7 @@ namespace conetact
     : elastic(e)
     , coordinates(c)
     , set(s)
+    , rigid(null_space)
     , place(set_last(coordinates, set))
   {
     const Eigen::Index n = set.layout().n_unknowns();
@@ -102,11 +100,12 @@ namespace conetact
     return b;
   }
 
-  void
-  Condensation::extend(const std::vector<Eigen::Index> &nodes,
-                       const Eigen::MatrixXd           &null_space)
+  bool
+  Condensation::extend(const std::vector<Eigen::Index> &nodes)
   {
-    const WorkingSet          added(coordinates.layout(), nodes);
+    const WorkingSet added(coordinates.layout(), nodes);
+    if (!extension_is_cheaper(added.layout().n_unknowns()))
+      return false;
     std::vector<Eigen::Index> all = set.nodes();
     all.insert(all.end(), nodes.begin(), nodes.end());
     set = WorkingSet(coordinates.layout(), all);
@@ -119,10 +118,10 @@ namespace conetact
     system->matrix = contact_system->matrix / stiffness_scale;
     solver->extend(unknowns, system->matrix);
     system->matrix *= stiffness_scale;
-    system->null_space = set.gather(null_space);
+    system->null_space = set.gather(rigid);
     contact_system     = system;
-    for (std::size_t i = 0; i < basis.size(); ++i)
-      basis_f[i] = solver->reduce(to_solver(basis_b[i]));
+    reduce_again();
+    return true;
   }
 
   bool
@@ -135,93 +134,27 @@ namespace conetact
            solver->base().factor_operations();
   }
 
-  Condensation::Load
-  Condensation::reduce(const Eigen::VectorXd &forces,
-                       const Eigen::VectorXd &prescribed)
-  {
-    Load       load{prescribed,
-              Eigen::VectorXd::Zero(coordinates.n_unknowns()),
-              Eigen::VectorXd::Zero(set.layout().n_unknowns()),
-              Eigen::VectorXd::Zero(coordinates.n_unknowns())};
-    const auto carried = coordinates.carried(prescribed);
-    if (!carried)
-      {
-        add_case(forces, prescribed, load);
-        return load;
-      }
-    load.q = *carried;
-    load.f = contact_forces(load.q);
-    add_case(forces -
-               elastic.spring_forces(coordinates.expand(load.q) + prescribed),
-             Eigen::VectorXd::Zero(prescribed.size()),
-             load);
-    return load;
-  }
-
   void
-  Condensation::add_case(const Eigen::VectorXd &forces,
-                         const Eigen::VectorXd &prescribed,
-                         Load                  &load)
+  Condensation::reduce_one(const Eigen::VectorXd &forces,
+                           const Eigen::VectorXd &prescribed,
+                           LoadCase              &load)
   {
-    const Eigen::Index n = coordinates.n_dofs();
-    Eigen::VectorXd    rest(2 * n);
-    rest.head(n) = forces;
-    rest.tail(n) = stiffness_scale * prescribed;
-
-    const double size    = rest.norm();
-    const auto   project = [&] {
-      for (std::size_t i = 0; i < basis.size(); ++i)
-        {
-          const double part = basis[i].dot(rest);
-          rest -= part * basis[i];
-          load.b += part * basis_b[i];
-          load.f += part * basis_f[i];
-          if (is_linear())
-            load.q += part * basis_q[i];
-        }
-    };
-    project();
-    project(); // twice is enough for orthogonality to round-off
-    const double norm = rest.norm();
-    if (norm <= 1e-15 * size)
-      return;
-
-    if (basis.size() == largest_basis)
-      {
-        basis.clear();
-        basis_b.clear();
-        basis_f.clear();
-        basis_q.clear();
-      }
-    rest /= norm;
-    basis.push_back(rest);
-    basis_b.push_back(coordinates.restrict(
-      rest.head(n) - elastic.internal_forces(rest.tail(n) / stiffness_scale)));
-    basis_f.push_back(solver->reduce(to_solver(basis_b.back())));
-    basis_q.push_back(is_linear() ? solve(basis_b.back()) : Eigen::VectorXd());
-    ++n_reduced;
-    load.b += norm * basis_b.back();
-    load.f += norm * basis_f.back();
+    load.b =
+      coordinates.restrict(forces - elastic.internal_forces(prescribed));
+    load.f = reduce_forces(load.b);
     if (is_linear())
-      load.q += norm * basis_q.back();
+      load.q = solve(load.b);
   }
 
   Eigen::VectorXd
-  Condensation::contact_part(const Eigen::VectorXd &q) const
+  Condensation::reduce_forces(const Eigen::VectorXd &b) const
   {
-    return set.gather(q.tail(coordinates.n_contact_unknowns()));
-  }
-
-  Eigen::VectorXd
-  Condensation::contact_forces(const Eigen::VectorXd &q) const
-  {
-    return contact_system->matrix.selfadjointView<Eigen::Lower>() *
-           contact_part(q);
+    return solver->reduce(to_solver(b));
   }
 
   Eigen::MatrixXd
-  Condensation::expand(const std::vector<const Load *>    &loads,
-                       const std::vector<Eigen::VectorXd> &contact) const
+  Condensation::expand(const std::vector<const LoadCase *> &loads,
+                       const std::vector<Eigen::VectorXd>  &primal) const
   {
     // Where nothing has changed the displacements are those before.
     std::vector<std::size_t>  different;
@@ -229,33 +162,30 @@ namespace conetact
     for (std::size_t k = 0; k < loads.size(); ++k)
       {
         if (k == 0 || loads[k]->b != loads[k - 1]->b ||
-            loads[k]->q != loads[k - 1]->q || contact[k] != contact[k - 1])
+            primal[k] != primal[k - 1])
           different.push_back(k);
         column.push_back(static_cast<Eigen::Index>(different.size()) - 1);
       }
     const auto      n = static_cast<Eigen::Index>(different.size());
     Eigen::MatrixXd q(coordinates.n_unknowns(), n);
-    Eigen::MatrixXd b(q.rows(), n);
-    Eigen::MatrixXd q_contact(set.layout().n_unknowns(), n);
-    Eigen::MatrixXd reduced(q_contact.rows(), n);
+    Eigen::MatrixXd contact(set.layout().n_unknowns(), n);
+    Eigen::MatrixXd reduced(contact.rows(), n);
     for (Eigen::Index i = 0; i < n; ++i)
       {
-        const Load &load = *loads[different[static_cast<std::size_t>(i)]];
-        q.col(i)         = load.q;
-        b.col(i)         = load.b;
+        const std::size_t k = different[static_cast<std::size_t>(i)];
+        q.col(i)            = is_linear() ? loads[k]->q : loads[k]->b;
+        contact.col(i)      = primal[k];
         if (solver->is_extended())
-          reduced.col(i) = load.f - contact_forces(load.q);
-        q_contact.col(i) = contact[different[static_cast<std::size_t>(i)]] -
-                           contact_part(load.q);
+          reduced.col(i) = loads[k]->f;
       }
     if (!is_linear())
-      q += expand_unknowns(std::move(b), q_contact, reduced);
-    Eigen::MatrixXd u(coordinates.n_dofs(),
+      q = expand_unknowns(std::move(q), contact, reduced);
+    Eigen::MatrixXd w(coordinates.n_dofs(),
                       static_cast<Eigen::Index>(loads.size()));
     for (std::size_t k = 0; k < loads.size(); ++k)
-      u.col(static_cast<Eigen::Index>(k)) =
+      w.col(static_cast<Eigen::Index>(k)) =
         coordinates.expand(q.col(column[k])) + loads[k]->prescribed;
-    return u;
+    return w;
   }
 
   bool
@@ -284,17 +214,18 @@ namespace conetact
   Eigen::VectorXd
   Condensation::reduce_unbalanced(const Eigen::VectorXd &unbalanced) const
   {
-    return solver->reduce(to_solver(unbalanced));
+    return reduce_forces(coordinates.restrict(unbalanced));
   }
 
   Eigen::VectorXd
   Condensation::correction(const Eigen::VectorXd &unbalanced,
-                           const Eigen::VectorXd &contact) const
+                           const Eigen::VectorXd &primal) const
   {
-    Eigen::VectorXd reduced = Eigen::VectorXd::Zero(contact.size());
+    const Eigen::VectorXd b = coordinates.restrict(unbalanced);
+    Eigen::VectorXd       reduced = Eigen::VectorXd::Zero(primal.size());
     if (solver->is_extended())
-      reduced = -reduce_unbalanced(unbalanced);
-    return coordinates.expand(expand_unknowns(-unbalanced, contact, reduced));
+      reduced = -reduce_forces(b);
+    return coordinates.expand(expand_unknowns(-b, primal, reduced));
   }
 
   FactorEstimate

@@ -7,17 +7,96 @@
 #include "conetact/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact
 {
+  namespace
+  {
+    /**
+     * Of the motion that supports give a body as a whole: a deformation below
+     * is the rounding of what they prescribe.
+     */
+    constexpr double deformation_rounding = 64 * 2.2e-16;
+  } // namespace
+
   ContactModel::ContactModel(const Bodies &b, const std::vector<double> &times)
     : bodies(b)
     , rules(bodies, times)
     , coordinates(bodies, rules)
+    , plain_rules(bodies, times, false)
+    , plain(bodies, plain_rules)
     , elastic(bodies)
-    , motions(bodies, rules, coordinates)
+    , motions(bodies, plain_rules, coordinates)
     , chosen(coordinates.layout())
   {}
+
+  bool
+  ContactModel::is_dual() const
+  {
+    if (coordinates.n_contact_unknowns() == 0)
+      return false;
+    const bool pairs =
+      std::any_of(bodies.contact_nodes.begin(),
+                  bodies.contact_nodes.end(),
+                  [](const ContactNode &node) { return !node.masters.empty(); });
+    // mechanisms are found in a stiffness only
+    return pairs || (motions.n_free() > 0 && !may_be_mechanism());
+  }
+
+  LoadCase
+  ContactModel::load_case(const Eigen::VectorXd &forces, const double t)
+  {
+    const Eigen::VectorXd placement  = motions.placement(t);
+    Eigen::VectorXd       prescribed = plain.prescribed(t);
+    Eigen::VectorXd       all        = forces + elastic.ground_forces(t);
+    if (!placement.isZero(0))
+      {
+        const Eigen::VectorXd rigid = motions.field(placement);
+        const double          zero  = deformation_rounding * largest(rigid);
+        prescribed -= plain.held_part(rigid);
+        prescribed = prescribed.unaryExpr(
+          [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
+        all -= elastic.spring_forces(rigid);
+      }
+    LoadCase load  = condensation().reduce(all, prescribed);
+    load.placement = placement;
+    load.offset    = offset(load, t);
+    return load;
+  }
+
+  Eigen::VectorXd
+  ContactModel::offset(const LoadCase &load, const double t) const
+  {
+    Eigen::VectorXd result(coordinates.n_contact_unknowns());
+    const auto      at = [&](const unsigned int body, const unsigned int node) {
+      Tensor<1, 3>       u   = motions.at(load.placement, body, node);
+      const Eigen::Index dof = plain.dof(body, node);
+      for (unsigned int c = 0; c < bodies.dim; ++c)
+        u[c] += load.prescribed[dof + c];
+      return u;
+    };
+    Eigen::Index k = 0;
+    for (const NodeRule *rule : coordinates.contact_rules())
+      {
+        const ContactNode &node = *rule->contact_node;
+        Tensor<1, 3>       u    = at(rule->body, rule->node);
+        if (node.obstacle != nullptr)
+          u -= node.obstacle->displacement_at(t);
+        for (const auto &[master, weight] : node.masters)
+          u -= weight * at(node.master, master);
+        for (const Tensor<1, 3> &dual : rule->dual)
+          result[k++] = u * dual;
+      }
+    return result;
+  }
+
+  Eigen::VectorXd
+  ContactModel::amounts(const Eigen::VectorXd &placement,
+                        const Eigen::VectorXd &a) const
+  {
+    return placement + motions.of_free(a);
+  }
 
   std::string
   ContactModel::singular_sentence(const SingularMatrix &error) const
@@ -49,17 +128,35 @@ namespace conetact
                        });
   }
 
-  Condensation &
+  std::unique_ptr<ElasticBackend>
+  ContactModel::make_backend() const
+  {
+    if (is_dual())
+      return std::make_unique<DualBackend>(
+        elastic, coordinates, plain, motions, chosen);
+    return std::make_unique<Condensation>(elastic,
+                                          coordinates,
+                                          chosen,
+                                          motions.null_space(),
+                                          may_be_mechanism());
+  }
+
+  FactorEstimate
+  ContactModel::estimate_factor() const
+  {
+    if (is_dual())
+      return DualBackend::estimate(
+        elastic, coordinates, plain, motions, working_set());
+    return estimate_condensation(elastic, coordinates, working_set());
+  }
+
+  ElasticBackend &
   ContactModel::condensation()
   {
     try
       {
         if (!condensed)
-          condensed = std::make_unique<Condensation>(elastic,
-                                                     coordinates,
-                                                     chosen,
-                                                     motions.null_space(),
-                                                     may_be_mechanism());
+          condensed = make_backend();
       }
     catch (const SingularMatrix &error)
       {
@@ -76,10 +173,10 @@ namespace conetact
     chosen = std::move(set);
   }
 
-  void
+  bool
   ContactModel::extend(const std::vector<Eigen::Index> &nodes)
   {
-    condensation().extend(nodes, motions.null_space());
+    return condensation().extend(nodes);
   }
 
   SchurWork
@@ -96,6 +193,8 @@ namespace conetact
     , initial_gap(m.coordinates.layout().n_nodes())
     , q(Eigen::VectorXd::Zero(m.coordinates.n_contact_unknowns()))
     , r(q)
+    , elastic(q)
+    , a(Eigen::VectorXd::Zero(m.motions.n_free()))
   {
     Eigen::Index i = 0;
     for (const NodeRule *rule : model->coordinates.contact_rules())
@@ -123,20 +222,28 @@ namespace conetact
   }
 
   ContactProblem
-  ContactHistory::problem(const Condensation::Load &load)
+  ContactHistory::problem(const LoadCase &load)
   {
     const auto       &system = model->condensation().system();
     const WorkingSet &set    = model->working_set();
     ContactProblem    problem;
-    problem.system            = system;
-    problem.load              = load.f;
-    const Eigen::VectorXd own = set.gather(shift());
-    problem.load.noalias() +=
-      system->matrix.selfadjointView<Eigen::Lower>() * own;
-    problem.gap             = gaps()(set.nodes());
-    problem.reference_force = largest;
-    if (load.f.size() > 0)
-      largest = std::max(largest, load.f.cwiseAbs().maxCoeff());
+    problem.system               = system;
+    problem.load                 = load.f;
+    problem.gap                  = gaps()(set.nodes());
+    problem.reference_force      = largest;
+    const Eigen::VectorXd offset = set.gather(load.offset + shift());
+    const Eigen::Index    k      = system->n_motions;
+    if (system->form == Form::stiffness)
+      {
+        problem.offset = offset;
+        largest        = std::max(largest, conetact::largest(load.f));
+        return problem;
+      }
+    // unknown is what motions change from here on
+    problem.load.head(offset.size()) += offset;
+    if (k > 0)
+      problem.load += system->matrix.rightCols(k) * a;
+    largest = std::max(largest, conetact::largest(load.f.tail(k)));
     return problem;
   }
 
@@ -146,12 +253,17 @@ namespace conetact
     const WorkingSet     &set    = model->working_set();
     const ContactSystem  &layout = set.layout();
     const Eigen::VectorXd gap    = gaps()(set.nodes());
+    const Eigen::Index    n      = layout.n_unknowns();
+    const Eigen::Index    k      = model->is_dual() ? a.size() : 0;
     ContactState          state;
-    state.v = Eigen::VectorXd::Zero(layout.n_unknowns());
+    state.v = Eigen::VectorXd::Zero(n + k);
+    state.r = Eigen::VectorXd::Zero(n + k);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       state.v[layout.normal(i)] = gap[i];
-    state.r    = set.gather(r);
-    state.node = set.gather(states);
+    state.r.head(n) = set.gather(r);
+    state.node      = set.gather(states);
+    if (!model->is_dual())
+      state.u = set.gather(elastic);
     return state;
   }
 
@@ -160,15 +272,31 @@ namespace conetact
   {
     const WorkingSet     &set    = model->working_set();
     const ContactSystem  &layout = set.layout();
+    const Eigen::Index    n      = layout.n_unknowns();
     const Eigen::VectorXd gap    = initial_gap(set.nodes());
-    Eigen::VectorXd       own    = set.gather(q) + end.v;
+    Eigen::VectorXd       own    = set.gather(q) + end.v.head(n);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       own[layout.normal(i)] = end.v[layout.normal(i)] - gap[i];
     set.scatter(own, q);
-    set.scatter(end.r, r);
+    set.scatter(end.r.head(n), r);
+    if (end.r.size() > n)
+      a += end.r.tail(a.size());
+    if (end.u.size() == n)
+      set.scatter(end.u, elastic);
     states = set.scatter(end.node);
     if (r.size() > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
+  }
+
+  Eigen::VectorXd
+  ContactHistory::primal() const
+  {
+    const WorkingSet &set = model->working_set();
+    if (!model->is_dual())
+      return set.gather(elastic);
+    Eigen::VectorXd result(set.layout().n_unknowns() + a.size());
+    result << set.gather(r), a;
+    return result;
   }
 
   void
@@ -188,7 +316,7 @@ namespace conetact
     ContactState         state{q - before.q, r, set.scatter(end.node)};
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       state.v[layout.normal(i)] = initial_gap[i] + q[layout.normal(i)];
-    set.scatter(end.v, state.v);
+    set.scatter(end.v.head(set.layout().n_unknowns()), state.v);
     return state;
   }
 } // namespace conetact

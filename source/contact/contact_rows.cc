@@ -3,8 +3,6 @@
 
 #include "conetact/contact/contact_rows.h"
 
-#include "conetact/contact/equilibrium.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -45,6 +43,16 @@ namespace conetact
       for (const HeldDirection &held : rule.held)
         sum += (relative * held.direction) * held.direction;
       return sum;
+    }
+    Tensor<1, 3>
+    reaction_vector(const NodeRule        &rule,
+                    const Eigen::Index     first,
+                    const Eigen::VectorXd &r)
+    {
+      Tensor<1, 3> force;
+      for (std::size_t k = 0; k < rule.dual.size(); ++k)
+        force += r[first + static_cast<Eigen::Index>(k)] * rule.dual[k];
+      return force;
     }
   } // namespace
 
@@ -112,7 +120,7 @@ namespace conetact
                  (other - other_before[i]);
         row.du[0] = row.u[0] - last[i].u[0];
         row.reaction =
-          in_frame(node, reaction_vector(model.coordinates, i, state.r));
+          in_frame(node, reaction_vector(rule, first, state.r));
         row.state       = state.node[i];
         other_before[i] = other;
         if (layout.n_tangents(index) == 0 && row.state != NodeState::open)

@@ -6,8 +6,6 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 
 namespace conetact
@@ -61,7 +59,7 @@ namespace conetact
       {
         const unsigned int global = node_offset[node.body] + node.node;
         const NodeRule    *rule   = rule_of_node[global];
-        if (rule->contact.empty())
+        if (rule == nullptr || rule->contact.empty())
           continue;
         const auto n_own      = static_cast<Eigen::Index>(rule->contact.size());
         first_contact[global] = n_free + contact_layout.first.back();
@@ -175,44 +173,64 @@ namespace conetact
   Eigen::VectorXd
   Coordinates::prescribed(const double t) const
   {
+    const auto position = [&](const NodeRule &rule) {
+      return bodies.structures[rule.body]->position(rule.node);
+    };
+    return along_held(
+      [&](const NodeRule &rule, const HeldDirection &held) {
+        return node_rules.displacement(held, position(rule), t);
+      },
+      [&](const NodeRule &rule, const NodeRule::HeldRotation &held) {
+        return node_rules.angle(held, position(rule), t);
+      });
+  }
+
+  Eigen::VectorXd
+  Coordinates::held_part(const Eigen::VectorXd &u) const
+  {
+    return along_held(
+      [&](const NodeRule &rule, const HeldDirection &held) {
+        return at_node(u, rule.body, rule.node) * held.direction;
+      },
+      [&](const NodeRule &rule, const NodeRule::HeldRotation &held) {
+        return u[dof(rule.body, rule.node) + held.component];
+      });
+  }
+
+  Eigen::VectorXd
+  Coordinates::along_held(const DisplacementOf &displacement,
+                          const RotationOf     &rotation) const
+  {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(n_dofs());
     for (const NodeRule &rule : node_rules.rules())
       {
-        const Tensor<1, 3> u     = prescribed(rule.body, rule.node, t);
+        const Tensor<1, 3> u = along_held(rule.body, rule.node, displacement);
         const Eigen::Index first = dof(rule.body, rule.node);
         for (unsigned int c = 0; c < bodies.dim; ++c)
           d[first + c] = u[c];
         for (const NodeRule::HeldRotation &held : rule.rotations)
-          d[first + held.component] =
-            node_rules.angle(held,
-                             bodies.structures[rule.body]->position(rule.node),
-                             t);
+          d[first + held.component] = rotation(rule, held);
       }
     return d;
   }
 
   Tensor<1, 3>
-  Coordinates::prescribed(const unsigned int body,
-                          const unsigned int node,
-                          const double       t) const
+  Coordinates::along_held(const unsigned int    body,
+                          const unsigned int    node,
+                          const DisplacementOf &displacement) const
   {
     Tensor<1, 3>    u;
     const NodeRule *rule = rule_of_node[node_offset[body] + node];
     if (rule == nullptr)
       return u;
     for (const auto &[master, weight] : rule->masters)
-      u += weight * prescribed(body, master, t);
-    if (const ContactNode *contact = rule->contact_node)
-      {
-        if (contact->obstacle != nullptr)
-          u = contact->obstacle->displacement_at(t);
-        for (const auto &[master, weight] : contact->masters)
-          u += weight * prescribed(contact->master, master, t);
-      }
-    const Point<3> p = bodies.structures[body]->position(node);
+      u += weight * along_held(body, master, displacement);
+    if (rule->contact_node != nullptr)
+      for (const auto &[master, weight] : rule->contact_node->masters)
+        u +=
+          weight * along_held(rule->contact_node->master, master, displacement);
     for (const HeldDirection &held : rule->held)
-      u += (node_rules.displacement(held, p, t) - u * held.direction) *
-           held.direction;
+      u += (displacement(*rule, held) - u * held.direction) * held.direction;
     return u;
   }
 
@@ -226,76 +244,6 @@ namespace conetact
     for (unsigned int c = 0; c < bodies.dim; ++c)
       result[c] = u[first + c];
     return result;
-  }
-
-  Eigen::VectorXd
-  Coordinates::translations(const Eigen::VectorXd &d) const
-  {
-    const std::size_t            n = bodies.structures.size();
-    std::vector<Eigen::Matrix3d> left(n, Eigen::Matrix3d::Zero());
-    std::vector<Eigen::Vector3d> right(n, Eigen::Vector3d::Zero());
-    for (const NodeRule &rule : node_rules.rules())
-      for (const HeldDirection &held : rule.held)
-        {
-          const Eigen::Vector3d e(held.direction[0],
-                                  held.direction[1],
-                                  held.direction[2]);
-          left[rule.body] += e * e.transpose();
-          right[rule.body] +=
-            (at_node(d, rule.body, rule.node) * held.direction) * e;
-        }
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(n_dofs());
-    for (unsigned int body = 0; body < n; ++body)
-      {
-        const Eigen::Vector3d t =
-          left[body].completeOrthogonalDecomposition().solve(right[body]);
-        for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
-          u.segment(dof(body, i), bodies.dim) = t.head(bodies.dim);
-      }
-    return u;
-  }
-
-  Eigen::VectorXd
-  Coordinates::solve(const Eigen::VectorXd &u) const
-  {
-    Eigen::VectorXd q = Eigen::VectorXd::Zero(n_unknowns());
-    for (std::size_t i = 0; i < own_unknown.size(); ++i)
-      if (own_unknown[i] >= 0)
-        q[own_unknown[i]] = u[static_cast<Eigen::Index>(i)];
-    for (const NodeRule &rule : node_rules.rules())
-      {
-        const std::size_t n   = node_offset[rule.body] + rule.node;
-        Tensor<1, 3>      own = at_node(u, rule.body, rule.node);
-        if (rule.contact_node != nullptr)
-          for (const auto &[master, weight] : rule.contact_node->masters)
-            {
-              const Tensor<1, 3> motion =
-                at_node(u, rule.contact_node->master, master);
-              for (unsigned int c = 0; c < bodies.dim; ++c)
-                for (unsigned int e = 0; e < bodies.dim; ++e)
-                  own[c] -= weight * rule.left_free(c, e) * motion[e];
-            }
-        for (std::size_t k = 0; k < rule.free.size(); ++k)
-          q[first_unknown[n] + static_cast<Eigen::Index>(k)] =
-            rule.free[k] * own;
-        for (std::size_t k = 0; k < rule.contact.size(); ++k)
-          q[first_contact[n] + static_cast<Eigen::Index>(k)] =
-            rule.dual[k] * own;
-      }
-    return q;
-  }
-
-  std::optional<Eigen::VectorXd>
-  Coordinates::carried(const Eigen::VectorXd &d) const
-  {
-    constexpr double round_off = 1e-15;
-    Eigen::VectorXd  u         = translations(d);
-    u += translations(d - u); // takes out the rounding of a long sum
-    const Eigen::VectorXd q    = solve(u - d);
-    const double          size = std::max(largest(u), largest(d));
-    if (largest(expand(q) + d - u) > round_off * size)
-      return std::nullopt;
-    return q;
   }
 
   void

@@ -295,8 +295,8 @@ namespace conetact
     return f;
   }
 
-  double
-  ElasticSystem::largest_terms(const Eigen::VectorXd &u) const
+  Eigen::VectorXd
+  ElasticSystem::terms(const Eigen::VectorXd &u) const
   {
     const Eigen::VectorXd size = u.cwiseAbs();
     Eigen::VectorXd       sum  = Eigen::VectorXd::Zero(u.size()), local;
@@ -308,7 +308,7 @@ namespace conetact
           entry = std::abs(entry);
         multiply(dofs, magnitude.data(), size, local, sum);
       });
-    return sum.size() > 0 ? sum.maxCoeff() : 0.;
+    return sum;
   }
 
   Eigen::VectorXd
@@ -335,43 +335,64 @@ namespace conetact
   }
 
   Eigen::VectorXd
+  ElasticSystem::ground(const std::size_t s, const double t) const
+  {
+    Eigen::VectorXd  moved   = Eigen::VectorXd::Zero(dof_offset.back());
+    const Support   &support = bodies.supports[s];
+    const Structure &structure = *bodies.structures[support.body];
+    const auto       dof = [&](const unsigned int node, const unsigned int c) {
+      return dof_offset[support.body] +
+             node * static_cast<Eigen::Index>(structure.n_components()) + c;
+    };
+    if (support.is_still())
+      return moved;
+    for (const SurfaceNode &node : support.surface.nodes)
+      {
+        const Tensor<1, 3> motion =
+          far_end(support, node.position, node.normal, t);
+        for (unsigned int c = 0; c < bodies.dim; ++c)
+          moved[dof(node.node, c)] = motion[c];
+      }
+    for (const HangingNode &hanging : structure.hanging_nodes())
+      for (unsigned int c = 0; c < bodies.dim; ++c)
+        for (const auto &[master, weight] : hanging.masters)
+          moved[dof(hanging.node, c)] += weight * moved[dof(master, c)];
+    return moved;
+  }
+
+  Eigen::VectorXd
   ElasticSystem::ground_forces(const double t) const
   {
-    Eigen::VectorXd ground = Eigen::VectorXd::Zero(dof_offset.back()), local;
-    Eigen::VectorXd f      = ground;
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(dof_offset.back()), local;
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
         const Support &support = bodies.supports[s];
         if (!support.stiffness || support.is_still())
           continue;
-        ground.setZero();
-        const Structure &structure = *bodies.structures[support.body];
-        for (const SurfaceNode &node : support.surface.nodes)
-          {
-            const Tensor<1, 3> motion =
-              far_end(support, node.position, node.normal, t);
-            for (unsigned int c = 0; c < bodies.dim; ++c)
-              ground[dof_offset[support.body] +
-                     node.node *
-                       static_cast<Eigen::Index>(structure.n_components()) +
-                     c] = motion[c];
-          }
-        for (const HangingNode &hanging : structure.hanging_nodes())
-          for (unsigned int c = 0; c < bodies.dim; ++c)
-            {
-              const auto dof = [&](const unsigned int node) {
-                return dof_offset[support.body] +
-                       node *
-                         static_cast<Eigen::Index>(structure.n_components()) +
-                       c;
-              };
-              for (const auto &[master, weight] : hanging.masters)
-                ground[dof(hanging.node)] += weight * ground[dof(master)];
-            }
+        const Eigen::VectorXd moved = ground(s, t);
         for (const Spring &spring : springs)
           if (spring.support == s)
-            multiply(spring.dofs, spring.matrix.data(), ground, local, f);
+            multiply(spring.dofs, spring.matrix.data(), moved, local, f);
       }
+    return f;
+  }
+
+  std::vector<Eigen::VectorXd>
+  ElasticSystem::foundation_forces(const Eigen::VectorXd &u,
+                                   const double           t) const
+  {
+    std::vector<Eigen::VectorXd> f(bodies.supports.size());
+    Eigen::VectorXd              local;
+    for (std::size_t s = 0; s < bodies.supports.size(); ++s)
+      if (bodies.supports[s].stiffness)
+        {
+          const Eigen::VectorXd stretch = ground(s, t) - u;
+          f[s]                          = Eigen::VectorXd::Zero(u.size());
+          for (const Spring &spring : springs)
+            if (spring.support == s)
+              multiply(
+                spring.dofs, spring.matrix.data(), stretch, local, f[s]);
+        }
     return f;
   }
 

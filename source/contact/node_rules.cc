@@ -155,7 +155,9 @@ namespace conetact
     return part;
   }
 
-  NodeRules::NodeRules(const Bodies &b, const std::vector<double> &times)
+  NodeRules::NodeRules(const Bodies              &b,
+                       const std::vector<double> &times,
+                       const bool                 with_contacts)
     : bodies(b)
   {
     std::map<std::pair<unsigned int, unsigned int>, NodeRule> rules;
@@ -190,8 +192,9 @@ namespace conetact
           }
       }
 
-    for (const ContactNode &node : bodies.contact_nodes)
-      add_contact(rule_of(node.body, node.node), node);
+    if (with_contacts)
+      for (const ContactNode &node : bodies.contact_nodes)
+        add_contact(rule_of(node.body, node.node), node);
 
     for (auto &[key, rule] : rules)
       {

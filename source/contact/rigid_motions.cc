@@ -56,18 +56,34 @@ namespace conetact
       return frame;
     }
 
-    /** Columns x with A x = 0 for A^T A given; the rest of space in `rest`. */
-    Eigen::MatrixXd
-    null_columns(const Eigen::MatrixXd &gram)
+    /** Eigenvalues of a sum of squares below this part of the largest are 0. */
+    constexpr double rank_limit = 1e-12;
+
+    struct Split
     {
+      Eigen::MatrixXd null, pseudo_inverse;
+    };
+
+    /** The null space of a symmetric positive semidefinite matrix, and more. */
+    Split
+    split(const Eigen::MatrixXd &gram)
+    {
+      Split result{gram, gram};
       if (gram.rows() == 0)
-        return gram;
+        return result;
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-      const double limit = 1e-12 * std::max(1., eigen.eigenvalues().maxCoeff());
+      const double limit =
+        rank_limit * std::max(1., eigen.eigenvalues().maxCoeff());
       Eigen::Index n_null = 0;
       while (n_null < gram.rows() && eigen.eigenvalues()[n_null] < limit)
         ++n_null;
-      return eigen.eigenvectors().leftCols(n_null);
+      const Eigen::Index    rank = gram.rows() - n_null;
+      const Eigen::MatrixXd V    = eigen.eigenvectors().rightCols(rank);
+      result.null                = eigen.eigenvectors().leftCols(n_null);
+      result.pseudo_inverse =
+        V * eigen.eigenvalues().tail(rank).cwiseInverse().asDiagonal() *
+        V.transpose();
+      return result;
     }
 
     std::string
@@ -84,93 +100,250 @@ namespace conetact
   } // namespace
 
   RigidMotions::RigidMotions(const Bodies      &b,
-                             const NodeRules   &rules,
+                             const NodeRules   &r,
                              const Coordinates &coordinates)
     : bodies(b)
+    , rules(r)
+    , n_one(n_modes(b.dim))
   {
-    const unsigned int dim   = bodies.dim;
-    const Eigen::Index n_one = n_modes(dim);
-    const Eigen::Index n_all =
-      n_one * static_cast<Eigen::Index>(bodies.structures.size());
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      frames.push_back(frame_of(body, *bodies.structures[body]));
+      {
+        frames.push_back(frame_of(body, *bodies.structures[body]));
+        offset.push_back(coordinates.offset(body));
+      }
+    offset.push_back(coordinates.n_dofs());
+    find_held_and_free();
+    find_resisted();
+    see_contacts(coordinates);
+    refuse_loose_bodies();
+  }
 
-    Eigen::VectorXd row(n_one);
-    const auto      fill_row = [&](const unsigned int  body,
-                              const Point<3>     &p,
-                              const Tensor<1, 3> &direction) {
-      for (unsigned int k = 0; k < n_one; ++k)
-        row[k] = direction * mode(k, dim, frames[body], p);
-    };
+  Eigen::RowVectorXd
+  RigidMotions::row(const unsigned int  body,
+                    const Point<3>     &p,
+                    const Tensor<1, 3> &direction) const
+  {
+    Eigen::RowVectorXd result(n_one);
+    for (unsigned int k = 0; k < n_one; ++k)
+      result[k] = direction * mode(k, bodies.dim, frames[body], p);
+    return result;
+  }
 
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n_all, n_all);
-    const auto      hold = [&](const unsigned int  body,
-                          const Point<3>     &p,
-                          const Tensor<1, 3> &direction) {
-      fill_row(body, p, direction);
-      gram.block(body * n_one, body * n_one, n_one, n_one) +=
-        row * row.transpose();
-    };
+  void
+  RigidMotions::find_held_and_free()
+  {
+    const auto  n_bodies = static_cast<Index>(frames.size());
+    const Index n        = n_one * n_bodies;
+    held                 = Eigen::MatrixXd::Zero(n, n);
+    held_inverse         = held;
     for (const NodeRule &rule : rules.rules())
       {
-        for (const HeldDirection &held : rule.held)
-          hold(rule.body,
-               bodies.structures[rule.body]->position(rule.node),
-               held.direction);
-        for (const NodeRule::HeldRotation &held : rule.rotations)
-          gram(rule.body * n_one + held.component,
-               rule.body * n_one + held.component) += 1;
+        const Index first = rule.body * n_one;
+        for (const HeldDirection &h : rule.held)
+          {
+            const Eigen::RowVectorXd e =
+              row(rule.body,
+                  bodies.structures[rule.body]->position(rule.node),
+                  h.direction);
+            held.block(first, first, n_one, n_one) += e.transpose() * e;
+          }
+        for (const NodeRule::HeldRotation &h : rule.rotations)
+          held(first + h.component, first + h.component) += 1;
       }
+    free_modes = Eigen::MatrixXd(n, 0);
+    for (Index body = 0; body < n_bodies; ++body)
+      {
+        const Index first = body * n_one;
+        const Split parts = split(held.block(first, first, n_one, n_one));
+        held_inverse.block(first, first, n_one, n_one) = parts.pseudo_inverse;
+        const Index k = free_modes.cols();
+        free_modes.conservativeResize(n, k + parts.null.cols());
+        free_modes.rightCols(parts.null.cols()).setZero();
+        free_modes.block(first, k, n_one, parts.null.cols()) = parts.null;
+        free_body.insert(free_body.end(),
+                         static_cast<std::size_t>(parts.null.cols()),
+                         static_cast<unsigned int>(body));
+      }
+  }
+
+  void
+  RigidMotions::find_resisted()
+  {
+    Eigen::MatrixXd springs = Eigen::MatrixXd::Zero(held.rows(), held.cols());
     for (const Support &support : bodies.supports)
       if (support.stiffness)
         for (const SurfaceNode &node : support.surface.nodes)
           if ((*support.stiffness)(node.position) > 0)
             for (const Tensor<1, 3> &e : support.directions_at(node.normal))
-              hold(support.body, node.position, e);
-    free_modes = null_columns(gram);
+              {
+                const Eigen::RowVectorXd r =
+                  row(support.body, node.position, e);
+                const Index first = support.body * n_one;
+                springs.block(first, first, n_one, n_one) += r.transpose() * r;
+              }
+    without_springs =
+      split(free_modes.transpose() * springs * free_modes).null;
+  }
 
-    Eigen::MatrixXd seen(coordinates.n_contact_unknowns(), free_modes.cols());
-    Eigen::Index    i = 0;
+  void
+  RigidMotions::see_contacts(const Coordinates &coordinates)
+  {
+    const Index n = coordinates.n_contact_unknowns();
+    seen_by_contacts.setZero(n, free_modes.cols());
+    Index i = 0;
     for (const NodeRule *rule : coordinates.contact_rules())
       for (const Tensor<1, 3> &dual : rule->dual)
         {
           const ContactNode &node = *rule->contact_node;
-          fill_row(rule->body, node.position, dual);
-          seen.row(i) =
-            row.transpose() * free_modes.middleRows(rule->body * n_one, n_one);
+          seen_by_contacts.row(i) =
+            row(rule->body, node.position, dual) *
+            free_modes.middleRows(rule->body * n_one, n_one);
           for (const auto &[master, weight] : node.masters)
-            {
-              fill_row(node.master,
-                       bodies.structures[node.master]->position(master),
-                       weight * dual);
-              seen.row(i) -= row.transpose() *
-                             free_modes.middleRows(node.master * n_one, n_one);
-            }
+            seen_by_contacts.row(i) -=
+              row(node.master,
+                  bodies.structures[node.master]->position(master),
+                  weight * dual) *
+              free_modes.middleRows(node.master * n_one, n_one);
           ++i;
         }
-    const Eigen::MatrixXd unseen = null_columns(seen.transpose() * seen);
-    if (unseen.cols() > 0)
+  }
+
+  Eigen::MatrixXd
+  RigidMotions::unseen() const
+  {
+    const Eigen::MatrixXd G = null_space();
+    return without_springs * split(G.transpose() * G).null;
+  }
+
+  void
+  RigidMotions::refuse_loose_bodies() const
+  {
+    std::vector<bool> reached(bodies.structures.size(), false);
+    for (const ContactNode &node : bodies.contact_nodes)
       {
-        const Motion m = largest(free_modes * unseen.col(0));
+        reached[node.body] = true;
+        if (!node.masters.empty())
+          reached[node.master] = true;
+      }
+    const Eigen::MatrixXd loose = free_modes * without_springs;
+    for (Index j = 0; j < loose.cols(); ++j)
+      if (const Motion m = largest(loose.col(j)); !reached[m.body])
         throw InputError("Nothing holds body '" + bodies.names[m.body] +
                          "' against moving " + describe(m) +
-                         ": no support, and no contact with friction. Add a "
-                         "Support, or friction to a Contact.");
+                         ": no support, and no contact. Add a Support, or a "
+                         "Contact.");
+  }
+
+  RigidMotions::Amounts
+  RigidMotions::placement(const double t) const
+  {
+    Amounts amounts = Amounts::Zero(held.rows());
+    // the second time takes out the rounding of long sums
+    for (unsigned int pass = 0; pass < 2; ++pass)
+      {
+        Amounts right = Amounts::Zero(held.rows());
+        for (const NodeRule &rule : rules.rules())
+          {
+            const Index    first = rule.body * n_one;
+            const Point<3> p =
+              bodies.structures[rule.body]->position(rule.node);
+            for (const HeldDirection &h : rule.held)
+              {
+                const Eigen::RowVectorXd e = row(rule.body, p, h.direction);
+                right.segment(first, n_one) +=
+                  (rules.displacement(h, p, t) -
+                   e.dot(amounts.segment(first, n_one))) *
+                  e.transpose();
+              }
+            for (const NodeRule::HeldRotation &h : rule.rotations)
+              right[first + h.component] +=
+                rules.angle(h, p, t) * frames[rule.body].size -
+                amounts[first + h.component];
+          }
+        amounts += held_inverse * right;
       }
-    contact_part = std::move(seen);
+    return amounts;
+  }
+
+  Tensor<1, 3>
+  RigidMotions::at(const Amounts     &amounts,
+                   const unsigned int body,
+                   const unsigned int node) const
+  {
+    Tensor<1, 3>   u;
+    const Point<3> p = bodies.structures[body]->position(node);
+    for (unsigned int k = 0; k < n_one; ++k)
+      if (const double a = amounts[body * n_one + k]; a != 0)
+        u += a * mode(k, bodies.dim, frames[body], p);
+    return u;
+  }
+
+  double
+  RigidMotions::rotation(const Amounts &amounts, const unsigned int body) const
+  {
+    const Index n = n_one - bodies.dim;
+    return amounts.segment(body * n_one + bodies.dim, n).norm() /
+           frames[body].size;
+  }
+
+  Eigen::VectorXd
+  RigidMotions::field(const Amounts &amounts) const
+  {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(offset.back());
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      {
+        if (amounts.segment(body * n_one, n_one).isZero(0))
+          continue;
+        const Structure   &structure = *bodies.structures[body];
+        const unsigned int n_c       = structure.n_components();
+        Index              dof       = offset[body];
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
+          {
+            const Tensor<1, 3> displacement = at(amounts, body, i);
+            for (unsigned int c = 0; c < bodies.dim; ++c)
+              u[dof + c] = displacement[c];
+            for (unsigned int c = bodies.dim; c < n_c; ++c)
+              if (structure.has_dof(i, c))
+                u[dof + c] = amounts[body * n_one + c] / frames[body].size;
+          }
+      }
+    return u;
+  }
+
+  RigidMotions::Amounts
+  RigidMotions::resultants(const Eigen::VectorXd &forces) const
+  {
+    Amounts sum = Amounts::Zero(held.rows());
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      {
+        const Structure   &structure = *bodies.structures[body];
+        const unsigned int n_c       = structure.n_components();
+        Index              dof       = offset[body];
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
+          {
+            Tensor<1, 3> force;
+            for (unsigned int c = 0; c < bodies.dim; ++c)
+              force[c] = forces[dof + c];
+            if (force.norm_square() > 0)
+              sum.segment(body * n_one, n_one) +=
+                row(body, structure.position(i), force).transpose();
+            for (unsigned int c = bodies.dim; c < n_c; ++c)
+              sum[body * n_one + c] += forces[dof + c] / frames[body].size;
+          }
+      }
+    return sum;
   }
 
   RigidMotions::Motion
   RigidMotions::motion(const Eigen::VectorXd &combination) const
   {
-    return largest(free_modes * combination);
+    return largest(free_modes * (without_springs * combination));
   }
 
   RigidMotions::Motion
-  RigidMotions::largest(const Eigen::VectorXd &modes) const
+  RigidMotions::largest(const Amounts &modes) const
   {
-    const Eigen::Index n_one = n_modes(bodies.dim);
-    std::size_t        best  = 0;
+    std::size_t best = 0;
     for (std::size_t body = 1; body < frames.size(); ++body)
       if (modes.segment(static_cast<Eigen::Index>(body) * n_one, n_one).norm() >
           1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)

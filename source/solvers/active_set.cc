@@ -229,14 +229,18 @@ namespace conetact
   ActiveSet::solve(const ContactProblem &problem, ContactState &state)
   {
     attach(problem);
-    const ContactState start = state;
-    Array              p, d;
+    ContactState start = state;
+    start.u            = Array(); // v is where the increment starts
+    Array p, d;
     relation->to_scaled(start, p, d);
     Array change = d - dual(p);
     if (change.norm() <= rounding * std::max({p.norm(), d.norm(), 1.}))
-      if (const SolverReport report = unchanged(problem, state);
+      if (const SolverReport report = unchanged(problem, start);
           report.converged)
-        return report;
+        {
+          state.node = start.node;
+          return report;
+        }
 
     ContactState with_units;
     relation->from_scaled(p, change, with_units);

@@ -39,16 +39,40 @@ namespace conetact
     {
       for (Index i = 0; i < system.n_nodes(); ++i)
         v(system.normal(i)) = 0;
+      v.tail(system.n_motions).setZero();
       return v;
     }
 
-    /** The load that holds (v, r) in balance. */
-    VectorXd
-    load_of(const ContactSystem &system, const VectorXd &v, const VectorXd &r)
+    /** What the start of an increment and its end differ in: load and offset. */
+    struct Change
     {
-      if (system.form == Form::stiffness)
-        return system.matrix * v - r;
-      return v - system.matrix * r;
+      VectorXd of_load, of_offset;
+      VectorXd offset_at_end;
+    };
+
+    /**
+     * The start of the increment as the end of one without change: v = (0, gap)
+     * with the reactions and elastic displacements at hand.
+     */
+    Change
+    change_of(const ContactProblem &problem, const ContactState &state)
+    {
+      const ContactSystem &system = *problem.system;
+      const VectorXd       v      = start_of(system, problem.gap);
+      Change               change;
+      if (system.form == Form::compliance)
+        {
+          change.of_load = problem.load - (v - multiply(system, state.r));
+          return change;
+        }
+      const VectorXd u =
+        problem.offset.size() > 0 && state.u.size() > 0 ? state.u : v;
+      change.of_load       = problem.load - (multiply(system, u) - state.r);
+      change.offset_at_end = problem.offset.size() > 0 ?
+                               problem.offset :
+                               VectorXd::Zero(v.size());
+      change.of_offset     = change.offset_at_end - (v - u);
+      return change;
     }
   } // namespace
 
@@ -121,6 +145,9 @@ namespace conetact
     SolverOptions few                           = options;
     few.max_sweeps                              = sweeps;
     ContactState                         trial  = state;
+    // motions have no reaction of their own that a sweep could find
+    if (problem.system->n_motions > 0)
+      return false;
     const std::unique_ptr<ContactSolver> solver = make_gauss_seidel(few);
     solver->solve(problem, trial);
     report.solver = "gauss-seidel";
@@ -165,8 +192,7 @@ namespace conetact
   Automatic::solve_in_parts(const ContactProblem &problem, ContactState &state)
   {
     const ContactSystem &system = *problem.system;
-    const VectorXd b0 = load_of(system, start_of(system, problem.gap), state.r);
-    const VectorXd change = problem.load - b0;
+    const Change         change = change_of(problem, state);
 
     SolverReport   report;
     ContactState   now  = state;
@@ -180,10 +206,11 @@ namespace conetact
         const double next  = std::min(1., done + size);
         ContactState trial = now;
         trial.v            = start_of(system, part.gap);
+        trial.u            = VectorXd();
         // What has slipped so far is part of the load of the next part.
-        part.load = b0 + next * change;
+        part.load = problem.load - (1 - next) * change.of_load;
         if (system.form == Form::stiffness)
-          part.load -= system.matrix * slip;
+          part.offset = change.offset_at_end - (1 - next) * change.of_offset - slip;
         else
           part.load -= slip;
         const SolverReport one = solve_whole(part, trial, false);
@@ -228,8 +255,6 @@ namespace conetact
   SolverReport
   Automatic::solve(const ContactProblem &problem, ContactState &state)
   {
-    // Here is the place to ask whether an equilibrium can exist at all.
-
     SolverReport report = solve_whole(problem, state, true);
     if (report.converged || problem.system->n_unknowns() == 0)
       return report;

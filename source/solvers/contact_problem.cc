@@ -16,63 +16,112 @@ namespace conetact
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    /**
-     * Weight of the residual over the data alone: at a tolerance of 1e-10 they
-     * may be violated by 1e-6 of themselves.
-     */
-    constexpr double runaway = 1e-4;
-
-    /** A stiffness that turns displacements into forces, @f$\rho@f$. */
-    double
+    /** A stiffness of each node that turns displacements into forces. */
+    VectorXd
     reference_stiffness(const ContactSystem &system)
     {
-      const double mean =
-        system.matrix.trace() / static_cast<double>(system.n_unknowns());
-      if (!(mean > 0))
-        return 1.;
-      return system.form == Form::stiffness ? mean : 1. / mean;
+      const Index  n    = system.n_contact_unknowns();
+      const double mean = n > 0 ? system.matrix.diagonal().head(n).mean() : 0.;
+      VectorXd     rho(n);
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        {
+          const Index size = system.n_tangents(i) + 1;
+          double      d =
+            system.matrix.diagonal().segment(system.first[i], size).mean();
+          if (!(d > 1e-12 * mean))
+            d = mean > 0 ? mean : 1.;
+          rho.segment(system.first[i], size)
+            .setConstant(system.form == Form::stiffness ? d : 1 / d);
+        }
+      return rho;
     }
 
-    /** Matrix times x: of a symmetric matrix half is enough to be read. */
+    /**
+     * What positions are known to, in compliance form: v is a difference of
+     * them. In stiffness form it is the solver's own unknown.
+     */
     VectorXd
-    product(const ContactSystem &system, const VectorXd &x)
+    rounding(const ContactProblem &problem, const ContactState &state)
     {
-      return system.matrix.selfadjointView<Eigen::Lower>() * x;
+      const ContactSystem &system = *problem.system;
+      const Index          n      = system.n_contact_unknowns();
+      if (system.form == Form::stiffness)
+        return VectorXd::Zero(n);
+      const Index k = system.n_motions;
+      return position_rounding *
+             (problem.load.head(n).cwiseAbs() +
+              system.matrix.topRightCorner(n, k).cwiseAbs() *
+                state.r.tail(k).cwiseAbs());
     }
 
     /** Residual of the linear relation, as forces. */
     VectorXd
     relation_residual(const ContactProblem &problem,
                       const ContactState   &state,
-                      const double          rho)
+                      const VectorXd       &rho)
     {
       const ContactSystem &system = *problem.system;
       if (system.form == Form::stiffness)
-        return product(system, state.v) - state.r - problem.load;
-      return rho * (product(system, state.r) + problem.load - state.v);
+        return multiply(system, elastic_part(problem, state)) - state.r -
+               problem.load;
+      const Index n        = system.n_contact_unknowns();
+      VectorXd    residual = multiply(system, state.r) + problem.load - state.v;
+      residual.head(n)     = rho.cwiseProduct(
+        without_rounding(residual.head(n), rounding(problem, state)));
+      return residual;
     }
 
-    /** Residual of the contact law, as forces. */
+    /** Residual of the contact law, as forces; that of motions is balance. */
     VectorXd
     law_residual(const ContactProblem &problem,
                  const ContactState   &state,
-                 const double          rho)
+                 const VectorXd       &rho)
     {
       const ContactSystem &system = *problem.system;
-      VectorXd             result(system.n_unknowns());
+      const Index          n      = system.n_contact_unknowns();
+      const VectorXd       closest =
+        without_rounding(state.v.head(n), rounding(problem, state));
+      VectorXd result(system.n_unknowns());
+      result.tail(system.n_motions) = state.v.tail(system.n_motions);
       for (Index i = 0; i < system.n_nodes(); ++i)
         {
           const Index       first = system.first[i], nt = system.n_tangents(i);
           const double      mu = system.mu(i);
           const SmallVector r  = state.r.segment(first, nt + 1);
-          SmallVector       v  = state.v.segment(first, nt + 1);
+          SmallVector       v  = closest.segment(first, nt + 1);
           v(nt) += mu * v.head(nt).norm();
           result.segment(first, nt + 1) =
-            r - project_on_friction_cone(r - rho * v, mu);
+            r - project_on_friction_cone(r - rho(first) * v, mu);
         }
       return result;
     }
   } // namespace
+
+  VectorXd
+  without_rounding(const VectorXd &x, const VectorXd &allowed)
+  {
+    return x.binaryExpr(allowed, [](const double value, const double limit) {
+      return value > limit ? value - limit : value < -limit ? value + limit : 0.;
+    });
+  }
+
+  VectorXd
+  multiply(const ContactSystem &system, const VectorXd &x)
+  {
+    if (system.n_unknowns() == 0) // which BLAS does not take
+      return x;
+    if (system.form == Form::stiffness) // half of the matrix is enough
+      return system.matrix.selfadjointView<Eigen::Lower>() * x;
+    return system.matrix * x;
+  }
+
+  VectorXd
+  elastic_part(const ContactProblem &problem, const ContactState &state)
+  {
+    if (problem.offset.size() == 0)
+      return state.v;
+    return state.u.size() > 0 ? state.u : VectorXd(state.v - problem.offset);
+  }
 
   double
   largest(const VectorXd &x)
@@ -91,24 +140,19 @@ namespace conetact
     if (!state.v.allFinite() || !state.r.allFinite())
       return std::numeric_limits<double>::infinity();
 
-    const double rho = reference_stiffness(system);
-    const double data =
-      std::max({system.form == Form::stiffness ? problem.load.norm() :
-                                                 rho * problem.load.norm(),
-                rho * problem.gap.norm(),
-                problem.reference_force});
-    const double scale = std::max({state.r.norm(),
-                                   rho * state.v.norm(),
-                                   rho * problem.gap.norm(),
-                                   problem.reference_force});
-    const double error =
+    const VectorXd rho   = reference_stiffness(system);
+    const Index    n     = system.n_contact_unknowns();
+    const bool     stiff = system.form == Form::stiffness;
+    const double   error =
       std::max(law_residual(problem, state, rho).norm(),
                relation_residual(problem, state, rho).norm());
     if (error == 0)
       return 0;
-    double result = error / scale;
-    if (data > 0)
-      result = std::max(result, runaway * error / data);
+    const double load =
+      stiff ? problem.load.norm() : problem.load.tail(system.n_motions).norm();
+    const double result =
+      error /
+      std::max({state.r.head(n).norm(), load, problem.reference_force});
     return std::isfinite(result) ? result :
                                    std::numeric_limits<double>::infinity();
   }
@@ -123,9 +167,9 @@ namespace conetact
     // The side that the linear relation gives from the other one.
     VectorXd v = state.v, r = state.r;
     if (stiffness)
-      r = product(system, state.v) - problem.load;
+      r = multiply(system, elastic_part(problem, state)) - problem.load;
     else
-      v = product(system, state.r) + problem.load;
+      v = multiply(system, state.r) + problem.load;
 
     double own = 0, relation = 0;
     for (Index i = 0; i < system.n_nodes(); ++i)
@@ -152,7 +196,8 @@ namespace conetact
   {
     const ContactSystem &system = *problem.system;
     const double         limit =
-      tolerance * std::max(largest(state.v), largest(problem.gap));
+      tolerance * std::max(largest(state.v.head(system.n_contact_unknowns())),
+                           largest(problem.gap));
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {

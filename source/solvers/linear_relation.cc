@@ -14,6 +14,9 @@ namespace conetact
     using Eigen::Index;
     using Eigen::VectorXd;
 
+    /** Residuals are not compared with less than this part of alpha. */
+    constexpr double least_force = 1e-4;
+
     /**
      * Mean diagonal entry of each node, one a node. A node that nothing holds
      * (or a rigid one) takes the mean of all.
@@ -21,11 +24,9 @@ namespace conetact
     VectorXd
     mean_diagonal(const ContactSystem &system)
     {
-      const Index  n = system.n_nodes();
+      const Index  n = system.n_nodes(), size = system.n_contact_unknowns();
       const double all =
-        system.n_unknowns() > 0 ?
-          system.matrix.trace() / static_cast<double>(system.n_unknowns()) :
-          1.;
+        size > 0 ? system.matrix.diagonal().head(size).mean() : 1.;
       const double mean = all > 0 ? all : 1.;
       VectorXd     result(n);
       for (Index i = 0; i < n; ++i)
@@ -36,6 +37,30 @@ namespace conetact
           result(i) = m > 1e-12 * mean ? m : mean;
         }
       return result;
+    }
+
+    /** Scales that give the columns of G norm 1; unseen motions keep theirs. */
+    void
+    scale_motions(const ContactSystem &system, VectorXd &scale)
+    {
+      const Index n = system.n_contact_unknowns();
+      for (Index j = n; j < system.n_unknowns(); ++j)
+        {
+          const double norm =
+            scale.head(n).cwiseProduct(system.matrix.col(j).head(n)).norm();
+          scale(j) = norm > 0 ? 1 / norm : 1.;
+        }
+    }
+
+    /** The largest interference of the displacements q at rest. */
+    double
+    interference(const ContactSystem &system, const VectorXd &q)
+    {
+      double most = 0;
+      if (q.size() > 0)
+        for (Index i = 0; i < system.n_nodes(); ++i)
+          most = std::max(most, -q(system.normal(i)));
+      return most;
     }
 
     /** y += columns of A x, four at a time: one pass over y for four of A. */
@@ -84,6 +109,7 @@ namespace conetact
     for (Index i = 0; i < mean.size(); ++i)
       scale.segment(contact_system->first[i], contact_system->n_tangents(i) + 1)
         .setConstant(1 / std::sqrt(mean(i)));
+    scale_motions(*contact_system, scale);
   }
 
 
@@ -92,23 +118,69 @@ namespace conetact
   LinearRelation::set_load(const ContactProblem &problem)
   {
     // Both M = S A S and l = +-S load with S = diag(scale)
-    scaled_load = scale.cwiseProduct(problem.load);
+    const Index n    = contact_system->n_contact_unknowns();
+    const Index k    = contact_system->n_motions;
+    scaled_load      = scale.cwiseProduct(problem.load);
+    has_offset       = problem.offset.size() > 0;
+    scaled_offset    = has_offset ?
+                         Array(problem.offset.cwiseQuotient(scale)) :
+                         Array::Zero(scale.size());
     if (stiffness())
       scaled_load = -scaled_load;
-    if (has_units)
-      return;
-    alpha = scaled_load.size() > 0 ? scaled_load.lpNorm<Eigen::Infinity>() : 0.;
-    // Forces over sqrt(c): in compliance form scale is sqrt(c) itself.
-    if (scale.size() > 0)
+    load_force = stiffness() ? scaled_load.norm() : scaled_load.tail(k).norm();
+    if (n > 0)
       {
-        const double mean = scale.mean();
-        alpha =
-          std::max(alpha,
+        const double mean = scale.head(n).mean();
+        load_force =
+          std::max(load_force,
                    problem.reference_force * (stiffness() ? mean : 1 / mean));
       }
+    if (has_units)
+      return;
+    // Forces over sqrt(c): in compliance form scale is sqrt(c) itself.
+    alpha = std::max(load_force,
+                     interference(*contact_system,
+                                  stiffness() ? scaled_offset : scaled_load));
     if (!(alpha > 0))
       alpha = 1;
     scaled_load /= alpha;
+    scaled_offset /= alpha;
+    load_force /= alpha;
+  }
+
+
+
+  LinearRelation::Array
+  LinearRelation::displacements(const Array &p, const Array &d) const
+  {
+    if (stiffness())
+      return p + scaled_offset;
+    return d;
+  }
+
+
+
+  LinearRelation::Array
+  LinearRelation::rounding(const Array &p) const
+  {
+    const Index n = contact_system->n_contact_unknowns();
+    const Index k = contact_system->n_motions;
+    if (stiffness())
+      return Array::Zero(n);
+    const Array a = scale.tail(k).cwiseProduct(p.tail(k)).cwiseAbs();
+    return position_rounding *
+           (scaled_load.head(n).cwiseAbs() +
+            scale.head(n).cwiseProduct(
+              contact_system->matrix.topRightCorner(n, k).cwiseAbs() * a));
+  }
+
+
+
+  double
+  LinearRelation::force_scale(const Array &p, const Array &d) const
+  {
+    const Index n = contact_system->n_contact_unknowns();
+    return std::max({reactions(p, d).head(n).norm(), load_force, least_force});
   }
 
 
@@ -127,9 +199,7 @@ namespace conetact
 
     Array product = Array::Zero(sx.size());
     if (2 * static_cast<Index>(columns.size()) > sx.size())
-      // half of the matrix is enough
-      product.noalias() +=
-        contact_system->matrix.selfadjointView<Eigen::Lower>() * sx;
+      product = multiply(*contact_system, sx);
     else
       add_columns(contact_system->matrix, columns, sx, product);
     y += scale.cwiseProduct(product);
@@ -140,10 +210,14 @@ namespace conetact
   void
   LinearRelation::to_scaled(const ContactState &state, Array &p, Array &d) const
   {
-    const Array &primary = stiffness() ? state.v : state.r;
-    const Array &dual    = stiffness() ? state.r : state.v;
-    p                    = primary.cwiseQuotient(scale) / alpha;
-    d                    = dual.cwiseProduct(scale) / alpha;
+    const Array &dual = stiffness() ? state.r : state.v;
+    if (!stiffness())
+      p = state.r.cwiseQuotient(scale) / alpha;
+    else if (has_offset && state.u.size() > 0)
+      p = state.u.cwiseQuotient(scale) / alpha;
+    else
+      p = state.v.cwiseQuotient(scale) / alpha - scaled_offset;
+    d = dual.cwiseProduct(scale) / alpha;
   }
 
 
@@ -153,9 +227,14 @@ namespace conetact
                               const Array  &d,
                               ContactState &state) const
   {
-    Array &primary = stiffness() ? state.v : state.r;
-    Array &dual    = stiffness() ? state.r : state.v;
-    primary        = alpha * p.cwiseProduct(scale);
-    dual           = alpha * d.cwiseQuotient(scale);
+    if (stiffness())
+      {
+        state.u = has_offset ? Array(alpha * p.cwiseProduct(scale)) : Array();
+        state.v = alpha * (p + scaled_offset).cwiseProduct(scale);
+        state.r = alpha * d.cwiseQuotient(scale);
+        return;
+      }
+    state.r = alpha * p.cwiseProduct(scale);
+    state.v = alpha * d.cwiseQuotient(scale);
   }
 } // namespace conetact

@@ -61,7 +61,7 @@ namespace conetact
     unknown.clear();
     row.clear();
     const ContactSystem &system = relation.system();
-    for (Index i = 0; i < system.n_nodes(); ++i)
+    for (Index i = 0; i < static_cast<Index>(laws.size()); ++i)
       for (Index k = 0; k <= system.n_tangents(i); ++k)
         if (!is_known(laws[static_cast<std::size_t>(i)], k))
           {
@@ -80,7 +80,7 @@ namespace conetact
   {
     const ContactSystem &system = relation.system();
     dp                          = Array::Zero(system.n_unknowns());
-    for (Index i = 0; i < system.n_nodes(); ++i)
+    for (Index i = 0; i < static_cast<Index>(laws.size()); ++i)
       dp.segment(system.first[i], system.n_tangents(i) + 1) =
         laws[static_cast<std::size_t>(i)].h;
     for (const Index u : unknown)

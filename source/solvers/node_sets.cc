@@ -22,12 +22,13 @@ namespace conetact
     /** Displacements and reactions of a point, whichever is p. */
     struct Fields
     {
-      const VectorXd &v, &r;
+      const VectorXd  v;
+      const VectorXd &r;
       Fields(const LinearRelation &relation,
              const VectorXd       &p,
              const VectorXd       &d)
-        : v(relation.stiffness() ? p : d)
-        , r(relation.stiffness() ? d : p)
+        : v(relation.displacements(p, d))
+        , r(relation.reactions(p, d))
       {}
     };
 
@@ -190,6 +191,21 @@ namespace conetact
 
 
 
+  void
+  append_balance(const LinearRelation &relation,
+                 const VectorXd       &d,
+                 std::vector<NodeLaw> &laws)
+  {
+    const SmallMatrix one = SmallMatrix::Ones(1, 1);
+    for (Index j = 0; j < relation.system().n_motions; ++j)
+      laws.push_back({SmallMatrix::Zero(1, 1),
+                      one,
+                      -d.segment(relation.system().n_contact_unknowns() + j,
+                                 1)});
+  }
+
+
+
   std::vector<NodeLaw>
   linearized_laws(const LinearRelation &relation,
                   const NodeSets       &sets,
@@ -199,6 +215,7 @@ namespace conetact
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
     std::vector<NodeLaw> result(sets.size());
+    result.reserve(sets.size() + at(system.n_motions));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index first = system.first[i], dim = system.n_tangents(i) + 1;
@@ -210,6 +227,7 @@ namespace conetact
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
       }
+    append_balance(relation, d, result);
     return result;
   }
 
@@ -222,12 +240,17 @@ namespace conetact
   {
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
-    double               sum = 0;
+    const Index          n   = system.n_contact_unknowns();
+    double               sum = x.v.tail(system.n_motions).squaredNorm();
+    const VectorXd       v =
+      without_rounding(x.v.head(n), relation.rounding(p));
+    if (relation.stiffness())
+      sum = 0;
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index       first = system.first[i], nt = system.n_tangents(i);
         const SmallVector r  = x.r.segment(first, nt + 1);
-        SmallVector       z  = r - x.v.segment(first, nt + 1);
+        SmallVector       z  = r - v.segment(first, nt + 1);
         const double      zn = std::max(z(nt), 0.), limit = system.mu(i) * zn;
         const double      norm = z.head(nt).norm();
         if (norm > limit)
@@ -235,8 +258,7 @@ namespace conetact
         z(nt) = zn;
         sum += (r - z).squaredNorm();
       }
-    // The largest force of the problem or its history is 1.
-    return std::sqrt(sum) / std::max({p.norm(), d.norm(), 1.});
+    return std::sqrt(sum) / relation.force_scale(p, d);
   }
 
 
@@ -248,8 +270,8 @@ namespace conetact
                   VectorXd             &d)
   {
     const ContactSystem &system = relation.system();
-    VectorXd            &v      = relation.stiffness() ? p : d;
     VectorXd            &r      = relation.stiffness() ? d : p;
+    VectorXd             v      = relation.displacements(p, d);
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index     first = system.first[i], nt = system.n_tangents(i);
@@ -263,6 +285,10 @@ namespace conetact
         if (node == NodeState::slip && system.mu(i) == 0)
           r.segment(first, nt).setZero();
       }
+    if (relation.stiffness())
+      p = v - relation.offset();
+    else
+      d = v;
   }
 
 

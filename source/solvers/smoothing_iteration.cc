@@ -35,6 +35,13 @@ namespace conetact
   {
     const ContactSystem &system = relation.system();
     relation.to_scaled(start, x.p, x.d);
+    load = relation.load();
+    if (relation.stiffness())
+      {
+        // the unknowns of this method are v themselves
+        relation.multiply_add(-relation.offset(), load);
+        x.p += relation.offset();
+      }
     x.lambda = Array::Zero(system.n_nodes());
     x.y      = Array::Zero(system.n_nodes());
     if (!options.scaled)
@@ -74,7 +81,7 @@ namespace conetact
   const SmoothingIteration::Array &
   SmoothingIteration::reactions(const Point &point) const
   {
-    return relation.stiffness() ? point.d : point.p;
+    return relation.reactions(point.p, point.d);
   }
 
 
@@ -119,7 +126,7 @@ namespace conetact
     const Array         &v      = displacements(point);
     const Array         &r      = reactions(point);
     Defect               result;
-    result.relation = relation.load() + eps * point.p - point.d;
+    result.relation = load + eps * point.p - point.d;
     relation.multiply_add(point.p, result.relation);
     result.y = Array::Zero(system.n_nodes());
     for (Index i = 0; i < system.n_nodes(); ++i)
@@ -162,7 +169,8 @@ namespace conetact
                             const Defect &residual,
                             const double  m_now) const
   {
-    double sum = residual.relation.squaredNorm() + residual.y.squaredNorm();
+    double sum = residual.relation.squaredNorm() + residual.y.squaredNorm() +
+                 point.d.tail(relation.system().n_motions).squaredNorm();
     for (Index i = 0; i < relation.system().n_nodes(); ++i)
       sum += squared_cone_residual(point, i, m_now);
     return std::sqrt(sum);
@@ -322,8 +330,10 @@ namespace conetact
         out.p         = relation.stiffness() ? law.A : law.B;
         out.d         = relation.stiffness() ? law.B : law.A;
         out.h         = law.h;
-        out.p += eps * out.d;
       }
+    append_balance(relation, x.d, laws);
+    for (NodeLaw &law : laws)
+      law.p += eps * law.d;
     // The published form has no scale in which a part of it could be small.
     const double precision = options.scaled ? 1e-5 : 0;
     if (!newton.solve(relation, laws, residual.relation, precision, delta.p))
@@ -430,6 +440,9 @@ namespace conetact
   void
   SmoothingIteration::get(ContactState &state) const
   {
-    relation.from_scaled(x.p, x.d, state);
+    Array p = x.p;
+    if (relation.stiffness())
+      p -= relation.offset();
+    relation.from_scaled(p, x.d, state);
   }
 } // namespace conetact

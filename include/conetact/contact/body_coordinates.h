@@ -47,6 +47,18 @@ namespace conetact
       return exact[body];
     }
 
+    /** First unknown of a node, and one past its last. */
+    std::pair<Eigen::Index, Eigen::Index>
+    unknowns_of(const unsigned int body, const unsigned int node) const
+    {
+      const std::size_t n = coordinates.number(body, node);
+      return {static_cast<Eigen::Index>(first_of_node[n]),
+              static_cast<Eigen::Index>(first_of_node[n + 1])};
+    }
+    /** p of displacements of all dofs, as far as they have one. */
+    Eigen::VectorXd
+    values(const Eigen::VectorXd &u) const;
+
     /** A row of T, p = T q with the unknowns q of the Coordinates. */
     std::vector<Entry>
     row_of(const Eigen::Index p) const;

@@ -5,6 +5,7 @@
 #define conetact_contact_contact_model_h
 
 #include "conetact/contact/condensation.h"
+#include "conetact/contact/dual_backend.h"
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/node_rules.h"
@@ -24,15 +25,39 @@ namespace conetact
     /** `times` are those of the increments. Throws InputError. */
     ContactModel(const Bodies &bodies, const std::vector<double> &times);
 
-    const Bodies       &bodies;
-    const NodeRules     rules;
-    const Coordinates   coordinates;
+    const Bodies     &bodies;
+    const NodeRules   rules;
+    const Coordinates coordinates;
+
+    /** The same bodies without contacts: what supports hold of each. */
+    const NodeRules   plain_rules;
+    const Coordinates plain;
+
     const ElasticSystem elastic;
     const RigidMotions  motions;
 
+    /**
+     * Whether contacts are rows over bodies that condense themselves, with
+     * free motions as unknowns (DualBackend); else all bodies are held and
+     * meet obstacles only, and one stiffness serves them (Condensation).
+     */
+    bool
+    is_dual() const;
+
     /** Made when first asked for, of the working set. */
-    Condensation &
+    ElasticBackend &
     condensation();
+
+    /** What its factorisation will take. */
+    FactorEstimate
+    estimate_factor() const;
+
+    /** Everything that acts at time t, with nodal `forces` on all dofs. */
+    LoadCase
+    load_case(const Eigen::VectorXd &forces, const double t);
+    /** Amounts of all rigid motions, from the free ones. */
+    Eigen::VectorXd
+    amounts(const Eigen::VectorXd &placement, const Eigen::VectorXd &a) const;
 
     /** The candidates to be condensed; all, unless chosen otherwise. */
     const WorkingSet &
@@ -43,8 +68,8 @@ namespace conetact
     /** Chooses them; a condensation made before is made anew. */
     void
     choose(WorkingSet set);
-    /** Adds candidates to the condensation at hand. */
-    void
+    /** Adds candidates to the condensation at hand, if it can take them. */
+    bool
     extend(const std::vector<Eigen::Index> &nodes);
 
     bool
@@ -55,20 +80,22 @@ namespace conetact
     work() const;
 
   private:
+    std::unique_ptr<ElasticBackend>
+    make_backend() const;
     std::string
     singular_sentence(const SingularMatrix &error) const;
+    Eigen::VectorXd
+    offset(const LoadCase &load, const double t) const;
 
-    WorkingSet                    chosen;
-    std::unique_ptr<Condensation> condensed;
-    SchurWork                     former_work; ///< before condensed anew
+    WorkingSet                      chosen;
+    std::unique_ptr<ElasticBackend> condensed;
+    SchurWork                       former_work; ///< before condensed anew
   };
 
   /**
    * One increment in the terms of [K] (17): unknowns are slips of the
-   * increment and new gaps, so that @f$ f = f_{total} + K (-u_t, g_0) @f$ with
-   * the tangential displacements u_t at its start and the undeformed gaps. It
-   * knows all candidates; problems and states of solvers are those of the
-   * model's working set.
+   * increment and new gaps. It knows all candidates; problems and states of
+   * solvers are those of the model's working set.
    */
   class ContactHistory
   {
@@ -77,7 +104,7 @@ namespace conetact
 
     /** The increment that ends with `load`. */
     ContactProblem
-    problem(const Condensation::Load &load);
+    problem(const LoadCase &load);
     /** Where it starts: v = (0, gap), reactions and states so far. */
     ContactState
     start() const;
@@ -100,9 +127,24 @@ namespace conetact
     {
       return q;
     }
+    /** Amounts of the free motions since the start [length]. */
+    const Eigen::VectorXd &
+    free_motions() const
+    {
+      return a;
+    }
+    /** What ElasticBackend::expand() takes. */
+    Eigen::VectorXd
+    primal() const;
     /** Gaps of all candidates. */
     Eigen::VectorXd
     gaps() const;
+    /** Largest reaction or load so far [force]. */
+    double
+    largest_force() const
+    {
+      return largest;
+    }
 
   private:
     Eigen::VectorXd
@@ -111,6 +153,8 @@ namespace conetact
     ContactModel          *model;
     Eigen::VectorXd        initial_gap; ///< of each node with unknowns
     Eigen::VectorXd        q, r;
+    Eigen::VectorXd        elastic; ///< without offset, stiffness form
+    Eigen::VectorXd        a;
     std::vector<NodeState> states;
     double                 largest = 0; ///< reaction or load so far [force]
   };

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include <optional>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -19,9 +19,9 @@ namespace conetact
   /**
    * The linear map @f$ u = C q + d(t) @f$ from the unknowns q of equilibrium
    * to the displacements u of all dofs of all bodies, body after body. It
-   * eliminates supports (along any directions) and hanging nodes, turns
-   * contact nodes into their own frames and makes their displacement relative
-   * to a moving obstacle; d holds what is prescribed [length].
+   * eliminates supports (along any directions) and hanging nodes and turns
+   * contact nodes into their own frames; d holds what supports prescribe
+   * [length].
    *
    * Unknowns of contact nodes that carry cones come last, node by node:
    * tangential ones, then the normal one. A tangent that a support holds or
@@ -79,12 +79,9 @@ namespace conetact
     /** d(t). */
     Eigen::VectorXd
     prescribed(const double t) const;
-    /**
-     * Where supports carry all bodies along without strain, each by a
-     * translation: q such that C q + d is that motion.
-     */
-    std::optional<Eigen::VectorXd>
-    carried(const Eigen::VectorXd &d) const;
+    /** The part of displacements u along what supports hold, as d is one. */
+    Eigen::VectorXd
+    held_part(const Eigen::VectorXd &u) const;
     /** Moves nodal forces of hanging nodes to their masters. */
     void
     unhang(Eigen::VectorXd &f) const;
@@ -122,16 +119,18 @@ namespace conetact
                const unsigned int depth);
     void
     append_own(const std::size_t n, const unsigned int c, const double factor);
+    /** What is along held directions, by their displacements and rotations. */
+    using DisplacementOf =
+      std::function<double(const NodeRule &, const HeldDirection &)>;
+    using RotationOf =
+      std::function<double(const NodeRule &, const NodeRule::HeldRotation &)>;
+    Eigen::VectorXd
+    along_held(const DisplacementOf &displacement,
+               const RotationOf     &rotation) const;
     Tensor<1, 3>
-    prescribed(const unsigned int body,
-               const unsigned int node,
-               const double       t) const;
-    /** The translations of bodies that are nearest to what supports hold. */
-    Eigen::VectorXd
-    translations(const Eigen::VectorXd &d) const;
-    /** q with C q = u, if there is one. */
-    Eigen::VectorXd
-    solve(const Eigen::VectorXd &u) const;
+    along_held(const unsigned int    body,
+               const unsigned int    node,
+               const DisplacementOf &displacement) const;
     /** Components of a node's displacement. */
     Tensor<1, 3>
     at_node(const Eigen::VectorXd &u,

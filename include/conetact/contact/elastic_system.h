@@ -41,16 +41,26 @@ namespace conetact
     std::vector<Eigen::VectorXd>
     forces_by_foundation(const Eigen::VectorXd &u) const;
     /**
-     * Largest sum of the magnitudes of the terms of K u [force]; its rounding
-     * is that of the forces, however small they are themselves.
+     * Sums of the magnitudes of the terms of K u [force]; their rounding is
+     * that of the forces, however small they are themselves.
      */
-    double
-    largest_terms(const Eigen::VectorXd &u) const;
+    Eigen::VectorXd
+    terms(const Eigen::VectorXd &u) const;
+    /**
+     * Forces of the foundations on the bodies at time t, by support; empty
+     * where a support is none.
+     */
+    std::vector<Eigen::VectorXd>
+    foundation_forces(const Eigen::VectorXd &u, const double t) const;
     /** Forces of the foundations' own motion at time t [force]. */
     Eigen::VectorXd
     ground_forces(const double t) const;
 
   private:
+    /** Displacements of the ground of a support, on all dofs [length]. */
+    Eigen::VectorXd
+    ground(const std::size_t support, const double t) const;
+
     struct Spring
     {
       std::vector<unsigned int> dofs;

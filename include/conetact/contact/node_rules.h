@@ -108,8 +108,11 @@ namespace conetact
      * Throws InputError where a contact node is held neither along its normal
      * nor in its tangent plane, or where supports that hold a node in the
      * same direction prescribe different displacements at one of `times`.
+     * Without contacts, rules are those of the bodies by themselves.
      */
-    NodeRules(const Bodies &bodies, const std::vector<double> &times);
+    NodeRules(const Bodies              &bodies,
+              const std::vector<double> &times,
+              const bool                 with_contacts = true);
 
     /** Sorted by body and node. */
     const std::vector<NodeRule> &

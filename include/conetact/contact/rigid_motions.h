@@ -7,31 +7,106 @@
 #include "conetact/contact/coordinates.h"
 
 #include <string>
+#include <vector>
 
 namespace conetact
 {
   /**
-   * Small rigid motions of the bodies that no support resists, as seen by the
-   * contact nodes: the null space of the condensed stiffness. Nothing of size
-   * other than the number of contact unknowns and six a body is formed.
+   * Small rigid motions of the bodies, in closed form: displacements are kept
+   * as @f$u = R a + w@f$, a rigid motion R a of each body and a deformation w,
+   * since K R = 0 holds exactly only where nobody computes it. What supports
+   * prescribe gives each body its placement; motions that no rigid support
+   * resists are its free motions, unknowns with a balance of their own.
+   * Amounts are lengths: rotations move the rim of a body by about 1.
    */
   class RigidMotions
   {
   public:
     /**
-     * Throws InputError if a body can move rigidly although all contact
-     * unknowns stand still: nothing would hold it.
+     * Throws InputError where a body that no contact can reach is not held.
+     * What is given must outlive the object.
      */
     RigidMotions(const Bodies      &bodies,
                  const NodeRules   &rules,
                  const Coordinates &coordinates);
 
-    /** Columns span the free motions in the contact unknowns. */
+    /** Amounts of all modes of all bodies, 3 a body in 2D, 6 in 3D. */
+    using Amounts = Eigen::VectorXd;
+
+    /**
+     * Rigid motions nearest to what supports prescribe at time t, the smallest
+     * of them where they leave some open.
+     */
+    Amounts
+    placement(const double t) const;
+    /** The amounts of all modes from those of the free motions. */
+    Amounts
+    of_free(const Eigen::VectorXd &a) const
+    {
+      return free_modes * a;
+    }
+    /** Displacements of all dofs of all bodies. */
+    Eigen::VectorXd
+    field(const Amounts &amounts) const;
+    /** R^T f: forces on all dofs against all modes. */
+    Amounts
+    resultants(const Eigen::VectorXd &forces) const;
+    /** Displacement at a node of a body. */
+    Tensor<1, 3>
+    at(const Amounts     &amounts,
+       const unsigned int body,
+       const unsigned int node) const;
+    /** How far the motion turns a body [rad]. */
+    double
+    rotation(const Amounts &amounts, const unsigned int body) const;
+    /** Distance of a body's nodes from its centre, at most [length]. */
+    double
+    size(const unsigned int body) const
+    {
+      return frames[body].size;
+    }
+
+    Eigen::Index
+    n_free() const
+    {
+      return free_modes.cols();
+    }
+    /** The body of each free motion. */
+    const std::vector<unsigned int> &
+    body_of_free() const
+    {
+      return free_body;
+    }
+    /** Columns: free motions in the modes of all bodies. */
     const Eigen::MatrixXd &
+    free() const
+    {
+      return free_modes;
+    }
+    /** G: the free motions as contact unknowns see them. */
+    const Eigen::MatrixXd &
+    seen() const
+    {
+      return seen_by_contacts;
+    }
+    /** Combinations of the free motions that no foundation resists either. */
+    const Eigen::MatrixXd &
+    unresisted() const
+    {
+      return without_springs;
+    }
+    /** Those as the contact unknowns see them. */
+    Eigen::MatrixXd
     null_space() const
     {
-      return contact_part;
+      return seen_by_contacts * without_springs;
     }
+    /**
+     * Combinations of free motions that neither foundations nor contacts with
+     * all their unknowns resist; orthonormal columns.
+     */
+    Eigen::MatrixXd
+    unseen() const;
 
     /** A rigid motion of one body: u(x) = translation + rotation x (x - x0). */
     struct Motion
@@ -48,15 +123,43 @@ namespace conetact
      */
     Motion
     motion(const Eigen::VectorXd &combination) const;
+    /** The same of a combination of the free motions. */
+    Motion
+    motion_of_free(const Eigen::VectorXd &a) const
+    {
+      return largest(free_modes * a);
+    }
 
   private:
-    Motion
-    largest(const Eigen::VectorXd &modes) const;
+    using Index = Eigen::Index;
 
-    const Bodies       &bodies;
-    std::vector<Motion> frames;       ///< of each body, without motion
-    Eigen::MatrixXd     free_modes;   ///< columns: modes of all bodies
-    Eigen::MatrixXd     contact_part; ///< the same seen by the contacts
+    Motion
+    largest(const Amounts &amounts) const;
+    void
+    find_held_and_free();
+    void
+    find_resisted();
+    void
+    see_contacts(const Coordinates &coordinates);
+    void
+    refuse_loose_bodies() const;
+    /** direction . R at p, the modes of a body. */
+    Eigen::RowVectorXd
+    row(const unsigned int  body,
+        const Point<3>     &p,
+        const Tensor<1, 3> &direction) const;
+
+    const Bodies        &bodies;
+    const NodeRules     &rules;
+    std::vector<Motion>  frames;   ///< of each body, without motion
+    std::vector<Index>   offset;   ///< first dof of each body
+    Index                n_one;    ///< modes of a body
+    Eigen::MatrixXd      held;     ///< sum of row^T row over held directions
+    Eigen::MatrixXd      held_inverse; ///< pseudo-inverse of it
+    Eigen::MatrixXd      free_modes;
+    std::vector<unsigned int> free_body;
+    Eigen::MatrixXd      without_springs;
+    Eigen::MatrixXd      seen_by_contacts;
   };
 
   /** "along (1, 0, 0)", "about (0, 0, 1)", "along ... and about ...". */

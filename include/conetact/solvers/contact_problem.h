@@ -25,10 +25,21 @@ namespace conetact
    *     |r_t| \le \mu r_n,\quad
    *     \Delta u_t \ne 0 \Rightarrow r_t = -\mu r_n \Delta u_t/|\Delta u_t| @f]
    * and one linear relation, in one of two forms:
-   * - stiffness: @f$K v = r + f@f$, K symmetric and positive semidefinite
-   *   (singular for floating bodies), f in force units;
-   * - compliance: @f$v = W r + q@f$, W symmetric and positive semidefinite
-   *   (singular for rigid bodies and redundant contacts), q in length units.
+   * - stiffness: @f$K u = r + f@f$ with @f$v = u + o@f$, K symmetric and
+   *   positive semidefinite (singular for mechanisms), f in force units. The
+   *   offset o is what moves the nodes without strain: gaps, rigid parts of
+   *   the motion of supports and obstacles, less the slip so far;
+   * - compliance: @f$v = W r + G a + q,\ C a - G^T r - b = 0@f$, W positive
+   *   semidefinite (singular for rigid bodies and redundant contacts), q in
+   *   length units. The columns of G are the rigid motions that supports leave
+   *   free, a their amounts and the second equation the balance of forces on
+   *   them, C the stiffness of foundations against them. Balance is an
+   *   equation of its own: in a stiffness, rounding would carry it.
+   *
+   * Motions stand behind the contact unknowns, like nodes with one unknown
+   * each whose "reaction" is a and whose "displacement", the imbalance, is
+   * zero: matrix @f$\begin{pmatrix} W & G\\ -G^T & C\end{pmatrix}@f$, load
+   * (q, -b), r and v of a ContactState (r, a) and (v, imbalance).
    *
    * Any consistent units will do; no solver may depend on their choice.
    */
@@ -44,24 +55,33 @@ namespace conetact
     Form            form = Form::stiffness;
     Eigen::MatrixXd matrix; ///< K [force/length] or W [length/force], n x n
 
-    std::vector<Eigen::Index> first = {0}; ///< n_c + 1 offsets, first[0] = 0
-    Eigen::VectorXd           mu;          ///< n_c friction coefficients >= 0
+    /** n_c + n_motions + 1 offsets, first[0] = 0. */
+    std::vector<Eigen::Index> first = {0};
+    Eigen::VectorXd           mu; ///< n_c friction coefficients >= 0
+    Eigen::Index              n_motions = 0; ///< compliance form only
 
     /**
-     * Columns span the null space of K (n x k), as far as whoever filled the
-     * system knows it: floating bodies. Ignored in compliance form.
+     * Columns span the motions of the contact unknowns that no stiffness
+     * resists (n x k), as far as whoever filled the system knows them: floating
+     * bodies.
      */
     Eigen::MatrixXd null_space;
 
     Eigen::Index
     n_nodes() const
     {
-      return static_cast<Eigen::Index>(first.size()) - 1;
+      return static_cast<Eigen::Index>(first.size()) - 1 - n_motions;
     }
+    /** Of nodes and motions. */
     Eigen::Index
     n_unknowns() const
     {
       return first.back();
+    }
+    Eigen::Index
+    n_contact_unknowns() const
+    {
+      return n_unknowns() - n_motions;
     }
     /** Number of tangential unknowns of node i: 0, 1 or 2. */
     Eigen::Index
@@ -82,8 +102,10 @@ namespace conetact
   {
     std::shared_ptr<const ContactSystem> system;
 
-    Eigen::VectorXd load; ///< f [force] or q [length], n values
+    Eigen::VectorXd load; ///< f [force], or q [length] and -b, n values
     Eigen::VectorXd gap;  ///< gap g >= 0 at the start of the increment [length]
+    /** o of the stiffness form [length]; empty: zero. */
+    Eigen::VectorXd offset;
 
     /**
      * Largest nodal force of the load history so far [force]: loads that have
@@ -110,7 +132,16 @@ namespace conetact
     Eigen::VectorXd        v;    ///< (slip of the increment, new gap) [length]
     Eigen::VectorXd        r;    ///< total reaction on the body [force]
     std::vector<NodeState> node; ///< one a node; empty: cold start
+    /**
+     * u of the stiffness form [length], which v = u + o knows only to the
+     * rounding of o; empty: v - o. Not used where there is no offset.
+     */
+    Eigen::VectorXd u = {};
   };
+
+  /** u, whether the state has it or not. */
+  Eigen::VectorXd
+  elastic_part(const ContactProblem &problem, const ContactState &state);
 
   /** What a solver says of itself. No solver is believed: see residual(). */
   struct SolverReport
@@ -129,15 +160,29 @@ namespace conetact
   largest(const Eigen::VectorXd &x);
 
   /**
-   * The measure of every result, outside all solvers and free of units: with
-   * @f$\rho = tr K / n@f$ (compliance: n / tr W),
+   * Rounding of a displacement over the sizes of the positions it is the
+   * difference of: sums of a few terms.
+   */
+  constexpr double position_rounding = 16 * 2.2e-16;
+
+  /** Entries of x as far as they exceed what is allowed, one for one. */
+  Eigen::VectorXd
+  without_rounding(const Eigen::VectorXd &x, const Eigen::VectorXd &allowed);
+
+  /** The system's matrix times x. */
+  Eigen::VectorXd
+  multiply(const ContactSystem &system, const Eigen::VectorXd &x);
+
+  /**
+   * The measure of solvers, outside all of them and free of units: with
+   * @f$\rho_i = tr K_{ii} / dim@f$ (compliance: dim / tr W_ii),
    * @f[ e = |r - P_C(r - \rho (\Delta u_t, g + \mu |\Delta u_t|))| /
-   *         \max(|r|, \rho |v|, \rho |g_0|, f_{ref}) , @f]
+   *         \max(|r|, |f|, f_{ref}) , @f]
    * or the residual of the linear relation over the same scale, whichever is
-   * larger. P_C projects on the friction cones. Zero for the zero solution of
-   * a problem without load. Where v or r run away along a null space, as they
-   * do if there is no solution, they would hide any error behind their size:
-   * 1e-4 of the error over the data (load, gaps, f_ref) is a lower bound.
+   * larger; in compliance form the balance b takes the place of f. P_C projects
+   * on the friction cones. Only forces make the scale: displacements grow with
+   * the error where nothing holds a body. What is less than the rounding of
+   * the positions that a displacement is the difference of is no error.
    */
   double
   contact_residual(const ContactProblem &problem, const ContactState &state);

@@ -9,12 +9,14 @@
 /**
  * Both forms of a ContactProblem as one linear relation without units,
  * @f[ d = M p + l, @f]
- * in which p is the displacement and d the reaction (stiffness form), or the
- * other way round (compliance form). Node by node, displacements are divided
+ * in which p is the elastic displacement u and d the reaction (stiffness form),
+ * or p the reaction and d the displacement v, with the motions and their
+ * imbalance behind them (compliance form). Node by node, displacements are divided
  * by @f$\alpha/\sqrt{c_i}@f$ and reactions by @f$\alpha\sqrt{c_i}@f$, where
  * @f$c_i = tr K_{ii} / dim@f$ is the stiffness of node i and @f$\alpha@f$ makes
  * the largest load 1. Tangents and normal of a node are scaled alike, so the
- * law of friction keeps its form; every diagonal block of M has mean 1.
+ * law of friction keeps its form; every diagonal block of M has mean 1. Motions
+ * are scaled so that their columns of M have norm 1.
  */
 namespace conetact
 {
@@ -69,6 +71,35 @@ namespace conetact
       return scale;
     }
 
+    /** Displacements v, with the offset of the stiffness form. */
+    Array
+    displacements(const Array &p, const Array &d) const;
+    const Array &
+    reactions(const Array &p, const Array &d) const
+    {
+      return stiffness() ? d : p;
+    }
+    /** The offset o, zero in compliance form. */
+    const Array &
+    offset() const
+    {
+      return scaled_offset;
+    }
+
+    /**
+     * What displacements v are known to at p, in compliance form; as in
+     * contact_residual().
+     */
+    Array
+    rounding(const Array &p) const;
+
+    /**
+     * A force that residuals may be compared with: of reactions p or d, loads
+     * and the history.
+     */
+    double
+    force_scale(const Array &p, const Array &d) const;
+
     /** State with units to (p, d) without, and back. */
     void
     to_scaled(const ContactState &state, Array &p, Array &d) const;
@@ -80,7 +111,9 @@ namespace conetact
     bool                                 has_units;
     Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
     double alpha = 1; ///< sqrt(force x length)
-    Array  scaled_load;
+    Array  scaled_load, scaled_offset;
+    bool   has_offset = false;
+    double load_force = 0; ///< that is known before anything is solved
   };
 } // namespace conetact
 

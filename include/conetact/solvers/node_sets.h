@@ -36,13 +36,20 @@ namespace conetact
                 const Eigen::VectorXd &p,
                 const Eigen::VectorXd &d);
 
+  /** Laws of the motions: their imbalance is to vanish. */
+  void
+  append_balance(const LinearRelation  &relation,
+                 const Eigen::VectorXd &d,
+                 std::vector<NodeLaw>  &laws);
+
+  /** Laws of all nodes, then of all motions. */
   std::vector<NodeLaw>
   linearized_laws(const LinearRelation  &relation,
                   const NodeSets        &sets,
                   const Eigen::VectorXd &p,
                   const Eigen::VectorXd &d);
 
-  /** Norm of r - P(z) over the largest of |p|, |d| and 1. */
+  /** Norm of r - P(z) and of the imbalance, over the scale of forces. */
   double
   law_residual(const LinearRelation  &relation,
                const Eigen::VectorXd &p,

@@ -6,6 +6,7 @@
 
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/newton_system.h"
+#include "conetact/solvers/node_sets.h"
 
 #include <vector>
 
@@ -67,7 +68,10 @@ namespace conetact
     }
 
   private:
-    /** One point of the iteration; p and d as in LinearRelation. */
+    /**
+     * One point of the iteration; p and d as in LinearRelation, but p is v in
+     * stiffness form.
+     */
     struct Point
     {
       Array lambda, y; ///< one a node: lambda and the independent mu r_n
@@ -138,6 +142,7 @@ namespace conetact
 
     const LinearRelation  &relation;
     const SmoothingOptions options;
+    Array                  load; ///< d = M p + load
     NewtonSystem           newton;
     Point                  x;
     double                 m, eps, beta;

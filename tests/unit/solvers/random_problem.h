@@ -24,6 +24,8 @@ namespace conetact
     double       mu_max   = 1;  ///< mu is uniform between 0 and this
     double       zero_mu  = 0;  ///< share of nodes without friction
     Eigen::Index nullity  = 0;  ///< dimension of the null space
+    Eigen::Index motions  = 0;  ///< of the compliance form
+    double       drift    = 0;  ///< how far motions go [length]
     double       coupling = .5; ///< 0: block diagonal; 1: mostly coupled
     double       open = .3, slip = .3; ///< shares of the states
     unsigned int seed   = 1;
@@ -165,6 +167,23 @@ namespace conetact
       }
     s.v *= o.length;
     s.r *= o.force;
+    if (o.motions > 0)
+      {
+        const Eigen::Index k = o.motions;
+        for (Eigen::Index j = 0; j < k; ++j)
+          system->first.push_back(system->first.back() + 1);
+        system->n_motions                = k;
+        const Eigen::MatrixXd G          = random_matrix(random, n, k);
+        Eigen::MatrixXd       all        = Eigen::MatrixXd::Zero(n + k, n + k);
+        all.topLeftCorner(n, n)          = system->matrix;
+        all.topRightCorner(n, k)         = G;
+        all.bottomLeftCorner(k, n)       = -G.transpose();
+        system->matrix                   = all;
+        s.v.conservativeResize(n + k);
+        s.r.conservativeResize(n + k);
+        s.v.tail(k).setZero();
+        s.r.tail(k) = o.drift * random_matrix(random, k, 1);
+      }
     const bool stiffness = o.form == Form::stiffness;
     system->matrix *= stiffness ? o.force / o.length : o.length / o.force;
     result.problem.load   = stiffness ? (system->matrix * s.v - s.r).eval() :

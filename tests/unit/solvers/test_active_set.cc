@@ -210,3 +210,27 @@ TEST(ActiveSet, RigidTableOnFourLegs)
   EXPECT_TRUE(report.converged) << report.reason;
   EXPECT_NEAR(state.r.sum(), 4, 1e-12);
 }
+
+TEST(ActiveSet, MotionsFollowFromBalance)
+{
+  for (const int tangents : {0, 1, 2})
+    for (const unsigned int seed : {1, 2, 3})
+      for (const double drift : {0., 1., 1e6})
+        {
+          RandomOptions o;
+          o.form                     = Form::compliance;
+          o.tangents                 = tangents;
+          o.n_nodes                  = 40;
+          o.motions                  = 3;
+          o.mu_max                   = .3;
+          o.drift                    = drift;
+          o.seed                     = seed;
+          const RandomProblem random = random_problem(o);
+          ContactState        state  = random.solution;
+          state.r.head(state.r.size() - 3) *= .9;
+          const SolverReport report = solve(random.problem, state);
+          EXPECT_TRUE(report.converged) << report.reason;
+          EXPECT_LT((state.r - random.solution.r).head(state.r.size() - 3).norm(),
+                    1e-11 * std::max(1., drift));
+        }
+}

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_dual_backend_h
+#define conetact_contact_dual_backend_h
+
+#include "conetact/contact/body_coordinates.h"
+#include "conetact/contact/elastic_backend.h"
+#include "conetact/contact/elastic_system.h"
+#include "conetact/contact/rigid_motions.h"
+#include "conetact/contact/super_element.h"
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Bodies that condense themselves, and contacts as rows H over them:
+   * @f[ v = W r + G a + q,\quad W = \sum_b H_b P_b H_b^T,\quad G = H R, @f]
+   * with the balance of each free motion as an equation of its own (compliance
+   * form of ContactProblem). Flexibilities of stiff and soft bodies just add:
+   * no digits are lost where stiffnesses differ, nor where bodies float or move
+   * far. Equal bodies share a SuperElement. Foundations K_s are part of a
+   * body's stiffness; against its free motions they act as
+   * @f[ Y = -P K_s R,\quad G = H (R + Y),\quad
+   *     C = R^T K_s R + R^T K_s Y . @f]
+   * The form of FETI methods with friction (Dostal, Kozubek, Horyl, Brzobohaty,
+   * Markopoulos, Comput. Struct. 2012).
+   */
+  class DualBackend : public ElasticBackend
+  {
+  public:
+    /**
+     * `coordinates` number contact unknowns, `plain` are those of the same
+     * bodies without contacts. Throws SingularMatrix. All but `set` must
+     * outlive the object.
+     */
+    DualBackend(const ElasticSystem &elastic,
+                const Coordinates   &coordinates,
+                const Coordinates   &plain,
+                const RigidMotions  &motions,
+                const WorkingSet    &set);
+
+    const WorkingSet &
+    working_set() const override
+    {
+      return set;
+    }
+    const std::shared_ptr<const ContactSystem> &
+    system() const override
+    {
+      return contact_system;
+    }
+    Eigen::MatrixXd
+    expand(const std::vector<const LoadCase *> &loads,
+           const std::vector<Eigen::VectorXd>  &primal) const override;
+    Eigen::VectorXd
+    reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
+    Eigen::VectorXd
+    correction(const Eigen::VectorXd &unbalanced,
+               const Eigen::VectorXd &primal) const override;
+    bool
+    extend(const std::vector<Eigen::Index> &) override
+    {
+      return false;
+    }
+    double
+    factor_bytes() const override;
+    unsigned int
+    n_shared_bodies() const override;
+    SchurWork
+    work() const override;
+
+    /** What the factorisations would take; nothing is factorised. */
+    static FactorEstimate
+    estimate(const ElasticSystem &elastic,
+             const Coordinates   &coordinates,
+             const Coordinates   &plain,
+             const RigidMotions  &motions,
+             const WorkingSet    &set);
+
+  protected:
+    void
+    reduce_one(const Eigen::VectorXd &forces,
+               const Eigen::VectorXd &prescribed,
+               LoadCase              &load) override;
+    Eigen::VectorXd
+    reduce_forces(const Eigen::VectorXd &b) const override;
+
+  private:
+    using Index    = Eigen::Index;
+    using VectorXd = Eigen::VectorXd;
+    using MatrixXd = Eigen::MatrixXd;
+
+    /** A body, or several equal ones. */
+    struct Part
+    {
+      std::vector<unsigned int>     bodies;
+      std::vector<Index>            retained; ///< of each body's own unknowns
+      std::unique_ptr<SuperElement> element;
+    };
+    /** Free motions of a body in its own unknowns. */
+    struct BodyMotions
+    {
+      Index    first = 0; ///< among all free motions
+      MatrixXd R, spring_forces, Y;
+    };
+
+    void
+    write_rows();
+    void
+    find_parts();
+    void
+    retain(const unsigned int body, std::vector<bool> &kept) const;
+    void
+    retain_anchors(const unsigned int body, std::vector<bool> &kept) const;
+    void
+    find_motions();
+    void
+    condense();
+    void
+    respond_to_springs();
+    void
+    assemble_system();
+    MatrixXd
+    flexibility() const;
+    /** Deformations of all own unknowns under forces on them (columns). */
+    MatrixXd
+    deform(const MatrixXd &forces) const;
+    /** -(forces against the free motions, foundations included). */
+    VectorXd
+    imbalance(const VectorXd &forces) const;
+    /** Forces on own unknowns of reactions and free motions. */
+    VectorXd
+    forces_of(const VectorXd &primal) const;
+    Index
+    n_own(const unsigned int body) const
+    {
+      return own.end(body) - own.begin(body);
+    }
+
+    struct Empty
+    {};
+    /** Without factors, for an estimate. */
+    DualBackend(const ElasticSystem &elastic,
+                const Coordinates   &coordinates,
+                const Coordinates   &plain,
+                const RigidMotions  &motions,
+                const WorkingSet    &set,
+                const Empty);
+
+    const ElasticSystem                 &elastic;
+    const Coordinates                   &coordinates;
+    const Coordinates                   &plain;
+    const RigidMotions                  &motions;
+    WorkingSet                           set;
+    BodyCoordinates                      own;
+    Eigen::SparseMatrix<double>          H; ///< of own unknowns
+    std::vector<Part>                    parts;
+    std::vector<BodyMotions>             body_motions;
+    std::shared_ptr<const ContactSystem> contact_system;
+  };
+} // namespace conetact
+
+#endif

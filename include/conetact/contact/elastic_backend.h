@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_elastic_backend_h
+#define conetact_contact_elastic_backend_h
+
+#include "conetact/contact/schur_solver.h"
+#include "conetact/contact/working_set.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace conetact
+{
+  /** A load case, seen by the contact unknowns of a working set. */
+  struct LoadCase
+  {
+    Eigen::VectorXd prescribed; ///< deformation that supports give, all dofs
+                                ///< [length]
+    Eigen::VectorXd b; ///< its forces on the elastic unknowns [force]
+    /**
+     * Load of a ContactProblem in total terms: f [force] in stiffness form, q
+     * [length] and -b [force] in compliance form.
+     */
+    Eigen::VectorXd f;
+    /** Elastic displacements, where nothing may touch [length]. */
+    Eigen::VectorXd q;
+    /**
+     * What moves all candidates' unknowns without strain: placements of bodies
+     * by their supports less the motion of obstacles [length].
+     */
+    Eigen::VectorXd offset;
+    Eigen::VectorXd placement; ///< amounts of RigidMotions
+  };
+
+  /**
+   * The elastic answer of all bodies to the nodes of a working set that may
+   * touch, whichever way it comes about. Displacements are the deformation w
+   * of RigidMotions. What is primal is p of the solver's linear relation:
+   * elastic displacements of the contact unknowns in stiffness form, reactions
+   * and free motions in compliance form.
+   */
+  class ElasticBackend
+  {
+  public:
+    virtual ~ElasticBackend() = default;
+
+    virtual const WorkingSet &
+    working_set() const = 0;
+    /** The relation of contact unknowns, cones, motions without resistance. */
+    virtual const std::shared_ptr<const ContactSystem> &
+    system() const = 0;
+
+    /**
+     * Nodal `forces` on all dofs and the prescribed deformation. A load case
+     * that is a linear combination of earlier ones costs no solve.
+     */
+    LoadCase
+    reduce(const Eigen::VectorXd &forces, const Eigen::VectorXd &prescribed);
+
+    /** Deformation of all dofs, a column for each load case and its primal. */
+    virtual Eigen::MatrixXd
+    expand(const std::vector<const LoadCase *> &loads,
+           const std::vector<Eigen::VectorXd>  &primal) const = 0;
+
+    /**
+     * Iterative refinement: what forces on all dofs that are not balanced take
+     * from LoadCase::f, and the change of the deformation that takes them away
+     * while the primal unknowns change by `primal`.
+     */
+    virtual Eigen::VectorXd
+    reduce_unbalanced(const Eigen::VectorXd &unbalanced) const = 0;
+    virtual Eigen::VectorXd
+    correction(const Eigen::VectorXd &unbalanced,
+               const Eigen::VectorXd &primal) const = 0;
+
+    /**
+     * Adds candidates to the set. False if it has to be made anew for that, or
+     * if that is cheaper.
+     */
+    virtual bool
+    extend(const std::vector<Eigen::Index> &nodes) = 0;
+
+    /** Load cases that were reduced by the solver. */
+    unsigned int
+    n_reductions() const
+    {
+      return n_reduced;
+    }
+    virtual double
+    factor_bytes() const = 0;
+    /** Bodies for which an equal one is condensed. */
+    virtual unsigned int
+    n_shared_bodies() const = 0;
+    /** Work with the factors so far. */
+    virtual SchurWork
+    work() const = 0;
+
+  protected:
+    /** Fills b, f and q of one load case. */
+    virtual void
+    reduce_one(const Eigen::VectorXd &forces,
+               const Eigen::VectorXd &prescribed,
+               LoadCase              &load) = 0;
+    /** Its f once more, after candidates were added. */
+    void
+    reduce_again();
+    virtual Eigen::VectorXd
+    reduce_forces(const Eigen::VectorXd &b) const = 0;
+
+    /** Makes prescribed displacements as large as forces. */
+    double stiffness_scale = 1;
+
+  private:
+    /** An orthonormal basis of load cases, and what they reduce to. */
+    struct Known
+    {
+      Eigen::VectorXd direction; ///< (forces, stiffness_scale x prescribed)
+      LoadCase        load;
+    };
+    std::vector<Known> basis;
+    unsigned int       n_reduced = 0;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_verification_external_forces_h
+#define conetact_verification_external_forces_h
+
+#include "conetact/contact/coordinates.h"
+#include "conetact/contact/elastic_system.h"
+#include "conetact/output/output.h"
+
+#include <vector>
+
+namespace conetact
+{
+  struct ContactPoint;
+
+  /** Forces on one body that should balance, with their magnitudes. */
+  struct Balance
+  {
+    Resultant sum;       ///< moment about the body's centre
+    double    forces  = 0; ///< sum of magnitudes [force]
+    double    moments = 0; ///< sum of |arm x force| and |moment|
+    double    largest = 0; ///< force on a node [force]
+
+    /** The sum over the magnitudes, the larger of forces and moments. */
+    double
+    error() const;
+  };
+
+  /** Everything that acts on the bodies from outside at the undeformed nodes. */
+  struct ExternalForces
+  {
+    std::vector<Balance>   bodies;
+    std::vector<Resultant> contacts; ///< reactions on the bodies, by contact
+    std::vector<Resultant> masters;  ///< the same on their master bodies
+    std::vector<Resultant> supports; ///< of each support, with foundations
+    Resultant              loads;
+    Eigen::VectorXd        held; ///< forces of rigid supports, all dofs
+  };
+
+  /**
+   * `rest`: forces K w - loads - foundations - contacts on all dofs, which
+   * supports hold; `springs`: those of each foundation on the bodies; `loads`
+   * without thermal ones, which cancel by themselves.
+   */
+  ExternalForces
+  external_forces(const Bodies                       &bodies,
+                  const Coordinates                  &plain,
+                  const std::vector<ContactPoint>    &points,
+                  const Eigen::VectorXd              &rest,
+                  const std::vector<Eigen::VectorXd> &springs,
+                  const Eigen::VectorXd              &loads,
+                  const Eigen::VectorXd              &r);
+
+  /** Force on the body at a contact point. */
+  Tensor<1, 3>
+  reaction(const ContactPoint &point, const Eigen::VectorXd &r);
+
+  /** Where the reaction acts on the master: mean of its nodes. */
+  Point<3>
+  foot(const Bodies &bodies, const ContactNode &node);
+} // namespace conetact
+
+#endif

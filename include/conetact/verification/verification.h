@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_verification_verification_h
+#define conetact_verification_verification_h
+
+#include "conetact/contact/coordinates.h"
+#include "conetact/contact/elastic_system.h"
+#include "conetact/contact/rigid_motions.h"
+#include "conetact/verification/external_forces.h"
+
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /** A contact point as the verification sees it. */
+  struct ContactPoint
+  {
+    const ContactNode        *node = nullptr;
+    std::vector<Tensor<1, 3>> dual; ///< components of force, normal last
+    double                    mu = 0; ///< of the cone in these components
+    Eigen::Index              first = 0; ///< of its unknowns
+    double stiffness = 0; ///< of the softer side [force/length], 0: not known
+  };
+
+  /** What an increment claims: displacements R a + w and reactions. */
+  struct Claim
+  {
+    Eigen::VectorXd        amounts; ///< of all rigid motions
+    Eigen::VectorXd        w;       ///< deformation, all dofs [length]
+    Eigen::VectorXd        r;       ///< reactions of the contact unknowns
+    std::vector<NodeState> states;
+    Eigen::VectorXd        loads; ///< nodal, all dofs [force]
+    Eigen::VectorXd        mechanical; ///< those without thermal ones
+    double                 t     = 0;
+    bool                   whole = true; ///< not solved in parts
+    bool                   incremental = true; ///< law of the slip since
+                                               ///< before; else of all slip
+  };
+
+  /** What the verification finds of a claim. */
+  struct Finding
+  {
+    double residual    = 0; ///< worst error of the contact law, relative
+    double equilibrium = 0; ///< worst unbalanced force, relative
+    std::string why;        ///< it is not accepted, a sentence; empty: it is
+
+    Eigen::VectorXd unbalanced;    ///< forces on all dofs [force]
+    Eigen::VectorXd displacements; ///< of the contact unknowns, relative
+    std::vector<double> largest_force; ///< external, on a node, of each body
+    ExternalForces      external;
+  };
+
+  /**
+   * The judge of increments and points of load paths, which shares nothing
+   * with solvers but the definitions. External forces are the only scales: F_b
+   * is the largest external force on a node of body b in this increment, that
+   * of a contact the smaller one of its two sides. With the tolerance tol and
+   * the rounding eps,
+   * - every dof that nothing holds is in equilibrium up to
+   *   @f$tol\,F_b + 8\,eps \sum_j |K_{ij}|\,|w_j|@f$;
+   * - each body balances by itself, forces and moments, up to tol of the sum of
+   *   their magnitudes;
+   * - reactions lie in their cones and slip against them up to tol F;
+   * - closed gaps are closed and stuck nodes stick up to
+   *   @f$l = tol\,F/k + 16\,eps\,(|x| + |u|)@f$.
+   * Forces of the past count as rounding only.
+   */
+  class Verification
+  {
+  public:
+    /** What is given must outlive the object. */
+    Verification(const Bodies             &bodies,
+                 const ElasticSystem      &elastic,
+                 const Coordinates        &plain,
+                 const RigidMotions       &motions,
+                 std::vector<ContactPoint> points,
+                 const double              tolerance);
+
+    /**
+     * `stiffness` of each contact point may be set any time before. Judges
+     * against the state that was accepted last.
+     */
+    void
+    set_stiffness(const Eigen::VectorXd &stiffness);
+    Finding
+    judge(const Claim &claim) const;
+    /** The claim becomes the state that the next one is judged against. */
+    void
+    accept(const Claim &claim, const Finding &finding);
+
+    const std::vector<ContactPoint> &
+    contact_points() const
+    {
+      return points;
+    }
+
+  private:
+    struct Scales;
+    Scales
+    scales(const Claim &claim, const ExternalForces &external) const;
+    void
+    check_nodes(const Claim &claim, const Scales &scales, Finding &out) const;
+    void
+    check_bodies(const Scales &scales, Finding &out) const;
+    void
+    check_law(const Claim &claim, const Scales &scales, Finding &out) const;
+    Eigen::VectorXd
+    relative_displacements(const Eigen::VectorXd &u, const double t) const;
+
+    const Bodies             &bodies;
+    const ElasticSystem      &elastic;
+    const Coordinates        &plain;
+    const RigidMotions       &motions;
+    std::vector<ContactPoint> points;
+    double                    tolerance;
+    std::vector<double>       history; ///< largest force so far, of each body
+    Eigen::VectorXd           before;  ///< relative displacements
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,453 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/dual_backend.h"
+
+#include "conetact/contact/equal_bodies.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using SparseMatrix = Eigen::SparseMatrix<double>;
+    using Triplets     = std::vector<Eigen::Triplet<double>>;
+
+    std::size_t
+    at(const Index i)
+    {
+      return static_cast<std::size_t>(i);
+    }
+
+    /** factor * direction . u of a node, in own unknowns. */
+    void
+    append(const BodyCoordinates &own,
+           const Index            row,
+           const Index            dof,
+           const unsigned int     dim,
+           const Tensor<1, 3>    &direction,
+           Triplets              &entries)
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        if (direction[c] != 0)
+          {
+            const auto [begin, end] = own.row(dof + c);
+            for (const auto *entry = begin; entry != end; ++entry)
+              entries.emplace_back(row,
+                                   entry->unknown,
+                                   direction[c] * entry->factor);
+          }
+    }
+
+    /** Distance of p from a point, or from the line through two. */
+    double
+    distance(const Point<3> &p, const std::vector<Point<3>> &from)
+    {
+      const Tensor<1, 3> arm = p - from[0];
+      if (from.size() < 2)
+        return arm.norm();
+      const Tensor<1, 3> line = from[1] - from[0];
+      return cross_product_3d(line / line.norm(), arm).norm();
+    }
+  } // namespace
+
+  DualBackend::DualBackend(const ElasticSystem &e,
+                           const Coordinates   &c,
+                           const Coordinates   &p,
+                           const RigidMotions  &m,
+                           const WorkingSet    &s,
+                           const Empty)
+    : elastic(e)
+    , coordinates(c)
+    , plain(p)
+    , motions(m)
+    , set(s)
+    , own(elastic.bodies, plain, body_axes(elastic.bodies))
+    , H(set.layout().n_unknowns(), own.n_unknowns())
+  {
+    write_rows();
+    find_parts();
+  }
+
+  DualBackend::DualBackend(const ElasticSystem &e,
+                           const Coordinates   &c,
+                           const Coordinates   &p,
+                           const RigidMotions  &m,
+                           const WorkingSet    &s)
+    : DualBackend(e, c, p, m, s, Empty())
+  {
+    find_motions();
+    condense();
+    respond_to_springs();
+    assemble_system();
+  }
+
+  void
+  DualBackend::write_rows()
+  {
+    const unsigned int dim = elastic.bodies.dim;
+    Triplets           entries;
+    Index              row = 0;
+    for (const Index i : set.nodes())
+      {
+        const NodeRule    &rule = *coordinates.contact_rules()[at(i)];
+        const ContactNode &node = *rule.contact_node;
+        for (const Tensor<1, 3> &dual : rule.dual)
+          {
+            append(
+              own, row, plain.dof(rule.body, rule.node), dim, dual, entries);
+            for (const auto &[master, weight] : node.masters)
+              append(own,
+                     row,
+                     plain.dof(node.master, master),
+                     dim,
+                     -weight * dual,
+                     entries);
+            ++row;
+          }
+      }
+    H.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  void
+  DualBackend::find_parts()
+  {
+    const auto        n = static_cast<unsigned int>(elastic.bodies.names.size());
+    std::vector<bool> placed(n, false);
+    for (const auto &group : find_equal_bodies(elastic, own))
+      {
+        parts.push_back({group, {}, nullptr});
+        for (const unsigned int body : group)
+          placed[body] = true;
+      }
+    for (unsigned int body = 0; body < n; ++body)
+      if (!placed[body] && n_own(body) > 0)
+        parts.push_back({{body}, {}, nullptr});
+    for (Part &part : parts)
+      {
+        std::vector<bool> kept(at(n_own(part.bodies[0])), false);
+        for (const unsigned int body : part.bodies)
+          retain(body, kept);
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          if (kept[i])
+            part.retained.push_back(static_cast<Index>(i));
+      }
+  }
+
+  void
+  DualBackend::retain(const unsigned int body, std::vector<bool> &kept) const
+  {
+    for (Index p = own.begin(body); p < own.end(body); ++p)
+      if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
+        kept[at(p - own.begin(body))] = true;
+    if (std::count(motions.body_of_free().begin(),
+                   motions.body_of_free().end(),
+                   body) > 0)
+      retain_anchors(body, kept);
+  }
+
+  // A body that floats keeps some nodes far apart, or digits would go with the
+  // lever from its contacts to its ends; and a contact may be a single node.
+  void
+  DualBackend::retain_anchors(const unsigned int body,
+                              std::vector<bool> &kept) const
+  {
+    const Structure      &structure = *elastic.bodies.structures[body];
+    std::vector<Point<3>> chosen    = {structure.position(0)};
+    for (unsigned int k = 0; k < elastic.bodies.dim; ++k)
+      {
+        unsigned int best     = 0;
+        double       furthest = -1;
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+          {
+            const auto [begin, end] = own.unknowns_of(body, i);
+            const double d          = distance(structure.position(i), chosen);
+            if (end - begin >= elastic.bodies.dim && d > furthest)
+              {
+                furthest = d;
+                best     = i;
+              }
+          }
+        if (k == 0) // the first one only served to find it
+          chosen.clear();
+        chosen.push_back(structure.position(best));
+        const auto [begin, end] = own.unknowns_of(body, best);
+        for (Index p = begin; p < end; ++p)
+          kept[at(p - own.begin(body))] = true;
+      }
+  }
+
+  void
+  DualBackend::find_motions()
+  {
+    const auto &bodies = motions.body_of_free();
+    body_motions.resize(elastic.bodies.names.size());
+    for (unsigned int body = 0; body < body_motions.size(); ++body)
+      {
+        BodyMotions &own_motions = body_motions[body];
+        const auto   begin = std::find(bodies.begin(), bodies.end(), body);
+        const Index  k     = std::count(bodies.begin(), bodies.end(), body);
+        own_motions.first  = begin - bodies.begin();
+        own_motions.R.resize(n_own(body), k);
+        own_motions.spring_forces.setZero(n_own(body), k);
+        for (Index j = 0; j < k; ++j)
+          {
+            const VectorXd u =
+              motions.field(motions.free().col(own_motions.first + j));
+            own_motions.R.col(j) =
+              own.values(u).segment(own.begin(body), n_own(body));
+            own_motions.spring_forces.col(j) =
+              own.restrict(elastic.spring_forces(u))
+                .segment(own.begin(body), n_own(body));
+          }
+      }
+  }
+
+  void
+  DualBackend::condense()
+  {
+    const SparseMatrix all = assemble(elastic, own);
+    for (Part &part : parts)
+      {
+        const unsigned int        body  = part.bodies[0];
+        const Index               begin = own.begin(body), n = n_own(body);
+        std::vector<unsigned int> nodes;
+        for (Index p = begin; p < own.end(body); ++p)
+          nodes.push_back(own.node_of(p));
+        part.element =
+          std::make_unique<SuperElement>(all.block(begin, begin, n, n),
+                                         nodes,
+                                         part.retained,
+                                         body_motions[body].R);
+      }
+  }
+
+  void
+  DualBackend::respond_to_springs()
+  {
+    for (const Part &part : parts)
+      for (const unsigned int body : part.bodies)
+        {
+          BodyMotions &m = body_motions[body];
+          m.Y = m.spring_forces.isZero(0) ?
+                  MatrixXd(MatrixXd::Zero(m.R.rows(), m.R.cols())) :
+                  MatrixXd(part.element->deform(-m.spring_forces));
+        }
+  }
+
+  Eigen::MatrixXd
+  DualBackend::flexibility() const
+  {
+    MatrixXd W = MatrixXd::Zero(H.rows(), H.rows());
+    for (const Part &part : parts)
+      for (const unsigned int body : part.bodies)
+        {
+          const SparseMatrix all =
+            H.middleCols(own.begin(body), n_own(body));
+          Triplets entries;
+          for (std::size_t k = 0; k < part.retained.size(); ++k)
+            for (SparseMatrix::InnerIterator it(all, part.retained[k]); it; ++it)
+              entries.emplace_back(it.row(), static_cast<Index>(k), it.value());
+          SparseMatrix rows(H.rows(),
+                            static_cast<Index>(part.retained.size()));
+          rows.setFromTriplets(entries.begin(), entries.end());
+          const MatrixXd half = rows * part.element->flexibility();
+          W.noalias() += half * rows.transpose();
+        }
+    return .5 * (W + W.transpose());
+  }
+
+  void
+  DualBackend::assemble_system()
+  {
+    auto        system = std::make_shared<ContactSystem>(set.layout());
+    const Index n = H.rows(), k = motions.n_free();
+    system->form      = Form::compliance;
+    system->n_motions = k;
+    for (Index j = 0; j < k; ++j)
+      system->first.push_back(system->first.back() + 1);
+    system->matrix.setZero(n + k, n + k);
+    system->matrix.topLeftCorner(n, n) = flexibility();
+    for (unsigned int body = 0; body < body_motions.size(); ++body)
+      {
+        const BodyMotions &m = body_motions[body];
+        const Index        first = n + m.first, size = m.R.cols();
+        if (size == 0)
+          continue;
+        const MatrixXd G =
+          H.middleCols(own.begin(body), n_own(body)) * (m.R + m.Y);
+        system->matrix.block(0, first, n, size) = G;
+        system->matrix.block(first, 0, size, n) = -G.transpose();
+        const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
+        system->matrix.block(first, first, size, size) =
+          .5 * (C + C.transpose());
+      }
+    system->null_space = set.gather(motions.null_space());
+    contact_system     = system;
+    // loads and prescribed displacements are kept apart by their sizes only
+    stiffness_scale =
+      n > 0 && system->matrix.diagonal().head(n).sum() > 0 ?
+        static_cast<double>(n) / system->matrix.diagonal().head(n).sum() :
+        1.;
+  }
+
+  Eigen::MatrixXd
+  DualBackend::deform(const MatrixXd &forces) const
+  {
+    MatrixXd p(forces.rows(), forces.cols());
+    for (const Part &part : parts)
+      for (const unsigned int body : part.bodies)
+        p.middleRows(own.begin(body), n_own(body)) = part.element->deform(
+          forces.middleRows(own.begin(body), n_own(body)));
+    return p;
+  }
+
+  Eigen::VectorXd
+  DualBackend::imbalance(const VectorXd &forces) const
+  {
+    VectorXd sum(motions.n_free());
+    for (unsigned int body = 0; body < body_motions.size(); ++body)
+      {
+        const BodyMotions &m = body_motions[body];
+        if (m.R.cols() > 0)
+          sum.segment(m.first, m.R.cols()) =
+            -(m.R + m.Y).transpose() *
+            forces.segment(own.begin(body), n_own(body));
+      }
+    return sum;
+  }
+
+  Eigen::VectorXd
+  DualBackend::forces_of(const VectorXd &primal) const
+  {
+    VectorXd forces = H.transpose() * primal.head(H.rows());
+    for (unsigned int body = 0; body < body_motions.size(); ++body)
+      {
+        const BodyMotions &m = body_motions[body];
+        if (m.R.cols() > 0)
+          forces.segment(own.begin(body), n_own(body)) -=
+            m.spring_forces * primal.segment(H.rows() + m.first, m.R.cols());
+      }
+    return forces;
+  }
+
+  void
+  DualBackend::reduce_one(const VectorXd &forces,
+                          const VectorXd &prescribed,
+                          LoadCase       &load)
+  {
+    load.b = own.restrict(forces - elastic.internal_forces(prescribed));
+    load.f = reduce_forces(load.b);
+    // R^T K = 0 but for rounding, which must not carry anything
+    const VectorXd rounding =
+      own.restrict(elastic.structure_forces(prescribed));
+    for (unsigned int body = 0; body < body_motions.size(); ++body)
+      {
+        const BodyMotions &m = body_motions[body];
+        if (m.R.cols() > 0)
+          load.f.segment(H.rows() + m.first, m.R.cols()) -=
+            m.R.transpose() * rounding.segment(own.begin(body), n_own(body));
+      }
+  }
+
+  Eigen::VectorXd
+  DualBackend::reduce_forces(const VectorXd &b) const
+  {
+    VectorXd w = VectorXd::Zero(b.size());
+    for (const Part &part : parts)
+      for (const unsigned int body : part.bodies)
+        {
+          const VectorXd kept =
+            part.element->flexibility() *
+            part.element->reduce(b.segment(own.begin(body), n_own(body)));
+          for (std::size_t k = 0; k < part.retained.size(); ++k)
+            w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
+        }
+    VectorXd f(H.rows() + motions.n_free());
+    f << H * w, imbalance(b);
+    return f;
+  }
+
+  Eigen::MatrixXd
+  DualBackend::expand(const std::vector<const LoadCase *> &loads,
+                      const std::vector<Eigen::VectorXd>  &primal) const
+  {
+    const auto n = static_cast<Index>(loads.size());
+    MatrixXd   forces(own.n_unknowns(), n);
+    for (Index k = 0; k < n; ++k)
+      forces.col(k) = loads[at(k)]->b + forces_of(primal[at(k)]);
+    const MatrixXd p = deform(forces);
+    MatrixXd       w(plain.n_dofs(), n);
+    for (Index k = 0; k < n; ++k)
+      w.col(k) = own.expand(p.col(k)) + loads[at(k)]->prescribed;
+    return w;
+  }
+
+  Eigen::VectorXd
+  DualBackend::reduce_unbalanced(const VectorXd &unbalanced) const
+  {
+    return reduce_forces(own.restrict(unbalanced));
+  }
+
+  Eigen::VectorXd
+  DualBackend::correction(const VectorXd &unbalanced,
+                          const VectorXd &primal) const
+  {
+    return own.expand(
+      deform(forces_of(primal) - own.restrict(unbalanced)));
+  }
+
+  double
+  DualBackend::factor_bytes() const
+  {
+    double sum = 0;
+    for (const Part &part : parts)
+      sum += part.element->solver().factor_bytes();
+    return sum;
+  }
+
+  unsigned int
+  DualBackend::n_shared_bodies() const
+  {
+    std::size_t n = 0;
+    for (const Part &part : parts)
+      n += part.bodies.size() - 1;
+    return static_cast<unsigned int>(n);
+  }
+
+  SchurWork
+  DualBackend::work() const
+  {
+    SchurWork sum;
+    for (const Part &part : parts)
+      sum += part.element->solver().work();
+    return sum;
+  }
+
+  FactorEstimate
+  DualBackend::estimate(const ElasticSystem &elastic,
+                        const Coordinates   &coordinates,
+                        const Coordinates   &plain,
+                        const RigidMotions  &motions,
+                        const WorkingSet    &set)
+  {
+    const DualBackend dual(elastic, coordinates, plain, motions, set, Empty());
+    const SparseMatrix all = assemble(elastic, dual.own);
+    FactorEstimate     sum;
+    for (const Part &part : dual.parts)
+      {
+        const unsigned int body  = part.bodies[0];
+        const Index        begin = dual.own.begin(body), n = dual.n_own(body);
+        std::vector<unsigned int> nodes;
+        for (Index p = begin; p < begin + n; ++p)
+          nodes.push_back(dual.own.node_of(p));
+        sum += SuperElement::estimate(all.block(begin, begin, n, n),
+                                      nodes,
+                                      part.retained);
+        sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
+      }
+    return sum;
+  }
+} // namespace conetact

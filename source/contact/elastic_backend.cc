@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/elastic_backend.h"
+
+namespace conetact
+{
+  namespace
+  {
+    /** More different loads than this are forgotten and begun anew. */
+    constexpr std::size_t largest_basis = 8;
+
+    void
+    add(const double factor, const Eigen::VectorXd &x, Eigen::VectorXd &sum)
+    {
+      if (sum.size() == 0)
+        sum.setZero(x.size());
+      sum += factor * x;
+    }
+
+    void
+    add(const double factor, const LoadCase &part, LoadCase &sum)
+    {
+      add(factor, part.b, sum.b);
+      add(factor, part.f, sum.f);
+      add(factor, part.q, sum.q);
+    }
+  } // namespace
+
+  LoadCase
+  ElasticBackend::reduce(const Eigen::VectorXd &forces,
+                         const Eigen::VectorXd &prescribed)
+  {
+    const Eigen::Index n = forces.size();
+    LoadCase           load;
+    load.prescribed = prescribed;
+    Eigen::VectorXd rest(2 * n);
+    rest << forces, stiffness_scale * prescribed;
+
+    const double size    = rest.norm();
+    const auto   project = [&] {
+      for (const Known &known : basis)
+        {
+          const double part = known.direction.dot(rest);
+          rest -= part * known.direction;
+          add(part, known.load, load);
+        }
+    };
+    project();
+    project(); // twice is enough for orthogonality to round-off
+    const double norm = rest.norm();
+    if (norm <= 1e-15 * size && !basis.empty())
+      return load;
+
+    if (basis.size() == largest_basis)
+      basis.clear();
+    Known known;
+    known.direction = norm > 0 ? Eigen::VectorXd(rest / norm) : rest;
+    reduce_one(known.direction.head(n),
+               known.direction.tail(n) / stiffness_scale,
+               known.load);
+    if (norm > 0)
+      ++n_reduced;
+    add(norm, known.load, load);
+    if (norm > 0)
+      basis.push_back(std::move(known));
+    return load;
+  }
+
+  void
+  ElasticBackend::reduce_again()
+  {
+    for (Known &known : basis)
+      known.load.f = reduce_forces(known.load.b);
+  }
+} // namespace conetact

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/verification/external_forces.h"
+
+#include "conetact/verification/verification.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  namespace
+  {
+    Tensor<1, 3>
+    at_node(const Eigen::VectorXd &f,
+            const Eigen::Index     dof,
+            const unsigned int     dim)
+    {
+      Tensor<1, 3> force;
+      for (unsigned int c = 0; c < dim; ++c)
+        force[c] = f[dof + c];
+      return force;
+    }
+
+    /** Moment of the dofs that rotate: theta_z in 2D, x, y, z in 3D. */
+    Tensor<1, 3>
+    moment_at_node(const Eigen::VectorXd &f,
+                   const Eigen::Index     dof,
+                   const unsigned int     dim,
+                   const unsigned int     n_components)
+    {
+      Tensor<1, 3> moment;
+      for (unsigned int c = dim; c < n_components; ++c)
+        moment[dim == 2 ? 2 : c - dim] = f[dof + c];
+      return moment;
+    }
+
+    Point<3>
+    centre_of(const Structure &structure)
+    {
+      Point<3>           centre;
+      const unsigned int n = structure.n_nodes();
+      for (unsigned int i = 0; i < n; ++i)
+        centre += Tensor<1, 3>(structure.position(i)) / n;
+      return centre;
+    }
+
+    /** Adds forces to the sums of the scene and of their body. */
+    class Collector
+    {
+    public:
+      Collector(const Bodies &b, ExternalForces &e)
+        : bodies(b)
+        , all(e)
+      {
+        for (const Structure *structure : bodies.structures)
+          centres.push_back(centre_of(*structure));
+        all.bodies.resize(bodies.structures.size());
+      }
+
+      void
+      act(Resultant          &resultant,
+          const unsigned int  body,
+          const Point<3>     &p,
+          const Tensor<1, 3> &force,
+          const Tensor<1, 3> &moment = Tensor<1, 3>())
+      {
+        if (force.norm_square() == 0 && moment.norm_square() == 0)
+          return; // as on most nodes
+        resultant.force += force;
+        resultant.moment +=
+          moment + cross_product_3d(Tensor<1, 3>(p), force);
+        Balance           &balance = all.bodies[body];
+        const Tensor<1, 3> turning =
+          cross_product_3d(p - centres[body], force);
+        balance.sum.force += force;
+        balance.sum.moment += moment + turning;
+        balance.forces += force.norm();
+        balance.moments += moment.norm() + turning.norm();
+        balance.largest = std::max(balance.largest, force.norm());
+      }
+
+      /** Forces on all dofs, nodes of one body or of all. */
+      void
+      act(Resultant             &resultant,
+          const Coordinates     &plain,
+          const Eigen::VectorXd &forces)
+      {
+        for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+          {
+            const Structure   &structure = *bodies.structures[body];
+            const unsigned int n_c       = structure.n_components();
+            Eigen::Index       dof       = plain.offset(body);
+            for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
+              act(resultant,
+                  body,
+                  structure.position(i),
+                  at_node(forces, dof, bodies.dim),
+                  moment_at_node(forces, dof, bodies.dim, n_c));
+          }
+      }
+
+    private:
+      const Bodies         &bodies;
+      ExternalForces       &all;
+      std::vector<Point<3>> centres;
+    };
+
+    /** Forces along what supports hold, each by the first that holds it. */
+    void
+    collect_supports(const Bodies          &bodies,
+                     const Coordinates     &plain,
+                     const Eigen::VectorXd &rest,
+                     Collector             &collector,
+                     ExternalForces        &all)
+    {
+      for (const NodeRule &rule : plain.rules().rules())
+        {
+          const Eigen::Index dof = plain.dof(rule.body, rule.node);
+          const Point<3> p = bodies.structures[rule.body]->position(rule.node);
+          const Tensor<1, 3> force = at_node(rest, dof, bodies.dim);
+          for (const HeldDirection &h : rule.held)
+            {
+              const Tensor<1, 3> part = (force * h.direction) * h.direction;
+              collector.act(
+                all.supports[h.terms.front().support], rule.body, p, part);
+              for (unsigned int c = 0; c < bodies.dim; ++c)
+                all.held[dof + c] += part[c];
+            }
+          for (const NodeRule::HeldRotation &h : rule.rotations)
+            {
+              Tensor<1, 3> moment;
+              moment[bodies.dim == 2 ? 2 : h.component - bodies.dim] =
+                rest[dof + h.component];
+              collector.act(
+                all.supports[h.support], rule.body, p, Tensor<1, 3>(), moment);
+              all.held[dof + h.component] = rest[dof + h.component];
+            }
+        }
+    }
+  } // namespace
+
+  double
+  Balance::error() const
+  {
+    return std::max(forces > 0 ? sum.force.norm() / forces : 0.,
+                    moments > 0 ? sum.moment.norm() / moments : 0.);
+  }
+
+  Tensor<1, 3>
+  reaction(const ContactPoint &point, const Eigen::VectorXd &r)
+  {
+    Tensor<1, 3> force;
+    for (std::size_t k = 0; k < point.dual.size(); ++k)
+      force += r[point.first + static_cast<Eigen::Index>(k)] * point.dual[k];
+    return force;
+  }
+
+  Point<3>
+  foot(const Bodies &bodies, const ContactNode &node)
+  {
+    Point<3> p;
+    for (const auto &[master, weight] : node.masters)
+      p += weight *
+           Tensor<1, 3>(bodies.structures[node.master]->position(master));
+    return node.masters.empty() ? node.position : p;
+  }
+
+  ExternalForces
+  external_forces(const Bodies                       &bodies,
+                  const Coordinates                  &plain,
+                  const std::vector<ContactPoint>    &points,
+                  const Eigen::VectorXd              &rest,
+                  const std::vector<Eigen::VectorXd> &springs,
+                  const Eigen::VectorXd              &loads,
+                  const Eigen::VectorXd              &r)
+  {
+    ExternalForces all;
+    all.held.setZero(rest.size());
+    all.supports.resize(bodies.supports.size());
+    Collector collector(bodies, all);
+    for (const ContactPoint &point : points)
+      {
+        const ContactNode &node = *point.node;
+        if (node.contact >= all.contacts.size())
+          {
+            all.contacts.resize(node.contact + 1);
+            all.masters.resize(node.contact + 1);
+          }
+        const Tensor<1, 3> force = reaction(point, r);
+        collector.act(
+          all.contacts[node.contact], node.body, node.position, force);
+        for (const auto &[master, weight] : node.masters)
+          collector.act(all.masters[node.contact],
+                        node.master,
+                        bodies.structures[node.master]->position(master),
+                        -weight * force);
+      }
+    collect_supports(bodies, plain, rest, collector, all);
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      if (springs[s].size() > 0)
+        collector.act(all.supports[s], plain, springs[s]);
+    collector.act(all.loads, plain, loads);
+    return all;
+  }
+} // namespace conetact

@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/verification/verification.h"
+
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    constexpr double eps = std::numeric_limits<double>::epsilon();
+
+    /** An error over its scale; where nothing acts, none is allowed. */
+    double
+    relative(const double error, const double scale)
+    {
+      if (error <= 0)
+        return 0;
+      return scale > 0 ? error / scale :
+                         std::numeric_limits<double>::infinity();
+    }
+
+    std::string
+    place(const Bodies &bodies, const ContactPoint &point)
+    {
+      return "the contact node at " + to_text(point.node->position) +
+             " of body '" + bodies.names[point.node->body] + "' ";
+    }
+  } // namespace
+
+  /** What errors of this increment are compared with. */
+  struct Verification::Scales
+  {
+    std::vector<double> nodal;   ///< F_b with thermal forces
+    std::vector<double> force;   ///< F_b
+    std::vector<double> history; ///< largest F_b so far
+    std::vector<double> reach;   ///< largest coordinate + displacement
+  };
+
+  Verification::Verification(const Bodies             &b,
+                             const ElasticSystem      &e,
+                             const Coordinates        &p,
+                             const RigidMotions       &m,
+                             std::vector<ContactPoint> contacts,
+                             const double              tol)
+    : bodies(b)
+    , elastic(e)
+    , plain(p)
+    , motions(m)
+    , points(std::move(contacts))
+    , tolerance(tol)
+    , history(bodies.structures.size(), 0.)
+    , before(VectorXd::Zero(
+        points.empty() ?
+          0 :
+          points.back().first + static_cast<Index>(points.back().dual.size())))
+  {}
+
+  void
+  Verification::set_stiffness(const VectorXd &stiffness)
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i].stiffness = stiffness[static_cast<Index>(i)];
+  }
+
+  VectorXd
+  Verification::relative_displacements(const VectorXd &u, const double t) const
+  {
+    VectorXd   v(before.size());
+    const auto at = [&](const unsigned int body, const unsigned int node) {
+      Tensor<1, 3> displacement;
+      for (unsigned int c = 0; c < bodies.dim; ++c)
+        displacement[c] = u[plain.dof(body, node) + c];
+      return displacement;
+    };
+    for (const ContactPoint &point : points)
+      {
+        const ContactNode &node = *point.node;
+        Tensor<1, 3>       d    = at(node.body, node.node);
+        if (node.obstacle != nullptr)
+          d -= node.obstacle->displacement_at(t);
+        for (const auto &[master, weight] : node.masters)
+          d -= weight * at(node.master, master);
+        for (std::size_t k = 0; k < point.dual.size(); ++k)
+          v[point.first + static_cast<Index>(k)] = d * point.dual[k];
+      }
+    return v;
+  }
+
+  Verification::Scales
+  Verification::scales(const Claim &claim, const ExternalForces &external) const
+  {
+    const VectorXd u = motions.field(claim.amounts) + claim.w;
+    Scales         scales;
+    scales.history = history;
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      {
+        const Structure   &structure = *bodies.structures[body];
+        const unsigned int n_c       = structure.n_components();
+        Index              dof       = plain.offset(body);
+        double largest_load = 0, coordinate = 0, moved = 0;
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
+          {
+            const auto size = [&](const VectorXd &f) {
+              return f.segment(dof, bodies.dim).norm();
+            };
+            largest_load = std::max(largest_load, size(claim.loads));
+            moved        = std::max(moved, size(u));
+            coordinate   = std::max(coordinate, structure.position(i).norm());
+          }
+        scales.force.push_back(external.bodies[body].largest);
+        scales.nodal.push_back(std::max(scales.force.back(), largest_load));
+        scales.reach.push_back(coordinate + moved);
+        scales.history[body] =
+          std::max(scales.history[body], scales.nodal.back());
+      }
+    return scales;
+  }
+
+  void
+  Verification::check_nodes(const Claim  &claim,
+                            const Scales &scales,
+                            Finding      &out) const
+  {
+    VectorXd free = plain.restrict(out.unbalanced), terms;
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      {
+        const unsigned int n_c = bodies.structures[body]->n_components();
+        for (Index dof = plain.offset(body); dof < plain.offset(body + 1); ++dof)
+          {
+            const auto [begin, end] = plain.row(dof);
+            const bool turns = (dof - plain.offset(body)) % n_c >= bodies.dim;
+            for (const auto *entry = begin; entry != end; ++entry)
+              {
+                const double error =
+                  std::abs(free[entry->unknown]) /
+                  (turns ? 2 * motions.size(body) : 1.);
+                const double scale = scales.nodal[body];
+                if (error <= eps * scales.history[body])
+                  continue;
+                if (error <= .1 * tolerance * scale)
+                  {
+                    out.equilibrium = std::max(out.equilibrium, error / scale);
+                    continue;
+                  }
+                if (terms.size() == 0) // only where they may matter
+                  terms = elastic.terms(claim.w);
+                const double left = error - 8 * eps * terms[dof] -
+                                    8 * eps * scales.history[body];
+                const double e = relative(left, scale);
+                out.equilibrium = std::max(out.equilibrium, e);
+                if (e > tolerance && out.why.empty())
+                  out.why = "forces at a node of body '" + bodies.names[body] +
+                            "' are out of balance by " + to_text(e) +
+                            " of the largest force on a node of it";
+              }
+          }
+      }
+  }
+
+  void
+  Verification::check_bodies(const Scales &scales, Finding &out) const
+  {
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      {
+        const Balance &balance = out.external.bodies[body];
+        const double   small   = 8 * eps * scales.history[body];
+        const double   size    = motions.size(body);
+        const double   e       = std::max(
+          relative(balance.sum.force.norm() - small, balance.forces),
+          relative(balance.sum.moment.norm() - small * size, balance.moments));
+        out.equilibrium = std::max(out.equilibrium, e);
+        if (e > tolerance && out.why.empty())
+          out.why = "the forces on body '" + bodies.names[body] +
+                    "' do not balance, by " + to_text(e) +
+                    " of the sum of their magnitudes";
+      }
+  }
+
+  void
+  Verification::check_law(const Claim  &claim,
+                          const Scales &scales,
+                          Finding      &out) const
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const ContactPoint &point = points[i];
+        const ContactNode  &node  = *point.node;
+        const unsigned int  other =
+          node.masters.empty() ? node.body : node.master;
+        const double F = std::min(scales.force[node.body], scales.force[other]);
+        const double past = 8 * eps * std::max(scales.history[node.body],
+                                               scales.history[other]);
+        const double position =
+          16 * eps * std::max(scales.reach[node.body], scales.reach[other]);
+        const double k = point.stiffness;
+
+        const auto   nt = static_cast<Index>(point.dual.size()) - 1;
+        const Index  n  = point.first + nt;
+        const double r_n = claim.r[n];
+        const double gap = node.gap + out.displacements[n];
+        const VectorXd r_t = claim.r.segment(point.first, nt);
+        const VectorXd slip =
+          out.displacements.segment(point.first, nt) -
+          (claim.incremental ? VectorXd(before.segment(point.first, nt)) :
+                               VectorXd(VectorXd::Zero(nt)));
+        const double limit = point.mu * r_n + node.cohesion;
+
+        double      worst = 0;
+        const char *what  = "";
+        const auto  force = [&](const double error, const char *name) {
+          const double e = relative(error - past, F);
+          if (e > worst)
+            what = name;
+          worst = std::max(worst, e);
+        };
+        const auto length = [&](const double error, const char *name) {
+          if (error <= position)
+            return;
+          const double e =
+            k > 0 ? relative((error - position) * k - past, F) :
+                    std::numeric_limits<double>::infinity();
+          if (e > worst)
+            what = name;
+          worst = std::max(worst, e);
+        };
+        force(-r_n, "is pulled by its contact");
+        force(r_t.norm() - std::max(limit, 0.), "carries more than friction");
+        if (claim.states[i] == NodeState::open)
+          {
+            force(std::abs(r_n) > past ? std::abs(r_n) + past : 0.,
+                  "is open and carries a force");
+            length(-gap, "penetrates");
+          }
+        else
+          length(std::abs(gap), "is closed and has a gap");
+        if (claim.whole && nt > 0 && point.mu > 0 &&
+            claim.states[i] == NodeState::stick)
+          length(slip.norm(), "sticks and slips");
+        if (claim.whole && nt > 0 && claim.states[i] == NodeState::slip)
+          {
+            force(limit - r_t.norm(), "slips below the limit of friction");
+            const double shortest =
+              position + (k > 0 ? tolerance * F / k : 0.);
+            if (slip.norm() > shortest)
+              force((r_t + limit * slip / slip.norm()).norm() -
+                      limit * position / slip.norm(),
+                    "does not slip against its friction");
+          }
+        if (!(worst <= out.residual))
+          out.residual = worst;
+        if (!(worst <= tolerance) && out.why.empty())
+          out.why = place(bodies, point) + what + ", by " + to_text(worst) +
+                    " of the largest force on a node of its body";
+      }
+  }
+
+  Finding
+  Verification::judge(const Claim &claim) const
+  {
+    Finding out;
+    if (!claim.amounts.allFinite() || !claim.w.allFinite() ||
+        !claim.r.allFinite())
+      {
+        out.why = "its displacements or forces are not finite";
+        out.residual = out.equilibrium =
+          std::numeric_limits<double>::infinity();
+        return out;
+      }
+    const VectorXd rigid = motions.field(claim.amounts);
+    const VectorXd u     = rigid + claim.w;
+    std::vector<VectorXd> springs = elastic.foundation_forces(u, claim.t);
+    VectorXd              rest    = elastic.structure_forces(claim.w);
+    rest -= claim.loads;
+    for (const VectorXd &spring : springs)
+      if (spring.size() > 0)
+        rest -= spring;
+    for (const ContactPoint &point : points)
+      {
+        const Tensor<1, 3> force = reaction(point, claim.r);
+        const auto take = [&](const unsigned int body, const unsigned int node,
+                              const double weight) {
+          for (unsigned int c = 0; c < bodies.dim; ++c)
+            rest[plain.dof(body, node) + c] -= weight * force[c];
+        };
+        take(point.node->body, point.node->node, 1);
+        for (const auto &[master, weight] : point.node->masters)
+          take(point.node->master, master, -weight);
+      }
+    out.unbalanced = rest;
+    plain.unhang(rest);
+    out.external = external_forces(
+      bodies, plain, points, rest, springs, claim.mechanical, claim.r);
+    out.displacements   = relative_displacements(u, claim.t);
+    const Scales limits = scales(claim, out.external);
+    out.largest_force   = limits.nodal;
+    check_nodes(claim, limits, out);
+    check_bodies(limits, out);
+    check_law(claim, limits, out);
+    return out;
+  }
+
+  void
+  Verification::accept(const Claim &, const Finding &finding)
+  {
+    before = finding.displacements;
+    for (std::size_t body = 0; body < history.size(); ++body)
+      history[body] = std::max(history[body], finding.largest_force[body]);
+  }
+} // namespace conetact
