@@ -215,6 +215,8 @@ namespace conetact
   Eigen::VectorXd
   Condensation::contact_forces(const Eigen::VectorXd &q) const
   {
+    if (is_linear()) // BLAS complains about products of no size
+      return Eigen::VectorXd(0);
     return contact_system->matrix.selfadjointView<Eigen::Lower>() *
            contact_part(q);
   }
