@@ -109,9 +109,15 @@ namespace
       }
   }
 
-  /** Whether there is another mesh to run the history on. */
+  /**
+   * Whether there is another mesh to run the history on; `writing` from when
+   * there are files on disk.
+   */
   bool
-  run_mesh(const CommandLine &line, AdaptiveRefinement &adaptive, Log &log)
+  run_mesh(const CommandLine  &line,
+           AdaptiveRefinement &adaptive,
+           Log                &log,
+           bool               &writing)
   {
     Scene scene(line);
     if (line.print_parameters)
@@ -140,6 +146,7 @@ namespace
     const std::filesystem::path folder = folder_of(line, scene);
     check_folder(folder);
     analysis->prepare();
+    writing = true;
     if (first)
       start_writing(folder, scene, log);
     run_history(*analysis, folder, line.quiet, log);
@@ -156,10 +163,19 @@ namespace
   {
     Log                log(line.quiet, line.dry_run);
     AdaptiveRefinement adaptive;
+    bool               writing = false;
     try
       {
-        while (run_mesh(line, adaptive, log))
+        while (run_mesh(line, adaptive, log, writing))
           {}
+      }
+    catch (const std::bad_alloc &)
+      {
+        const std::string why = "The scene needs more memory than there is. "
+                                "Use a coarser mesh or fewer contact nodes.";
+        if (writing)
+          throw AnalysisError(why);
+        throw InputError(why);
       }
     catch (const InputError &error)
       {
@@ -177,7 +193,8 @@ namespace
   int
   say(const std::string &sentence, const int code)
   {
-    std::cerr << "conetact: " << sentence << std::endl;
+    if (ranks_of_mpirun().rank == 0) // of many processes one speaks for all
+      std::cerr << "conetact: " << sentence << std::endl;
     return code;
   }
 } // namespace
@@ -190,6 +207,7 @@ main(int argc, char *argv[])
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try
     {
+      refuse_many_processes(ranks_of_mpirun().size);
       const CommandLine line = parse_command_line(argc, argv);
       if (line.answer.empty())
         run(line);
@@ -208,12 +226,6 @@ main(int argc, char *argv[])
   catch (const WriteError &error)
     {
       return say(error.what(), 3);
-    }
-  catch (const std::bad_alloc &)
-    {
-      return say("The scene needs more memory than there is. Use a coarser "
-                 "mesh or fewer contact nodes.",
-                 2);
     }
   catch (const dealii::ExceptionBase &error)
     {

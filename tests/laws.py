@@ -1203,7 +1203,7 @@ def hertz(laws):
     scene = {"Dimension": 3,
              "Body block": {"Mesh": {"Generator": "quarter_hyper_ball", "Arguments": "0, 0, 0 : 10",
                                      "Global refinements": 2, "Rotation": (0, 1, 0, 90), "Translation": (0, 0, radius),
-                                     "Refinement boxes": "-3, -3, 0 : 3, 3, 2 : 2 ; -1.6, -1.6, 0 : 1.6, 1.6, 0.8 : 1",
+                                     "Refinement boxes": "-3, -3, 0 : 3, 3, 2 : 2",
                                      "Boundary ids": "2: z < 2 && x^2 + y^2 > 0 && abs(x) > 1e-3 && abs(y) > 1e-3 && "
                                                      "x^2 + y^2 < 2.5^2; 4: abs(x) < 1e-9; 5: abs(y) < 1e-9; "
                                                      "6: z > 9.999999"},

@@ -62,6 +62,8 @@ class Compare(unittest.TestCase):
     def test_states_columns_and_rows(self):
         self.assertIn("state", faults(put(0, "state", "slip"))[0])
         self.assertIn("rows", faults(lambda rows: rows.pop())[0])
+        more = [{**row, "area": "1"} for row in table()[1]]
+        self.assertEqual(run_scene.compare("t", table(), (COLUMNS + ["area"], more), 1e-8), [])
         self.assertIn("columns", run_scene.compare("t", table(), (COLUMNS[:-1], table()[1]), 1e-8)[0])
 
 

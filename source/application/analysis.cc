@@ -75,6 +75,7 @@ namespace conetact
         model.elastic.ground_forces(t);
       }
     log.time("loads and supports at all times");
+    report_loads(loads, scene.bodies.dim, log);
   }
 
   void

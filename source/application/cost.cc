@@ -6,7 +6,6 @@
 #include "conetact/base/text.h"
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -113,14 +112,5 @@ namespace conetact
     rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     return 1024. * static_cast<double>(usage.ru_maxrss);
-  }
-
-
-
-  double
-  machine_memory()
-  {
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-           static_cast<double>(sysconf(_SC_PAGE_SIZE));
   }
 } // namespace conetact

@@ -4,6 +4,7 @@
 #include "conetact/application/scene_report.h"
 
 #include "conetact/application/cost.h"
+#include "conetact/base/process.h"
 #include "conetact/base/text.h"
 
 #include <algorithm>
@@ -85,6 +86,27 @@ namespace conetact
     if (model.motions.null_space().cols() > 0)
       log.note(std::to_string(model.motions.null_space().cols()) +
                " rigid motions are held by contact alone");
+  }
+
+
+
+  void
+  report_loads(const NodalLoads &loads, const unsigned int dim, Log &log)
+  {
+    for (const NodalLoads::Largest &load : loads.largest())
+      {
+        Tensor<1, 3> force, moment; // in the plane rotations are about z
+        for (unsigned int d = 0; d < dim; ++d)
+          force[d] = load.sums[d];
+        for (unsigned int d = dim; d < 6; ++d)
+          moment[dim == 2 ? (d == 2 ? 2 : 0) : d - dim] += load.sums[d];
+        log.note(
+          "Load " + load.name + ": resultant " + to_text(force) +
+          (moment.norm() > 0 ? ", nodal moments " + to_text(moment) : "") +
+          (load.is_constant ? " at all times" :
+                              " at t = " + to_text(load.time)) +
+          ", on " + std::to_string(load.n_nodes) + " nodes");
+      }
   }
 
 

@@ -3,14 +3,20 @@
 
 #include "conetact/base/process.h"
 
+#include "conetact/base/errors.h"
+
 #include <deal.II/base/multithread_info.h>
 
 #include <mpi.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 // Which BLAS and whether an OpenMP runtime are loaded is only known at run
 // time: these are null where they are not.
@@ -40,6 +46,22 @@ namespace conetact
         if (std::getenv(name) != nullptr)
           return true;
       return false;
+    }
+
+    /** The first of these variables of the environment that is a number. */
+    unsigned int
+    number_of(const std::vector<const char *> &variables,
+              const unsigned int               otherwise)
+    {
+      for (const char *const variable : variables)
+        if (const char *const text = std::getenv(variable))
+          {
+            char               *end    = nullptr;
+            const unsigned long number = std::strtoul(text, &end, 10);
+            if (end != text && *end == 0)
+              return static_cast<unsigned int>(number);
+          }
+      return otherwise;
     }
 
     // OpenBLAS starts a thread for each core when it is loaded; they spin for
@@ -114,6 +136,9 @@ namespace conetact
         if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS)
           throw std::runtime_error("MPI does not start.");
         we_initialized = true;
+        int size       = 1; // a starter that says nothing in the environment
+        MPI_Comm_size(MPI_COMM_WORLD, &size);
+        refuse_many_processes(static_cast<unsigned int>(size));
       }
     return static_cast<int>(MPI_Comm_c2f(MPI_COMM_SELF));
   }
@@ -150,6 +175,40 @@ namespace conetact
   ProcessSession::n_threads()
   {
     return std::max(1U, threads);
+  }
+
+
+
+  double
+  machine_memory()
+  {
+    const double all = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                       static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    rlimit limit;
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+      return all;
+    return std::min(all, static_cast<double>(limit.rlim_cur));
+  }
+
+
+
+  Ranks
+  ranks_of_mpirun()
+  {
+    return {number_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1),
+            number_of({"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"}, 0)};
+  }
+
+
+
+  void
+  refuse_many_processes(const unsigned int n)
+  {
+    if (n > 1)
+      throw InputError("mpirun started " + std::to_string(n) +
+                       " processes, but a scene is run by one: they would all "
+                       "write the same files. Start the program without "
+                       "mpirun; Solver/Threads gives it more cores.");
   }
 
 

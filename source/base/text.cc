@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <sstream>
 
 namespace conetact
@@ -99,7 +100,11 @@ namespace conetact
     if (!expression.is_constant())
       throw InputError(entry + ": '" + trim(text) +
                        "' depends on position or time. Give a number.");
-    return expression(dealii::Point<3>());
+    const double number = expression(dealii::Point<3>());
+    if (!std::isfinite(number))
+      throw InputError(entry + ": '" + trim(text) +
+                       "' is not a finite number. Give one.");
+    return number;
   }
 
   std::vector<double>

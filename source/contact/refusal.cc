@@ -11,9 +11,23 @@ namespace conetact
 {
   namespace
   {
-    /** Sum of the slips of the contacts that stay touching. */
+    /**
+     * 1 for the body whose node it is, -1 for the master, which slips the other
+     * way, 0 for others.
+     */
+    double
+    side_of(const unsigned int body, const ContactNode &node)
+    {
+      if (node.body == body)
+        return 1;
+      return node.obstacle == nullptr && node.master == body ? -1 : 0;
+    }
+
+    /** Sum of the slips of a body at the contacts that stay touching. */
     Tensor<1, 3>
-    slip_direction(const Existence &refusal, const ContactModel &model)
+    slip_direction(const Existence    &refusal,
+                   const ContactModel &model,
+                   const unsigned int  body)
     {
       const ContactSystem &layout = model.working_set().layout();
       Tensor<1, 3>         sum;
@@ -23,8 +37,9 @@ namespace conetact
           const NodeRule &rule =
             *model.coordinates.contact_rules()[static_cast<std::size_t>(
               model.working_set().nodes()[k])];
+          const double sign = side_of(body, *rule.contact_node);
           for (Eigen::Index c = 0; c < layout.n_tangents(i); ++c)
-            sum += refusal.v[layout.first[k] + c] *
+            sum += sign * refusal.v[layout.first[k] + c] *
                    rule.contact[static_cast<std::size_t>(c)];
         }
       return sum;
@@ -49,7 +64,7 @@ namespace conetact
       switch (refusal.motion)
         {
           case Motion::slides:
-            motion.translation = slip_direction(refusal, model);
+            motion.translation = slip_direction(refusal, model, motion.body);
             motion.rotation    = Tensor<1, 3>();
             return body + "slides " + describe(motion);
           case Motion::tips:

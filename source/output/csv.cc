@@ -75,7 +75,35 @@ namespace conetact
   double
   NoiseFloor::clean(const double value) const
   {
-    return std::abs(value) < 1e-9 * largest ? 0. : value;
+    return std::abs(value) < 1e-14 * largest ? 0. : value;
+  }
+
+
+
+  NoiseFloor
+  noise_of_forces(const IncrementRecord &record)
+  {
+    NoiseFloor floor;
+    for (const ContactRow &row : record.rows)
+      floor.see(row.reaction.norm());
+    for_each_resultant(record, [&](const Resultant &resultant) {
+      floor.see(resultant.force.norm());
+    });
+    return floor;
+  }
+
+
+
+  NoiseFloor
+  noise_of_moments(const IncrementRecord &record)
+  {
+    NoiseFloor floor;
+    for (const ContactRow &row : record.rows)
+      floor.see(row.reaction.norm() * row.position.norm());
+    for_each_resultant(record, [&](const Resultant &resultant) {
+      floor.see(resultant.moment.norm());
+    });
+    return floor;
   }
 
 

@@ -9,6 +9,7 @@
 #include <deal.II/base/data_out_base.h>
 
 #include <cstdio>
+#include <regex>
 #include <sstream>
 
 namespace conetact
@@ -116,6 +117,33 @@ namespace conetact
         points(record.rows), component_names(), vector_ranges(), flags, out);
       return out.str();
     }
+
+    // ParaView groups files by their numbers: those of a longer run before
+    // this one would seem to go on where this one ends.
+    void
+    remove_old_files(const fs::path &folder)
+    {
+      static const std::regex ours(
+        "(solution-[A-Za-z0-9_.-]+|contact)-[0-9]{4,}\\.vtu|"
+        "mechanism(-[A-Za-z0-9_.-]+)?\\.vtu|"
+        "(solution|contact|mechanism)\\.pvd");
+      std::error_code       error; // if one cannot be removed, it stays
+      std::vector<fs::path> old;
+      for (const auto &file : fs::directory_iterator(folder, error))
+        if (std::regex_match(file.path().filename().string(), ours))
+          old.push_back(file.path());
+      for (const fs::path &file : old)
+        fs::remove(file, error);
+    }
+
+    /** Displacements of a body without its rigid motion, where these are known.
+     */
+    const Eigen::VectorXd &
+    deformation(const IncrementRecord &record, const std::size_t body)
+    {
+      return record.deformations.empty() ? record.displacements.at(body) :
+                                           record.deformations.at(body);
+    }
   } // namespace
 
 
@@ -155,7 +183,9 @@ namespace conetact
     : run(description)
     , solution(description.folder / "solution.pvd")
     , contact(description.folder / "contact.pvd")
-  {}
+  {
+    remove_old_files(run.folder);
+  }
 
 
 
@@ -190,6 +220,7 @@ namespace conetact
         const std::string body = safe_name(run.bodies.at(b));
         const std::string name = vtu_name("solution-" + body, record.increment);
         run.structures.at(b)->write_graphics(record.displacements[b],
+                                             deformation(record, b),
                                              record.actions.at(b),
                                              record.time,
                                              run.folder / name);

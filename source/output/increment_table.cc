@@ -3,19 +3,26 @@
 
 #include "conetact/output/increment_table.h"
 
+#include "conetact/output/csv.h"
+
 #include <array>
+#include <set>
 
 namespace conetact
 {
   namespace
   {
+    // Different names may be equal in letters that are safe.
     std::string
-    resultant_columns(const std::string &name)
+    resultant_columns(const std::string &name, std::set<std::string> &taken)
     {
+      std::string unique = name;
+      for (unsigned int i = 2; !taken.insert(unique).second; ++i)
+        unique = name + '_' + std::to_string(i);
       std::string columns;
       for (const char *component :
            {"_f_x", "_f_y", "_f_z", "_m_x", "_m_y", "_m_z"})
-        columns += name + component + ',';
+        columns += unique + component + ',';
       return columns;
     }
 
@@ -29,15 +36,38 @@ namespace conetact
       return n;
     }
 
-    template <typename Function>
-    void
-    for_each_resultant(const IncrementRecord &record, const Function &f)
+    /** Adds forces and moments, those that are noise as 0. */
+    class ResultantCells
     {
-      for (const Resultant &contact : record.contacts)
-        f(contact);
-      f(record.supports);
-      f(record.loads);
-    }
+    public:
+      ResultantCells(CsvRow &row, const IncrementRecord &record)
+        : csv(row)
+        , forces(noise_of_forces(record))
+        , moments(noise_of_moments(record))
+      {}
+
+      void
+      add(const Resultant &resultant)
+      {
+        for (unsigned int d = 0; d < 3; ++d)
+          csv.add("a force resultant", forces.clean(resultant.force[d]));
+        for (unsigned int d = 0; d < 3; ++d)
+          csv.add("a moment resultant", moments.clean(resultant.moment[d]));
+      }
+
+      /** As many as there are columns for, whatever is known. */
+      void
+      add(std::vector<Resultant> resultants, const std::size_t n)
+      {
+        resultants.resize(n);
+        for (const Resultant &resultant : resultants)
+          add(resultant);
+      }
+
+    private:
+      CsvRow          &csv;
+      const NoiseFloor forces, moments;
+    };
   } // namespace
 
 
@@ -51,57 +81,35 @@ namespace conetact
   std::string
   IncrementTable::header() const
   {
-    std::string text =
+    std::set<std::string> taken;
+    std::string           text =
       "increment,time,solver,substeps,iterations,residual,equilibrium,"
       "err1,err2,open,stick,slip,";
     for (const std::string &contact : run.contacts)
-      text += resultant_columns(safe_name(contact));
-    text += resultant_columns("supports") + resultant_columns("loads");
+      text += resultant_columns(safe_name(contact), taken);
+    text += resultant_columns("supports", taken);
+    text += resultant_columns("loads", taken);
     if (run.bodies.size() > 1)
       for (const std::string &body : run.bodies)
         text += "balance_" + safe_name(body) + ',';
-    return text + "balance\n";
-  }
-
-
-
-  // The noise of a moment is that of a nodal force times its lever, also where
-  // all moments cancel.
-  void
-  IncrementTable::see(const IncrementRecord &record)
-  {
-    for (const ContactRow &row : record.rows)
-      {
-        forces.see(row.reaction.norm());
-        moments.see(row.reaction.norm() * row.position.norm());
-      }
-    for_each_resultant(record, [&](const Resultant &resultant) {
-      forces.see(resultant.force.norm());
-      moments.see(resultant.moment.norm());
-    });
-  }
-
-
-
-  void
-  IncrementTable::add(CsvRow &csv, const Resultant &resultant) const
-  {
-    for (unsigned int d = 0; d < 3; ++d)
-      csv.add("a force resultant", forces.clean(resultant.force[d]));
-    for (unsigned int d = 0; d < 3; ++d)
-      csv.add("a moment resultant", moments.clean(resultant.moment[d]));
+    text += "balance,";
+    for (const std::string &support : run.supports)
+      text += resultant_columns("support_" + safe_name(support), taken);
+    for (const std::string &load : run.loads)
+      text += resultant_columns("load_" + safe_name(load), taken);
+    return text + "strain_energy,external_work,dissipation,"
+                  "contact_work_normal,determinate\n";
   }
 
 
 
   std::string
-  IncrementTable::row(const IncrementRecord &record)
+  IncrementTable::row(const IncrementRecord &record) const
   {
-    see(record);
     const std::string where = "Increment " + std::to_string(record.increment);
-
-    std::string text;
-    CsvRow      csv(text, where);
+    std::string       text;
+    CsvRow            csv(text, where);
+    ResultantCells    resultants(csv, record);
     csv.add(record.increment);
     csv.add("time", record.time);
     csv.add(record.report.solver);
@@ -113,10 +121,19 @@ namespace conetact
     csv.add("err2", record.errors.err2);
     for (const unsigned int n : count_states(record.rows))
       csv.add(n);
-    for_each_resultant(record, [&](const Resultant &r) { add(csv, r); });
+    resultants.add(record.contacts, run.contacts.size());
+    resultants.add(record.supports);
+    resultants.add(record.loads);
     for (const double balance : record.body_balance)
       csv.add("the balance of a body", balance);
     csv.add("balance", record.balance);
+    resultants.add(record.each_support, run.supports.size());
+    resultants.add(record.each_load, run.loads.size());
+    csv.add("the strain energy", record.strain_energy);
+    csv.add("the external work", record.external_work);
+    csv.add("the dissipation", record.dissipation);
+    csv.add("the work of normal reactions", record.contact_work_normal);
+    csv.add(std::string(record.determinate ? "yes" : "no"));
     csv.end();
     return text;
   }

@@ -28,8 +28,8 @@ namespace conetact
     static const std::vector<OutputRow> table = {
       {"tables",
        "reactions.csv: gap, displacements, reactions and state of each contact "
-       "node; increments.csv: iterations, residuals, numbers of states and "
-       "resultants",
+       "node; increments.csv: iterations, residuals, numbers of states, "
+       "resultants and energies",
        create<Tables>},
       {"problems",
        "problem-0001.hdf5: condensed problems of chosen increments for FCLib",

@@ -70,7 +70,8 @@ namespace conetact
   {
     std::array<unsigned int, 3> n{};
     for (const ContactRow &row : record.rows)
-      ++n.at(static_cast<std::size_t>(row.state));
+      if (!row.master) // a pair of bodies counts once, as in increments.csv
+        ++n.at(static_cast<std::size_t>(row.state));
     const double part = part_done(record, n_increments, end);
 
     std::array<char, 160> text;

@@ -5,6 +5,23 @@
 
 namespace conetact
 {
+  namespace
+  {
+    void
+    add(CsvRow             &csv,
+        const Tensor<1, 3> &v,
+        const char         *first,
+        const char         *second,
+        const char         *third)
+    {
+      csv.add(first, v[0]);
+      csv.add(second, v[1]);
+      csv.add(third, v[2]);
+    }
+  } // namespace
+
+
+
   ReactionTable::ReactionTable(const RunDescription &description)
     : run(description)
   {}
@@ -15,22 +32,20 @@ namespace conetact
   ReactionTable::header() const
   {
     return "increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,u_n,u_t1,u_t2,"
-           "du_t1,du_t2,r_n,r_t1,r_t2,state\n";
+           "du_t1,du_t2,r_n,r_t1,r_t2,state,pressure,traction_t1,traction_t2,"
+           "area,foot_x,foot_y,foot_z\n";
   }
 
 
 
   std::string
-  ReactionTable::rows(const IncrementRecord &record)
+  ReactionTable::rows(const IncrementRecord &record) const
   {
+    const NoiseFloor forces = noise_of_forces(record);
+    std::string      text;
+    text.reserve(384 * record.rows.size());
     for (const ContactRow &row : record.rows)
-      for (unsigned int d = 0; d < 3; ++d)
-        forces.see(row.reaction[d]);
-
-    std::string text;
-    text.reserve(256 * record.rows.size());
-    for (const ContactRow &row : record.rows)
-      append(text, record, row);
+      append(text, record, row, forces);
     return text;
   }
 
@@ -39,35 +54,40 @@ namespace conetact
   void
   ReactionTable::append(std::string           &text,
                         const IncrementRecord &record,
-                        const ContactRow      &row) const
+                        const ContactRow      &row,
+                        const NoiseFloor      &forces) const
   {
     const std::string &contact = run.contacts.at(row.contact);
     const std::string  where = "Increment " + std::to_string(record.increment) +
                               ", contact '" + contact + "', node " +
                               std::to_string(row.node);
-    const bool has_t2 = run.dim == 3;
+    const bool   has_t2 = run.dim == 3;
+    Tensor<1, 3> r;
+    for (unsigned int d = 0; d < (has_t2 ? 3 : 2); ++d)
+      r[d] = forces.clean(row.reaction[d]);
 
     CsvRow csv(text, where);
     csv.add(record.increment);
     csv.add("time", record.time);
     csv.add(contact);
     csv.add(row.node);
-    csv.add("x", row.position[0]);
-    csv.add("y", row.position[1]);
-    csv.add("z", row.position[2]);
-    csv.add("n_x", row.normal[0]);
-    csv.add("n_y", row.normal[1]);
-    csv.add("n_z", row.normal[2]);
+    add(csv, row.position, "x", "y", "z");
+    add(csv, row.normal, "n_x", "n_y", "n_z");
     csv.add("gap", row.gap);
     csv.add("u_n", row.u[0]);
     csv.add("u_t1", row.u[1]);
     csv.add("u_t2", has_t2 ? row.u[2] : 0.);
     csv.add("du_t1", row.du[1]);
     csv.add("du_t2", has_t2 ? row.du[2] : 0.);
-    csv.add("r_n", forces.clean(row.reaction[0]));
-    csv.add("r_t1", forces.clean(row.reaction[1]));
-    csv.add("r_t2", has_t2 ? forces.clean(row.reaction[2]) : 0.);
+    add(csv, r, "r_n", "r_t1", "r_t2");
     csv.add(state_name(row.state));
+    add(csv,
+        row.area > 0 ? r / row.area : Tensor<1, 3>(),
+        "pressure",
+        "traction_t1",
+        "traction_t2");
+    csv.add("area", row.area);
+    add(csv, row.foot, "foot_x", "foot_y", "foot_z");
     csv.end();
   }
 } // namespace conetact

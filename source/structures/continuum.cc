@@ -314,6 +314,7 @@ namespace conetact
   template <int dim>
   void
   Continuum<dim>::write_graphics(const Eigen::VectorXd       &u,
+                                 const Eigen::VectorXd       &w,
                                  const Actions               &actions,
                                  const double                 time,
                                  const std::filesystem::path &file) const
@@ -323,7 +324,7 @@ namespace conetact
     for (const Action &action : actions)
       if (action.kind == Action::Kind::temperature)
         temperature += nodal_values(mesh, action.temperature);
-    write_continuum(mesh, *element, material, u, temperature, time, file);
+    write_continuum(mesh, *element, material, u, w, temperature, time, file);
   }
 
   template <int dim>

@@ -82,7 +82,7 @@ namespace conetact
     averaged_stresses(const ContinuumMesh<dim>      &mesh,
                       const ElementFormulation<dim> &element,
                       const ElasticMaterial         &material,
-                      const Eigen::VectorXd         &u,
+                      const Eigen::VectorXd         &w,
                       const Eigen::VectorXd         &temperature)
     {
       using Element                 = ElementFormulation<dim>;
@@ -92,15 +92,15 @@ namespace conetact
       Eigen::VectorXd n_cells = Eigen::VectorXd::Zero(n_nodes);
       for (const auto &cell : mesh.cells)
         {
-          typename Element::Displacements u_cell;
+          typename Element::Displacements w_cell;
           for (int v = 0; v < Element::n_vertices; ++v)
-            u_cell.template segment<dim>(dim * v) =
-              u.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
+            w_cell.template segment<dim>(dim * v) =
+              w.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
           typename Element::Strains initial;
           for (int v = 0; v < Element::n_vertices; ++v)
             initial.col(v) = temperature[cell[v]] * thermal;
           const typename Element::Strains stresses =
-            element.stresses(mesh.vertices(cell), u_cell, initial);
+            element.stresses(mesh.vertices(cell), w_cell, initial);
           for (int v = 0; v < Element::n_vertices; ++v)
             {
               sum.col(cell[v]) += stresses.col(v);
@@ -149,12 +149,13 @@ namespace conetact
                   const ElementFormulation<dim> &element,
                   const ElasticMaterial         &material,
                   const Eigen::VectorXd         &u,
+                  const Eigen::VectorXd         &w,
                   const Eigen::VectorXd         &temperature,
                   const double                   time,
                   const std::filesystem::path   &file)
   {
     const Eigen::MatrixXd stresses =
-      averaged_stresses(mesh, element, material, u, temperature);
+      averaged_stresses(mesh, element, material, w, temperature);
     NodalFields fields = NodalFields::Zero(stresses.cols(), n_fields);
     for (Eigen::Index i = 0; i < fields.rows(); ++i)
       {
@@ -180,12 +181,14 @@ namespace conetact
                      const ElasticMaterial &,
                      const Eigen::VectorXd &,
                      const Eigen::VectorXd &,
+                     const Eigen::VectorXd &,
                      const double,
                      const std::filesystem::path &);
   template void
   write_continuum<3>(const ContinuumMesh<3> &,
                      const ElementFormulation<3> &,
                      const ElasticMaterial &,
+                     const Eigen::VectorXd &,
                      const Eigen::VectorXd &,
                      const Eigen::VectorXd &,
                      const double,

@@ -240,14 +240,15 @@ namespace conetact
 
   void
   Frame::write_graphics(const Eigen::VectorXd       &u,
+                        const Eigen::VectorXd       &w,
                         const Actions               &actions,
                         const double                 time,
                         const std::filesystem::path &file) const
   {
-    std::vector<Member::Vector> at_ends;
+    std::vector<MemberMotion> motions;
     for (const Member &member : members)
-      at_ends.push_back(displacements(member, u));
-    write_frame(members, at_ends, member_loads(actions), model.dim, time, file);
+      motions.push_back({displacements(member, u), displacements(member, w)});
+    write_frame(members, motions, member_loads(actions), model.dim, time, file);
   }
 
   std::string

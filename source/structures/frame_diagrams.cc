@@ -120,11 +120,12 @@ namespace conetact
 
   std::vector<MemberSection>
   member_sections(const Member         &member,
-                  const Member::Vector &u,
+                  const Member::Vector &displacement,
+                  const Member::Vector &deformation,
                   const MemberLoad     &load,
                   const unsigned int    n)
   {
-    const Member::Vector       ends = member.end_forces(u, load);
+    const Member::Vector       ends = member.end_forces(deformation, load);
     const LoadSums             sums(member, load, 2 * n);
     std::vector<MemberSection> cuts(2 * n + 1);
     const Vector3              e_x = Vector3::UnitX();
@@ -138,7 +139,8 @@ namespace conetact
           -(ends.segment<3>(3) - x * e_x.cross(ends.segment<3>(0)) +
             e_x.cross(sums.first_moment[i] - x * sums.force[i]));
       }
-    const auto along = displacements(member, member.to_local(u), load, cuts);
+    const auto along =
+      displacements(member, member.to_local(displacement), load, cuts);
 
     std::vector<MemberSection> result;
     for (unsigned int i = 0; i <= n; ++i)

@@ -4,6 +4,7 @@
 #include "conetact/structures/frame_generators.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/process.h"
 #include "conetact/base/text.h"
 
 #include <cmath>
@@ -23,6 +24,16 @@ namespace conetact
                          "' is not a number of pieces. Give a whole number "
                          "from 1 to 1000000.");
       return static_cast<unsigned int>(n);
+    }
+
+    void
+    check_room(const double n_members, const std::string &entry)
+    {
+      constexpr double bytes_of_member = 800; // and its nodes, at least
+      if (n_members * bytes_of_member > machine_memory())
+        throw InputError(entry + ": a frame of " + to_text(n_members) +
+                         " members has no room in the memory. Give a smaller "
+                         "number.");
     }
 
     [[noreturn]] void
@@ -142,6 +153,7 @@ namespace conetact
       const double       h = to_number(arguments[2], entry);
       if (!(sizes[0] > 0 && sizes[1] > 0 && h > 0))
         throw InputError(entry + ": lengths must be above 0.");
+      check_room(8. * n * n, entry);
 
       const unsigned int lower = add_layer(model, n, sizes[0], sizes[1], 0, 1);
       const unsigned int upper =

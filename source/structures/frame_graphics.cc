@@ -108,18 +108,19 @@ namespace conetact
   } // namespace
 
   void
-  write_frame(const std::vector<Member>         &members,
-              const std::vector<Member::Vector> &displacements,
-              const std::vector<MemberLoad>     &loads,
-              const unsigned int                 dim,
-              const double                       time,
-              const std::filesystem::path       &file)
+  write_frame(const std::vector<Member>       &members,
+              const std::vector<MemberMotion> &motions,
+              const std::vector<MemberLoad>   &loads,
+              const unsigned int               dim,
+              const double                     time,
+              const std::filesystem::path     &file)
   {
     LineOutput output(dim);
     for (std::size_t m = 0; m < members.size(); ++m)
       output.add(members[m],
                  member_sections(members[m],
-                                 displacements[m],
+                                 motions[m].displacement,
+                                 motions[m].deformation,
                                  loads[m],
                                  members[m].bends() ? 8 : 1));
     dealii::DataOutBase::VtkFlags flags(time, 0, false);

@@ -55,8 +55,10 @@ namespace conetact
                                "start', 'hinge end', 'hinges', 'group 5' or "
                                "'elements 10'.");
           }
-        if (n_elements == 0)
-          throw InputError(entry + ": a member has at least one element.");
+        if (n_elements == 0 || n_elements > 1000000)
+          throw InputError(entry +
+                           ": a member has at least one element, and at most "
+                           "1000000.");
       }
     };
   } // namespace

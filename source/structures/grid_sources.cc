@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/structures/generator_arguments.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
@@ -59,18 +60,6 @@ namespace conetact
       return message.size() > 300 ? message.substr(0, 300) + "..." : message;
     }
 
-    /** A negative number of cells would be taken as 4 billion. */
-    void
-    check_subdivisions(const MeshParameters &parameters)
-    {
-      if (parameters.generator.rfind("subdivided", 0) == 0 &&
-          parameters.arguments.find('-') <
-            parameters.arguments.find_first_of(":;"))
-        throw InputError(parameters.where + "Arguments: '" +
-                         parameters.arguments + "' asks for a negative " +
-                         "number of cells. Give positive numbers.");
-    }
-
     /** The end of a sentence: how many arguments, or what deal.II has to say.
      */
     std::string
@@ -89,7 +78,7 @@ namespace conetact
     void
     generate(Triangulation<dim> &mesh, const MeshParameters &parameters)
     {
-      check_subdivisions(parameters);
+      check_generator_arguments(parameters, dim);
       try
         {
           dealii::GridGenerator::generate_from_name_and_arguments(

@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/structures/continuum_mesh.h"
+#include "conetact/structures/generator_arguments.h"
 #include "conetact/structures/grid_sources.h"
 #include "conetact/structures/local_refinement.h"
 
@@ -118,6 +119,19 @@ namespace conetact
                              "coordinates in the scene.");
         }
     }
+
+    template <int dim>
+    void
+    refine_globally(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    {
+      check_mesh_size(parameters,
+                      dim,
+                      std::ldexp(mesh.n_active_cells(),
+                                 static_cast<int>(
+                                   dim * parameters.global_refinements)),
+                      "Global refinements");
+      mesh.refine_global(parameters.global_refinements);
+    }
   } // namespace
 
   template <int dim>
@@ -125,7 +139,7 @@ namespace conetact
   make_mesh(const MeshParameters &parameters)
   {
     auto mesh = generate_or_read<dim>(parameters);
-    mesh->refine_global(parameters.global_refinements);
+    refine_globally(*mesh, parameters);
     refine_locally(*mesh, parameters);
     tag(*mesh, parameters);
     refine_elements(*mesh, parameters.refinements);

@@ -6,12 +6,15 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/structures/continuum_mesh.h"
+#include "conetact/structures/generator_arguments.h"
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace conetact
 {
@@ -22,12 +25,15 @@ namespace conetact
 
   namespace
   {
-    /** Whether the cell, where the scene puts it, reaches into the box. */
+    /**
+     * The part of the cell, where the scene puts it, that lies in the box: by
+     * the boxes around cells. Nothing where they only touch.
+     */
     template <class Cell>
-    bool
-    overlaps(const Cell                &cell,
-             const MeshParameters::Box &box,
-             const MeshParameters      &parameters)
+    double
+    part_inside(const Cell                &cell,
+                const MeshParameters::Box &box,
+                const MeshParameters      &parameters)
     {
       constexpr unsigned int dim = Cell::AccessorType::dimension;
       Point<3>               lower, upper;
@@ -40,21 +46,64 @@ namespace conetact
               upper[d] = v == 0 ? p[d] : std::max(upper[d], p[d]);
             }
         }
+      double part = 1;
       for (unsigned int d = 0; d < dim; ++d)
         {
           // cells that only touch the box from outside stay as they are
           const double tolerance = 1e-9 * (upper[d] - lower[d]);
           if (upper[d] <= box.lower[d] + tolerance ||
               lower[d] >= box.upper[d] - tolerance)
-            return false;
+            return 0;
+          part *= (std::min(upper[d], box.upper[d]) -
+                   std::max(lower[d], box.lower[d])) /
+                  (upper[d] - lower[d]);
         }
-      return true;
+      // boxes may be flat, and yet cells reach into them
+      return std::max(part, std::numeric_limits<double>::min());
+    }
+
+    /**
+     * Cells that a box will have at least: boxes around cells that stand askew
+     * overlap, a quarter of their cells is on the safe side.
+     */
+    template <int dim>
+    double
+    cells_in(const Triangulation<dim>  &mesh,
+             const MeshParameters::Box &box,
+             const MeshParameters      &parameters)
+    {
+      double n = 0;
+      for (const auto &cell : mesh.active_cell_iterators())
+        n += part_inside(cell, box, parameters);
+      return std::ldexp(n, static_cast<int>(dim * box.levels) - 2);
+    }
+
+    /** Divides the cells that are flagged, if there is room for them. */
+    template <int dim>
+    void
+    refine(Triangulation<dim>   &mesh,
+           const MeshParameters &parameters,
+           const std::string    &entry)
+    {
+      unsigned int n_flagged = 0;
+      for (const auto &cell : mesh.active_cell_iterators())
+        n_flagged += cell->refine_flag_set();
+      check_mesh_size(parameters,
+                      dim,
+                      mesh.n_active_cells() + ((1 << dim) - 1.) * n_flagged,
+                      entry);
+      mesh.execute_coarsening_and_refinement();
     }
 
     template <int dim>
     void
     refine_boxes(Triangulation<dim> &mesh, const MeshParameters &parameters)
     {
+      for (const MeshParameters::Box &box : parameters.boxes)
+        check_mesh_size(parameters,
+                        dim,
+                        cells_in(mesh, box, parameters),
+                        "Refinement boxes");
       const unsigned int base    = parameters.global_refinements;
       bool               changed = true;
       while (changed)
@@ -65,7 +114,7 @@ namespace conetact
               const MeshParameters::Box &box   = parameters.boxes[b];
               bool                       empty = true;
               for (const auto &cell : mesh.active_cell_iterators())
-                if (overlaps(cell, box, parameters))
+                if (part_inside(cell, box, parameters) > 0)
                   {
                     empty = false;
                     if (static_cast<unsigned int>(cell->level()) <
@@ -85,7 +134,7 @@ namespace conetact
                                  "is scaled, rotated and moved.");
             }
           if (changed)
-            mesh.execute_coarsening_and_refinement();
+            refine(mesh, parameters, "Refinement boxes");
         }
     }
 
@@ -170,7 +219,7 @@ namespace conetact
                 changed = true;
               }
           if (changed)
-            mesh.execute_coarsening_and_refinement();
+            refine(mesh, parameters, "Refinement distance");
         }
     }
   } // namespace

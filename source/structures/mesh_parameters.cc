@@ -65,7 +65,10 @@ namespace conetact
         "number of divisions, 'x0, y0 : x1, y1 : levels ; ...' (3D: three "
         "coordinates a corner), in the scene's coordinates. Cells that "
         "reach into a box are refined; nodes that hang on a coarser cell "
-        "follow it. [length]");
+        "follow it. Levels count from Global refinements; where boxes "
+        "overlap the one with most levels counts, so that a box inside "
+        "another one needs more of them: '-2, 0 : 2, 2 : 1 ; -1, 0 : 1, 1 : "
+        "3'. [length]");
       prm.declare_entry(
         "Refinement distance",
         "",
@@ -87,6 +90,31 @@ namespace conetact
                          "' is not a number of levels. "
                          "Give a whole number from 0 to 12.");
       return static_cast<unsigned int>(levels);
+    }
+
+    bool
+    is_inside(const MeshParameters::Box &a, const MeshParameters::Box &b)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        if (a.lower[d] < b.lower[d] || a.upper[d] > b.upper[d])
+          return false;
+      return true;
+    }
+
+    void
+    refuse_idle_boxes(const std::vector<MeshParameters::Box> &boxes,
+                      const std::string                      &entry)
+    {
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t k = 0; k < boxes.size(); ++k)
+          if (i != k && boxes[i].levels <= boxes[k].levels &&
+              is_inside(boxes[i], boxes[k]))
+            throw InputError(
+              entry + ": box " + std::to_string(i + 1) + " has no effect, it " +
+              "lies inside box " + std::to_string(k + 1) + " with " +
+              std::to_string(boxes[k].levels) + " levels. Levels count from " +
+              "Global refinements: give it more than " +
+              std::to_string(boxes[k].levels) + ", or remove it.");
     }
 
     std::vector<MeshParameters::Box>
@@ -115,6 +143,7 @@ namespace conetact
           box.levels = to_levels(fields[2], entry);
           boxes.push_back(box);
         }
+      refuse_idle_boxes(boxes, entry);
       return boxes;
     }
 

@@ -3,12 +3,17 @@
 
 #include "conetact/structures/nodal_loads.h"
 
+#include <cmath>
+
 namespace conetact
 {
   namespace
   {
     /** Nodal forces that are kept: 256 MB of them. */
     constexpr Eigen::Index most_kept = 1 << 24;
+
+    /** Sums below this part of what they are sums of are rounding. */
+    constexpr double round_off = 1e-12;
   } // namespace
 
 
@@ -18,8 +23,15 @@ namespace conetact
     : loads(all_loads)
     , structures(bodies)
     , kept(loads.size())
+    , of_loads(loads.size())
     , room(most_kept)
-  {}
+  {
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      {
+        of_loads[i].name        = loads[i].name;
+        of_loads[i].is_constant = !loads[i].uses_time();
+      }
+  }
 
 
 
@@ -55,10 +67,35 @@ namespace conetact
       }
     loads[load].add(*structures[loads[load].body], t, f);
     ++integrations;
+    note(load, t, f);
     const Eigen::Index n = (f.array() != 0).count();
     if (n > room)
       return;
     room -= n;
     kept[load].emplace(time, f.sparseView());
+  }
+
+
+
+  void
+  NodalLoads::note(const std::size_t      load,
+                   const double           t,
+                   const Eigen::VectorXd &f)
+  {
+    Largest     &largest = of_loads[load];
+    const double size    = f.lpNorm<1>();
+    if (!(size > largest.size))
+      return;
+    const auto n =
+      static_cast<Eigen::Index>(structures[loads[load].body]->n_components());
+    const auto of_nodes  = f.reshaped(n, f.size() / n);
+    largest.time         = t;
+    largest.size         = size;
+    largest.sums.head(n) = of_nodes.rowwise().sum();
+    largest.n_nodes      = static_cast<unsigned int>(
+      (of_nodes.array() != 0).colwise().any().count());
+    for (double &sum : largest.sums)
+      if (std::abs(sum) <= round_off * size)
+        sum = 0;
   }
 } // namespace conetact

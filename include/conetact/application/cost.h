@@ -36,9 +36,6 @@ namespace conetact
   /** Of this process until now [bytes]. */
   double
   peak_memory();
-  /** Of this machine [bytes]. */
-  double
-  machine_memory();
 } // namespace conetact
 
 #endif

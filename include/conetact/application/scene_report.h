@@ -15,6 +15,13 @@ namespace conetact
   void
   report_sizes(const Scene &scene, const ContactModel &model, Log &log);
 
+  /**
+   * Sums of the nodal forces of each load, as far as they are known, to the
+   * log: what is meant for one node may act on several.
+   */
+  void
+  report_loads(const NodalLoads &loads, const unsigned int dim, Log &log);
+
   /** Memory and time it will take, to the log; nothing is factorised. */
   void
   report_cost(const Scene &scene, const ContactModel &model, Log &log);

@@ -28,7 +28,7 @@ namespace conetact
     /**
      * Starts MPI unless it runs already. Returns the Fortran handle of the
      * communicator that holds this process alone. Throws std::logic_error
-     * if no ProcessSession lives.
+     * if no ProcessSession lives, InputError if there are other processes.
      */
     static int
     require_mpi();
@@ -47,6 +47,22 @@ namespace conetact
     static unsigned int
     n_threads();
   };
+
+  /** Of this machine, or what this process may have of it if less [bytes]. */
+  double
+  machine_memory();
+
+  /** What mpirun has told this process: how many there are, and its number. */
+  struct Ranks
+  {
+    unsigned int size = 1, rank = 0;
+  };
+  Ranks
+  ranks_of_mpirun();
+
+  /** Throws InputError where there are several processes. */
+  void
+  refuse_many_processes(const unsigned int n);
 
   /**
    * While it lives BLAS and OpenMP have all threads of the process, otherwise

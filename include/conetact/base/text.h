@@ -42,7 +42,7 @@ namespace conetact
   to_text(const dealii::Tensor<1, 3> &vector);
 
   /**
-   * A number, or a constant expression such as 1/80 or sqrt(2). Throws
+   * A finite number, or a constant expression such as 1/80 or sqrt(2). Throws
    * InputError that names the entry.
    */
   double

@@ -24,8 +24,8 @@ namespace conetact
   safe_name(const std::string &name);
 
   /**
-   * Rounding noise of forces reads as 0: values below 1e-9 of the largest one
-   * of the run so far.
+   * Rounding noise of forces reads as 0: values below 1e-14 of the largest one
+   * seen, which is that of an increment.
    */
   class NoiseFloor
   {
@@ -38,6 +38,30 @@ namespace conetact
   private:
     double largest = 0;
   };
+
+  /** That of all forces of an increment: nodal reactions and resultants. */
+  NoiseFloor
+  noise_of_forces(const IncrementRecord &record);
+  /**
+   * That of all moments. The noise of a moment is that of a nodal force times
+   * its lever, also where all moments cancel.
+   */
+  NoiseFloor
+  noise_of_moments(const IncrementRecord &record);
+
+  /** Calls back for contacts, supports, loads, each support, each load. */
+  template <typename Function>
+  void
+  for_each_resultant(const IncrementRecord &record, const Function &f)
+  {
+    for (const Resultant &contact : record.contacts)
+      f(contact);
+    f(record.supports);
+    f(record.loads);
+    for (const auto *list : {&record.each_support, &record.each_load})
+      for (const Resultant &resultant : *list)
+        f(resultant);
+  }
 
   /** Builds one row of a table; throws AnalysisError at a non-finite number. */
   class CsvRow

@@ -41,6 +41,7 @@ namespace conetact
   class Graphics : public Output
   {
   public:
+    /** Removes files of these names that an earlier run left. */
     explicit Graphics(const RunDescription &description);
     void
     write(const std::vector<IncrementRecord> &finished) override;

@@ -4,7 +4,6 @@
 #ifndef conetact_output_increment_table_h
 #define conetact_output_increment_table_h
 
-#include "conetact/output/csv.h"
 #include "conetact/output/output.h"
 
 #include <string>
@@ -13,9 +12,11 @@ namespace conetact
 {
   /**
    * `increments.csv`: one row an increment: how it was solved, how well
-   * equilibrium holds, how many nodes are in which state, and the force
-   * [force] and moment about the origin [force x length] of each contact, of
-   * the supports and of the loads.
+   * equilibrium holds, how many nodes are in which state, the force [force]
+   * and moment about the origin [force x length] of each contact, of the
+   * supports and of the loads together and one by one, and the energies [force
+   * x length]. Columns of a support or load begin with `support_NAME` or
+   * `load_NAME`, because a contact, a support and a load may share a name.
    */
   class IncrementTable
   {
@@ -25,17 +26,10 @@ namespace conetact
     header() const;
     /** Throws AnalysisError at a number that is not finite. */
     std::string
-    row(const IncrementRecord &record);
+    row(const IncrementRecord &record) const;
 
   private:
-    void
-    see(const IncrementRecord &record);
-    void
-    add(CsvRow &csv, const Resultant &resultant) const;
-
     const RunDescription run;
-    NoiseFloor           forces;
-    NoiseFloor           moments;
   };
 } // namespace conetact
 

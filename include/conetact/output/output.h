@@ -29,6 +29,7 @@ namespace conetact
     Tensor<1, 3> u;           ///< (u_n, u_t1, u_t2), total, relative [length]
     Tensor<1, 3> du;          ///< the same of this increment
     Tensor<1, 3> reaction;    ///< (r_n, r_t1, r_t2) on the body [force]
+    Point<3>     foot;        ///< where it acts on the other side [length]
     NodeState    state  = NodeState::open;
     bool         master = false; ///< the other side of a pair of bodies
   };
@@ -64,9 +65,21 @@ namespace conetact
     std::vector<Resultant>  contacts; ///< one a contact
     Resultant               supports;
     Resultant               loads;
+    std::vector<Resultant>  each_support, each_load;
 
-    /** Of increments that are drawn, one a body: all its dofs, its loads. */
-    std::vector<Eigen::VectorXd> displacements;
+    double strain_energy = 0; ///< at the end [force x length]
+    // of the increment [force x length]
+    double external_work       = 0; ///< of loads and moving supports
+    double dissipation         = 0; ///< mean tangential reactions times slips
+    double contact_work_normal = 0; ///< the same of the normal part
+    bool   determinate         = true; ///< false: displacements are not unique
+
+    /**
+     * Of increments that are drawn, one a body: displacements of all its dofs,
+     * these without a rigid motion (stresses come from them; none given: the
+     * displacements), its loads.
+     */
+    std::vector<Eigen::VectorXd> displacements, deformations;
     std::vector<Actions>         actions;
 
     /** Where a file of it is wanted. */
@@ -78,6 +91,8 @@ namespace conetact
   {
     std::filesystem::path          folder;   ///< exists and is writable
     std::vector<std::string>       contacts; ///< names
+    std::vector<std::string>       supports; ///< names
+    std::vector<std::string>       loads;    ///< names
     std::vector<std::string>       bodies;   ///< names
     std::vector<const Structure *> structures;
     unsigned int                   dim          = 2;

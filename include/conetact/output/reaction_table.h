@@ -15,7 +15,9 @@ namespace conetact
    * `reactions.csv`: one row for each contact node and increment. Coordinates
    * are those of the undeformed node, displacements relative to the obstacle:
    * u since the start, du of the increment [length]; r nodal forces on the
-   * body [force], components along n, t1, t2. In 2D the t2 columns are 0.
+   * body [force], components along n, t1, t2; pressure and tractions are these
+   * over the tributary area (0 where it is 0); the foot is where the reaction
+   * acts on the other side. In 2D the t2 columns are 0.
    */
   class ReactionTable
   {
@@ -25,16 +27,16 @@ namespace conetact
     header() const;
     /** Throws AnalysisError at a number that is not finite. */
     std::string
-    rows(const IncrementRecord &record);
+    rows(const IncrementRecord &record) const;
 
   private:
     void
     append(std::string           &text,
            const IncrementRecord &record,
-           const ContactRow      &row) const;
+           const ContactRow      &row,
+           const NoiseFloor      &forces) const;
 
     const RunDescription run;
-    NoiseFloor           forces;
   };
 } // namespace conetact
 

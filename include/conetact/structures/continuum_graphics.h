@@ -13,10 +13,10 @@ namespace conetact
   /**
    * VTU of the undeformed mesh with nodal fields: `displacement` (3), `stress`
    * (9, the full tensor by rows; in plane strain with sigma_zz), `von_mises`
-   * (1), and the time as field data TIME. Stresses are those of the cells at
-   * their vertices less those of the change of temperature there ([K], one a
-   * node), averaged at the nodes; von Mises' is that of the averaged tensor.
-   * Throws WriteError.
+   * (1), and the time as field data TIME. The displacement is u, the stresses
+   * are those of the deformation w, of the cells at their vertices less those
+   * of the change of temperature there ([K], one a node), averaged at the
+   * nodes; von Mises' is that of the averaged tensor. Throws WriteError.
    */
   template <int dim>
   void
@@ -24,6 +24,7 @@ namespace conetact
                   const ElementFormulation<dim> &element,
                   const ElasticMaterial         &material,
                   const Eigen::VectorXd         &u,
+                  const Eigen::VectorXd         &w,
                   const Eigen::VectorXd         &temperature,
                   const double                   time,
                   const std::filesystem::path   &file);

@@ -96,6 +96,7 @@ namespace conetact
     using Structure::write_graphics;
     void
     write_graphics(const Eigen::VectorXd       &u,
+                   const Eigen::VectorXd       &w,
                    const Actions               &actions,
                    const double                 time,
                    const std::filesystem::path &file) const override;

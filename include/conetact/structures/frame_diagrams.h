@@ -24,13 +24,15 @@ namespace conetact
   };
 
   /**
-   * Cuts at 0, 1/n, ..., 1. Forces follow from the end forces and the loads
-   * between, @f$F' = -q@f$, @f$M' = -e_x \times F@f$; deflections from
-   * @f$w_y'' = M_z/EI_z@f$, @f$w_z'' = -M_y/EI_y@f$.
+   * Cuts at 0, 1/n, ..., 1. Forces follow from the end forces, which are those
+   * of the deformation, and the loads between, @f$F' = -q@f$,
+   * @f$M' = -e_x \times F@f$; displacements from @f$w_y'' = M_z/EI_z@f$,
+   * @f$w_z'' = -M_y/EI_y@f$ and those of the ends.
    */
   std::vector<MemberSection>
   member_sections(const Member         &member,
-                  const Member::Vector &u,
+                  const Member::Vector &displacement,
+                  const Member::Vector &deformation,
                   const MemberLoad     &load,
                   const unsigned int    n);
 } // namespace conetact

@@ -20,7 +20,10 @@ namespace conetact
   /** The parsed entries of `subsection Mesh`. */
   struct MeshParameters
   {
-    /** Cells that touch the inside of a box are refined `levels` times more. */
+    /**
+     * Cells that touch the inside of a box are refined `levels` times more than
+     * the rest of the mesh; where boxes overlap the largest number counts.
+     */
     struct Box
     {
       dealii::Point<3> lower, upper; ///< in the scene's coordinates

@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace conetact
@@ -32,6 +33,24 @@ namespace conetact
     Eigen::VectorXd
     at(const double t);
 
+    /** What a load amounts to at the time at which it is largest. */
+    struct Largest
+    {
+      std::string  name;
+      bool         is_constant = false;
+      double       time        = 0;
+      unsigned int n_nodes     = 0; ///< with a force
+      double       size        = 0; ///< sum of absolute nodal forces
+      /** Sums of nodal forces [force] and moments, by component of the dofs. */
+      Eigen::Matrix<double, 6, 1> sums = Eigen::Matrix<double, 6, 1>::Zero();
+    };
+    /** Of each load, of all times asked for so far. */
+    const std::vector<Largest> &
+    largest() const
+    {
+      return of_loads;
+    }
+
     /** Loads that were asked for, and those that had to be integrated. */
     unsigned int
     n_evaluations() const
@@ -48,10 +67,14 @@ namespace conetact
     using Forces = Eigen::SparseVector<double>;
     void
     add(const std::size_t load, const double t, Eigen::VectorXd &f);
+    /** Keeps the resultant of the nodal forces f if it is the largest. */
+    void
+    note(const std::size_t load, const double t, const Eigen::VectorXd &f);
 
     const std::vector<Load>              &loads;
     const std::vector<const Structure *> &structures;
     std::vector<std::map<double, Forces>> kept; ///< of each load, by time
+    std::vector<Largest>                  of_loads;
     Eigen::Index                          room;
     unsigned int                          evaluations = 0, integrations = 0;
   };

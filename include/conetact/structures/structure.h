@@ -241,22 +241,25 @@ namespace conetact
                   const ElementVisitor     &visit) const = 0;
 
     /**
-     * Writes displacement and stresses or section forces of the displacements
-     * u (all dofs), with `actions` at work, to a VTU file. Throws WriteError.
+     * Writes the displacement u (all dofs) and the stresses or section forces
+     * of the deformation w, with `actions` at work, to a VTU file. w is u
+     * without a rigid motion, which would cost digits of the stresses. Throws
+     * WriteError.
      */
     virtual void
     write_graphics(const Eigen::VectorXd       &u,
+                   const Eigen::VectorXd       &w,
                    const Actions               &actions,
                    const double                 time,
                    const std::filesystem::path &file) const = 0;
 
-    /** The same with nothing at work inside the body. */
+    /** The same of w = u with nothing at work inside the body. */
     void
     write_graphics(const Eigen::VectorXd       &u,
                    const double                 time,
                    const std::filesystem::path &file) const
     {
-      write_graphics(u, {}, time, file);
+      write_graphics(u, u, {}, time, file);
     }
 
     /** For log and dry run: "2500 cells Q1, 2601 nodes". */

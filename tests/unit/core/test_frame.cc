@@ -72,9 +72,11 @@ namespace
       const unsigned int     member,
       const double           place)
   {
-    const Member &m = frame.all_members()[member];
+    const Member        &m    = frame.all_members()[member];
+    const Member::Vector ends = frame.displacements(m, u);
     return member_sections(m,
-                           frame.displacements(m, u),
+                           ends,
+                           ends,
                            frame.member_loads(actions)[member],
                            8)[static_cast<std::size_t>(8 * place + .5)];
   }

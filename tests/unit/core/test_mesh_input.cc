@@ -169,8 +169,14 @@ TEST(MeshInput, BoxesRefineWhatTheyReachInto)
   };
   EXPECT_EQ(count("0, 0 : 4, 4 : 1"), "7 cells Q1, 14 nodes (2 hanging)");
   EXPECT_EQ(count("4, 4 : 0, 0 : 0"), "4 cells Q1, 9 nodes");
-  EXPECT_EQ(count("0, 0 : 5, 5 : 1 ; 1, 1 : 2, 2 : 1"),
-            "16 cells Q1, 25 nodes");
+  EXPECT_EQ(count("0, 0 : 5, 5 : 1"), "16 cells Q1, 25 nodes");
+  EXPECT_EQ(count("0, 0 : 5, 5 : 1 ; 0, 0 : 1, 1 : 2"),
+            "19 cells Q1, 30 nodes (2 hanging)");
+  // in either order, and where they only overlap
+  EXPECT_EQ(count("0, 0 : 1, 1 : 2 ; 0, 0 : 5, 5 : 1"),
+            "19 cells Q1, 30 nodes (2 hanging)");
+  EXPECT_EQ(count("0, 0 : 1, 1 : 1 ; 0, 0 : 4, .5 : 1"),
+            "7 cells Q1, 14 nodes (2 hanging)");
 }
 
 TEST(MeshInput, CellsBesideABoundaryAreRefined)
@@ -223,14 +229,52 @@ TEST(MeshInput, GeneratorsAreChecked)
   expect_refusal(refusal(2, "Generator = hyper_cube|Arguments = 0:1"),
                  "Mesh/Arguments",
                  "hyper_cube");
-  expect_refusal(refusal(2,
-                         "Generator = subdivided_hyper_rectangle|"
-                         "Arguments = -1, 2 : 0, 0 : 1, 1 : true"),
-                 "Mesh/Arguments",
-                 "negative");
   expect_refusal(refusal(2, square + "|File = a.msh"),
                  "Mesh/Generator",
                  "both");
+}
+
+TEST(MeshInput, ArgumentsOfGeneratorsAreChecked)
+{
+  const auto expect = [](const unsigned int dim,
+                         const std::string &generator,
+                         const std::string &arguments,
+                         const std::string &fault) {
+    expect_refusal(
+      refusal(dim, "Generator = " + generator + "|Arguments = " + arguments),
+      "Mesh/Arguments",
+      fault);
+  };
+  const std::string rectangle = "subdivided_hyper_rectangle";
+  const std::string corners   = ":0,0:1,1:true";
+  for (const char *cells : {"-1, 2", "1.5, 2", "1e9, 8", "0, 2", "nan, 2"})
+    expect(2, rectangle, cells + corners, "number");
+  expect(2, rectangle, "7" + corners, "has 1 numbers of cells");
+  expect(2, rectangle, "1, 1, 1" + corners, "has 3 numbers of cells");
+  expect(2, rectangle, ".5, .5 ; -1, 2" + corners, "not steps");
+  expect(2, rectangle, "99999999, 99999999" + corners, "coarser");
+  expect(2, rectangle, "2, 2:0,0:1,1e200:true", "finite");
+  expect(3, "hyper_ball", "0, 0, 0 : 0 : false", "not positive");
+  expect(2, "hyper_shell", "0, 0 : 2 : 1 : 8 : false", "not smaller");
+  expect(3, "hyper_shell", "0, 0, 0 : 1 : 2 : 7 : false", "Give one of");
+  expect(2, "hyper_shell", "0, 0 : 1 : 1.0000000001 : 0 : false", "coarser");
+  expect(3, "truncated_cone", "1 : 1 : 1e12", "coarser");
+  expect(2, "general_cell", "0, 0 ; 1, 0 ; 0, 1 : false", "has 3 points");
+  expect(2,
+         "plate_with_a_hole",
+         "1 : 2 : 1e15 : 0 : 0 : 0 : 0, 0 : 0 : 1 : 1 : 2 : true",
+         "coarser");
+}
+
+TEST(MeshInput, MeshesThatHaveNoRoomAreRefused)
+{
+  const std::string cube = "Generator = hyper_cube|Arguments = 0:1:true|";
+  expect_refusal(refusal(3, cube + "Global refinements = 12"),
+                 "Mesh/Global refinements",
+                 "coarser");
+  expect_refusal(refusal(3, cube + "Refinement boxes = 0,0,0 : 1,1,1 : 12"),
+                 "Mesh/Refinement boxes",
+                 "coarser");
 }
 
 TEST(MeshInput, PlacementIsChecked)
@@ -258,6 +302,9 @@ TEST(MeshInput, PlacementIsChecked)
   expect_refusal(refuse("Refinement boxes = 3, 3 : 4, 4 : 1"),
                  "Mesh/Refinement boxes",
                  "no cell");
+  expect_refusal(refuse("Refinement boxes = 0,0 : 1,1 : 2 ; 0,0 : .5,.5 : 2"),
+                 "Mesh/Refinement boxes",
+                 "box 2 has no effect");
   expect_refusal(refuse("Refinement distance = 2 : 1"),
                  "Mesh/Refinement distance",
                  "not a distance");

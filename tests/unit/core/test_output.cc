@@ -126,13 +126,14 @@ namespace
     {}
     void
     write_graphics(const Eigen::VectorXd &u,
+                   const Eigen::VectorXd &w,
                    const Actions &,
                    const double,
                    const fs::path &file) const override
     {
       if (fails)
         throw WriteError("full");
-      std::ofstream(file) << u.transpose();
+      std::ofstream(file) << u.transpose() << " | " << w.transpose();
     }
     std::string
     description() const override
@@ -186,6 +187,7 @@ namespace
           row.t1       = Tensor<1, 3>({1., 0., 0.});
           row.t2       = Tensor<1, 3>({0., 0., -1.});
           row.area     = .5;
+          row.foot     = Point<3>(.1 + i, -.25, 0);
           row.reaction = Tensor<1, 3>({20. - 10. * i, -1. / 3, 7.});
           row.state    = i == 0 ? NodeState::stick : NodeState::slip;
           r.rows.push_back(row);
@@ -262,13 +264,13 @@ namespace
       }
   }
 
-  TEST(Csv, NoiseIsJudgedByTheLargestOfTheRun)
+  TEST(Csv, NoiseIsJudgedByTheLargest)
   {
     NoiseFloor floor;
     floor.see(-100);
     floor.see(1);
-    EXPECT_EQ(floor.clean(.9e-7), 0.);
-    EXPECT_EQ(floor.clean(-1.1e-7), -1.1e-7);
+    EXPECT_EQ(floor.clean(.9e-12), 0.);
+    EXPECT_EQ(floor.clean(-1.1e-12), -1.1e-12);
   }
 
 
@@ -285,11 +287,13 @@ namespace
     ASSERT_EQ(rows.size(), 5u);
     EXPECT_EQ(read(run.folder / "reactions.csv")
                 .rfind("increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,"
-                       "u_n,u_t1,u_t2,du_t1,du_t2,r_n,r_t1,r_t2,state\n",
+                       "u_n,u_t1,u_t2,du_t1,du_t2,r_n,r_t1,r_t2,state,"
+                       "pressure,traction_t1,traction_t2,area,foot_x,foot_y,"
+                       "foot_z\n",
                        0),
               0u);
     for (const auto &row : rows)
-      EXPECT_EQ(row.size(), 20u);
+      EXPECT_EQ(row.size(), 27u);
     EXPECT_EQ(cell(rows, 3, "increment"), "2");
     EXPECT_EQ(cell(rows, 3, "time"), "1");
     EXPECT_EQ(cell(rows, 3, "contact"), "bottom");
@@ -298,6 +302,11 @@ namespace
     EXPECT_EQ(cell(rows, 4, "r_t1"), "-0.333333333333333");
     EXPECT_EQ(cell(rows, 4, "r_t2"), "0"); // in 2D, whatever it holds
     EXPECT_EQ(cell(rows, 4, "state"), "slip");
+    EXPECT_EQ(cell(rows, 4, "pressure"), "20");
+    EXPECT_EQ(cell(rows, 4, "traction_t1"), "-0.666666666666667");
+    EXPECT_EQ(cell(rows, 4, "traction_t2"), "0");
+    EXPECT_EQ(cell(rows, 4, "area"), "0.5");
+    EXPECT_EQ(cell(rows, 4, "foot_y"), "-0.25");
     EXPECT_EQ(files(),
               (std::set<std::string>{"increments.csv", "reactions.csv"}));
   }
@@ -315,7 +324,7 @@ namespace
   {
     const auto      table = create("tables");
     IncrementRecord r     = record(1);
-    r.rows[1].reaction[0] = 1e-9;
+    r.rows[1].reaction[0] = 1e-14;
     r.rows[1].reaction[1] = -1e-20;
     r.rows[1].u[0]        = 1e-18;
     table->write({r});
@@ -323,6 +332,32 @@ namespace
     EXPECT_EQ(cell(rows, 2, "r_n"), "0");
     EXPECT_EQ(cell(rows, 2, "r_t1"), "0");
     EXPECT_EQ(cell(rows, 2, "u_n"), "1e-18");
+  }
+
+  TEST_F(OutputTest, SmallIsWhatIsSmallInItsIncrement)
+  {
+    const auto      table = create("tables");
+    IncrementRecord small = record(2);
+    for (ContactRow &row : small.rows)
+      row.reaction *= 1e-16;
+    small.contacts[0].force *= 1e-16;
+    small.loads.force = Tensor<1, 3>();
+    table->write({record(1), small});
+    const Rows rows = read_csv(run.folder / "reactions.csv");
+    EXPECT_EQ(cell(rows, 4, "r_n"), "1e-15");
+    EXPECT_EQ(cell(read_csv(run.folder / "increments.csv"), 2, "left_side_f_y"),
+              "3e-15");
+  }
+
+  TEST_F(OutputTest, NoAreaNoPressure)
+  {
+    const auto      table = create("tables");
+    IncrementRecord r     = record(1);
+    r.rows[0].area        = 0;
+    table->write({r});
+    const Rows rows = read_csv(run.folder / "reactions.csv");
+    EXPECT_EQ(cell(rows, 1, "pressure"), "0");
+    EXPECT_EQ(cell(rows, 1, "traction_t1"), "0");
   }
 
   TEST_F(OutputTest, NonFiniteNumbersAreRefused)
@@ -371,10 +406,11 @@ namespace
     table->write({record(1)});
     const Rows rows = read_csv(run.folder / "increments.csv");
     ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(rows[0].size(), 12u + 3 * 6 + 1);
+    EXPECT_EQ(rows[0].size(), 12u + 3 * 6 + 1 + 5);
     EXPECT_EQ(rows[1].size(), rows[0].size());
     EXPECT_EQ(rows[0][12], "left_side_f_x");
-    EXPECT_EQ(rows[0].back(), "balance");
+    EXPECT_EQ(rows[0][12 + 3 * 6], "balance");
+    EXPECT_EQ(rows[0].back(), "determinate");
     EXPECT_EQ(cell(rows, 1, "solver"), "smoothing");
     EXPECT_EQ(cell(rows, 1, "residual"), "1e-12");
     EXPECT_EQ(cell(rows, 1, "open"), "0");
@@ -383,6 +419,54 @@ namespace
     EXPECT_EQ(cell(rows, 1, "left_side_f_y"), "30");
     EXPECT_EQ(cell(rows, 1, "loads_f_x"), "0"); // noise
     EXPECT_EQ(cell(rows, 1, "supports_m_z"), "0");
+    EXPECT_EQ(cell(rows, 1, "determinate"), "yes");
+  }
+
+  TEST_F(OutputTest, EachSupportAndLoadHasColumns)
+  {
+    run.supports     = {"top", "left side"};
+    run.loads        = {"top"};
+    const auto table = create("tables");
+    // one that is known, and one that is not
+    IncrementRecord r = record(1);
+    r.each_support.resize(1);
+    r.each_support[0].force[1]  = -7;
+    r.each_support[0].moment[2] = 3;
+    r.each_load.resize(1);
+    r.each_load[0].force[0] = 5;
+    r.strain_energy         = .5;
+    r.external_work         = 1.5;
+    r.dissipation           = .75;
+    r.contact_work_normal   = .25;
+    r.determinate           = false;
+    table->write({r});
+    const Rows rows = read_csv(run.folder / "increments.csv");
+    EXPECT_EQ(rows[1].size(), rows[0].size());
+    EXPECT_EQ(std::set<std::string>(rows[0].begin(), rows[0].end()).size(),
+              rows[0].size());
+    EXPECT_EQ(cell(rows, 1, "support_top_f_y"), "-7");
+    EXPECT_EQ(cell(rows, 1, "support_top_m_z"), "3");
+    EXPECT_EQ(cell(rows, 1, "support_left_side_f_y"), "0");
+    EXPECT_EQ(cell(rows, 1, "load_top_f_x"), "5");
+    EXPECT_EQ(cell(rows, 1, "strain_energy"), "0.5");
+    EXPECT_EQ(cell(rows, 1, "external_work"), "1.5");
+    EXPECT_EQ(cell(rows, 1, "dissipation"), "0.75");
+    EXPECT_EQ(cell(rows, 1, "contact_work_normal"), "0.25");
+    EXPECT_EQ(cell(rows, 1, "determinate"), "no");
+  }
+
+  TEST_F(OutputTest, NamesThatReadAlikeHaveTheirOwnColumns)
+  {
+    run.contacts           = {"left side", "left_side", "loads"};
+    const auto      table  = create("tables");
+    IncrementRecord r      = record(1);
+    r.contacts[1].force[1] = 4;
+    table->write({r});
+    const Rows rows = read_csv(run.folder / "increments.csv");
+    EXPECT_EQ(std::set<std::string>(rows[0].begin(), rows[0].end()).size(),
+              rows[0].size());
+    EXPECT_EQ(cell(rows, 1, "left_side_f_y"), "30");
+    EXPECT_EQ(cell(rows, 1, "left_side_2_f_y"), "4");
   }
 
 
@@ -424,7 +508,8 @@ namespace
                                      "solution-my_block-0004.vtu",
                                      "solution.pvd"}));
     EXPECT_EQ(graphics->work().drawings, 2u);
-    EXPECT_EQ(read(run.folder / "solution-my_block-0002.vtu"), "0.25 0.25");
+    EXPECT_EQ(read(run.folder / "solution-my_block-0002.vtu"),
+              "0.25 0.25 | 0.25 0.25");
     const std::string pvd = read(run.folder / "solution.pvd");
     EXPECT_NE(pvd.find("timestep=\"1\" group=\"\" part=\"0\" name=\"my_block\" "
                        "file=\"solution-my_block-0002.vtu\""),
@@ -433,13 +518,37 @@ namespace
               std::string::npos);
   }
 
+  TEST_F(OutputTest, StressesAreThoseOfTheDeformation)
+  {
+    const auto      graphics = create("graphics");
+    IncrementRecord r        = record(1);
+    r.deformations           = {Eigen::VectorXd::Constant(2, 1e-3)};
+    graphics->write({r});
+    EXPECT_EQ(read(run.folder / "solution-my_block-0001.vtu"),
+              "0.25 0.25 | 0.001 0.001");
+  }
+
   TEST_F(OutputTest, NoPicturesAndNoOldOnes)
   {
-    std::ofstream(run.folder / "solution.pvd") << "of an older run";
+    const std::set<std::string> foreign = {"solution-2026.vtu",
+                                           "contact-0001.vtu.bak",
+                                           "my-contact-0001.vtu",
+                                           "notes.txt"};
+    for (const std::string &name : foreign)
+      std::ofstream(run.folder / name) << "of somebody else";
+    for (const char *name : {"solution.pvd",
+                             "contact.pvd",
+                             "mechanism.pvd",
+                             "solution-my_block-0012.vtu",
+                             "solution-an-other.body-10000.vtu",
+                             "contact-0012.vtu",
+                             "mechanism.vtu",
+                             "mechanism-my_block.vtu"})
+      std::ofstream(run.folder / name) << "of an older run";
     run.vtu_every       = 0;
     const auto graphics = create("graphics");
     graphics->write({record(1)});
-    EXPECT_TRUE(files().empty());
+    EXPECT_EQ(files(), foreign);
   }
 
   TEST_F(OutputTest, AFailedPictureIsNotListed)
@@ -484,6 +593,15 @@ namespace
     EXPECT_NE(line.find("[#####               ] 1/4"), std::string::npos);
     EXPECT_NE(line.find("open 0, stick 1, slip 1"), std::string::npos);
     EXPECT_NE(line.find("90 s left"), std::string::npos);
+  }
+
+  TEST_F(OutputTest, ProgressCountsAPairOnce)
+  {
+    IncrementRecord r = record(1);
+    r.rows.push_back(r.rows[1]);
+    r.rows.back().master = true;
+    EXPECT_NE(progress_line(r, 4, 4, 30).find("open 0, stick 1, slip 1"),
+              std::string::npos);
   }
 
   TEST_F(OutputTest, ProgressLineWithoutANumberOfIncrements)

@@ -1,0 +1,213 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the program behaves around its numerics: what it prints, refuses, removes.
+
+usage: check_program.py PROGRAM CASE [COUNT]
+
+  processes   mpirun starts one process only, and of several one speaks
+  silence     nothing but the log on standard output, without contact too
+  old-files   pictures of a longer run are removed, files of others stay
+  loads       the log tells the resultant of each load
+  directions  a body that slides does so where it is pushed
+  numbers     COUNT meshes of shipped scenes with other numbers (default 40):
+              accepted or refused with a sentence, never a crash
+"""
+import os
+import random
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SCENES = Path(__file__).resolve().parent.parent / "parameter-files"
+
+BLOCK = """set Dimension = {dim}
+set Bodies = block
+set Supports = {supports}
+set Loads = {loads}
+set Obstacles = {obstacles}
+set Contacts = {contacts}
+subsection Body block
+  subsection Mesh
+    set Generator = subdivided_hyper_rectangle
+    set Arguments = {cells} : {low} : {high} : true
+  end
+  subsection Material
+    set Young modulus = 100
+    set Poisson ratio = 0.3
+  end
+end
+"""
+FLOOR = """subsection Obstacle floor
+  set Shape = half space
+  set Normal = {up}
+end
+subsection Contact bottom
+  set Body = block
+  set Boundary ids = {bottom}
+  set Obstacle = floor
+  set Friction coefficient = 0.3
+end
+"""
+
+
+def subsection(name, entries):
+    return f"subsection {name}\n" + "".join(f"  set {k} = {v}\n" for k, v in entries.items()) + "end\n"
+
+
+def load(name, kind, value, ids):
+    return subsection(f"Load {name}", {"Body": "block", "Kind": kind, "Value": value, "Boundary ids": ids})
+
+
+def block(dim, obstacles="", contacts="", supports="", loads=""):
+    corners = {"cells": ", ".join("2" * dim), "low": ", ".join("0" * dim), "high": ", ".join("1" * dim)}
+    return BLOCK.format(dim=dim, obstacles=obstacles, contacts=contacts, supports=supports, loads=loads, **corners)
+
+
+def held(dim):
+    """A block that is held at the bottom and pulled at the top, no contact."""
+    bottom, top = (2, 3) if dim == 2 else (4, 5)
+    return (block(dim, supports="bottom", loads="pull") +
+            subsection("Support bottom", {"Body": "block", "Boundary ids": bottom,
+                                          "Directions": ", ".join("xyz"[:dim])}) +
+            load("pull", "traction", " ; ".join(("0.5 * t", "1 * t", "0")[:dim]), top))
+
+
+class Case:
+    def __init__(self, program, folder):
+        self.program, self.folder, self.faults = Path(program).resolve(), Path(folder), []
+        self.result = self.folder / "result"
+
+    def run(self, text, *arguments, starter=(), **options):
+        scene = self.folder / "scene.prm"
+        scene.write_text(text)
+        return subprocess.run([*starter, self.program, scene, "-o", self.result, *arguments], cwd=self.folder,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace", **options)
+
+    def demand(self, what, holds, shown=""):
+        print(("ok      " if holds else "FAILED  ") + what + (f": {shown}" if not holds else ""))
+        if not holds:
+            self.faults.append(what)
+
+    def processes(self):
+        for names in (("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"), ("PMI_SIZE", "PMI_RANK")):
+            for rank in "01":
+                run = self.run(held(2), env={**os.environ, names[0]: "2", names[1]: rank})
+                self.demand(f"{names[0]} = 2, rank {rank}: refused",
+                            run.returncode == 1 and not self.result.exists(), run)
+                self.demand("  one process says why", ("started 2 processes" in run.stderr) == (rank == "0")
+                            and not run.stdout, run)
+
+    def silence(self):
+        for dim in (2, 3):
+            run = self.run(held(dim), "--quiet")
+            self.demand(f"{dim}D, loads and no contact: solved", run.returncode == 0, run.stderr)
+            self.demand("  nothing is printed", run.stdout == run.stderr == "", run.stdout + run.stderr)
+
+    def old_files(self):
+        self.run(held(2), "-s", "Time/Increments=3")
+        (self.result / "solution-notes.vtu").write_text("mine")
+        self.run(held(2), "-s", "Time/Increments=2")
+        left = sorted(p.name for p in self.result.glob("*.vtu"))
+        self.demand("pictures of the shorter run and what is not ours",
+                    left == ["solution-block-0001.vtu", "solution-block-0002.vtu", "solution-notes.vtu"], left)
+
+    def loads(self):
+        for dim, resultant in ((2, "(0.5, 1, 0) at t = 1, on 3 nodes"), (3, "(0.5, 1, 0) at t = 1, on 9 nodes")):
+            run = self.run(held(dim), "--dry-run")
+            self.demand(f"{dim}D: resultant of a traction", f"Load pull: resultant {resultant}" in run.stdout, run.stdout)
+        text = held(2).replace("traction", "nodal force").replace("0.5 * t ; 1 * t", "0 ; -1")
+        run = self.run(text, "--dry-run")
+        self.demand("a nodal force acts on each node",
+                    "Load pull: resultant (0, -3, 0) at all times, on 3 nodes" in run.stdout, run.stdout)
+
+    def directions(self):
+        """Pushed beyond friction in each direction, as the slave and as the master of the contact."""
+        for dim in (2, 3):
+            up, ids = (0, 1, 0)[:dim] if dim == 2 else (0, 0, 1), (2, 3) if dim == 2 else (4, 5)
+            for axis in range(dim - 1):
+                for sign in (1, -1):
+                    push = [0.0] * dim
+                    push[axis], push[dim - 1] = sign * .5, -1
+                    expected = [0] * 3
+                    expected[axis] = sign
+                    floor = FLOOR.format(up=", ".join(map(str, up)), bottom=ids[0])
+                    pushed = load("push", "traction", " ; ".join(f"{p} * t" for p in push), ids[1])
+                    self.slides(f"{dim}D, {expected}, on an obstacle", expected,
+                                block(dim, "floor", "bottom", loads="push") + floor + pushed)
+                    self.slides(f"{dim}D, {expected}, master of a fixed body", expected,
+                                self.on_a_mat(dim, ids) + pushed)
+
+    def on_a_mat(self, dim, ids):
+        mat = (", ".join(["3"] * dim), ", ".join(["-1"] * (dim - 1) + ["-1"]), ", ".join(["2"] * (dim - 1) + ["0"]))
+        text = block(dim, contacts="bottom", supports="under", loads="push").replace("block\n", "block, mat\n", 1)
+        body = text[text.index("subsection Body block"):].replace("Body block", "Body mat")
+        body = re.sub(r"Arguments = .*", "Arguments = {} : {} : {} : true".format(*mat), body)
+        return (text + body +
+                subsection("Support under", {"Body": "mat", "Boundary ids": ids[0], "Directions": ", ".join("xyz"[:dim])}) +
+                subsection("Contact bottom", {"Body": "mat", "Boundary ids": ids[1], "Master body": "block",
+                                              "Master boundary ids": ids[0], "Friction coefficient": 0.3}))
+
+    def slides(self, name, direction, text):
+        run = self.run(text, "--quiet")
+        said = re.search(r"body 'block' slides along \(([^)]*)\)", run.stderr)
+        found = [round(float(x)) for x in said[1].split(",")] if said else run.stderr
+        self.demand(name, run.returncode == 2 and found == direction, found)
+
+    def numbers(self, count=40):
+        """Each number of a mesh, replaced by what its generator cannot mean."""
+        values = ("0", "-1", "1", "3", "40", "1e9", "1.5", "nan", "inf", "-inf", "1e400", "1e-300", "-1e300",
+                  "999999999", "2147483648", "4294967295", "99999999999999999999", "", "1/0", "x", "1e9, 8", "2 ; 3")
+        chance = random.Random(4)
+        scenes = sorted(SCENES.glob("*.prm"))
+        bad = []
+        for i in range(count):
+            text = mutated(chance, chance.choice(scenes).read_text(), values)
+            run = None
+            try:
+                run = self.run(text, "--dry-run", timeout=60, preexec_fn=little_memory)
+            except subprocess.TimeoutExpired:
+                pass
+            if run is None or run.returncode not in (0, 1) or (run.returncode == 1 and len(run.stderr.splitlines()) != 1):
+                change = next(line for line in text.splitlines() if line.startswith("# changed"))
+                bad.append(f"number {i}, {change[2:]}: " +
+                           ("does not end" if run is None else f"exit {run.returncode} {run.stderr.strip()[-200:]}"))
+                print(bad[-1], flush=True)
+        self.demand(f"{count} meshes with other numbers", not bad, bad)
+
+
+def little_memory():
+    resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+MESH_ENTRY = re.compile(r"^(\s*set (Arguments|Global refinements|Refinement boxes|Refinement distance|Scale|Rotation|"
+                        r"Translation|Bays|Nodes|Members)\s*=\s*)(.*)$", re.M)
+
+
+def mutated(chance, text, values):
+    """The scene with one number of one entry of a mesh replaced."""
+    entries = [m for m in MESH_ENTRY.finditer(text) if re.search(r"\d", m[3])]
+    if not entries:
+        return "# changed: nothing\n" + text
+    entry = chance.choice(entries)
+    number = chance.choice(list(re.finditer(r"-?[\d.]+(e-?\d+)?", entry[3].split("#")[0]) or [None]))
+    new = entry[3][:number.start()] + chance.choice(values) + entry[3][number.end():]
+    return (f"# changed: {entry[1].strip()} {new}\n" +
+            text[:entry.start()] + entry[1] + new + text[entry.end():])
+
+
+def main(program, name, *count):
+    with tempfile.TemporaryDirectory() as folder:
+        case = Case(program, folder)
+        getattr(case, name.replace("-", "_"))(*map(int, count))
+        return 1 if case.faults else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))
