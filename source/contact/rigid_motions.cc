@@ -125,8 +125,8 @@ namespace conetact
       if (support.stiffness)
         for (const SurfaceNode &node : support.surface.nodes)
           if ((*support.stiffness)(node.position) > 0)
-            for (const Tensor<1, 3> &e : support.directions_at(node.normal))
-              hold(support.body, node.position, e);
+            for (const Support::Held &along : support.directions_at(node))
+              hold(support.body, node.position, along.direction);
     free_modes = null_columns(gram);
 
     Eigen::MatrixXd seen(coordinates.n_contact_unknowns(), free_modes.cols());
