@@ -146,8 +146,6 @@ namespace conetact
     spacings(const Surface &surface, const Structure &body)
     {
       std::map<unsigned int, double> result;
-      for (const SurfaceNode &node : surface.nodes)
-        result[node.node] = std::sqrt(node.area); // of frames without faces
       for (const SurfaceFace &face : surface.faces)
         {
           double     longest = 0;
@@ -161,8 +159,10 @@ namespace conetact
             for (const auto &[i, j] : {std::pair(0, 2), {1, 3}, {2, 3}})
               edge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
           for (const unsigned int node : face.nodes)
-            result[node] = longest;
+            result[node] = std::max(result[node], longest);
         }
+      for (const SurfaceNode &node : surface.nodes) // of frames without faces
+        result.insert({node.node, std::sqrt(node.area)});
       return result;
     }
 

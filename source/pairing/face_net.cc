@@ -112,15 +112,42 @@ namespace conetact
     join_edges();
     if (!body.hanging_nodes().empty())
       join_hanging_edges(body);
+    measure_turns();
+  }
+
+  void
+  FaceNet::measure_turns()
+  {
+    const auto angle = [](const Tensor<1, 3> &a, const Tensor<1, 3> &b) {
+      return std::acos(std::clamp(a * b, -1., 1.));
+    };
     for (Face &face : faces)
-      for (const Edge &edge : face.edges)
-        for (const std::size_t partner : edge.partners)
-          if (const auto patches =
-                smooth_patches({face.outward, faces[partner].outward});
-              patches.size() == 1)
+      {
+        double     to_others = 0, warp = 0;
+        const auto see = [&](const std::size_t other) {
+          const Tensor<1, 3> &n = faces[other].outward;
+          to_others             = std::max(to_others, angle(face.outward, n));
+          if (const auto mean = smooth_patches({face.outward, n});
+              mean.size() == 1)
             face.bend =
               std::max(face.bend,
-                       cross_product_3d(face.outward, patches[0]).norm());
+                       cross_product_3d(face.outward, mean[0]).norm());
+        };
+        for (const Edge &edge : face.edges)
+          std::for_each(edge.partners.begin(), edge.partners.end(), see);
+        for (std::size_t i = 0; i < face.nodes.size(); ++i)
+          {
+            const auto &there = faces_at_node[face.nodes[i]];
+            std::for_each(there.begin(), there.end(), see);
+            const Tensor<1, 3> n =
+              face_normal_at(face.corners, {{double(i % 2), double(i / 2)}});
+            warp =
+              std::max(warp,
+                       std::acos(std::min(1., std::abs(n * face.outward))));
+          }
+        const double whole = to_others + 2 * warp;
+        face.turn          = whole < M_PI / 2 ? std::sin(whole) : 1;
+      }
   }
 
   void

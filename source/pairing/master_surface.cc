@@ -212,6 +212,7 @@ namespace conetact
     for (std::size_t f = 0; f < faces.size(); ++f)
       {
         if (faces[f].centre.distance(p) - faces[f].radius > nearest ||
+            !faces[f].may_have_foot(p) ||
             (whole && largest_cosine(faces[f].outward, slave_normals) < -.5))
           continue;
         const FaceNet::Closest at = net.project(f, p);

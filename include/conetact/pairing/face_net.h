@@ -41,6 +41,20 @@ namespace conetact
       double size   = 0; ///< longest edge [length]
       /** Sine of half the turn to its smooth neighbours. */
       double bend = 0;
+      /** Sine of the largest turn to any neighbour, 1 from 90 degrees on. */
+      double turn = 0;
+
+      /**
+       * Whether the nearest point of the surface may be on this face: a point
+       * stands off along normals of the face and its neighbours.
+       */
+      bool
+      may_have_foot(const Point<3> &p) const
+      {
+        const Tensor<1, 3> arm    = p - centre;
+        const Tensor<1, 3> beside = arm - (arm * outward) * outward;
+        return beside.norm() <= 1.1 * radius + turn * arm.norm();
+      }
     };
     FaceNet(const Structure &body, const Surface &surface);
 
@@ -88,6 +102,8 @@ namespace conetact
     join_edges();
     void
     join_hanging_edges(const Structure &body);
+    void
+    measure_turns();
 
     std::vector<Face>                     faces;
     std::vector<std::vector<std::size_t>> faces_at_node;
