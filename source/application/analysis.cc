@@ -30,8 +30,9 @@ namespace conetact
           throw InputError(
             "Contact '" + scene.contact_names[c] +
             "' has no node that may touch: " +
-            (scene.n_free_nodes[c] > 0 ?
-               "none faces the master. Check Master boundary ids and the gap " :
+            (scene.pairings[c].n_paired == 0 ?
+               "none faces the master within its Reach. Check Master boundary "
+               "ids and the bodies' places" :
                "supports hold all of them along its normal. Take them out of "
                "the supports") +
             std::string(", or remove the contact."));

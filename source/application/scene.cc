@@ -254,7 +254,7 @@ namespace conetact
     ContactNodes found =
       find_contact_nodes(contacts, bodies.names, bodies.structures, dim);
     bodies.contact_nodes = std::move(found.nodes);
-    n_free_nodes         = std::move(found.n_free);
+    pairings             = std::move(found.pairings);
     align_with_supports(bodies);
     bodies.at_rest = bodies_at_rest();
     check_path();

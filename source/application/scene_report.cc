@@ -12,6 +12,25 @@
 
 namespace conetact
 {
+  namespace
+  {
+    void
+    report_pairing(const std::string &name, const Pairing &found, Log &log)
+    {
+      const unsigned int n_free = found.n_nodes - found.n_paired;
+      std::string        text   = "Contact " + name + ": " +
+                         std::to_string(found.n_nodes) + " nodes, " +
+                         std::to_string(found.n_paired) + " paired";
+      if (found.n_paired > 0)
+        text += ", gaps from " + to_text(found.least_gap) + " to " +
+                to_text(found.largest_gap);
+      if (n_free > 0)
+        text += ", " + std::to_string(n_free) +
+                " face no master within reach and stay free";
+      log.note(text);
+    }
+  } // namespace
+
   void
   report_shared_bodies(const Bodies      &bodies,
                        const unsigned int n_shared,
@@ -63,11 +82,8 @@ namespace conetact
         "working set: " + std::to_string(model.working_set().nodes().size()) +
         " contact nodes are likely to touch, the others are condensed "
         "when they do");
-    for (std::size_t c = 0; c < scene.n_free_nodes.size(); ++c)
-      if (scene.n_free_nodes[c] > 0)
-        log.note("Contact " + scene.contact_names[c] + ": " +
-                 std::to_string(scene.n_free_nodes[c]) +
-                 " nodes face no master and stay free");
+    for (std::size_t c = 0; c < scene.pairings.size(); ++c)
+      report_pairing(scene.contact_names[c], scene.pairings[c], log);
     Eigen::Index n_no_cone = 0;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       n_no_cone += layout.n_tangents(i) == 0;

@@ -197,19 +197,15 @@ namespace conetact
      * the u without part across all of them with sum (u.e) e = sum d_e e.
      */
     Tensor<1, 3>
-    far_end(const Support      &support,
-            const Point<3>     &p,
-            const Tensor<1, 3> &normal,
-            const double        t)
+    far_end(const Support &support, const SurfaceNode &node, const double t)
     {
       Tensor<1, 3>    right;
-      Eigen::Matrix3d left  = Eigen::Matrix3d::Zero();
-      const auto      along = support.directions_at(normal);
-      for (std::size_t e = 0; e < along.size(); ++e)
+      Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+      for (const auto &[e, expression] : support.directions_at(node))
         {
-          const Eigen::Vector3d v(along[e][0], along[e][1], along[e][2]);
+          const Eigen::Vector3d v(e[0], e[1], e[2]);
           left += v * v.transpose();
-          right += support.displacement[e](p, t) * along[e];
+          right += support.displacement[expression](node.position, t) * e;
         }
       const Eigen::Vector3d u = left.completeOrthogonalDecomposition().solve(
         Eigen::Vector3d(right[0], right[1], right[2]));
@@ -349,7 +345,7 @@ namespace conetact
     for (const SurfaceNode &node : support.surface.nodes)
       {
         const Tensor<1, 3> motion =
-          far_end(support, node.position, node.normal, t);
+          far_end(support, node, t);
         for (unsigned int c = 0; c < bodies.dim; ++c)
           moved[dof(node.node, c)] = motion[c];
       }

@@ -120,8 +120,8 @@ namespace conetact
     for (const Support &support : bodies.supports)
       if (!support.stiffness)
         for (const SurfaceNode &node : support.surface.nodes)
-          for (const Tensor<1, 3> &e : support.directions_at(node.normal))
-            held[{support.body, node.node}].push_back(e);
+          for (const Support::Held &along : support.directions_at(node))
+            held[{support.body, node.node}].push_back(along.direction);
     for (ContactNode &node : bodies.contact_nodes)
       {
         const auto found = held.find({node.body, node.node});
@@ -180,9 +180,8 @@ namespace conetact
           continue;
         for (const SurfaceNode &node : support.surface.nodes)
           {
-            const auto along = support.directions_at(node.normal);
-            for (std::size_t e = 0; e < along.size(); ++e)
-              hold(rule_of(support.body, node.node), {along[e], {{s, e, 1.}}});
+            for (const auto &[direction, e] : support.directions_at(node))
+              hold(rule_of(support.body, node.node), {direction, {{s, e, 1.}}});
             for (std::size_t r = 0; r < support.rotations.size(); ++r)
               if (const unsigned int c = support.rotations[r].component;
                   bodies.structures[support.body]->has_dof(node.node, c))

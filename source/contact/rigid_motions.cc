@@ -174,10 +174,10 @@ namespace conetact
       if (support.stiffness)
         for (const SurfaceNode &node : support.surface.nodes)
           if ((*support.stiffness)(node.position) > 0)
-            for (const Tensor<1, 3> &e : support.directions_at(node.normal))
+            for (const Support::Held &along : support.directions_at(node))
               {
                 const Eigen::RowVectorXd r =
-                  row(support.body, node.position, e);
+                  row(support.body, node.position, along.direction);
                 const Index first = support.body * n_one;
                 springs.block(first, first, n_one, n_one) += r.transpose() * r;
               }

@@ -88,7 +88,10 @@ namespace conetact
       return found;
     }
 
-    /** Moves what hanging nodes have to the nodes that they follow. */
+    /**
+     * Moves what hanging nodes have to the nodes that they follow: areas, and
+     * the normals of faces times their share of the area.
+     */
     void
     give_to_masters(const std::vector<HangingNode>      &hanging,
                     std::map<unsigned int, SurfaceNode> &nodes)
@@ -101,7 +104,8 @@ namespace conetact
           for (const auto &[master, weight] : node.masters)
             {
               nodes[master].area += weight * found->second.area;
-              nodes[master].normal += weight * found->second.normal;
+              for (const Tensor<1, 3> &normal : found->second.normals)
+                nodes[master].normals.push_back(weight * normal);
             }
           nodes.erase(found);
         }
@@ -187,20 +191,31 @@ namespace conetact
     Surface                             surface;
     std::map<unsigned int, SurfaceNode> nodes;
     for_each_face(mesh, ids, [&](const auto &face) {
-      surface.faces.push_back({{face.nodes.begin(), face.nodes.end()}});
+      std::array<Tensor<1, 3>, ContinuumMesh<dim>::n_face_nodes> shares;
+      Tensor<1, 3>                                               mean;
       for (const auto &q : gauss_points(mesh, face))
-        for (unsigned int v = 0; v < face.nodes.size(); ++v)
-          {
-            SurfaceNode &node = nodes[face.nodes[v]];
-            node.area += thickness * q.weight * q.shape[v];
-            node.normal += thickness * q.weight * q.shape[v] * q.normal;
-          }
+        {
+          mean += q.weight * q.normal;
+          for (unsigned int v = 0; v < face.nodes.size(); ++v)
+            {
+              const double part = thickness * q.weight * q.shape[v];
+              nodes[face.nodes[v]].area += part;
+              shares[v] += part * q.normal;
+            }
+        }
+      surface.faces.push_back(
+        {{face.nodes.begin(), face.nodes.end()}, mean / mean.norm()});
+      for (unsigned int v = 0; v < face.nodes.size(); ++v)
+        nodes[face.nodes[v]].normals.push_back(shares[v]);
     });
     give_to_masters(mesh.hanging, nodes);
     for (auto &[number, node] : nodes)
       {
         node.node     = number;
         node.position = position(number);
+        for (const Tensor<1, 3> &share : node.normals)
+          node.normal += share;
+        node.normals = smooth_patches(node.normals);
         // opposite faces of a thin slit may cancel
         if (node.normal.norm() > 1e-12 * node.area)
           node.normal /= node.normal.norm();

@@ -206,7 +206,8 @@ namespace conetact
         const bool face = carries(m, ids);
         if (face)
           surface.faces.push_back(
-            {{members[m].nodes()[0], members[m].nodes()[1]}});
+            {{members[m].nodes()[0], members[m].nodes()[1]},
+             face_normal(members[m])});
         const double half =
           members[m].length() * members[m].section().width / 2;
         for (const unsigned int node : members[m].nodes())
@@ -223,7 +224,7 @@ namespace conetact
         {
           const FrameNode   &own = model.nodes[i];
           const unsigned int k   = on_face[i];
-          SurfaceNode        node{i, own.position, areas[k][i], normals[k][i]};
+          SurfaceNode node{i, own.position, areas[k][i], normals[k][i], {}};
           if (own.area > 0)
             {
               node.area   = own.area;
@@ -231,6 +232,7 @@ namespace conetact
             }
           if (node.normal.norm() > 1e-12 * node.area)
             node.normal /= node.normal.norm();
+          node.normals = {node.normal};
           surface.nodes.push_back(node);
         }
     return surface;

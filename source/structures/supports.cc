@@ -100,10 +100,18 @@ namespace conetact
     }
   } // namespace
 
-  std::vector<Tensor<1, 3>>
-  Support::directions_at(const Tensor<1, 3> &outward_normal) const
+  std::vector<Support::Held>
+  Support::directions_at(const SurfaceNode &node) const
   {
-    return normal ? std::vector<Tensor<1, 3>>{outward_normal} : directions;
+    // a mean normal at an edge would leave the body free to slip out of it
+    std::vector<Held> held;
+    if (normal)
+      for (const Tensor<1, 3> &n : node.normals)
+        held.push_back({n, 0});
+    else
+      for (std::size_t e = 0; e < directions.size(); ++e)
+        held.push_back({directions[e], e});
+    return held;
   }
 
   bool
@@ -121,7 +129,8 @@ namespace conetact
   Support::spring(const Point<3> &p, const Tensor<1, 3> &outward_normal) const
   {
     Tensor<2, 3> result;
-    for (const Tensor<1, 3> &direction : directions_at(outward_normal))
+    for (const Tensor<1, 3> &direction :
+         normal ? std::vector<Tensor<1, 3>>{outward_normal} : directions)
       result += outer_product(direction, direction);
     const double k = (*stiffness)(p);
     if (k < 0)
@@ -144,8 +153,9 @@ namespace conetact
       "Directions",
       "",
       Anything(),
-      "What is held: components (x, y, z), the outward 'normal' of each node, "
-      "or any vectors such as (1, 1): rollers on a rotated body; rotations of "
+      "What is held: components (x, y, z), the outward 'normal' of each node "
+      "(on an edge where faces turn by more than 40 degrees, the normal of "
+      "each), or any vectors such as (1, 1): rollers on a rotated body; rotations of "
       "nodes of beams (2D: rz; 3D: rx, ry, rz). Separated by commas. Empty: "
       "all components; 'clamped': all components and rotations.");
     prm.declare_entry(

@@ -8,7 +8,7 @@
 #include "conetact/application/command_line.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/contact/node_rules.h"
-#include "conetact/contact/obstacles.h"
+#include "conetact/pairing/obstacles.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/structures/nodal_loads.h"
 
@@ -76,8 +76,7 @@ namespace conetact
      */
     std::vector<std::string>  contact_sides;
     std::vector<unsigned int> master_side;
-    /** Nodes of each contact that face no master body. */
-    std::vector<unsigned int> n_free_nodes;
+    std::vector<Pairing>      pairings; ///< of each contact
     std::vector<double>       times;
     SolverOptions             solver;
     PathSettings              path;

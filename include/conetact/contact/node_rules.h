@@ -4,7 +4,7 @@
 #ifndef conetact_contact_node_rules_h
 #define conetact_contact_node_rules_h
 
-#include "conetact/contact/contact_nodes.h"
+#include "conetact/pairing/contact_nodes.h"
 #include "conetact/structures/actions.h"
 #include "conetact/structures/structure.h"
 

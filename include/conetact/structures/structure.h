@@ -32,13 +32,28 @@ namespace conetact
     double       area; ///< integral of its shape function [length^2; 2D: times
                        ///< thickness]
     Tensor<1, 3> normal; ///< outward, unit length, mean over its faces
+    /**
+     * One outward normal of unit length for each smooth patch of faces that
+     * meet here: an edge of a block has two, a facet edge of a cylinder one.
+     */
+    std::vector<Tensor<1, 3>> normals;
   };
 
   /** Q1 face: nodes in deal.II's order (2: segment, 4: quadrilateral). */
   struct SurfaceFace
   {
     std::vector<unsigned int> nodes;
+    Tensor<1, 3> normal; ///< outward, unit length, mean; two-sided: either
   };
+
+  /**
+   * The normals of the smooth patches that vectors (normals of faces, times
+   * any weights) belong to: patches turn by more than 40 degrees where they
+   * meet. Ten facets round a circle are smooth, a chamfer of 45 degrees is
+   * not. A patch has the direction of the sum of its vectors.
+   */
+  std::vector<Tensor<1, 3>>
+  smooth_patches(const std::vector<Tensor<1, 3>> &face_normals);
 
   /** Faces of some boundary ids and the nodes on them, sorted by number. */
   struct Surface

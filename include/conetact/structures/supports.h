@@ -39,9 +39,18 @@ namespace conetact
     };
     std::vector<Rotation> rotations;
 
-    /** Directions at a node with this outward normal. */
-    std::vector<Tensor<1, 3>>
-    directions_at(const Tensor<1, 3> &outward_normal) const;
+    /** A direction that is held, and which displacement belongs to it. */
+    struct Held
+    {
+      Tensor<1, 3> direction;
+      std::size_t  expression; ///< index
+    };
+    /**
+     * Directions at a node: of its own normals, every one where an edge of
+     * the body has several.
+     */
+    std::vector<Held>
+    directions_at(const SurfaceNode &node) const;
 
     /** Whether it holds the body where it is at all times. */
     bool

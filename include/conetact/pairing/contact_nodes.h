@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_contact_contact_nodes_h
-#define conetact_contact_contact_nodes_h
+#ifndef conetact_pairing_contact_nodes_h
+#define conetact_pairing_contact_nodes_h
 
 #include "conetact/base/expression.h"
-#include "conetact/contact/obstacles.h"
+#include "conetact/pairing/obstacles.h"
 #include "conetact/structures/structure.h"
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,7 +30,11 @@ namespace conetact
     const Obstacle *obstacle = nullptr; ///< none: a master body
     unsigned int    master   = 0;       ///< index of the master body
     BoundaryIds     master_ids;
-    double          reach = 0;     ///< of the search for master faces [length]
+    double          reach = 0; ///< of the search for master faces [length]
+    /** Between a normal of the node and that of the master, reversed [rad]. */
+    double largest_angle = M_PI / 3;
+    /** Overlap at the start; none: a quarter of a face. [length] */
+    std::optional<double>     interference;
     std::optional<Expression> gap; ///< prescribed [length]
 
     /** Friction coefficient along the first axis, of position. */
@@ -53,8 +58,9 @@ namespace conetact
     unsigned int    node    = 0; ///< number in its body
     Point<3>        position;
     Tensor<1, 3>    n, t1, t2;
-    double          area = 0; ///< tributary [length^2]
-    double          gap  = 0; ///< undeformed, negative: interference [length]
+    double          area    = 0; ///< tributary [length^2]
+    double          spacing = 0; ///< longest edge of its faces [length]
+    double          gap = 0; ///< undeformed, negative: interference [length]
     const Obstacle *obstacle = nullptr; ///< none: a pair of bodies
 
     /** The face of the master body that it faces: nodes and weights. */
@@ -95,16 +101,23 @@ namespace conetact
             const Tensor<1, 3> &normal,
             const unsigned int  dim);
 
+  /** What was found for a contact; gaps of its paired nodes [length]. */
+  struct Pairing
+  {
+    unsigned int n_nodes = 0, n_paired = 0; ///< others stay free
+    double       least_gap = 0, largest_gap = 0;
+  };
+
   struct ContactNodes
   {
     std::vector<ContactNode> nodes;
-    /** Nodes of each contact that face no master, and stay free. */
-    std::vector<unsigned int> n_free;
+    std::vector<Pairing>     pairings; ///< of each contact
   };
 
   /**
    * All nodes of all contacts, contact by contact. Throws InputError where a
-   * node stands in two contacts, or friction is negative.
+   * node stands in two contacts or too deep in its opponent, or friction is
+   * negative.
    */
   ContactNodes
   find_contact_nodes(const std::vector<Contact>           &contacts,

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/contact_nodes.h"
+#include "conetact/pairing/contact_nodes.h"
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
-#include "conetact/contact/master_surface.h"
+#include "conetact/pairing/master_surface.h"
 #include "conetact/structures/actions.h"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace conetact
@@ -44,6 +44,20 @@ namespace conetact
         value_at(*contact.prestress, node.position, in + "Prestress");
       node.cohesion =
         value_at(*contact.cohesion, node.position, in + "Cohesion");
+    }
+
+    /** Diagonal of the box around a body. */
+    double
+    size_of(const Structure &body)
+    {
+      Point<3> low = body.position(0), high = low;
+      for (unsigned int node = 0; node < body.n_nodes(); ++node)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            low[d]  = std::min(low[d], body.position(node)[d]);
+            high[d] = std::max(high[d], body.position(node)[d]);
+          }
+      return low.distance(high);
     }
 
     const Obstacle &
@@ -82,8 +96,10 @@ namespace conetact
                                          bodies[contact.master],
                                          in + "Master boundary ids");
       const std::string reach = prm.get("Reach");
-      contact.reach = reach.empty() ? std::numeric_limits<double>::max() :
-                                      to_number(reach, in + "Reach");
+      contact.reach           = reach.empty() ?
+                                  std::max(size_of(*structures[contact.body]),
+                                 size_of(*structures[contact.master])) :
+                                  to_number(reach, in + "Reach");
       if (!prm.get("Gap").empty())
         contact.gap.emplace(prm.get("Gap"), in + "Gap");
       if (structures[contact.body]->surface(contact.ids).two_sided &&
@@ -103,36 +119,182 @@ namespace conetact
                                "boundaries without common nodes.");
     }
 
-    /** Gap and normal of a node against its obstacle or master body. */
-    bool
-    face_opponent(ContactNode         &node,
-                  const SurfaceNode   &s,
-                  const Contact       &contact,
-                  const MasterSurface *master,
-                  const double         node_spacing)
+    /** What may be paired at all. */
+    void
+    find_limits(dealii::ParameterHandler &prm,
+                const std::string        &in,
+                Contact                  &contact)
     {
-      if (contact.obstacle != nullptr)
-        {
-          const auto closest =
-            contact.obstacle->shape->closest(s.position, node_spacing);
-          node.gap = closest.gap;
-          node.n   = closest.normal;
-          return true;
-        }
-      auto foot = master->foot(s.position, s.normal, contact.reach);
-      if (!foot)
-        return false;
-      node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
-      node.n       = foot->normal;
-      node.master  = contact.master;
-      node.masters = std::move(foot->masters);
-      return true;
+      const double angle =
+        to_number(prm.get("Largest angle"), in + "Largest angle");
+      if (angle < 0 || angle > 90)
+        throw InputError(in + "Largest angle: " + prm.get("Largest angle") +
+                         " is not an angle between opposing faces. Give 0 to "
+                         "90 degrees.");
+      contact.largest_angle  = angle * M_PI / 180;
+      const std::string deep = prm.get("Largest interference");
+      if (deep.empty())
+        return;
+      contact.interference = to_number(deep, in + "Largest interference");
+      if (*contact.interference < 0)
+        throw InputError(in + "Largest interference: " + deep +
+                         " is negative. Give a length of 0 or more.");
     }
 
-    double
-    spacing(const double area, const unsigned int dim)
+    /** The longest edge of the faces at each node of a surface. */
+    std::map<unsigned int, double>
+    spacings(const Surface &surface, const Structure &body)
     {
-      return dim == 2 ? area : std::sqrt(area);
+      std::map<unsigned int, double> result;
+      for (const SurfaceFace &face : surface.faces)
+        {
+          double     longest = 0;
+          const auto edge    = [&](const std::size_t i, const std::size_t j) {
+            longest = std::max(longest,
+                               body.position(face.nodes[i])
+                                 .distance(body.position(face.nodes[j])));
+          };
+          edge(0, 1);
+          if (face.nodes.size() == 4)
+            for (const auto &[i, j] : {std::pair(0, 2), {1, 3}, {2, 3}})
+              edge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+          for (const unsigned int node : face.nodes)
+            result[node] = std::max(result[node], longest);
+        }
+      for (const SurfaceNode &node : surface.nodes) // of frames without faces
+        result.insert({node.node, std::sqrt(node.area)});
+      return result;
+    }
+
+    /** How deep a node may start in its opponent. */
+    double
+    interference_allowed(const Contact &contact, const double face_size)
+    {
+      return contact.interference.value_or(.25 * face_size);
+    }
+
+    /** Nodes of a contact, one after the other. */
+    class Finder
+    {
+    public:
+      Finder(const Contact &c, const std::vector<const Structure *> &structures)
+        : contact(c)
+        , body(*structures[contact.body])
+        , surface(body.surface(contact.ids))
+        , spacing(spacings(surface, body))
+      {
+        if (contact.obstacle == nullptr)
+          master.emplace(*structures[contact.master], contact.master_ids);
+      }
+
+      const std::vector<SurfaceNode> &
+      nodes() const
+      {
+        return surface.nodes;
+      }
+
+      /** A node with its gap and normal, unless it stays free. */
+      std::optional<ContactNode>
+      find(const SurfaceNode &s)
+      {
+        ContactNode node;
+        node.body     = contact.body;
+        node.node     = s.node;
+        node.position = s.position;
+        node.area     = s.area;
+        node.obstacle = contact.obstacle;
+        node.spacing  = spacing.at(s.node);
+        if (!(contact.obstacle ? face_obstacle(node) : face_master(node, s)))
+          return {};
+        return node;
+      }
+
+      /** Throws InputError for the deepest node that is too deep. */
+      void
+      check(const std::vector<std::string> &bodies) const
+      {
+        if (!deepest)
+          return;
+        const std::string depth = to_text(-deepest->gap);
+        throw InputError(
+          "Contact '" + contact.name + "': the node at " +
+          to_text(deepest->position) + " of body '" + bodies[contact.body] +
+          "' starts " + depth + " deep in " +
+          (contact.obstacle ? "obstacle '" + contact.obstacle->name + "'" :
+                              "body '" + bodies[contact.master] + "'") +
+          ", more than " + to_text(allowed) +
+          ". Move them apart, or for a press fit give " +
+          (contact.obstacle ? "" : "the Gap or ") +
+          "a Largest interference of at least " + depth + ".");
+      }
+
+    private:
+      bool
+      face_obstacle(ContactNode &node)
+      {
+        const auto closest =
+          contact.obstacle->shape->closest(node.position, node.spacing);
+        node.gap = closest.gap;
+        node.n   = closest.normal;
+        if (!contact.obstacle->shape->states_gaps())
+          judge(node, node.spacing);
+        return true;
+      }
+
+      bool
+      face_master(ContactNode &node, const SurfaceNode &s)
+      {
+        auto normals = s.normals;
+        if (surface.two_sided)
+          normals.push_back(-s.normal);
+        auto foot = master->foot(s.position,
+                                 normals,
+                                 {contact.reach,
+                                  std::cos(contact.largest_angle),
+                                  interference_allowed(contact, node.spacing),
+                                  contact.body != contact.master});
+        if (!foot)
+          return false;
+        node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
+        node.n       = foot->normal;
+        node.master  = contact.master;
+        node.masters = std::move(foot->masters);
+        if (!contact.gap)
+          judge(node, std::max(node.spacing, foot->size));
+        return true;
+      }
+
+      void
+      judge(const ContactNode &node, const double face_size)
+      {
+        const double bound = interference_allowed(contact, face_size);
+        if (node.gap < -bound && (!deepest || node.gap < deepest->gap))
+          {
+            deepest = node;
+            allowed = bound;
+          }
+      }
+
+      const Contact                 &contact;
+      const Structure               &body;
+      Surface                        surface;
+      std::map<unsigned int, double> spacing;
+      std::optional<MasterSurface>   master;
+      std::optional<ContactNode>     deepest;
+      double                         allowed = 0;
+    };
+
+    void
+    count(const std::optional<ContactNode> &node, Pairing &pairing)
+    {
+      ++pairing.n_nodes;
+      if (!node)
+        return;
+      const bool first = ++pairing.n_paired == 1;
+      pairing.least_gap =
+        first ? node->gap : std::min(pairing.least_gap, node->gap);
+      pairing.largest_gap =
+        first ? node->gap : std::max(pairing.largest_gap, node->gap);
     }
   } // namespace
 
@@ -191,7 +353,24 @@ namespace conetact
                       "",
                       Anything(),
                       "Nodes further than this from the master's faces stay "
-                      "free. Empty: no limit. [length]");
+                      "free. Empty: the diagonal of the larger body. [length]");
+    prm.declare_entry("Largest angle",
+                      "60",
+                      Anything(),
+                      "A node meets a master's face only if an outward normal "
+                      "of the node's own faces and the reversed one of that "
+                      "face differ by at most this, from 0 to 90; so tops are "
+                      "not paired with bottoms where all boundary ids are "
+                      "given. [degrees]");
+    prm.declare_entry("Largest interference",
+                      "",
+                      Anything(),
+                      "Nodes may start this deep in the obstacle or the master "
+                      "body; deeper ones are an error, for most often a body "
+                      "is out of place. Give the overlap of a press fit here. "
+                      "Empty: a quarter of the longest edge of the faces that "
+                      "meet, which the facets of curved surfaces need. A Gap "
+                      "that is written down is not limited. [length]");
     prm.declare_entry("Gap",
                       "",
                       Anything(),
@@ -250,6 +429,7 @@ namespace conetact
     else
       find_master(prm, in, bodies, structures, contact);
 
+    find_limits(prm, in, contact);
     contact.friction.emplace(prm.get("Friction coefficient"),
                              in + "Friction coefficient");
     if (!prm.get("Second friction coefficient").empty())
@@ -285,29 +465,14 @@ namespace conetact
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact &contact = contacts[c];
-        const Surface  surface = structures[contact.body]->surface(contact.ids);
-        std::optional<MasterSurface> master;
-        if (contact.obstacle == nullptr)
-          master.emplace(*structures[contact.master], contact.master_ids);
-        result.n_free.push_back(0);
-        for (const SurfaceNode &s : surface.nodes)
+        Finder         finder(contact, structures);
+        result.pairings.emplace_back();
+        for (const SurfaceNode &s : finder.nodes())
           {
-            ContactNode node;
-            node.contact  = c;
-            node.body     = contact.body;
-            node.node     = s.node;
-            node.position = s.position;
-            node.area     = s.area;
-            node.obstacle = contact.obstacle;
-            if (!face_opponent(node,
-                               s,
-                               contact,
-                               master ? &*master : nullptr,
-                               spacing(s.area, dim)))
-              {
-                ++result.n_free.back();
-                continue;
-              }
+            auto node = finder.find(s);
+            count(node, result.pairings.back());
+            if (!node)
+              continue;
             const auto [other, is_new] =
               contact_of.insert({{contact.body, s.node}, c});
             if (!is_new)
@@ -316,10 +481,12 @@ namespace conetact
                 contact.name + "' both hold the node at " +
                 to_text(s.position) + " of body '" + bodies[contact.body] +
                 "'. A node stands in one contact only: change Boundary ids.");
-            set_friction(node, contact);
-            set_frame(node, node.n, dim);
-            result.nodes.push_back(std::move(node));
+            node->contact = c;
+            set_friction(*node, contact);
+            set_frame(*node, node->n, dim);
+            result.nodes.push_back(std::move(*node));
           }
+        finder.check(bodies);
       }
     return result;
   }

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/obstacles.h"
+#include "conetact/pairing/obstacles.h"
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace conetact
@@ -70,6 +71,19 @@ namespace conetact
       closest(const Point<3> &p, const double) const override
       {
         return {gap(p), normal};
+      }
+      /** A function of the undeformed node, not of a place. */
+      double
+      gap_after(const Point<3>     &X,
+                const Tensor<1, 3> &u,
+                const double) const override
+      {
+        return gap(X) + u * normal;
+      }
+      bool
+      states_gaps() const override
+      {
+        return true;
       }
       static void
       declare(Handler &prm)
@@ -162,6 +176,16 @@ namespace conetact
         const double side = inside ? -1 : 1;
         return {side * (distance - radius), side / distance * arm};
       }
+      /** Also at the centre, where there is a gap but no normal. */
+      double
+      gap_after(const Point<3>     &X,
+                const Tensor<1, 3> &u,
+                const double) const override
+      {
+        Tensor<1, 3> arm = X + u - centre;
+        arm -= (arm * axis) * axis;
+        return inside ? radius - arm.norm() : arm.norm() - radius;
+      }
       static void
       declare(Handler &prm)
       {
@@ -244,18 +268,26 @@ namespace conetact
       Closest
       closest(const Point<3> &p, const double spacing) const override
       {
-        const double h = .02 * spacing;
-        Tensor<1, 3> gradient;
-        for (unsigned int d = 0; d < dim; ++d)
-          gradient[d] =
-            (8 * difference(p, d, h) - difference(p, d, 2 * h)) / (12 * h);
-        const double norm = gradient.norm();
+        const Tensor<1, 3> gradient = gradient_at(p, .02 * spacing);
+        const double       norm     = gradient.norm();
         if (norm == 0 || !std::isfinite(norm))
           throw InputError(entry + ": the gradient vanishes at the contact " +
                            "node " + to_text(p) +
                            ". Give a function whose "
                            "gradient is not zero near its surface.");
         return {phi(p) / norm, gradient / norm};
+      }
+      /** Without gradient a node is far from the surface, or deep in it. */
+      double
+      gap_after(const Point<3>     &X,
+                const Tensor<1, 3> &u,
+                const double        spacing) const override
+      {
+        const double value = phi(X + u);
+        const double norm  = gradient_at(X + u, .02 * spacing).norm();
+        return norm > 0 && std::isfinite(norm) ?
+                 value / norm :
+                 std::copysign(std::numeric_limits<double>::max(), value);
       }
       static void
       declare(Handler &prm)
@@ -276,6 +308,15 @@ namespace conetact
       }
 
     private:
+      Tensor<1, 3>
+      gradient_at(const Point<3> &p, const double h) const
+      {
+        Tensor<1, 3> gradient;
+        for (unsigned int d = 0; d < dim; ++d)
+          gradient[d] =
+            (8 * difference(p, d, h) - difference(p, d, 2 * h)) / (12 * h);
+        return gradient;
+      }
       double
       difference(const Point<3> &p, const unsigned int d, const double h) const
       {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_contact_obstacles_h
-#define conetact_contact_obstacles_h
+#ifndef conetact_pairing_obstacles_h
+#define conetact_pairing_obstacles_h
 
 #include "conetact/base/expression.h"
 
@@ -19,9 +19,9 @@ namespace conetact
   using dealii::Tensor;
 
   /**
-   * Shape of a rigid obstacle, linearised at the undeformed node: gap
-   * @f$g_0@f$ (positive: apart) and unit normal @f$n@f$ from the obstacle to
-   * the body, from the closest point of its surface.
+   * Shape of a rigid obstacle: gap @f$g_0@f$ (positive: apart) and unit normal
+   * @f$n@f$ from the obstacle to the body, from the closest point of its
+   * surface. Contact is linearised at the undeformed node.
    */
   class ObstacleShape
   {
@@ -39,6 +39,24 @@ namespace conetact
      */
     virtual Closest
     closest(const Point<3> &p, const double spacing) const = 0;
+
+    /**
+     * The gap of a node that stood at X and moved by u relative to the
+     * obstacle [length]: that of the shape where the node is now.
+     */
+    virtual double
+    gap_after(const Point<3>     &X,
+              const Tensor<1, 3> &u,
+              const double        spacing) const
+    {
+      return closest(X + u, spacing).gap;
+    }
+    /** Whether a negative gap is what the user wrote down. */
+    virtual bool
+    states_gaps() const
+    {
+      return false;
+    }
   };
 
   /** A rigid obstacle: a shape and its translation d(t). */

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_closest_point_h
+#define conetact_pairing_closest_point_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <vector>
+
+namespace conetact
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  /**
+   * The point of a Q1 face, a segment or a bilinear quadrilateral, that is
+   * nearest to p. Corners are in deal.II's order.
+   */
+  struct ClosestPoint
+  {
+    std::array<double, 2> at{{0, 0}}; ///< in [0,1]^(dim-1)
+    Point<3>              point;
+    double                distance = 0; ///< from p [length]
+  };
+  ClosestPoint
+  closest_point(const std::vector<Point<3>> &corners, const Point<3> &p);
+
+  /** Q1 shape functions of the corners at a point of the face. */
+  std::vector<double>
+  shape_values(const std::size_t n_corners, const std::array<double, 2> &at);
+
+  /** A unit normal there; which side it is on depends on the corners' order. */
+  Tensor<1, 3>
+  face_normal_at(const std::vector<Point<3>> &corners,
+                 const std::array<double, 2> &at);
+
+  /**
+   * The vector of the cone that unit vectors span, @f$\sum \lambda_i n_i,\
+   * \lambda_i \ge 0@f$, that is nearest to a direction of unit length; its
+   * length is the cosine of the angle between them. Zero if the direction
+   * points away from the cone.
+   */
+  Tensor<1, 3>
+  nearest_in_cone(const Tensor<1, 3>              &direction,
+                  const std::vector<Tensor<1, 3>> &cone);
+} // namespace conetact
+
+#endif

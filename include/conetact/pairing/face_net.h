@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_face_net_h
+#define conetact_pairing_face_net_h
+
+#include "conetact/pairing/closest_point.h"
+#include "conetact/structures/structure.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * The faces of a surface and how they are joined: which faces meet at an
+   * edge (in the plane: at an end), which edges are the rim because one face
+   * of the surface only has them. An edge with a hanging node is shared by the
+   * coarse face and the fine ones.
+   */
+  class FaceNet
+  {
+  public:
+    struct Edge
+    {
+      Tensor<1, 3>             outward;  ///< in the face, unit, across the edge
+      std::vector<std::size_t> partners; ///< other faces that have the edge
+      bool
+      is_rim() const
+      {
+        return partners.empty();
+      }
+    };
+    struct Face
+    {
+      std::vector<unsigned int> nodes;
+      std::vector<Point<3>>     corners;
+      std::vector<Edge>         edges;   ///< a = 0, a = 1, b = 0, b = 1
+      Tensor<1, 3>              outward; ///< mean unit normal
+      Point<3>                  centre;
+      double radius = 0; ///< of a ball about the centre that holds it [length]
+      double size   = 0; ///< longest edge [length]
+      /** Sine of half the turn to its smooth neighbours. */
+      double bend = 0;
+      /** Sine of the largest turn to any neighbour, 1 from 90 degrees on. */
+      double turn = 0;
+
+      /**
+       * Whether the nearest point of the surface may be on this face: a point
+       * stands off along normals of the face and its neighbours.
+       */
+      bool
+      may_have_foot(const Point<3> &p) const
+      {
+        const Tensor<1, 3> arm    = p - centre;
+        const Tensor<1, 3> beside = arm - (arm * outward) * outward;
+        return beside.norm() <= 1.1 * radius + turn * arm.norm();
+      }
+    };
+    FaceNet(const Structure &body, const Surface &surface);
+
+    const std::vector<Face> &
+    all() const
+    {
+      return faces;
+    }
+
+    /** A face's closest point to p and the outward unit normal there. */
+    struct Closest : ClosestPoint
+    {
+      std::size_t  face = 0;
+      Tensor<1, 3> normal;
+    };
+    Closest
+    project(const std::size_t face, const Point<3> &p) const;
+
+    /** Numbers of the face's edges that a point of it lies on. */
+    std::vector<std::size_t>
+    edges_at(const Closest &at) const;
+
+    /**
+     * All faces that meet in a closest point, with it the feature of the
+     * surface there: a face, an edge, a vertex. Empty if one of them comes
+     * nearer to p elsewhere: then the point is no closest one of the surface.
+     */
+    std::vector<Closest>
+    feature(const Closest &at, const Point<3> &p) const;
+
+    /**
+     * Tells outside from inside at an edge or a vertex: the sum of its faces'
+     * normals, each times the face's angle there (Baerentzen, Aanaes, IEEE
+     * Trans. Visual. 11 (2005) 243-253).
+     */
+    Tensor<1, 3>
+    sum_of_normals(const std::vector<Closest> &feature) const;
+
+    /** Whether p lies behind the surface, which must be closed. */
+    bool
+    is_behind(const Point<3> &p) const;
+
+  private:
+    void
+    join_edges();
+    void
+    join_hanging_edges(const Structure &body);
+    void
+    measure_turns();
+
+    std::vector<Face>                     faces;
+    std::vector<std::vector<std::size_t>> faces_at_node;
+  };
+} // namespace conetact
+
+#endif

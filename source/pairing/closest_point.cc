@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    Tensor<1, 3>
+    image(const std::vector<Point<3>> &x, const std::array<double, 2> &at)
+    {
+      Tensor<1, 3>              sum;
+      const std::vector<double> weights = shape_values(x.size(), at);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        sum += weights[i] * Tensor<1, 3>(x[i]);
+      return sum;
+    }
+
+    /** Tangent vectors of a bilinear face. */
+    std::array<Tensor<1, 3>, 2>
+    face_tangents(const std::vector<Point<3>> &x,
+                  const std::array<double, 2> &at)
+    {
+      const auto [a, b] = at;
+      return {{(1 - b) * (x[1] - x[0]) + b * (x[3] - x[2]),
+               (1 - a) * (x[2] - x[0]) + a * (x[3] - x[1])}};
+    }
+
+    double
+    closest_on_segment(const Point<3> &x, const Point<3> &y, const Point<3> &p)
+    {
+      const Tensor<1, 3> along = y - x;
+      return std::clamp((p - x) * along / along.norm_square(), 0., 1.);
+    }
+
+    /** The nearest point of the four edges, which are straight. */
+    std::array<double, 2>
+    closest_on_edges(const std::vector<Point<3>> &x, const Point<3> &p)
+    {
+      const std::array<std::array<double, 2>, 4> candidates = {
+        {{{0, closest_on_segment(x[0], x[2], p)}},
+         {{1, closest_on_segment(x[1], x[3], p)}},
+         {{closest_on_segment(x[0], x[1], p), 0}},
+         {{closest_on_segment(x[2], x[3], p), 1}}}};
+      const auto distance = [&](const std::array<double, 2> &at) {
+        return (Tensor<1, 3>(p) - image(x, at)).norm_square();
+      };
+      return *std::min_element(candidates.begin(),
+                               candidates.end(),
+                               [&](const auto &a, const auto &b) {
+                                 return distance(a) < distance(b);
+                               });
+    }
+
+    /**
+     * Newton's step for the distance to p; Gauss and Newton's where the face
+     * is so warped that the former would lead to a maximum.
+     */
+    std::array<double, 2>
+    newton_step(const std::vector<Point<3>> &x,
+                const std::array<double, 2> &at,
+                const Tensor<1, 3>          &miss)
+    {
+      const auto         g     = face_tangents(x, at);
+      const Tensor<1, 3> twist = (x[3] - x[2]) - (x[1] - x[0]);
+      const double       g00 = g[0] * g[0], g11 = g[1] * g[1];
+      const double       m0 = miss * g[0], m1 = miss * g[1];
+      for (const double curvature : {miss * twist, 0.})
+        {
+          const double g01 = g[0] * g[1] - curvature;
+          const double det = g00 * g11 - g01 * g01;
+          if (det > 1e-12 * g00 * g11)
+            return {{(m0 * g11 - m1 * g01) / det, (m1 * g00 - m0 * g01) / det}};
+        }
+      return {{0, 0}}; // no area there: the edges have the nearest point
+    }
+
+    /** Damped, and kept inside the face; the edges are looked at apart. */
+    std::array<double, 2>
+    closest_inside(const std::vector<Point<3>> &x, const Point<3> &p)
+    {
+      std::array<double, 2> at   = {{.5, .5}};
+      Tensor<1, 3>          miss = Tensor<1, 3>(p) - image(x, at);
+      for (unsigned int iteration = 0; iteration < 50; ++iteration)
+        {
+          const auto step   = newton_step(x, at, miss);
+          auto       next   = at;
+          auto       next_m = miss;
+          for (double length = 1; length > 1e-3; length /= 2)
+            {
+              for (unsigned int d = 0; d < 2; ++d)
+                next[d] = std::clamp(at[d] + length * step[d], 0., 1.);
+              next_m = Tensor<1, 3>(p) - image(x, next);
+              if (next_m.norm_square() <= miss.norm_square())
+                break;
+            }
+          const double moved =
+            std::abs(next[0] - at[0]) + std::abs(next[1] - at[1]);
+          if (next_m.norm_square() > miss.norm_square())
+            break;
+          at   = next;
+          miss = next_m;
+          if (moved < 1e-15)
+            break;
+        }
+      return at;
+    }
+  } // namespace
+
+  std::vector<double>
+  shape_values(const std::size_t n_corners, const std::array<double, 2> &at)
+  {
+    const auto [a, b] = at;
+    if (n_corners == 2)
+      return {1 - a, a};
+    return {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
+  }
+
+  Tensor<1, 3>
+  face_normal_at(const std::vector<Point<3>> &corners,
+                 const std::array<double, 2> &at)
+  {
+    Tensor<1, 3> normal;
+    if (corners.size() == 2)
+      {
+        const Tensor<1, 3> along = corners[1] - corners[0];
+        normal                   = Tensor<1, 3>({along[1], -along[0], 0.});
+      }
+    else
+      {
+        const auto g = face_tangents(corners, at);
+        normal       = cross_product_3d(g[0], g[1]);
+      }
+    return normal / normal.norm();
+  }
+
+  ClosestPoint
+  closest_point(const std::vector<Point<3>> &corners, const Point<3> &p)
+  {
+    const auto result = [&](const std::array<double, 2> &at) {
+      const Point<3> point(image(corners, at));
+      return ClosestPoint{at, point, point.distance(p)};
+    };
+    if (corners.size() == 2)
+      return result({{closest_on_segment(corners[0], corners[1], p), 0}});
+    // the distance has few minima: one inside, or those of the edges
+    const ClosestPoint on_edge = result(closest_on_edges(corners, p));
+    const ClosestPoint inside  = result(closest_inside(corners, p));
+    return on_edge.distance <= inside.distance ? on_edge : inside;
+  }
+
+  Tensor<1, 3>
+  nearest_in_cone(const Tensor<1, 3>              &direction,
+                  const std::vector<Tensor<1, 3>> &cone)
+  {
+    // on one of its edges, on a side between two, or inside three of them
+    constexpr double parallel = 1e-9, outside = -1e-14;
+    Tensor<1, 3>     best;
+    const auto       offer = [&](const Tensor<1, 3> &v) {
+      if (v.norm() > best.norm())
+        best = v;
+    };
+    const std::size_t n = cone.size();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        if (const double along = direction * cone[i]; along > 0)
+          offer(along * cone[i]);
+        for (std::size_t j = 0; j < i; ++j)
+          {
+            const Tensor<1, 3> c = cross_product_3d(cone[i], cone[j]);
+            if (c.norm() < parallel)
+              continue;
+            const Tensor<1, 3> on_side =
+              direction - (direction * c) / c.norm_square() * c;
+            if (cross_product_3d(cone[i], on_side) * c >= outside &&
+                cross_product_3d(on_side, cone[j]) * c >= outside)
+              offer(on_side);
+            for (std::size_t k = 0; k < j; ++k)
+              {
+                const double whole = c * cone[k];
+                const auto   part  = [&](const std::size_t a,
+                                      const std::size_t b) {
+                  return cross_product_3d(cone[a], cone[b]) * direction * whole;
+                };
+                if (std::abs(whole) > parallel && part(i, j) >= outside &&
+                    part(j, k) >= outside && part(k, i) >= outside)
+                  offer(direction);
+              }
+          }
+      }
+    return best;
+  }
+} // namespace conetact

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/face_net.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Misses below this part of a face's size are round-off. */
+    constexpr double round_off = 1e-8;
+
+    /** Corners of the edges a = 0, a = 1, b = 0, b = 1, and of those opposite.
+     */
+    constexpr std::array<std::array<unsigned int, 4>, 4> edge_corners = {
+      {{{0, 2, 1, 3}}, {{1, 3, 0, 2}}, {{0, 1, 2, 3}}, {{2, 3, 0, 1}}}};
+
+    using Nodes = std::vector<unsigned int>;
+
+    /** Of an edge, sorted; in the plane an edge is one node. */
+    Nodes
+    edge_nodes(const FaceNet::Face &face, const std::size_t edge)
+    {
+      if (face.nodes.size() == 2)
+        return {face.nodes[edge]};
+      Nodes nodes = {face.nodes[edge_corners[edge][0]],
+                     face.nodes[edge_corners[edge][1]]};
+      std::sort(nodes.begin(), nodes.end());
+      return nodes;
+    }
+
+    Tensor<1, 3>
+    across_edge(const std::vector<Point<3>> &x, const std::size_t edge)
+    {
+      Tensor<1, 3> across;
+      if (x.size() == 2)
+        across = x[edge] - x[1 - edge];
+      else
+        {
+          const auto  &c     = edge_corners[edge];
+          Tensor<1, 3> along = x[c[1]] - x[c[0]];
+          along /= along.norm();
+          across = (x[c[0]] - x[c[2]]) + (x[c[1]] - x[c[3]]);
+          across -= (across * along) * along;
+        }
+      return across / across.norm();
+    }
+
+    double
+    edge_length(const FaceNet::Face &face, const std::size_t edge)
+    {
+      const auto &c = edge_corners[edge];
+      return face.corners[c[0]].distance(face.corners[c[1]]);
+    }
+
+    FaceNet::Face
+    make_face(const Structure &body, const SurfaceFace &from)
+    {
+      FaceNet::Face face;
+      face.nodes   = from.nodes;
+      face.outward = from.normal;
+      for (const unsigned int node : from.nodes)
+        {
+          face.corners.push_back(body.position(node));
+          face.centre += Tensor<1, 3>(face.corners.back()) /
+                         static_cast<double>(from.nodes.size());
+        }
+      for (const Point<3> &corner : face.corners)
+        face.radius = std::max(face.radius, face.centre.distance(corner));
+      const std::size_t n_edges = face.nodes.size() == 2 ? 2 : 4;
+      for (std::size_t e = 0; e < n_edges; ++e)
+        {
+          face.edges.push_back({across_edge(face.corners, e), {}});
+          if (n_edges == 4)
+            face.size = std::max(face.size, edge_length(face, e));
+        }
+      if (n_edges == 2)
+        face.size = 2 * face.radius;
+      return face;
+    }
+
+    /** The angle that a face fills around a point of it. */
+    double
+    angle_at(const FaceNet::Face &face, const std::vector<std::size_t> &edges)
+    {
+      if (face.nodes.size() == 2 || edges.size() == 1)
+        return M_PI;
+      if (edges.empty())
+        return 2 * M_PI;
+      const double cosine =
+        face.edges[edges[0]].outward * face.edges[edges[1]].outward;
+      return M_PI - std::acos(std::clamp(cosine, -1., 1.));
+    }
+  } // namespace
+
+  FaceNet::FaceNet(const Structure &body, const Surface &surface)
+    : faces_at_node(body.n_nodes())
+  {
+    for (const SurfaceFace &face : surface.faces)
+      {
+        for (const unsigned int node : face.nodes)
+          faces_at_node[node].push_back(faces.size());
+        faces.push_back(make_face(body, face));
+      }
+    join_edges();
+    if (!body.hanging_nodes().empty())
+      join_hanging_edges(body);
+    measure_turns();
+  }
+
+  void
+  FaceNet::measure_turns()
+  {
+    const auto angle = [](const Tensor<1, 3> &a, const Tensor<1, 3> &b) {
+      return std::acos(std::clamp(a * b, -1., 1.));
+    };
+    for (Face &face : faces)
+      {
+        double     to_others = 0, warp = 0;
+        const auto see = [&](const std::size_t other) {
+          const Tensor<1, 3> &n = faces[other].outward;
+          to_others             = std::max(to_others, angle(face.outward, n));
+          if (const auto mean = smooth_patches({face.outward, n});
+              mean.size() == 1)
+            face.bend =
+              std::max(face.bend,
+                       cross_product_3d(face.outward, mean[0]).norm());
+        };
+        for (const Edge &edge : face.edges)
+          std::for_each(edge.partners.begin(), edge.partners.end(), see);
+        for (std::size_t i = 0; i < face.nodes.size(); ++i)
+          {
+            const auto &there = faces_at_node[face.nodes[i]];
+            std::for_each(there.begin(), there.end(), see);
+            const Tensor<1, 3> n =
+              face_normal_at(face.corners, {{double(i % 2), double(i / 2)}});
+            warp =
+              std::max(warp,
+                       std::acos(std::min(1., std::abs(n * face.outward))));
+          }
+        const double whole = to_others + 2 * warp;
+        face.turn          = whole < M_PI / 2 ? std::sin(whole) : 1;
+      }
+  }
+
+  void
+  FaceNet::join_edges()
+  {
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t e = 0; e < faces[f].edges.size(); ++e)
+        {
+          const Nodes nodes = edge_nodes(faces[f], e);
+          for (const std::size_t other : faces_at_node[nodes[0]])
+            if (other != f &&
+                std::all_of(nodes.begin(),
+                            nodes.end(),
+                            [&](const unsigned int node) {
+                              const Nodes &has = faces[other].nodes;
+                              return std::count(has.begin(), has.end(), node);
+                            }))
+              faces[f].edges[e].partners.push_back(other);
+        }
+  }
+
+  void
+  FaceNet::join_hanging_edges(const Structure &body)
+  {
+    std::map<unsigned int, std::set<unsigned int>> followed;
+    for (const HangingNode &hanging : body.hanging_nodes())
+      for (const auto &[master, weight] : hanging.masters)
+        followed[hanging.node].insert(master);
+    // parts of an edge and the whole hang on the same nodes in the end
+    std::map<std::set<unsigned int>,
+             std::vector<std::pair<std::size_t, std::size_t>>>
+      groups;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t e = 0; e < faces[f].edges.size(); ++e)
+        if (faces[f].edges[e].is_rim() && faces[f].nodes.size() > 2)
+          {
+            std::set<unsigned int> key;
+            for (const unsigned int node : edge_nodes(faces[f], e))
+              if (const auto found = followed.find(node);
+                  found != followed.end())
+                key.insert(found->second.begin(), found->second.end());
+              else
+                key.insert(node);
+            groups[key].emplace_back(f, e);
+          }
+    for (const auto &[key, edges] : groups)
+      for (const auto &[f, e] : edges)
+        for (const auto &[g, h] : edges)
+          if (edge_length(faces[f], e) > 1.3 * edge_length(faces[g], h))
+            {
+              faces[f].edges[e].partners.push_back(g);
+              faces[g].edges[h].partners.push_back(f);
+            }
+  }
+
+  FaceNet::Closest
+  FaceNet::project(const std::size_t face, const Point<3> &p) const
+  {
+    Closest result;
+    static_cast<ClosestPoint &>(result) = closest_point(faces[face].corners, p);
+    result.face                         = face;
+    result.normal = face_normal_at(faces[face].corners, result.at);
+    if (result.normal * faces[face].outward < 0)
+      result.normal = -result.normal;
+    return result;
+  }
+
+  std::vector<std::size_t>
+  FaceNet::edges_at(const Closest &at) const
+  {
+    std::vector<std::size_t> edges;
+    for (std::size_t e = 0; e < faces[at.face].edges.size(); ++e)
+      if (const double beyond = e % 2 == 0 ? at.at[e / 2] : 1 - at.at[e / 2];
+          beyond <= round_off)
+        edges.push_back(e);
+    return edges;
+  }
+
+  std::vector<FaceNet::Closest>
+  FaceNet::feature(const Closest &at, const Point<3> &p) const
+  {
+    const Face           &face  = faces[at.face];
+    const auto            edges = edges_at(at);
+    std::set<std::size_t> others;
+    for (const std::size_t e : edges)
+      others.insert(face.edges[e].partners.begin(),
+                    face.edges[e].partners.end());
+    const auto weights = shape_values(face.nodes.size(), at.at);
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      if (weights[i] >= 1 - 2 * round_off)
+        others.insert(faces_at_node[face.nodes[i]].begin(),
+                      faces_at_node[face.nodes[i]].end());
+    std::vector<Closest> result = {at};
+    for (const std::size_t other : others)
+      if (other != at.face)
+        {
+          const Closest there = project(other, p);
+          const double  scale = round_off * std::max(face.size, at.distance);
+          if (there.distance < at.distance - scale)
+            return {};
+          if (there.point.distance(at.point) <=
+              10 * std::sqrt(round_off) * face.size)
+            result.push_back(there);
+        }
+    return result;
+  }
+
+  Tensor<1, 3>
+  FaceNet::sum_of_normals(const std::vector<Closest> &feature) const
+  {
+    Tensor<1, 3> sum;
+    for (const Closest &at : feature)
+      sum += angle_at(faces[at.face], edges_at(at)) * at.normal;
+    return sum;
+  }
+
+  bool
+  FaceNet::is_behind(const Point<3> &p) const
+  {
+    Closest nearest;
+    nearest.distance = std::numeric_limits<double>::max();
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (faces[f].centre.distance(p) - faces[f].radius < nearest.distance)
+        if (const Closest closest = project(f, p);
+            closest.distance < nearest.distance)
+          nearest = closest;
+    return (p - nearest.point) * sum_of_normals(feature(nearest, p)) < 0;
+  }
+} // namespace conetact

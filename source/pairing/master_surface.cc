@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/master_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Misses below this part of a face's size are round-off. */
+    constexpr double round_off = 1e-8;
+    /**
+     * How far beyond a rim or sharp edge a node is still over the face, in
+     * face sizes: coordinates of mesh files have six to eight digits, and a
+     * hundredth of a face more changes forces less than the mesh does.
+     */
+    constexpr double overhang = 1e-2;
+    /**
+     * Gaps below this part of a face's size have no direction of their own.
+     */
+    constexpr double touching = 1e-4;
+    /**
+     * A sharp edge is met by nodes that look at it, up to 20 degrees: facets
+     * of curved slaves turn by as much. A wider cone would let the flat faces
+     * of a slave run into edges beside them.
+     */
+    constexpr double cosine_to_edge = .94;
+
+    double
+    largest_cosine(const Tensor<1, 3>              &normal,
+                   const std::vector<Tensor<1, 3>> &slave_normals)
+    {
+      double cosine = -1;
+      for (const Tensor<1, 3> &n : slave_normals)
+        cosine = std::max(cosine, -(normal * n));
+      return cosine;
+    }
+
+    Surface
+    whole_boundary(const Structure &body)
+    {
+      return body.surface(body.boundary_ids());
+    }
+
+    /**
+     * A surface without sides looks against the node's side, or if that has
+     * none either, at the node.
+     */
+    void
+    turn_against(const std::vector<Tensor<1, 3>> &slave_normals,
+                 const Tensor<1, 3>              &arm,
+                 Tensor<1, 3>                    &normal)
+    {
+      const double forth = largest_cosine(normal, slave_normals);
+      const double back  = largest_cosine(-normal, slave_normals);
+      if (back > forth + round_off ||
+          (back > forth - round_off && normal * arm < 0))
+        normal = -normal;
+    }
+
+    bool
+    is_sharp(const std::vector<FaceNet::Closest> &feature)
+    {
+      std::vector<Tensor<1, 3>> normals;
+      for (const FaceNet::Closest &at : feature)
+        normals.push_back(at.normal);
+      return smooth_patches(normals).size() > 1;
+    }
+  } // namespace
+
+  MasterSurface::MasterSurface(const Structure &body, const BoundaryIds &ids)
+    : net(body, body.surface(ids))
+  {
+    if (const Surface boundary = whole_boundary(body); !boundary.two_sided)
+      whole = std::make_unique<FaceNet>(body, boundary);
+  }
+
+  /**
+   * From the foot to p, without what a node overhangs the rim; none if that is
+   * too much and the node stands beside the surface. Facets of a curved
+   * surface end at an angle to it: what they miss by that is no overhang.
+   */
+  std::optional<Tensor<1, 3>>
+  MasterSurface::arm_over(const Feature &feature, const Tensor<1, 3> &arm) const
+  {
+    Tensor<1, 3> over = arm;
+    for (const FaceNet::Closest &at : feature)
+      for (const std::size_t e : net.edges_at(at))
+        {
+          const FaceNet::Face &face    = net.all()[at.face];
+          const Tensor<1, 3>  &outward = face.edges[e].outward;
+          if (!face.edges[e].is_rim())
+            continue;
+          if (outward * arm >
+              overhang * face.size + 1.001 * face.bend * arm.norm())
+            return {};
+          if (outward * over > 0)
+            over -= (outward * over) * outward;
+        }
+    return over;
+  }
+
+  /** Over a face, or beyond its sharp edge by next to nothing. */
+  std::optional<MasterSurface::Meeting>
+  MasterSurface::meet_face(const Feature                   &feature,
+                           const Tensor<1, 3>              &arm,
+                           const std::vector<Tensor<1, 3>> &slave_normals,
+                           const Limits                    &limits) const
+  {
+    const double           allowed = feature.size() == 1 ? 1 :
+                                     is_sharp(feature)   ? overhang :
+                                                           round_off;
+    std::optional<Meeting> best;
+    double                 nearest = 0;
+    for (const FaceNet::Closest &at : feature)
+      {
+        const double gap  = arm * at.normal;
+        const double miss = (arm - gap * at.normal).norm();
+        if (miss <= allowed * net.all()[at.face].size &&
+            largest_cosine(at.normal, slave_normals) >= limits.cosine &&
+            (!best || miss < nearest))
+          {
+            best    = Meeting{gap, at.normal};
+            nearest = miss;
+          }
+      }
+    return best;
+  }
+
+  /** On an edge or vertex of the surface. */
+  std::optional<MasterSurface::Meeting>
+  MasterSurface::meet_edge(const Feature                   &feature,
+                           const Tensor<1, 3>              &arm,
+                           const std::vector<Tensor<1, 3>> &slave_normals,
+                           const Limits                    &limits) const
+  {
+    const double distance = arm.norm();
+    if (distance <= touching * net.all()[feature[0].face].size)
+      {
+        std::vector<Tensor<1, 3>> cone;
+        for (const FaceNet::Closest &at : feature)
+          cone.push_back(at.normal);
+        Tensor<1, 3> best;
+        for (const Tensor<1, 3> &n : slave_normals)
+          if (const Tensor<1, 3> nearest = nearest_in_cone(-n, cone);
+              nearest.norm() > best.norm() + round_off)
+            best = nearest;
+        if (best.norm() < limits.cosine || best.norm() == 0)
+          return {};
+        best /= best.norm();
+        return Meeting{arm * best, best};
+      }
+    const double       side   = arm * net.sum_of_normals(feature) < 0 ? -1 : 1;
+    const Tensor<1, 3> normal = side / distance * arm;
+    const bool         meets =
+      is_sharp(feature) ?
+                nearest_in_cone(-normal, slave_normals).norm() >= cosine_to_edge :
+                largest_cosine(normal, slave_normals) >= limits.cosine;
+    if (!meets)
+      return {};
+    return Meeting{side * distance, normal};
+  }
+
+  std::optional<MasterSurface::Meeting>
+  MasterSurface::meet(Feature                          feature,
+                      const Point<3>                  &p,
+                      const std::vector<Tensor<1, 3>> &slave_normals,
+                      const Limits                    &limits) const
+  {
+    if (feature.empty())
+      return {};
+    if (!whole)
+      for (FaceNet::Closest &at : feature)
+        turn_against(slave_normals, p - at.point, at.normal);
+    const auto arm = arm_over(feature, p - feature[0].point);
+    if (!arm)
+      return {};
+    const double size = net.all()[feature[0].face].size;
+    if (feature.size() == 1 || arm->norm() > touching * size)
+      if (const auto over = meet_face(feature, *arm, slave_normals, limits))
+        return over;
+    return feature.size() == 1 ?
+             std::nullopt :
+             meet_edge(feature, *arm, slave_normals, limits);
+  }
+
+  bool
+  MasterSurface::may_be_behind(const Point<3> &p,
+                               const Meeting  &meeting,
+                               const double    size,
+                               const Limits   &limits) const
+  {
+    if (meeting.gap >= -1e-6 * size)
+      return true;
+    if (!whole)
+      return meeting.gap >= -limits.interference;
+    return limits.inside && whole->is_behind(p);
+  }
+
+  std::optional<MasterSurface::Foot>
+  MasterSurface::foot(const Point<3>                  &p,
+                      const std::vector<Tensor<1, 3>> &slave_normals,
+                      const Limits                    &limits) const
+  {
+    std::optional<Foot> best;
+    double              nearest = limits.reach;
+    double              opposes = -1;
+    const auto         &faces   = net.all();
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      {
+        if (faces[f].centre.distance(p) - faces[f].radius > nearest ||
+            !faces[f].may_have_foot(p) ||
+            (whole && largest_cosine(faces[f].outward, slave_normals) < -.5))
+          continue;
+        const FaceNet::Closest at = net.project(f, p);
+        if (at.distance > nearest)
+          continue;
+        const auto meeting = meet(net.feature(at, p), p, slave_normals, limits);
+        if (!meeting || !may_be_behind(p, *meeting, faces[f].size, limits))
+          continue;
+        const double cosine = largest_cosine(meeting->normal, slave_normals);
+        if (at.distance == nearest && cosine <= opposes)
+          continue;
+        Foot       foot{meeting->gap, meeting->normal, faces[f].size, {}};
+        const auto weights = shape_values(faces[f].nodes.size(), at.at);
+        for (std::size_t i = 0; i < weights.size(); ++i)
+          if (std::abs(weights[i]) > 1e-14)
+            foot.masters.emplace_back(faces[f].nodes[i], weights[i]);
+        nearest = at.distance;
+        opposes = cosine;
+        best    = std::move(foot);
+      }
+    return best;
+  }
+} // namespace conetact

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/true_gap.h"
+
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  double
+  true_gap(const MovedNode &moved)
+  {
+    const ContactNode &node = *moved.node;
+    return node.obstacle->shape->gap_after(node.position,
+                                           moved.u - moved.d,
+                                           node.spacing);
+  }
+
+  std::optional<GapError>
+  worst_gap_error(const std::vector<MovedNode> &nodes, const double indentation)
+  {
+    constexpr double part = .01; // of a cell or of the indentation
+
+    std::optional<GapError> worst;
+    double                  largest = 1;
+    for (const MovedNode &moved : nodes)
+      {
+        const double allowed =
+          part * std::max(moved.node->spacing, indentation);
+        const double actual = true_gap(moved);
+        if (std::min(actual, moved.gap) > allowed)
+          continue; // open by both
+        if (const double error = std::abs(actual - moved.gap) / allowed;
+            error > largest)
+          {
+            worst   = GapError{moved.node, moved.gap, actual, allowed};
+            largest = error;
+          }
+      }
+    return worst;
+  }
+
+  std::string
+  to_sentence(const GapError &error)
+  {
+    return "The obstacle '" + error.node->obstacle->name +
+           "' is curved, and it and the body have moved so far past each "
+           "other that the gap of the node at " +
+           to_text(error.node->position) + " is " + to_text(error.actual) +
+           " by the obstacle's shape, but " + to_text(error.linearised) +
+           " by the contact, which is linearised at the undeformed node; " +
+           to_text(error.allowed) +
+           " is allowed, a hundredth of a cell or of the indentation. Let "
+           "them move less, or let the obstacle start nearer to where it "
+           "ends.";
+  }
+} // namespace conetact
