@@ -4,79 +4,231 @@
 #include "conetact/application/acceptance.h"
 
 #include "conetact/base/text.h"
+#include "conetact/pairing/true_gap.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact
 {
-  Acceptance::Acceptance(const Scene &s, const ContactModel &m)
+  namespace
+  {
+    std::vector<ContactPoint>
+    contact_points(const ContactModel &model)
+    {
+      std::vector<ContactPoint> points;
+      for (const NodeRule *rule : model.coordinates.contact_rules())
+        {
+          ContactPoint point;
+          point.node = rule->contact_node;
+          point.dual = rule->dual;
+          point.mu   = rule->mu;
+          if (!points.empty())
+            point.first = points.back().first +
+                          static_cast<Eigen::Index>(points.back().dual.size());
+          points.push_back(std::move(point));
+        }
+      return points;
+    }
+
+    /** The sum of all resultants over the largest of them. */
+    double
+    balance_of(const IncrementRecord &record, const double reach)
+    {
+      Resultant  sum;
+      double     largest = 0;
+      const auto add     = [&](const Resultant &resultant) {
+        sum.force += resultant.force;
+        sum.moment += resultant.moment;
+        largest = std::max(largest, resultant.force.norm());
+      };
+      for (const Resultant &contact : record.contacts)
+        add(contact);
+      add(record.supports);
+      add(record.loads);
+      return largest > 0 ? std::max(sum.force.norm() / largest,
+                                    sum.moment.norm() / (largest * reach)) :
+                           0.;
+    }
+  } // namespace
+
+  Acceptance::Acceptance(const Scene &s, const ContactModel &m, Log &log)
     : scene(s)
     , model(m)
+    , verification(model.bodies,
+                   model.elastic,
+                   model.plain,
+                   model.motions,
+                   contact_points(model),
+                   scene.solver.tolerance)
     , contact_rows(model, scene.master_side)
+    , warnings(model, log)
   {}
 
-  Equilibrium
-  Acceptance::judge(const PendingIncrement &increment,
-                    const Eigen::VectorXd  &u) const
+  void
+  Acceptance::set_stiffness(const ContactSystem &system, const WorkingSet &set)
   {
-    return check_equilibrium(scene.bodies,
-                             model.elastic,
-                             model.coordinates,
-                             u,
-                             increment.state.r,
-                             increment.forces,
-                             increment.record.time,
-                             scene.contact_names.size(),
-                             largest_force);
+    Eigen::VectorXd stiffness =
+      Eigen::VectorXd::Zero(model.coordinates.layout().n_nodes());
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const double mean =
+          system.matrix.diagonal()
+            .segment(system.first[static_cast<std::size_t>(i)],
+                     system.n_tangents(i) + 1)
+            .mean();
+        stiffness[set.nodes()[static_cast<std::size_t>(i)]] =
+          system.form == Form::stiffness ? mean : mean > 0 ? 1 / mean : 0;
+      }
+    // candidates outside the set carry nothing; their gaps are like others
+    const double largest = stiffness.size() > 0 ? stiffness.maxCoeff() : 0;
+    verification.set_stiffness(stiffness.unaryExpr(
+      [largest](const double k) { return k > 0 ? k : largest; }));
+  }
+
+  Claim
+  Acceptance::claim(const PendingIncrement &increment,
+                    const Eigen::VectorXd  &w) const
+  {
+    Claim claim;
+    claim.amounts =
+      model.amounts(increment.load.placement, increment.motions);
+    claim.w           = w;
+    claim.r           = increment.state.r;
+    claim.states      = increment.state.node;
+    claim.loads       = increment.forces;
+    claim.mechanical  = increment.mechanical;
+    claim.t           = increment.record.time;
+    claim.whole       = increment.record.report.substeps <= 1;
+    claim.incremental = scene.path.method == PathSettings::Method::none ||
+                        scene.path.law == PathLaw::incremental;
+    return claim;
+  }
+
+  Finding
+  Acceptance::judge(const PendingIncrement &increment,
+                    const Eigen::VectorXd  &w) const
+  {
+    return verification.judge(claim(increment, w));
+  }
+
+  Eigen::VectorXd
+  Acceptance::displacements(const PendingIncrement &increment,
+                            const Eigen::VectorXd  &w) const
+  {
+    return model.motions.field(
+             model.amounts(increment.load.placement, increment.motions)) +
+           w;
   }
 
   std::string
-  Acceptance::complete(PendingIncrement      &increment,
-                       const Equilibrium     &e,
-                       const Eigen::VectorXd &u,
-                       const bool             drawn)
+  Acceptance::wrong_gap(const PendingIncrement &increment,
+                        const Finding          &finding,
+                        const Eigen::VectorXd  &w,
+                        const Eigen::VectorXd  &u) const
+  {
+    std::vector<MovedNode> moved;
+    double                 indentation = 0;
+    const auto at = [&](const Eigen::VectorXd &x, const ContactNode &node) {
+      Tensor<1, 3> displacement;
+      for (unsigned int c = 0; c < model.bodies.dim; ++c)
+        displacement[c] = x[model.plain.dof(node.body, node.node) + c];
+      return displacement;
+    };
+    const auto &points = verification.contact_points();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const ContactNode &node = *points[i].node;
+        if (node.obstacle == nullptr)
+          continue;
+        const auto n = points[i].first +
+                       static_cast<Eigen::Index>(points[i].dual.size()) - 1;
+        moved.push_back(
+          {&node,
+           at(u, node),
+           node.obstacle->displacement_at(increment.record.time),
+           increment.state.node[i] == NodeState::open ?
+             node.gap + finding.displacements[n] :
+             0.});
+        if (increment.state.node[i] != NodeState::open)
+          indentation = std::max(indentation, std::abs(at(w, node) * node.n));
+      }
+    const auto worst = worst_gap_error(moved, indentation);
+    return worst ? to_sentence(*worst) : "";
+  }
+
+  std::string
+  Acceptance::complete(PendingIncrement             &increment,
+                       const Finding                &finding,
+                       const Eigen::VectorXd        &w,
+                       const bool                    drawn)
   {
     IncrementRecord &record = increment.record;
-    largest_force           = std::max(largest_force, e.largest_force);
-    add_resultants(record, e);
-    if (!(record.equilibrium <= scene.solver.tolerance))
-      return "the uncondensed equilibrium is violated by " +
-             to_text(record.equilibrium) +
-             " of the largest nodal force. Forces cannot be told better from "
-             "rounding where bodies differ this much in stiffness or move this "
-             "far; a larger Solver/Tolerance would accept them";
-    record.rows =
-      contact_rows.rows(increment.state, increment.contact, u, record.time);
+    add_resultants(record, finding);
+    if (!finding.why.empty())
+      return finding.why;
+    if (const std::string why = wrong_gap(increment, finding, w, finding.u);
+        !why.empty())
+      return why;
+    const Claim accepted = claim(increment, w);
+    verification.accept(accepted, finding);
+    energies.add(verification.contact_points(), accepted, finding, record);
+    record.rows = contact_rows.rows(
+      increment.state, increment.contact, finding.u, record.time);
+    record.determinate = warnings.is_determinate(increment.state.node);
+    warnings.check_size(accepted.amounts, w);
     if (drawn)
-      add_displacements(record, u);
+      add_displacements(record, finding.u, w);
     return "";
   }
 
   void
-  Acceptance::add_resultants(IncrementRecord   &record,
-                             const Equilibrium &e) const
+  Acceptance::add_resultants(IncrementRecord &record,
+                             const Finding   &finding) const
   {
-    record.equilibrium = e.residual;
-    record.balance     = e.balance;
-    record.contacts    = e.contacts;
-    record.contacts.resize(scene.contact_sides.size());
-    for (std::size_t c = 0; c < e.masters.size(); ++c)
-      if (scene.master_side[c] != c)
-        record.contacts[scene.master_side[c]] = e.masters[c];
-    if (record.body_balance = e.body_balance; record.body_balance.size() == 1)
+    const ExternalForces &external = finding.external;
+    record.equilibrium             = finding.equilibrium;
+    record.report.residual         = finding.residual;
+    record.contacts.assign(scene.contact_sides.size(), {});
+    for (std::size_t c = 0; c < external.contacts.size(); ++c)
+      {
+        record.contacts[c] = external.contacts[c];
+        if (scene.master_side[c] != c)
+          record.contacts[scene.master_side[c]] = external.masters[c];
+      }
+    record.each_support = external.supports;
+    record.supports     = {};
+    for (const Resultant &support : external.supports)
+      {
+        record.supports.force += support.force;
+        record.supports.moment += support.moment;
+      }
+    record.loads = external.loads;
+    double reach = 0;
+    record.body_balance.clear();
+    for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
+      {
+        record.body_balance.push_back(external.bodies[b].error());
+        const Structure &structure = *model.bodies.structures[b];
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+          reach = std::max(reach, structure.position(i).norm());
+      }
+    record.balance = balance_of(record, reach);
+    if (record.body_balance.size() == 1)
       record.body_balance.clear();
-    record.supports = e.supports;
-    record.loads    = e.loads;
   }
 
   void
   Acceptance::add_displacements(IncrementRecord       &record,
-                                const Eigen::VectorXd &u) const
+                                const Eigen::VectorXd &u,
+                                const Eigen::VectorXd &w) const
   {
     record.actions = scene.actions(record.time);
     for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
-      record.displacements.push_back(
-        u.segment(model.coordinates.offset(b),
-                  scene.bodies.structures[b]->n_dofs()));
+      {
+        const Eigen::Index n = scene.bodies.structures[b]->n_dofs();
+        record.displacements.push_back(u.segment(model.plain.offset(b), n));
+        record.deformations.push_back(w.segment(model.plain.offset(b), n));
+      }
   }
 } // namespace conetact

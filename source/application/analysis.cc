@@ -47,7 +47,7 @@ namespace conetact
     , prestress(scene.prestress())
     , history(model)
     , set(model)
-    , acceptance(scene, model)
+    , acceptance(scene, model, l)
   {
     refuse_empty_contacts(scene, model);
   }
@@ -71,12 +71,36 @@ namespace conetact
   {
     for (const double t : scene.times)
       {
-        loads.at(t);
-        model.coordinates.prescribed(t);
-        model.elastic.ground_forces(t);
+        const Eigen::VectorXd forces = loads.at(t);
+        model.plain.prescribed(t);
+        refuse_unbalanced(forces + model.elastic.ground_forces(t), t);
       }
     log.time("loads and supports at all times");
     report_loads(loads, scene.bodies.dim, log);
+  }
+
+  void
+  Analysis::refuse_unbalanced(const Eigen::VectorXd &forces,
+                              const double           t) const
+  {
+    constexpr double      round_off = 1e-10;
+    const Eigen::MatrixXd unseen    = model.motions.unseen();
+    if (unseen.cols() == 0)
+      return;
+    const Eigen::VectorXd driven =
+      unseen.transpose() *
+      (model.motions.free().transpose() * model.motions.resultants(forces));
+    if (driven.norm() <= round_off * forces.lpNorm<1>())
+      return;
+    const RigidMotions::Motion motion =
+      model.motions.motion_of_free(unseen * driven);
+    throw InputError("Nothing holds body '" +
+                     scene.bodies.names[motion.body] + "' against moving " +
+                     describe(motion) +
+                     ": no support, and no contact with friction, but loads "
+                     "drive it at t = " +
+                     to_text(t) +
+                     ". Add a Support, or friction to a Contact.");
   }
 
   void
@@ -101,6 +125,8 @@ namespace conetact
     description.contacts     = scene.contact_sides;
     description.bodies       = scene.bodies.names;
     description.structures   = scene.bodies.structures;
+    description.supports     = scene.support_names;
+    description.loads        = scene.load_names;
     description.dim          = scene.bodies.dim;
     description.n_increments = static_cast<unsigned int>(n_increments);
     description.end          = scene.times.empty() ? 0 : scene.times.back();
@@ -139,14 +165,29 @@ namespace conetact
   }
 
   void
+  Analysis::apply_loads(PendingIncrement &increment)
+  {
+    const double              t      = increment.record.time;
+    const NodalLoads::Acting  acting = loads.acting(t);
+    increment.forces                 = acting.forces + prestress;
+    increment.mechanical             = increment.forces;
+    if (acting.thermal.size() > 0)
+      increment.mechanical -= acting.thermal;
+    for (const auto &[force, moment] : acting.each)
+      increment.record.each_load.push_back({force, moment});
+    increment.load = model.load_case(increment.forces, t);
+  }
+
+  void
   Analysis::complete(PendingIncrement      &increment,
-                     const Equilibrium     &e,
-                     const Eigen::VectorXd &u)
+                     const Finding         &finding,
+                     const Eigen::VectorXd &w)
   {
     const unsigned int k     = increment.record.increment;
     const bool         drawn = description.is_drawn(k) ||
                        (scene.adaptive.cycles > 0 && k == scene.times.size());
-    if (const std::string why = acceptance.complete(increment, e, u, drawn);
+    if (const std::string why =
+          acceptance.complete(increment, finding, w, drawn);
         !why.empty())
       fail(increment.record, why);
   }

@@ -17,9 +17,9 @@ namespace conetact
   namespace
   {
     double
-    error_of(const Equilibrium &e)
+    error_of(const Finding &finding)
     {
-      return std::max(e.residual, e.balance);
+      return std::max(finding.residual, finding.equilibrium);
     }
   } // namespace
 
@@ -72,25 +72,20 @@ namespace conetact
   PendingIncrement
   IncrementAnalysis::solve(const unsigned int k)
   {
-    PendingIncrement increment{{}, {}, {}, {}, {}, history, history, {}};
+    PendingIncrement increment{{}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
-    increment.forces           = loads.at(increment.record.time) + prestress;
-    increment.load             = model.condensation().reduce(
-      increment.forces + model.elastic.ground_forces(increment.record.time),
-      model.coordinates.prescribed(increment.record.time));
-    increment.record.report = solve_contact(increment.load, increment);
-    increment.contact       = history.displacements();
-    increment.after         = history;
+    apply_loads(increment);
+    increment.record.report = solve_contact(increment, history.start());
     return increment;
   }
 
   SolverReport
-  IncrementAnalysis::solve_contact(const Condensation::Load &load,
-                                   PendingIncrement         &increment)
+  IncrementAnalysis::solve_contact(PendingIncrement   &increment,
+                                   const ContactState &guess)
   {
     ContactState &state = increment.end;
-    state               = history.start();
+    state               = guess;
     SolverReport report;
     if (state.v.size() == 0)
       {
@@ -98,14 +93,11 @@ namespace conetact
         report.solver    = "linear";
         return report;
       }
-    const ContactProblem problem = history.problem(load);
-    check_existence(problem, state.r, increment);
+    const ContactProblem problem = history.problem(increment.load);
+    check_existence(problem, increment);
     report = solver->solve(problem, state);
     done.add(report);
-    // parts of an increment were checked one by one: the law is incremental
-    if (report.substeps == 1)
-      report.residual = contact_residual(problem, state);
-    if (!report.converged || !(report.residual <= scene.solver.tolerance))
+    if (!report.converged)
       fail(increment.record,
            report.reason.empty() ?
              "the residual is " + to_text(report.residual) :
@@ -121,13 +113,16 @@ namespace conetact
                              std::nullopt});
     increment.record.errors = kanno_errors(problem, state);
     history.advance(state);
-    increment.state = history.of_candidates(state, increment.before);
+    increment.state   = history.of_candidates(state, increment.before);
+    increment.contact = history.displacements();
+    increment.primal  = history.primal();
+    increment.motions = history.free_motions();
+    increment.after   = history;
     return report;
   }
 
   void
   IncrementAnalysis::check_existence(const ContactProblem   &problem,
-                                     const Eigen::VectorXd  &start,
                                      const PendingIncrement &increment)
   {
     if (problem.system->null_space.cols() == 0)
@@ -136,8 +131,10 @@ namespace conetact
       existence = std::make_unique<ExistenceCheck>(make_existence_check(model));
     // at the start of the increment the reactions balance the load on the null
     // space
-    const Existence result =
-      existence->check(problem.load, -start, problem.reference_force);
+    const Existence result = existence->check(
+      resultants_of(problem, model),
+      -increment.before.start().r.head(problem.system->n_contact_unknowns()),
+      problem.reference_force);
     if (!result.admissible)
       fail(increment.record,
            "no equilibrium exists, " + describe(result, model));
@@ -148,15 +145,17 @@ namespace conetact
   {
     if (batch.empty())
       return std::numeric_limits<unsigned int>::max();
-    std::vector<const Condensation::Load *> cases;
-    std::vector<Eigen::VectorXd>            contact;
+    std::vector<const LoadCase *> cases;
+    std::vector<Eigen::VectorXd>  primal;
     for (const PendingIncrement &increment : batch)
       {
         cases.push_back(&increment.load);
-        contact.push_back(model.working_set().gather(increment.contact));
+        primal.push_back(increment.primal);
       }
-    const Eigen::MatrixXd u       = model.condensation().expand(cases, contact);
-    const std::size_t     n_right = recover_all(batch, u);
+    acceptance.set_stiffness(*model.condensation().system(),
+                             model.working_set());
+    const Eigen::MatrixXd         w = model.condensation().expand(cases, primal);
+    const std::size_t             n_right = recover_all(batch, w);
     std::vector<IncrementRecord>  finished;
     std::vector<PendingIncrement> all = std::move(batch);
     batch.clear();
@@ -165,7 +164,7 @@ namespace conetact
         bool corrected = false;
         try
           {
-            corrected = check(all[i], u.col(static_cast<Eigen::Index>(i)));
+            corrected = check(all[i], w.col(static_cast<Eigen::Index>(i)));
           }
         catch (const AnalysisError &)
           {
@@ -196,12 +195,14 @@ namespace conetact
 
   void
   IncrementAnalysis::recover(PendingIncrement      &increment,
-                             const Eigen::VectorXd &u) const
+                             const Eigen::VectorXd &w) const
   {
     if (model.working_set().is_all())
       return;
     increment.after.recover(
-      candidate_displacements(model, u, increment.record.time));
+      candidate_displacements(model,
+                              acceptance.displacements(increment, w),
+                              increment.record.time));
     increment.state =
       increment.after.of_candidates(increment.end, increment.before);
     increment.contact = increment.after.displacements();
@@ -209,13 +210,13 @@ namespace conetact
 
   std::size_t
   IncrementAnalysis::recover_all(std::vector<PendingIncrement> &batch,
-                                 const Eigen::MatrixXd         &u) const
+                                 const Eigen::MatrixXd         &w) const
   {
     for (std::size_t i = 0; i < batch.size(); ++i)
       {
         if (i > 0)
           batch[i].before = batch[i - 1].after;
-        recover(batch[i], u.col(static_cast<Eigen::Index>(i)));
+        recover(batch[i], w.col(static_cast<Eigen::Index>(i)));
         if (!set.suffices(batch[i].after.gaps()))
           return i;
       }
@@ -243,59 +244,68 @@ namespace conetact
   }
 
   bool
-  IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd u)
+  IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
   {
-    constexpr unsigned int most_steps = 3;
+    constexpr unsigned int most_steps = 4;
     const ContactHistory   latest     = history;
-    Equilibrium            e          = acceptance.judge(increment, u);
+    Finding                finding    = acceptance.judge(increment, w);
     bool                   corrected  = false;
     for (unsigned int step = 0;
-         step < most_steps && error_of(e) > .1 * scene.solver.tolerance;
+         step < most_steps && error_of(finding) > .1 * scene.solver.tolerance;
          ++step)
       {
         PendingIncrement better = increment;
         Eigen::VectorXd  refined;
         try
           {
-            refined = correct(better, u, e.unbalanced);
+            refined = correct(better, w, finding);
           }
         catch (const AnalysisError &)
           {
             break; // the result at hand is judged as it is
           }
-        Equilibrium e_new = acceptance.judge(better, refined);
-        if (!(error_of(e_new) < .5 * error_of(e)))
+        Finding found = acceptance.judge(better, refined);
+        if (!(error_of(found) < .5 * error_of(finding)))
           break;
         increment = std::move(better);
-        e         = std::move(e_new);
-        u         = refined;
+        finding   = std::move(found);
+        w         = refined;
         corrected = true;
       }
     history = latest;
     if (corrected)
-      recover(increment, u);
-    complete(increment, e, u);
+      recover(increment, w);
+    complete(increment, finding, w);
     return corrected;
   }
 
   Eigen::VectorXd
   IncrementAnalysis::correct(PendingIncrement      &increment,
-                             const Eigen::VectorXd &u,
-                             const Eigen::VectorXd &unbalanced)
+                             const Eigen::VectorXd &w,
+                             const Finding         &finding)
   {
-    // K q = r + f holds for the rounded K; the true one leaves `unbalanced`
+    // the relation holds for rounded matrices; the true one leaves forces
+    // unbalanced, and contacts elsewhere than the recovered displacements
+    ElasticBackend &elastic = model.condensation();
+    increment.load.f -= elastic.reduce_unbalanced(finding.unbalanced);
+    ContactState guess = increment.before.start();
+    if (model.is_dual())
+      {
+        const Eigen::VectorXd missed = model.working_set().gather(
+          finding.displacements - increment.contact);
+        increment.load.f.head(missed.size()) += missed;
+        guess      = increment.end;
+        guess.node = increment.end.node;
+        guess.r.tail(increment.motions.size()).setZero();
+      }
     history = increment.before;
-    increment.load.f -= model.condensation().reduce_unbalanced(unbalanced);
+    history.linearise_at(increment.motions);
     const unsigned int    before = increment.record.report.iterations;
-    const Eigen::VectorXd old    = increment.contact;
-    increment.record.report      = solve_contact(increment.load, increment);
+    const Eigen::VectorXd old    = increment.primal;
+    increment.record.report      = solve_contact(increment, guess);
     increment.record.report.iterations += before;
-    increment.contact            = history.displacements();
-    increment.after              = history;
-    const Eigen::VectorXd change = increment.contact - old;
-    return u +
-           model.condensation().correction(unbalanced,
-                                           model.working_set().gather(change));
+    return w +
+           elastic.correction(finding.unbalanced, increment.primal - old);
   }
 
   std::string

@@ -65,19 +65,44 @@ namespace conetact
 
 
 
+  const ContactSystem &
+  PathAnalysis::system()
+  {
+    if (!stiffness)
+      {
+        stiffness.emplace(model.condensation().system());
+        if (!stiffness->exists())
+          throw InputError(
+            "Solver/Method: a load path needs contacts that do not depend on "
+            "each other, but some contact nodes are held on both sides. Take "
+            "them out of a contact, or choose automatic.");
+      }
+    return *stiffness->system();
+  }
+
+
+
   PathAnalysis::Case
   PathAnalysis::case_at(const double t)
   {
+    PendingIncrement pending{
+      {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+    pending.record.time = t;
+    apply_loads(pending);
     Case result;
-    result.forces               = loads.at(t) + prestress;
-    result.load                 = model.condensation().reduce(result.forces +
-                                                model.elastic.ground_forces(t),
-                                              model.coordinates.prescribed(t));
-    const ContactSystem &system = *model.condensation().system();
-    Eigen::VectorXd      gap    = Eigen::VectorXd::Zero(system.n_unknowns());
-    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
-      gap[system.normal(i)] = initial_gap[i];
-    result.f = result.load.f + system.matrix * gap;
+    result.forces         = pending.forces;
+    result.mechanical     = pending.mechanical;
+    result.each_load      = pending.record.each_load;
+    result.load           = pending.load;
+    Eigen::VectorXd start = result.load.offset;
+    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
+      start[system().normal(i)] += initial_gap[i];
+    result.relation = result.load.f;
+    if (model.is_dual())
+      result.relation.head(start.size()) += start;
+    else
+      result.relation += multiply(system(), start);
+    result.f = stiffness->load(result.relation);
     return result;
   }
 
@@ -89,12 +114,24 @@ namespace conetact
     const auto mean = [&](const Eigen::VectorXd &x, const Eigen::VectorXd &y) {
       return Eigen::VectorXd(x + part * (y - x));
     };
-    return {mean(a.forces, b.forces),
-            {mean(a.load.prescribed, b.load.prescribed),
-             mean(a.load.b, b.load.b),
-             mean(a.load.f, b.load.f),
-             mean(a.load.q, b.load.q)},
-            mean(a.f, b.f)};
+    Case result;
+    result.forces     = mean(a.forces, b.forces);
+    result.mechanical = mean(a.mechanical, b.mechanical);
+    for (std::size_t i = 0; i < a.each_load.size(); ++i)
+      {
+        const Resultant &x = a.each_load[i], &y = b.each_load[i];
+        result.each_load.push_back({x.force + part * (y.force - x.force),
+                                    x.moment + part * (y.moment - x.moment)});
+      }
+    result.load.prescribed = mean(a.load.prescribed, b.load.prescribed);
+    result.load.b          = mean(a.load.b, b.load.b);
+    result.load.f          = mean(a.load.f, b.load.f);
+    result.load.q          = mean(a.load.q, b.load.q);
+    result.load.offset     = mean(a.load.offset, b.load.offset);
+    result.load.placement  = mean(a.load.placement, b.load.placement);
+    result.relation        = mean(a.relation, b.relation);
+    result.f               = mean(a.f, b.f);
+    return result;
   }
 
 
@@ -124,9 +161,9 @@ namespace conetact
     remove_mechanism();
     create_outputs(folder, 0, quiet);
     events.emplace(folder);
-    const auto      system   = model.condensation().system();
+    system();
     Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);
-    const auto      follower = make_follower(system, gap);
+    const auto      follower = make_follower(stiffness->system(), gap);
     PathResult      result;
     try
       {
@@ -176,11 +213,10 @@ namespace conetact
   PathAnalysis::apply_constant_loads(PathFollower &follower,
                                      const Case   &constant)
   {
-    const ContactSystem &system = *model.condensation().system();
-    last.v = last.r = Eigen::VectorXd::Zero(system.n_unknowns());
-    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
-      last.v[system.normal(i)] = std::max(initial_gap[i], 0.);
-    const Eigen::VectorXd nothing = system.matrix * last.v;
+    last.v = last.r = Eigen::VectorXd::Zero(system().n_unknowns());
+    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
+      last.v[system().normal(i)] = std::max(initial_gap[i], 0.);
+    const Eigen::VectorXd nothing = multiply(system(), last.v);
 
     PathResult result;
     result.outcome = PathOutcome::target_reached;
@@ -223,31 +259,36 @@ namespace conetact
         last = point;
         return add_events(point);
       }
-    const ContactSystem &system = *model.condensation().system();
-    PendingIncrement     pending{
-      {}, at.forces, at.load, {}, {}, history, history, {}};
+    PendingIncrement pending{{},
+                             at.forces,
+                             at.mechanical,
+                             at.load,
+                             {},
+                             {},
+                             {},
+                             {},
+                             history,
+                             history,
+                             {}};
     IncrementRecord &record  = pending.record;
+    record.each_load         = at.each_load;
     record.increment         = ++n_records;
     record.time              = t;
     record.report.converged  = true;
     record.report.solver     = "load path";
     record.report.iterations = 1;
-    record.report.residual = path_residual(system, options, at.f, last, point);
-    if (!(record.report.residual <= scene.solver.tolerance))
-      fail(record, "the residual is " + to_text(record.report.residual));
-
     pending.contact   = point.v;
     pending.state.v   = point.v - last.v;
     pending.state.r   = point.r;
     const double zero = noise * largest(point.r);
     const double rest = noise * largest(point.v);
-    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       {
-        const Eigen::Index k = system.normal(i);
+        const Eigen::Index k = system().normal(i);
         const double       slip =
           pending.state.v
-            .segment(system.first[static_cast<std::size_t>(i)],
-                     system.n_tangents(i))
+            .segment(system().first[static_cast<std::size_t>(i)],
+                     system().n_tangents(i))
             .norm();
         pending.state.v[k] = point.v[k];
         pending.contact[k] -= initial_gap[i];
@@ -255,6 +296,7 @@ namespace conetact
                                      slip > rest        ? NodeState::slip :
                                                           NodeState::stick);
       }
+    take_primal(at, point, pending);
     waiting.push_back({std::move(pending), point});
     last           = point;
     last.parameter = t;
@@ -268,18 +310,64 @@ namespace conetact
 
 
   void
+  PathAnalysis::take_primal(const Case       &at,
+                            const PathPoint  &point,
+                            PendingIncrement &pending)
+  {
+    pending.motions = Eigen::VectorXd::Zero(model.motions.n_free());
+    if (!model.is_dual())
+      {
+        pending.primal = pending.contact - at.load.offset;
+        return;
+      }
+    pending.motions = stiffness->motions(at.relation, point.v);
+    pending.primal.resize(point.r.size() + pending.motions.size());
+    pending.primal << point.r, pending.motions;
+  }
+
+
+
+  /* Forces that the recovered displacements leave unbalanced strain the bodies
+     a little more, at the same reactions. */
+  Finding
+  PathAnalysis::judge(PendingIncrement &pending, Eigen::VectorXd &w)
+  {
+    Finding finding = acceptance.judge(pending, w);
+    for (unsigned int step = 0;
+         step < 2 && finding.equilibrium > .1 * scene.solver.tolerance;
+         ++step)
+      {
+        const Eigen::VectorXd refined =
+          w + model.condensation().correction(
+                finding.unbalanced,
+                Eigen::VectorXd::Zero(pending.primal.size()));
+        Finding found = acceptance.judge(pending, refined);
+        if (!(found.equilibrium < .5 * finding.equilibrium) ||
+            found.residual > std::max(finding.residual, scene.solver.tolerance))
+          break;
+        finding = std::move(found);
+        w       = refined;
+      }
+    return finding;
+  }
+
+
+
+  void
   PathAnalysis::flush()
   {
     if (waiting.empty())
       return;
-    std::vector<const Condensation::Load *> cases;
-    std::vector<Eigen::VectorXd>            contact;
+    std::vector<const LoadCase *> cases;
+    std::vector<Eigen::VectorXd>  primal;
     for (const Waiting &w : waiting)
       {
         cases.push_back(&w.pending.load);
-        contact.push_back(w.pending.contact);
+        primal.push_back(w.pending.primal);
       }
-    const Eigen::MatrixXd u = model.condensation().expand(cases, contact);
+    acceptance.set_stiffness(*model.condensation().system(),
+                             model.working_set());
+    const Eigen::MatrixXd w = model.condensation().expand(cases, primal);
     std::vector<IncrementRecord> finished;
     const auto                   write_finished = [&] {
       write(finished);
@@ -292,9 +380,10 @@ namespace conetact
       {
         for (std::size_t i = 0; i < waiting.size(); ++i)
           {
-            PendingIncrement     &pending = waiting[i].pending;
-            const Eigen::VectorXd ui      = u.col(static_cast<Eigen::Index>(i));
-            complete(pending, acceptance.judge(pending, ui), ui);
+            PendingIncrement &pending = waiting[i].pending;
+            Eigen::VectorXd   wi      = w.col(static_cast<Eigen::Index>(i));
+            const Finding     finding = judge(pending, wi);
+            complete(pending, finding, wi);
             finished.push_back(std::move(pending.record));
           }
       }
@@ -345,11 +434,25 @@ namespace conetact
 
 
 
+  /* A mechanism moves bodies without force: by their free motions where these
+     are known by themselves, and strains them nowhere. */
+  Eigen::VectorXd
+  PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
+  {
+    if (!model.is_dual())
+      return model.condensation().correction(
+        Eigen::VectorXd::Zero(model.plain.n_dofs()), velocity);
+    const Eigen::VectorXd a =
+      model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
+    return model.motions.field(model.motions.of_free(a));
+  }
+
+
+
   void
   PathAnalysis::write_mechanism(const Eigen::VectorXd &velocity, const double t)
   {
-    Eigen::VectorXd u = model.condensation().correction(
-      Eigen::VectorXd::Zero(model.coordinates.n_unknowns()), velocity);
+    Eigen::VectorXd u = mechanism_displacements(velocity);
     if (const double size = largest(u); size > 0)
       u /= size;
     std::vector<std::pair<std::string, std::string>> blocks;

@@ -305,7 +305,7 @@ namespace conetact
   NodalLoads
   Scene::nodal_loads() const
   {
-    return NodalLoads(loads, bodies.structures);
+    return NodalLoads(loads, bodies.structures, bodies.dim);
   }
 
   std::vector<Actions>

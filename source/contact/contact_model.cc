@@ -195,6 +195,7 @@ namespace conetact
     , r(q)
     , elastic(q)
     , a(Eigen::VectorXd::Zero(m.motions.n_free()))
+    , base(a)
   {
     Eigen::Index i = 0;
     for (const NodeRule *rule : model->coordinates.contact_rules())
@@ -239,10 +240,10 @@ namespace conetact
         largest        = std::max(largest, conetact::largest(load.f));
         return problem;
       }
-    // unknown is what motions change from here on
+    // unknown is what motions change from there on
     problem.load.head(offset.size()) += offset;
     if (k > 0)
-      problem.load += system->matrix.rightCols(k) * a;
+      problem.load += system->matrix.rightCols(k) * base;
     largest = std::max(largest, conetact::largest(load.f.tail(k)));
     return problem;
   }
@@ -261,6 +262,7 @@ namespace conetact
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       state.v[layout.normal(i)] = gap[i];
     state.r.head(n) = set.gather(r);
+    state.r.tail(k) = (a - base).head(k);
     state.node      = set.gather(states);
     if (!model->is_dual())
       state.u = set.gather(elastic);
@@ -280,7 +282,7 @@ namespace conetact
     set.scatter(own, q);
     set.scatter(end.r.head(n), r);
     if (end.r.size() > n)
-      a += end.r.tail(a.size());
+      a = base = base + end.r.tail(a.size());
     if (end.u.size() == n)
       set.scatter(end.u, elastic);
     states = set.scatter(end.node);

@@ -44,6 +44,19 @@ namespace conetact
         sum += (relative * held.direction) * held.direction;
       return sum;
     }
+    /** Where the reaction acts on the other side, undeformed. */
+    Point<3>
+    foot_of(const Bodies &bodies, const ContactNode &node)
+    {
+      if (node.masters.empty())
+        return node.position - node.gap * node.n;
+      Point<3> p;
+      for (const auto &[master, weight] : node.masters)
+        p += weight *
+             Tensor<1, 3>(bodies.structures[node.master]->position(master));
+      return p;
+    }
+
     Tensor<1, 3>
     reaction_vector(const NodeRule        &rule,
                     const Eigen::Index     first,
@@ -74,6 +87,7 @@ namespace conetact
         row.t2       = node.t2;
         row.area     = node.area;
         row.gap      = node.gap;
+        row.foot     = foot_of(model.bodies, node);
         last.push_back(row);
       }
   }
@@ -161,6 +175,7 @@ namespace conetact
             sum.row.node = master;
             sum.row.position =
               model.bodies.structures[node.master]->position(master);
+            sum.row.foot = sum.row.position;
             sum.row.area += weight * row.area;
             sum.row.gap += weight * row.gap;
             sum.weight += weight;

@@ -373,23 +373,26 @@ namespace conetact
     return f;
   }
 
-  std::vector<Eigen::VectorXd>
-  ElasticSystem::foundation_forces(const Eigen::VectorXd &u,
-                                   const double           t) const
+  std::vector<Foundation>
+  ElasticSystem::foundations(const Eigen::VectorXd &u, const double t) const
   {
-    std::vector<Eigen::VectorXd> f(bodies.supports.size());
-    Eigen::VectorXd              local;
+    std::vector<Foundation> all(bodies.supports.size());
+    Eigen::VectorXd         local;
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       if (bodies.supports[s].stiffness)
         {
-          const Eigen::VectorXd stretch = ground(s, t) - u;
-          f[s]                          = Eigen::VectorXd::Zero(u.size());
+          all[s].ground                 = ground(s, t);
+          all[s].forces                 = Eigen::VectorXd::Zero(u.size());
+          const Eigen::VectorXd stretch = all[s].ground - u;
           for (const Spring &spring : springs)
             if (spring.support == s)
-              multiply(
-                spring.dofs, spring.matrix.data(), stretch, local, f[s]);
+              multiply(spring.dofs,
+                       spring.matrix.data(),
+                       stretch,
+                       local,
+                       all[s].forces);
         }
-    return f;
+    return all;
   }
 
   Eigen::SparseMatrix<double>

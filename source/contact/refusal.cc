@@ -97,6 +97,18 @@ namespace conetact
     return ExistenceCheck(model.condensation().system(), std::move(frames));
   }
 
+  Eigen::VectorXd
+  resultants_of(const ContactProblem &problem, const ContactModel &model)
+  {
+    const ContactSystem &system = *problem.system;
+    if (system.form == Form::stiffness)
+      return problem.load;
+    const Eigen::MatrixXd balance = system.null_space.transpose();
+    return balance.completeOrthogonalDecomposition().solve(
+      -model.motions.unresisted().transpose() *
+      problem.load.tail(system.n_motions));
+  }
+
   std::string
   describe(const Existence &refusal, const ContactModel &model)
   {

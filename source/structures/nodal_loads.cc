@@ -18,10 +18,43 @@ namespace conetact
 
 
 
+  namespace
+  {
+    /** Force and moment about the origin of nodal forces on a body. */
+    std::pair<Tensor<1, 3>, Tensor<1, 3>>
+    resultant(const Structure       &structure,
+              const unsigned int     dim,
+              const Eigen::VectorXd &f)
+    {
+      const unsigned int n = structure.n_components();
+      std::pair<Tensor<1, 3>, Tensor<1, 3>> sum;
+      for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+        {
+          const auto own = f.segment(i * static_cast<Eigen::Index>(n), n);
+          if (own.isZero(0))
+            continue;
+          Tensor<1, 3> force;
+          for (unsigned int c = 0; c < n; ++c)
+            if (c < dim)
+              force[c] = own[c];
+            else
+              sum.second[dim == 2 ? 2 : c - dim] += own[c];
+          sum.first += force;
+          sum.second +=
+            cross_product_3d(Tensor<1, 3>(structure.position(i)), force);
+        }
+      return sum;
+    }
+  } // namespace
+
+
+
   NodalLoads::NodalLoads(const std::vector<Load>              &all_loads,
-                         const std::vector<const Structure *> &bodies)
+                         const std::vector<const Structure *> &bodies,
+                         const unsigned int                    space)
     : loads(all_loads)
     , structures(bodies)
+    , dim(space)
     , kept(loads.size())
     , of_loads(loads.size())
     , room(most_kept)
@@ -35,19 +68,27 @@ namespace conetact
 
 
 
-  Eigen::VectorXd
-  NodalLoads::at(const double t)
+  NodalLoads::Acting
+  NodalLoads::acting(const double t)
   {
     std::vector<Eigen::Index> begin(1, 0);
     for (const Structure *structure : structures)
       begin.push_back(begin.back() + structure->n_dofs());
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(begin.back()), f;
+    Acting          all;
+    Eigen::VectorXd f;
+    all.forces.setZero(begin.back());
     for (std::size_t i = 0; i < loads.size(); ++i)
       {
         const unsigned int body = loads[i].body;
         f.setZero(structures[body]->n_dofs());
         add(i, t, f);
-        all.segment(begin[body], f.size()) += f;
+        all.forces.segment(begin[body], f.size()) += f;
+        all.each.push_back(resultant(*structures[body], dim, f));
+        if (loads[i].kind != Load::Kind::temperature)
+          continue;
+        if (all.thermal.size() == 0)
+          all.thermal.setZero(begin.back());
+        all.thermal.segment(begin[body], f.size()) += f;
       }
     return all;
   }

@@ -156,22 +156,12 @@ namespace conetact
     return force;
   }
 
-  Point<3>
-  foot(const Bodies &bodies, const ContactNode &node)
-  {
-    Point<3> p;
-    for (const auto &[master, weight] : node.masters)
-      p += weight *
-           Tensor<1, 3>(bodies.structures[node.master]->position(master));
-    return node.masters.empty() ? node.position : p;
-  }
-
   ExternalForces
   external_forces(const Bodies                       &bodies,
                   const Coordinates                  &plain,
                   const std::vector<ContactPoint>    &points,
                   const Eigen::VectorXd              &rest,
-                  const std::vector<Eigen::VectorXd> &springs,
+                  const std::vector<Foundation>         &foundations,
                   const Eigen::VectorXd              &loads,
                   const Eigen::VectorXd              &r)
   {
@@ -197,9 +187,9 @@ namespace conetact
                         -weight * force);
       }
     collect_supports(bodies, plain, rest, collector, all);
-    for (std::size_t s = 0; s < springs.size(); ++s)
-      if (springs[s].size() > 0)
-        collector.act(all.supports[s], plain, springs[s]);
+    for (std::size_t s = 0; s < foundations.size(); ++s)
+      if (foundations[s].forces.size() > 0)
+        collector.act(all.supports[s], plain, foundations[s].forces);
     collector.act(all.loads, plain, loads);
     return all;
   }

@@ -96,10 +96,9 @@ namespace conetact
   }
 
   Verification::Scales
-  Verification::scales(const Claim &claim, const ExternalForces &external) const
+  Verification::scales(const Claim &claim, const Finding &out) const
   {
-    const VectorXd u = motions.field(claim.amounts) + claim.w;
-    Scales         scales;
+    Scales scales;
     scales.history = history;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
@@ -113,10 +112,10 @@ namespace conetact
               return f.segment(dof, bodies.dim).norm();
             };
             largest_load = std::max(largest_load, size(claim.loads));
-            moved        = std::max(moved, size(u));
+            moved        = std::max(moved, size(out.u));
             coordinate   = std::max(coordinate, structure.position(i).norm());
           }
-        scales.force.push_back(external.bodies[body].largest);
+        scales.force.push_back(out.external.bodies[body].largest);
         scales.nodal.push_back(std::max(scales.force.back(), largest_load));
         scales.reach.push_back(coordinate + moved);
         scales.history[body] =
@@ -275,14 +274,13 @@ namespace conetact
           std::numeric_limits<double>::infinity();
         return out;
       }
-    const VectorXd rigid = motions.field(claim.amounts);
-    const VectorXd u     = rigid + claim.w;
-    std::vector<VectorXd> springs = elastic.foundation_forces(u, claim.t);
-    VectorXd              rest    = elastic.structure_forces(claim.w);
-    rest -= claim.loads;
-    for (const VectorXd &spring : springs)
-      if (spring.size() > 0)
-        rest -= spring;
+    out.u           = motions.field(claim.amounts) + claim.w;
+    out.foundations = elastic.foundations(out.u, claim.t);
+    out.internal    = elastic.structure_forces(claim.w);
+    VectorXd rest   = out.internal - claim.loads;
+    for (const Foundation &foundation : out.foundations)
+      if (foundation.forces.size() > 0)
+        rest -= foundation.forces;
     for (const ContactPoint &point : points)
       {
         const Tensor<1, 3> force = reaction(point, claim.r);
@@ -298,9 +296,9 @@ namespace conetact
     out.unbalanced = rest;
     plain.unhang(rest);
     out.external = external_forces(
-      bodies, plain, points, rest, springs, claim.mechanical, claim.r);
-    out.displacements   = relative_displacements(u, claim.t);
-    const Scales limits = scales(claim, out.external);
+      bodies, plain, points, rest, out.foundations, claim.mechanical, claim.r);
+    out.displacements   = relative_displacements(out.u, claim.t);
+    const Scales limits = scales(claim, out);
     out.largest_force   = limits.nodal;
     check_nodes(claim, limits, out);
     check_bodies(limits, out);

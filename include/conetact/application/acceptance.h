@@ -4,27 +4,30 @@
 #ifndef conetact_application_acceptance_h
 #define conetact_application_acceptance_h
 
+#include "conetact/application/log.h"
 #include "conetact/application/pending_increment.h"
 #include "conetact/application/scene.h"
+#include "conetact/application/warnings.h"
 #include "conetact/contact/contact_rows.h"
-#include "conetact/contact/equilibrium.h"
+#include "conetact/verification/energies.h"
+#include "conetact/verification/verification.h"
 
 #include <string>
 
 namespace conetact
 {
   /**
-   * The independent check of increments by the uncondensed equilibrium, and
-   * what goes to the tables of those it accepts.
+   * What the verification says of increments, and what goes to the tables of
+   * those it accepts.
    */
   class Acceptance
   {
   public:
-    Acceptance(const Scene &scene, const ContactModel &model);
+    Acceptance(const Scene &scene, const ContactModel &model, Log &log);
 
-    /** `u`: displacements of all dofs at the end of the increment. */
-    Equilibrium
-    judge(const PendingIncrement &increment, const Eigen::VectorXd &u) const;
+    /** `w`: deformation of all dofs at the end of the increment. */
+    Finding
+    judge(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
 
     /**
      * Completes the record of the increment, with its displacements where
@@ -33,20 +36,40 @@ namespace conetact
      */
     std::string
     complete(PendingIncrement      &increment,
-             const Equilibrium     &e,
-             const Eigen::VectorXd &u,
+             const Finding         &finding,
+             const Eigen::VectorXd &w,
              const bool             drawn);
 
+    /** Displacements of all dofs. */
+    Eigen::VectorXd
+    displacements(const PendingIncrement &increment,
+                  const Eigen::VectorXd  &w) const;
+
+    /** Stiffness of each contact node in a system of contact unknowns. */
+    void
+    set_stiffness(const ContactSystem &system, const WorkingSet &set);
+
   private:
+    Claim
+    claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    std::string
+    wrong_gap(const PendingIncrement &increment,
+              const Finding          &finding,
+              const Eigen::VectorXd  &w,
+              const Eigen::VectorXd  &u) const;
     void
-    add_resultants(IncrementRecord &record, const Equilibrium &e) const;
+    add_resultants(IncrementRecord &record, const Finding &finding) const;
     void
-    add_displacements(IncrementRecord &record, const Eigen::VectorXd &u) const;
+    add_displacements(IncrementRecord       &record,
+                      const Eigen::VectorXd &u,
+                      const Eigen::VectorXd &w) const;
 
     const Scene        &scene;
     const ContactModel &model;
+    Verification        verification;
     ContactRows         contact_rows;
-    double largest_force = 0; ///< nodal force of the increments so far [force]
+    Energies            energies;
+    Warnings            warnings;
   };
 } // namespace conetact
 

@@ -68,6 +68,9 @@ namespace conetact
     }
 
   protected:
+    /** Throws InputError where loads drive a body that nothing can hold. */
+    void
+    refuse_unbalanced(const Eigen::VectorXd &forces, const double t) const;
     /** `n_increments` is 0 where it is not known beforehand. */
     void
     create_outputs(const std::filesystem::path &folder,
@@ -76,10 +79,13 @@ namespace conetact
     /** Increments whose displacements are recovered together. */
     std::size_t
     most_at_once(const unsigned int n_finished) const;
+    /** Loads and prestress at the increment's time, and what they reduce to. */
+    void
+    apply_loads(PendingIncrement &increment);
     void
     complete(PendingIncrement      &increment,
-             const Equilibrium     &e,
-             const Eigen::VectorXd &u);
+             const Finding         &finding,
+             const Eigen::VectorXd &w);
     void
     write(const std::vector<IncrementRecord> &finished);
     /** "Increment 3 of 5", for messages. */

@@ -32,29 +32,28 @@ namespace conetact
     batch_size(const unsigned int n_finished) const;
     void
     check_existence(const ContactProblem   &problem,
-                    const Eigen::VectorXd  &start,
                     const PendingIncrement &increment);
     PendingIncrement
     solve(const unsigned int k);
     SolverReport
-    solve_contact(const Condensation::Load &load, PendingIncrement &increment);
+    solve_contact(PendingIncrement &increment, const ContactState &guess);
     unsigned int
     finish(std::vector<PendingIncrement> &batch);
     void
-    recover(PendingIncrement &increment, const Eigen::VectorXd &u) const;
+    recover(PendingIncrement &increment, const Eigen::VectorXd &w) const;
     std::size_t
     recover_all(std::vector<PendingIncrement> &batch,
-                const Eigen::MatrixXd         &u) const;
+                const Eigen::MatrixXd         &w) const;
     void
     extend_set(const Eigen::VectorXd &gaps);
     bool
     condense_all();
     bool
-    check(PendingIncrement &increment, Eigen::VectorXd u);
+    check(PendingIncrement &increment, Eigen::VectorXd w);
     Eigen::VectorXd
     correct(PendingIncrement      &increment,
-            const Eigen::VectorXd &u,
-            const Eigen::VectorXd &unbalanced);
+            const Eigen::VectorXd &w,
+            const Finding         &finding);
     std::string
     name(const IncrementRecord &record) const override;
 

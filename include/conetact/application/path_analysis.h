@@ -7,6 +7,7 @@
 #include "conetact/application/analysis.h"
 #include "conetact/output/event_table.h"
 #include "conetact/solvers/load_path.h"
+#include "conetact/solvers/stiffness_form.h"
 
 #include <optional>
 #include <string>
@@ -35,15 +36,20 @@ namespace conetact
     /** Everything that acts at an end of a stage. */
     struct Case
     {
-      Eigen::VectorXd    forces; ///< nodal, all dofs [force]
-      Condensation::Load load;
-      Eigen::VectorXd    f; ///< total: K v = r + f with v = (u_t, g)
+      Eigen::VectorXd       forces, mechanical; ///< nodal, all dofs [force]
+      std::vector<Resultant> each_load;
+      LoadCase              load;
+      Eigen::VectorXd       relation; ///< load of the system, v = (u_t, g)
+      Eigen::VectorXd       f; ///< total: K v = r + f with v = (u_t, g)
     };
     Case
     case_at(const double t);
     static Case
     between(const Case &a, const Case &b, const double part);
 
+    /** In stiffness form, made when first asked for. */
+    const ContactSystem &
+    system();
     std::unique_ptr<PathFollower>
     make_follower(std::shared_ptr<const ContactSystem> system,
                   const Eigen::VectorXd               &gap) const;
@@ -53,6 +59,14 @@ namespace conetact
     apply_constant_loads(PathFollower &follower, const Case &constant);
     void
     record(const PathPoint &point, const Case &at, const double t);
+    void
+    take_primal(const Case       &at,
+                const PathPoint  &point,
+                PendingIncrement &pending);
+    Finding
+    judge(PendingIncrement &pending, Eigen::VectorXd &w);
+    Eigen::VectorXd
+    mechanism_displacements(const Eigen::VectorXd &velocity);
     void
     flush();
     void
@@ -77,6 +91,7 @@ namespace conetact
     };
     Eigen::VectorXd           initial_gap; ///< of each contact node, signed
     PathOptions               options;
+    std::optional<StiffnessForm> stiffness;
     std::vector<Waiting>      waiting;
     PathPoint                 last; ///< of the path
     std::optional<EventTable> events;

@@ -12,13 +12,16 @@ namespace conetact
   /** An increment whose displacements are still to be recovered. */
   struct PendingIncrement
   {
-    IncrementRecord    record;
-    Eigen::VectorXd    forces; ///< nodal loads, all dofs
-    Condensation::Load load;
-    ContactState       state;
-    Eigen::VectorXd    contact; ///< displacements of contact unknowns
-    ContactHistory     before, after;
-    ContactState       end; ///< of the working set alone
+    IncrementRecord record;
+    Eigen::VectorXd forces;     ///< nodal loads, all dofs
+    Eigen::VectorXd mechanical; ///< those without thermal ones
+    LoadCase        load;
+    ContactState    state;
+    Eigen::VectorXd contact; ///< displacements of contact unknowns
+    Eigen::VectorXd primal;  ///< as ElasticBackend::expand() takes it
+    Eigen::VectorXd motions; ///< amounts of the free motions
+    ContactHistory  before, after;
+    ContactState    end; ///< of the working set alone
   };
 } // namespace conetact
 

@@ -69,7 +69,7 @@ namespace conetact
     check_stages() const;
 
     Bodies                   bodies;
-    std::vector<std::string> contact_names;
+    std::vector<std::string> contact_names, support_names, load_names;
     /**
      * Names of all contacts, then of the masters' sides of pairs, with their
      * index there (a contact with an obstacle: its own).
@@ -117,7 +117,7 @@ namespace conetact
     std::filesystem::path    file;
     std::vector<std::string> overrides;
     std::string              text; ///< of the file
-    std::vector<std::string> obstacle_names, support_names, load_names;
+    std::vector<std::string> obstacle_names;
 
     mutable dealii::ParameterHandler        prm;
     std::vector<std::unique_ptr<Structure>> structures;

@@ -108,6 +108,15 @@ namespace conetact
     /** Where it starts: v = (0, gap), reactions and states so far. */
     ContactState
     start() const;
+    /**
+     * Free motions that the problem is written about, so that its unknowns are
+     * small; those at the start unless said otherwise.
+     */
+    void
+    linearise_at(const Eigen::VectorXd &motions)
+    {
+      base = motions;
+    }
     /** Takes over the end of an increment. */
     void
     advance(const ContactState &end);
@@ -154,7 +163,7 @@ namespace conetact
     Eigen::VectorXd        initial_gap; ///< of each node with unknowns
     Eigen::VectorXd        q, r;
     Eigen::VectorXd        elastic; ///< without offset, stiffness form
-    Eigen::VectorXd        a;
+    Eigen::VectorXd        a, base; ///< free motions
     std::vector<NodeState> states;
     double                 largest = 0; ///< reaction or load so far [force]
   };

@@ -12,6 +12,13 @@
 
 namespace conetact
 {
+  /** What an elastic support does, on all dofs. */
+  struct Foundation
+  {
+    Eigen::VectorXd forces; ///< on its body [force]
+    Eigen::VectorXd ground; ///< displacement of its far end [length]
+  };
+
   /**
    * All bodies and foundations of a scene, but for bodies at rest, as one
    * uncondensed elastic system in the dofs u of all bodies: nothing is
@@ -46,12 +53,9 @@ namespace conetact
      */
     Eigen::VectorXd
     terms(const Eigen::VectorXd &u) const;
-    /**
-     * Forces of the foundations on the bodies at time t, by support; empty
-     * where a support is none.
-     */
-    std::vector<Eigen::VectorXd>
-    foundation_forces(const Eigen::VectorXd &u, const double t) const;
+    /** The foundations at time t, by support; empty where one is none. */
+    std::vector<Foundation>
+    foundations(const Eigen::VectorXd &u, const double t) const;
     /** Forces of the foundations' own motion at time t [force]. */
     Eigen::VectorXd
     ground_forces(const double t) const;

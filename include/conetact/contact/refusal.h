@@ -16,6 +16,13 @@ namespace conetact
   make_existence_check(ContactModel &model);
 
   /**
+   * Forces on the contact unknowns with the same resultants against the free
+   * motions as the load of a problem.
+   */
+  Eigen::VectorXd
+  resultants_of(const ContactProblem &problem, const ContactModel &model);
+
+  /**
    * What happens physically where no equilibrium exists: "body 'block' slides
    * along (1, 0, 0): of this increment's load friction can carry at most
    * 0.62".

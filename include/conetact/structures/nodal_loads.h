@@ -24,14 +24,30 @@ namespace conetact
   public:
     /** Both must live longer than this object. */
     NodalLoads(const std::vector<Load>              &loads,
-               const std::vector<const Structure *> &structures);
+               const std::vector<const Structure *> &structures,
+               const unsigned int                    dim);
 
+    /** What acts at one time. */
+    struct Acting
+    {
+      Eigen::VectorXd forces;  ///< on all dofs of all bodies
+      Eigen::VectorXd thermal; ///< the part of them that changes of
+                               ///< temperature make; empty: none
+      /** Force and moment about the origin of each load. */
+      std::vector<std::pair<Tensor<1, 3>, Tensor<1, 3>>> each;
+    };
     /**
-     * On all dofs of all bodies at time t. Throws InputError where a load is
-     * not finite or a point is outside.
+     * At time t. Throws InputError where a load is not finite or a point is
+     * outside.
      */
+    Acting
+    acting(const double t);
+    /** Its forces alone. */
     Eigen::VectorXd
-    at(const double t);
+    at(const double t)
+    {
+      return acting(t).forces;
+    }
 
     /** What a load amounts to at the time at which it is largest. */
     struct Largest
@@ -73,6 +89,7 @@ namespace conetact
 
     const std::vector<Load>              &loads;
     const std::vector<const Structure *> &structures;
+    const unsigned int                    dim;
     std::vector<std::map<double, Forces>> kept; ///< of each load, by time
     std::vector<Largest>                  of_loads;
     Eigen::Index                          room;

@@ -40,7 +40,7 @@ namespace conetact
 
   /**
    * `rest`: forces K w - loads - foundations - contacts on all dofs, which
-   * supports hold; `springs`: those of each foundation on the bodies; `loads`
+   * supports hold; `foundations` act on the bodies; `loads`
    * without thermal ones, which cancel by themselves.
    */
   ExternalForces
@@ -48,17 +48,13 @@ namespace conetact
                   const Coordinates                  &plain,
                   const std::vector<ContactPoint>    &points,
                   const Eigen::VectorXd              &rest,
-                  const std::vector<Eigen::VectorXd> &springs,
+                  const std::vector<Foundation>         &foundations,
                   const Eigen::VectorXd              &loads,
                   const Eigen::VectorXd              &r);
 
   /** Force on the body at a contact point. */
   Tensor<1, 3>
   reaction(const ContactPoint &point, const Eigen::VectorXd &r);
-
-  /** Where the reaction acts on the master: mean of its nodes. */
-  Point<3>
-  foot(const Bodies &bodies, const ContactNode &node);
 } // namespace conetact
 
 #endif

@@ -46,10 +46,13 @@ namespace conetact
     double equilibrium = 0; ///< worst unbalanced force, relative
     std::string why;        ///< it is not accepted, a sentence; empty: it is
 
-    Eigen::VectorXd unbalanced;    ///< forces on all dofs [force]
+    Eigen::VectorXd u;          ///< displacements of all dofs [length]
+    Eigen::VectorXd internal;   ///< K w of the bodies, all dofs [force]
+    Eigen::VectorXd unbalanced; ///< forces on all dofs [force]
     Eigen::VectorXd displacements; ///< of the contact unknowns, relative
     std::vector<double> largest_force; ///< external, on a node, of each body
-    ExternalForces      external;
+    ExternalForces          external;
+    std::vector<Foundation> foundations; ///< by support
   };
 
   /**
@@ -99,7 +102,7 @@ namespace conetact
   private:
     struct Scales;
     Scales
-    scales(const Claim &claim, const ExternalForces &external) const;
+    scales(const Claim &claim, const Finding &out) const;
     void
     check_nodes(const Claim &claim, const Scales &scales, Finding &out) const;
     void

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_verification_energies_h
+#define conetact_verification_energies_h
+
+#include "conetact/output/output.h"
+#include "conetact/verification/verification.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Energies and works of increments [force x length], by the trapezoidal rule,
+   * which is exact for elastic bodies: the work of loads, moving supports,
+   * foundations and obstacles less the change of strain energy is what contacts
+   * take, by friction and by the motion of their normal reactions.
+   */
+  class Energies
+  {
+  public:
+    /** Writes those of an accepted increment; they come in their order. */
+    void
+    add(const std::vector<ContactPoint> &points,
+        const Claim                     &claim,
+        const Finding                   &finding,
+        IncrementRecord                 &record);
+
+  private:
+    struct State
+    {
+      Eigen::VectorXd           u, forces; ///< external, all dofs
+      std::vector<Foundation>   foundations;
+      std::vector<Tensor<1, 3>> reactions, obstacles;
+      Eigen::VectorXd           relative, r;
+    };
+    State last;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/verification/energies.h"
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    /** Mean of both forces times the change of the displacement. */
+    double
+    trapezoid(const VectorXd &f0,
+              const VectorXd &f1,
+              const VectorXd &u0,
+              const VectorXd &u1)
+    {
+      return .5 * (f0 + f1).dot(u1 - u0);
+    }
+
+    void
+    fill(VectorXd &x, const Index n)
+    {
+      if (x.size() == 0)
+        x.setZero(n);
+    }
+  } // namespace
+
+  void
+  Energies::add(const std::vector<ContactPoint> &points,
+                const Claim                     &claim,
+                const Finding                   &finding,
+                IncrementRecord                 &record)
+  {
+    State now;
+    now.u           = finding.u;
+    now.forces      = claim.loads + finding.external.held;
+    now.foundations = finding.foundations;
+    now.relative    = finding.displacements;
+    now.r           = claim.r;
+    fill(last.u, now.u.size());
+    fill(last.forces, now.forces.size());
+    fill(last.relative, now.relative.size());
+    fill(last.r, now.r.size());
+    last.reactions.resize(points.size());
+    last.obstacles.resize(points.size());
+    last.foundations.resize(now.foundations.size());
+
+    record.strain_energy = .5 * claim.w.dot(finding.internal);
+    record.external_work = trapezoid(last.forces, now.forces, last.u, now.u);
+    for (std::size_t s = 0; s < now.foundations.size(); ++s)
+      if (Foundation &f = now.foundations[s]; f.forces.size() > 0)
+        {
+          fill(last.foundations[s].forces, f.forces.size());
+          fill(last.foundations[s].ground, f.forces.size());
+          record.strain_energy += .5 * f.forces.dot(f.ground - now.u);
+          record.external_work += trapezoid(last.foundations[s].forces,
+                                            f.forces,
+                                            last.foundations[s].ground,
+                                            f.ground);
+        }
+    record.dissipation = record.contact_work_normal = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const ContactPoint &point = points[i];
+        now.reactions.push_back(reaction(point, claim.r));
+        now.obstacles.push_back(
+          point.node->obstacle != nullptr ?
+            point.node->obstacle->displacement_at(claim.t) :
+            Tensor<1, 3>());
+        record.external_work += .5 * (last.reactions[i] + now.reactions[i]) *
+                                (now.obstacles[i] - last.obstacles[i]);
+        const auto  nt   = static_cast<Index>(point.dual.size()) - 1;
+        const auto  work = [&](const Index first, const Index size) {
+          return -trapezoid(last.r.segment(first, size),
+                            now.r.segment(first, size),
+                            last.relative.segment(first, size),
+                            now.relative.segment(first, size));
+        };
+        record.dissipation += work(point.first, nt);
+        record.contact_work_normal += work(point.first + nt, 1);
+      }
+    last = std::move(now);
+  }
+} // namespace conetact
