@@ -230,8 +230,8 @@ namespace conetact
       if (const Motion m = largest(loose.col(j)); !reached[m.body])
         throw InputError("Nothing holds body '" + bodies.names[m.body] +
                          "' against moving " + describe(m) +
-                         ": no support, and no contact. Add a Support, or a "
-                         "Contact.");
+                         ": no support, and no contact with friction. Add a "
+                         "Support, or friction to a Contact.");
   }
 
   RigidMotions::Amounts

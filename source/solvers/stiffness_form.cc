@@ -11,6 +11,23 @@ namespace conetact
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
 
+  namespace
+  {
+    /** Null space of a small symmetric positive semidefinite matrix. */
+    MatrixXd
+    unresisted(const MatrixXd &C)
+    {
+      if (C.rows() == 0)
+        return C;
+      const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(C);
+      const double limit = 1e-12 * eigen.eigenvalues().maxCoeff();
+      Index        k     = 0;
+      while (k < C.rows() && eigen.eigenvalues()[k] <= limit)
+        ++k;
+      return eigen.eigenvectors().leftCols(k);
+    }
+  } // namespace
+
   StiffnessForm::StiffnessForm(std::shared_ptr<const ContactSystem> given)
     : dual(std::move(given))
   {
@@ -20,15 +37,22 @@ namespace conetact
         return;
       }
     const Index n = dual->n_contact_unknowns(), k = dual->n_motions;
-    const Eigen::LLT<MatrixXd> cholesky(dual->matrix.topLeftCorner(n, n));
+    const MatrixXd G = dual->matrix.topRightCorner(n, k);
+    const MatrixXd C = dual->matrix.bottomRightCorner(k, k);
+    free             = unresisted(C);
+    const MatrixXd G0 = G * free;
+    MatrixXd       W  = dual->matrix.topLeftCorner(n, n);
+    gamma             = G0.squaredNorm() > 0 ? W.trace() / G0.squaredNorm() : 0.;
+    W += gamma * G0 * G0.transpose();
+    seen = gamma * G0;
+    const Eigen::LLT<MatrixXd> cholesky(W);
     if (cholesky.info() != Eigen::Success)
       return;
     auto           system = std::make_shared<ContactSystem>(*dual);
     const MatrixXd Y      = cholesky.solve(MatrixXd::Identity(n, n));
-    const MatrixXd G      = dual->matrix.topRightCorner(n, k);
     YG                    = cholesky.solve(G);
     // motions that no contact sees stay where they are
-    S = (G.transpose() * YG + dual->matrix.bottomRightCorner(k, k))
+    S = (G.transpose() * YG + C)
           .completeOrthogonalDecomposition()
           .pseudoInverse();
     system->form      = Form::stiffness;
@@ -40,20 +64,25 @@ namespace conetact
   }
 
   VectorXd
+  StiffnessForm::displacement(const VectorXd &given) const
+  {
+    return given.head(dual->n_contact_unknowns()) -
+           seen * (free.transpose() * given.tail(dual->n_motions));
+  }
+
+  VectorXd
   StiffnessForm::load(const VectorXd &given) const
   {
     if (dual->form == Form::stiffness)
       return given;
-    const Index n = dual->n_contact_unknowns();
-    return stiff->matrix * given.head(n) -
+    return stiff->matrix * displacement(given) -
            YG * (S * given.tail(dual->n_motions));
   }
 
   VectorXd
   StiffnessForm::motions(const VectorXd &given, const VectorXd &v) const
   {
-    const Index n = dual->n_contact_unknowns();
-    return S * (YG.transpose() * (v - given.head(n)) -
+    return S * (YG.transpose() * (v - displacement(given)) -
                 given.tail(dual->n_motions));
   }
 } // namespace conetact

@@ -14,7 +14,8 @@ namespace conetact
    * @f[ K = Y - Y G (G^T Y G + C)^{-1} G^T Y,\quad
    *     f = K q + Y G (G^T Y G + C)^{-1} b . @f]
    * K G = 0 holds but for rounding where C = 0: results are to be corrected in
-   * the compliance form. W must be positive definite.
+   * the compliance form. W may be singular along the motions G_0 that C does not
+   * resist: their balance lets @f$\gamma G_0 G_0^T@f$ be added to it.
    */
   class StiffnessForm
   {
@@ -41,8 +42,15 @@ namespace conetact
     motions(const Eigen::VectorXd &given, const Eigen::VectorXd &v) const;
 
   private:
+    /** q with what the addition to W takes from it. */
+    Eigen::VectorXd
+    displacement(const Eigen::VectorXd &given) const;
+
     std::shared_ptr<const ContactSystem> dual, stiff;
     Eigen::MatrixXd YG, S; ///< S = (G^T Y G + C)^{-1}
+    Eigen::MatrixXd free;  ///< motions that C does not resist
+    Eigen::MatrixXd seen;  ///< gamma G_0
+    double          gamma = 0;
   };
 } // namespace conetact
 
