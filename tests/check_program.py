@@ -10,8 +10,9 @@ usage: check_program.py PROGRAM CASE [COUNT]
   old-files   pictures of a longer run are removed, files of others stay
   loads       the log tells the resultant of each load
   directions  a body that slides does so where it is pushed
-  numbers     COUNT meshes of shipped scenes with other numbers (default 40):
-              accepted or refused with a sentence, never a crash
+  numbers     COUNT meshes of shipped scenes and of deal.II's generators with
+              other numbers (default 60): accepted or refused with a sentence,
+              never a crash
 """
 import os
 import random
@@ -52,6 +53,32 @@ subsection Contact bottom
   set Friction coefficient = 0.3
 end
 """
+
+
+# Generators of deal.II and arguments that they take.
+GALLERY = (
+    (2, "hyper_cube", "0 : 1 : true"), (3, "subdivided_hyper_cube", "2 : 0 : 1 : true"),
+    (2, "hyper_rectangle", "0, 0 : 1, 2 : true"), (2, "subdivided_hyper_rectangle", "2, 3 : 0, 0 : 1, 1 : true"),
+    (3, "subdivided_hyper_rectangle", "2, 3, 1 : 0, 0, 0 : 1, 1, 1 : true"),
+    (2, "subdivided_hyper_rectangle", "0.5, 0.5 ; 0.2, 0.8 : 0, 0 : 1, 1 : true"),
+    (2, "cheese", "2, 3"), (3, "cheese", "1, 1, 1"), (2, "general_cell", "0, 0 ; 1, 0 ; 0, 1 ; 1, 1 : false"),
+    (2, "hyper_cross", "1, 2, 0, 1 : false"), (3, "hyper_cross", "1, 2, 0, 1, 1, 1 : false"),
+    (2, "simplex", "0, 0 ; 1, 0 ; 0, 1"), (3, "simplex", "0, 0, 0 ; 1, 0, 0 ; 0, 1, 0 ; 0, 0, 1"),
+    (2, "plate_with_a_hole", "0.4 : 1 : 2 : 2 : 1 : 1 : 0, 0 : 0 : 1 : 1 : 2 : true"),
+    (3, "plate_with_a_hole", "0.4 : 1 : 2 : 2 : 1 : 1 : 0, 0, 0 : 0 : 1 : 1 : 2 : true"),
+    (2, "channel_with_cylinder", "0.03 : 2 : 2 : false"), (3, "channel_with_cylinder", "0.03 : 2 : 2 : false"),
+    (2, "enclosed_hyper_cube", "0 : 1 : 0.1 : true"), (2, "hyper_ball", "0, 0 : 1 : false"),
+    (3, "hyper_ball", "0, 0, 0 : 1 : true"), (2, "quarter_hyper_ball", "0, 0 : 1"), (3, "half_hyper_ball", "0, 0, 0 : 1"),
+    (3, "cylinder", "1 : 2"), (2, "truncated_cone", "1 : 0.5 : 2"), (3, "truncated_cone", "1 : 0.5 : 2"),
+    (2, "hyper_L", "0 : 1 : true"), (2, "hyper_cube_slit", "0 : 1 : true"), (2, "hyper_shell", "0, 0 : 1 : 2 : 8 : true"),
+    (3, "hyper_shell", "0, 0, 0 : 1 : 2 : 12 : true"), (2, "half_hyper_shell", "0, 0 : 1 : 2 : 4 : true"),
+    (3, "half_hyper_shell", "0, 0, 0 : 1 : 2 : 5 : true"), (2, "quarter_hyper_shell", "0, 0 : 1 : 2 : 2 : true"),
+    (3, "quarter_hyper_shell", "0, 0, 0 : 1 : 2 : 3 : true"), (3, "cylinder_shell", "2 : 1 : 1.5 : 8 : 2"),
+    (2, "hyper_cube_with_cylindrical_hole", "0.4 : 1 : 1 : 2 : true"),
+    (3, "hyper_cube_with_cylindrical_hole", "0.4 : 1 : 1 : 2 : true"),
+    (2, "concentric_hyper_shells", "0, 0 : 0.2 : 1 : 2 : 0.1 : 8 : false"),
+    (3, "concentric_hyper_shells", "0, 0, 0 : 0.2 : 1 : 2 : 0.1 : 12 : false"),
+    (3, "moebius", "8 : 1 : 4 : 1"), (3, "torus", "3 : 1 : 6 : 6.28"))
 
 
 def subsection(name, entries):
@@ -142,7 +169,7 @@ class Case:
                                 self.on_a_mat(dim, ids) + pushed)
 
     def on_a_mat(self, dim, ids):
-        mat = (", ".join(["3"] * dim), ", ".join(["-1"] * (dim - 1) + ["-1"]), ", ".join(["2"] * (dim - 1) + ["0"]))
+        mat = (", ".join("2" * dim), ", ".join(["0"] * (dim - 1) + ["-1"]), ", ".join(["1"] * (dim - 1) + ["0"]))
         text = block(dim, contacts="bottom", supports="under", loads="push").replace("block\n", "block, mat\n", 1)
         body = text[text.index("subsection Body block"):].replace("Body block", "Body mat")
         body = re.sub(r"Arguments = .*", "Arguments = {} : {} : {} : true".format(*mat), body)
@@ -157,7 +184,7 @@ class Case:
         found = [round(float(x)) for x in said[1].split(",")] if said else run.stderr
         self.demand(name, run.returncode == 2 and found == direction, found)
 
-    def numbers(self, count=40):
+    def numbers(self, count=60):
         """Each number of a mesh, replaced by what its generator cannot mean."""
         values = ("0", "-1", "1", "3", "40", "1e9", "1.5", "nan", "inf", "-inf", "1e400", "1e-300", "-1e300",
                   "999999999", "2147483648", "4294967295", "99999999999999999999", "", "1/0", "x", "1e9, 8", "2 ; 3")
@@ -165,7 +192,8 @@ class Case:
         scenes = sorted(SCENES.glob("*.prm"))
         bad = []
         for i in range(count):
-            text = mutated(chance, chance.choice(scenes).read_text(), values)
+            text = chance.choice(scenes).read_text() if i % 4 == 0 else generated(*chance.choice(GALLERY))
+            text = mutated(chance, text, values)
             run = None
             try:
                 run = self.run(text, "--dry-run", timeout=60, preexec_fn=little_memory)
@@ -186,6 +214,12 @@ def little_memory():
 
 MESH_ENTRY = re.compile(r"^(\s*set (Arguments|Global refinements|Refinement boxes|Refinement distance|Scale|Rotation|"
                         r"Translation|Bays|Nodes|Members)\s*=\s*)(.*)$", re.M)
+
+
+def generated(dim, generator, arguments):
+    text = re.sub("Generator = .*", f"Generator = {generator}", held(dim))
+    text = text.replace(re.search("Arguments = .*", text)[0], f"Arguments = {arguments}\n    set Global refinements = 1")
+    return re.sub("Boundary ids = .*", "Boundary ids = 0", text)
 
 
 def mutated(chance, text, values):

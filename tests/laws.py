@@ -29,7 +29,7 @@ from pathlib import Path
 SHIPPED = Path(__file__).resolve().parent.parent / "parameter-files"
 REFERENCE = Path(__file__).resolve().parent / "reference"
 LISTS = {"Body": "Bodies", "Obstacle": "Obstacles", "Contact": "Contacts", "Support": "Supports", "Load": "Loads"}
-TEXTS = ("contact", "state", "solver")
+TEXTS = ("contact", "state", "solver", "determinate")
 TOGETHER = 16  # increments that a small scene finishes together
 ELEMENTS = ("Q1", "Q1 B-bar", "Q1 incompatible modes")
 

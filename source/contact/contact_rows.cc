@@ -168,6 +168,8 @@ namespace conetact
         };
         for (const auto &[master, weight] : node.masters)
           {
+            if (weight == 0) // a node that takes no part has no normal
+              continue;
             Sum &sum = sums[{row.contact, master}];
             if (weight > sum.largest)
               sum.row.state = row.state;

@@ -175,7 +175,7 @@ namespace
       r.report.residual = 1e-12;
       r.contacts.resize(run.contacts.size());
       r.contacts[0].force = Tensor<1, 3>({0., 30., 0.});
-      r.loads.force       = Tensor<1, 3>({1e-9, -30., 0.});
+      r.loads.force       = Tensor<1, 3>({1e-13, -30., 0.});
       r.displacements     = {Eigen::VectorXd::Constant(2, .25)};
       r.actions           = {Actions()};
       for (unsigned int i = 0; i < 2; ++i)
