@@ -264,8 +264,8 @@ namespace conetact
     return sum;
   }
 
-  bool
-  FaceNet::is_behind(const Point<3> &p) const
+  double
+  FaceNet::signed_distance(const Point<3> &p) const
   {
     Closest nearest;
     nearest.distance = std::numeric_limits<double>::max();
@@ -274,6 +274,9 @@ namespace conetact
         if (const Closest closest = project(f, p);
             closest.distance < nearest.distance)
           nearest = closest;
-    return (p - nearest.point) * sum_of_normals(feature(nearest, p)) < 0;
+    const double relative = nearest.distance / faces[nearest.face].size;
+    return (p - nearest.point) * sum_of_normals(feature(nearest, p)) < 0 ?
+             -relative :
+             relative;
   }
 } // namespace conetact

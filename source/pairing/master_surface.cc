@@ -178,13 +178,17 @@ namespace conetact
     const auto arm = arm_over(feature, p - feature[0].point);
     if (!arm)
       return {};
-    const double size = net.all()[feature[0].face].size;
-    if (feature.size() == 1 || arm->norm() > touching * size)
-      if (const auto over = meet_face(feature, *arm, slave_normals, limits))
-        return over;
-    return feature.size() == 1 ?
-             std::nullopt :
-             meet_edge(feature, *arm, slave_normals, limits);
+    const auto over = meet_face(feature, *arm, slave_normals, limits);
+    if (feature.size() == 1)
+      return over;
+    const auto edge   = meet_edge(feature, *arm, slave_normals, limits);
+    const auto cosine = [&](const std::optional<Meeting> &meeting) {
+      return meeting ? nearest_in_cone(-meeting->normal, slave_normals).norm() :
+                       -1.;
+    };
+    const bool touches =
+      arm->norm() <= touching * net.all()[feature[0].face].size;
+    return touches || cosine(edge) > cosine(over) + round_off ? edge : over;
   }
 
   bool
@@ -197,7 +201,12 @@ namespace conetact
       return true;
     if (!whole)
       return meeting.gap >= -limits.interference;
-    return limits.inside && whole->is_behind(p);
+    if (!limits.inside)
+      return false;
+    // beside an interference that ends at the body's side, or within it
+    const double distance = whole->signed_distance(p);
+    return distance < -overhang ||
+           (distance <= overhang && meeting.gap >= -limits.interference);
   }
 
   std::optional<MasterSurface::Foot>

@@ -93,9 +93,12 @@ namespace conetact
     Tensor<1, 3>
     sum_of_normals(const std::vector<Closest> &feature) const;
 
-    /** Whether p lies behind the surface, which must be closed. */
-    bool
-    is_behind(const Point<3> &p) const;
+    /**
+     * Distance of p from the surface, which must be closed, over the size of
+     * the nearest face; negative inside.
+     */
+    double
+    signed_distance(const Point<3> &p) const;
 
   private:
     void

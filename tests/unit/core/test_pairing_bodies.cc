@@ -82,12 +82,12 @@ namespace
   }
 
   const std::string blocks[] = {
-    "Generator = subdivided_hyper_rectangle|Arguments = 4, 3 : -1, -1 : 1, 1",
+    "Generator = subdivided_hyper_rectangle|Arguments = 4, 3 : -1, -1 : 1, 1 : true",
     "Generator = subdivided_hyper_rectangle|"
-    "Arguments = 3, 4, 2 : -1, -1, -1 : 1, 1, 1"};
+    "Arguments = 3, 4, 2 : -1, -1, -1 : 1, 1, 1 : true"};
   const std::string balls[] = {
-    "Generator = hyper_ball|Arguments = 0, 0 : 1|Global refinements = 2",
-    "Generator = hyper_ball|Arguments = 0, 0, 0 : 1|Global refinements = 2"};
+    "Generator = hyper_ball|Arguments = 0, 0 : 1 : false|Global refinements = 2",
+    "Generator = hyper_ball|Arguments = 0, 0, 0 : 1 : false|Global refinements = 2"};
 
   /** Gaps are open, and those of a brute-force search where bodies are convex.
    */
@@ -136,8 +136,8 @@ TEST(PairingBodies, ABallInsideALargerShell)
 {
   std::mt19937      random(3);
   const std::string shells[] = {
-    "Generator = hyper_shell|Arguments = 0, 0 : 1.5 : 2 : 12",
-    "Generator = hyper_shell|Arguments = 0, 0, 0 : 1.5 : 2 : 6|"
+    "Generator = hyper_shell|Arguments = 0, 0 : 1.5 : 2 : 12 : true",
+    "Generator = hyper_shell|Arguments = 0, 0, 0 : 1.5 : 2 : 6 : true|"
     "Global refinements = 2"};
   for (const unsigned int dim : {2u, 3u})
     for (unsigned int trial = 0; trial < 4; ++trial)
