@@ -25,18 +25,24 @@ class Mats:
         """`overhang`: by how much the mat reaches beyond the block on each side, in cells or in widths."""
         self.rng, self.dim = rng, dim
         self.unit = 10 ** rng.uniform(-1, 2)
-        most = 7 if dim == 2 else 4
+        self.matching = rng.random() < .4 and overhang is None
+        self.slave_is_block = rng.random() < .5
+        self.attempts = 0
+        self.draw(overhang)
+        while not self.clear():
+            self.draw(overhang)
+
+    def draw(self, overhang):
+        """Sizes and numbers of cells; more of these where few do not do."""
+        rng, dim, more = self.rng, self.dim, self.attempts // 20
+        self.attempts += 1
+        most = (7 if dim == 2 else 4) + min(more, 4)
         self.cells = [rng.randint(2, most) for _ in range(dim - 1)] + [rng.randint(2, 4)]
         cell = [self.unit * rng.uniform(.5, 1.5) / n for n in self.cells]
         self.width = [n * c for n, c in zip(self.cells[:-1], cell)]
         self.height = self.unit * rng.uniform(.2, 1.2)
         self.depth = self.unit * rng.uniform(.2, .8)
-        self.matching = rng.random() < .4 and overhang is None
-        self.slave_is_block = rng.random() < .5
-        while True:
-            self.draw_mat(overhang, cell)
-            if self.clear():
-                break
+        self.draw_mat(overhang, cell)
 
     def draw_mat(self, overhang, cell):
         rng, extra = self.rng, []

@@ -88,7 +88,7 @@ def round_body(rng, ring, radius, turn):
         ids = 1
     else:
         levels, ids = rng.choice((3, 4)), 0
-        mesh = {"Generator": "hyper_ball", "Arguments": f"0, 0 : {radius!r}"}
+        mesh = {"Generator": "hyper_ball", "Arguments": f"0, 0 : {radius!r} : false"}
         corners = 4 * 2**levels
         area = polygon(radius, corners)
     mesh = {**mesh, "Global refinements": levels, "Rotation": turn}

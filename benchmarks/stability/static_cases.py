@@ -57,25 +57,28 @@ def path_faults(case, folder):
     return [f"{words} at {parameter:.10g} instead of a limit load at {case.limit:.10g}"]
 
 
-def all_faults(case, folder):
+def all_faults(case, folder, finished):
     if not (folder / "increments.csv").exists():
         return []
-    faults = judge(folder, case.statement)
-    return faults + [fault for look in case.more for fault in look(folder)]
+    faults = judge(folder, case.statement, finished)
+    return faults + [fault for look in case.more for fault in look(folder) if finished]
 
 
 def verdict_of(case, folder, code, sentence):
     """Outcome and why."""
     last = sentence.splitlines()[-1] if sentence else ""
-    if code not in (0, 2):
+    if code not in (0, 1, 2):
         return "crash", f"exit code {code}: {last}"
-    faults = all_faults(case, folder)
+    if code == 1:  # told before anything is computed
+        rightly = case.refused and "Nothing holds" in sentence
+        return "refused rightly" if rightly else "refused wrongly", last
+    faults = all_faults(case, folder, code == 0)
     if code == 2:
         if faults:
             return "WRONG", f"before the refusal: {faults[0]}"
         if case.refused and re.search(case.refused, sentence):
             return "refused rightly", last
-        return "refused wrongly", last
+        return "refused wrongly", ("with another sentence: " if case.refused else "") + last
     if case.refused:
         return "WRONG", "no equilibrium exists, one was accepted" + "".join(f"; {fault}" for fault in faults[:1])
     faults += path_faults(case, folder)
