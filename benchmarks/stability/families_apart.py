@@ -75,15 +75,16 @@ def joint(body, ids, master, master_ids, mu):
 
 def gap_faults(folder, contacts, size):
     """Gaps of rows below the reach against the distance of the node to the faces of the other body."""
+    rows = [row for row in read(folder / "reactions.csv") if row["contact"] in contacts and row["increment"] == 1]
+    rows = [row for row in rows if row["gap"] <= REACH * size]
+    if not rows:
+        return []
     faces = {}
     for name in {name for touch in contacts.values() for name in (touch.body, touch.master)}:
         points, cells, _ = read_vtu(folder / f"solution-{name}-0001.vtu")
         faces[name] = surface(points, cells)
     faults = []
-    rows = [row for row in read(folder / "reactions.csv") if row["contact"] in contacts and row["increment"] == 1]
     for row in rows:
-        if not row["gap"] <= REACH * size:
-            continue
         touch = contacts[row["contact"]]
         fault = gap_fault(row, faces[touch.body], faces[touch.master], size)
         faults += [fault] if fault else []

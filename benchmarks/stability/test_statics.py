@@ -15,9 +15,12 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
 from static_cases import write_scene
 from families_statics import Mats, pressed_block
 from laws import box, contact, floor, load
+from pictures import closest, face_normals, on_face, surface
 from statics import ALL, Load, Statement, Touch, judge
 
 HEAVY = .02  # of the load: nodes whose reactions are spoilt
@@ -112,8 +115,27 @@ def check(program, name, scene, statement, folder):
     return planted, missed
 
 
+def distance_faults():
+    """Brute force on a box of two cells, and on one face that is not plane."""
+    points = np.array([[x, y, z] for z in (0.0, 1.0, 2.0) for y in (0.0, 1.0) for x in (0.0, 1.0)])
+    cells = np.array([[0, 1, 3, 2, 4, 5, 7, 6], [4, 5, 7, 6, 8, 9, 11, 10]])
+    faces = surface(points, cells)
+    expected = [((2, .5, .3), 1), ((2, 2, .5), math.sqrt(2)), ((-1, -2, -2), 3), ((.5, .5, .9), .5), ((.3, .4, 2.5), .5)]
+    faults = [f"{len(faces)} faces instead of 10"] if len(faces) != 10 else []
+    faults += [f"distance of {p}" for p, d in expected if abs(closest(faces, np.array(p))[1].min() - d) > 1e-12]
+    if min(face_normals(faces, np.full((10, 2), .5))[i] @ (f.mean(axis=0) - (.5, .5, 1)) for i, f in enumerate(faces)) < .4:
+        faults.append("a normal points inward")
+    warped = np.array([[[0, 0, 0], [1, 0, 0], [1, 1, .5], [0, 1, 0]]])
+    s, d = np.array([[.4, .3]]), .2
+    point = on_face(warped, s)[0] + d * face_normals(warped, s)[0]
+    found, distance = closest(warped, point)
+    if abs(distance[0] - d) > 1e-9 or np.abs(found - s).max() > 1e-4:
+        faults.append(f"warped face: {distance[0]} at {found[0]}")
+    return faults
+
+
 def main():
-    program, missed, planted = Path(sys.argv[1]).resolve(), [], 0
+    program, missed, planted = Path(sys.argv[1]).resolve(), distance_faults(), 0
     for name, maker in (("floor", on_floor), ("mat", on_mat)):
         for dim in (2, 3):
             with tempfile.TemporaryDirectory() as scratch:
