@@ -1242,7 +1242,8 @@ def full_disk(laws, file):
     for table in ("reactions.csv", "increments.csv"):
         folder = laws.folder / f"full-{table}"
         folder.mkdir()
-        (folder / f"{table}.tmp").symlink_to("/dev/full")  # tables are written under this name first
+        for name in (f"{table}.tmp", f"{table}.tmp.tmp"):  # tables are written under such a name first
+            (folder / name).symlink_to("/dev/full")
         done = subprocess.run([laws.program, file, "-o", folder, "--quiet"], cwd=laws.folder, capture_output=True,
                               text=True)
         laws.demand(f"full device below {table}: exit code {done.returncode}: {done.stderr.strip()}",
