@@ -1018,7 +1018,7 @@ def bodies(laws):
                  "Support other": {**right["Support top"], "Body": "other"}}
         both = laws.run({**left, **other})
         for name, alone, start in (("first", laws.run(left), 0), ("second", laws.run(right), 4)):
-            part = Run(both.folder, dim)
+            part = Run(both.folder)
             part.rows = [row for row in both.rows if (row["x"] > 4) == (start > 0)]
             laws.same(f"{dim}D, {name} body", alone, part, 1e-12)
 
