@@ -50,7 +50,7 @@ class Bench:
         seconds = median_cpu_seconds([*command, "-s", "Output/VTU=0"], 1 if self.quick else 3)
         if arguments:
             cpu_seconds([*command, *arguments])
-        return seconds, Run(result, dim)
+        return seconds, Run(result)
 
     def startup(self):
         return median_cpu_seconds([self.program, "--version"])

@@ -30,7 +30,7 @@ class Bench:
         file, result = self.folder / "scene.prm", self.folder / "result"
         write_scene(scene, file)
         subprocess.run([self.program, file, "-q", "-o", result], check=True)
-        return deflection(Run(result, scene["Dimension"]), y)
+        return deflection(Run(result), y)
 
     def bent(self, dim, element, poisson):
         scene, exact = cantilever(dim, element, poisson, (5, 2, 2)[:dim])

@@ -34,7 +34,7 @@ def renamed(scene, number):
 
 def part_of(run, number):
     """The rows of one of the scenes."""
-    part = scenes.Run(run.folder, run.dim)
+    part = scenes.Run(run.folder)
     part.rows = [row for row in part.rows if row["contact"].endswith(f" {number}")]
     return part
 

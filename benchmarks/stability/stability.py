@@ -5,11 +5,13 @@
 
 Runs all families of families.py and 1000 random condensed problems, and each
 method by itself on the examples of [K], the 3D block and 100 random definite
-problems. Prints two tables in Markdown and the list of all failures, each with
+problems. With --family statics, or one of them, those whose answers follow from statics
+(STATICS below), judged by statics.py from the tables alone. Prints tables in Markdown and the list of all failures, each with
 the command that repeats it. Exit code 1 if there are any.
 
     cmake --build build --target conetact random-problems
     /usr/bin/python3 benchmarks/stability/stability.py
+    /usr/bin/python3 benchmarks/stability/stability.py --family stiff-on-soft --case 17
 """
 import argparse
 import csv
@@ -25,11 +27,26 @@ import numpy as np
 
 from families import BLOCK, FAMILIES, INCLINED, SQUARE, block_cells
 from program import Case, Result, run
+from static_cases import header, line, run_static  # first: it knows the way to laws.py
+from families_apart import no_touch
+from families_rollers import roller_box
+from families_statics import balanced, joints, stiff_on_soft
+from families_weight import own_weight
 
 ROOT = Path(__file__).resolve().parents[2]
 METHODS = ("automatic", "active set", "smoothing", "gauss-seidel")
 RANDOM, DEFINITE = 1000, 100
 AGREEMENT = 1e-9
+# title, the case of a number, how many there are, those of the quick part
+STATICS = {
+    "stiff-on-soft": ("stiff block on soft mat", stiff_on_soft, 1400,
+                      (*range(0, 1000, 50), *range(1000, 1200, 50), *range(1200, 1400, 33))),
+    "own-weight": ("steel under its own weight", own_weight, 200, range(28)),
+    "no-touch": ("bodies that touch nowhere", no_touch, 200, range(12)),
+    "joints": ("joints wider and narrower than their master", joints, 100, range(20)),
+    "roller-box": ("boxes on rollers", roller_box, 20, range(20)),
+    "balanced-frictionless": ("balanced loads on frictionless floors", balanced, 60, range(24)),
+}
 
 
 class Setup:
@@ -38,7 +55,8 @@ class Setup:
     def __init__(self, options):
         self.program = options.conetact.resolve()
         self.random = options.random_problems or self.program.parent / "random-problems"
-        self.quick = options.quick
+        self.quick, self.cases = options.quick, options.case
+        self.keep = bool(options.case)
         self.folder = Path(tempfile.mkdtemp(prefix="conetact-stability-"))
         self.block = block_cells(6) if options.quick else {}
         self.pool = ThreadPoolExecutor(options.jobs)
@@ -162,6 +180,39 @@ def methods_table(setup):
     return lines, failures
 
 
+# ---------------------------------------------------------------- statics
+
+def numbers_of(setup, name):
+    """Of the cases that are run."""
+    _, _, count, quick = STATICS[name]
+    return setup.cases or (list(quick) if setup.quick else range(count))
+
+
+def static_case(setup, name, number):
+    folder = setup.folder / f"{name}-{number}"
+    try:
+        return run_static(setup.program, number, STATICS[name][1](number), folder)
+    finally:
+        if not setup.keep:
+            shutil.rmtree(folder, ignore_errors=True)
+
+
+def statics_table(setup, names):
+    lines, failures = header(), []
+    for name in names:
+        numbers = numbers_of(setup, name)
+        verdicts = list(setup.pool.map(lambda number, name=name: static_case(setup, name, number), numbers))
+        lines.append(line(STATICS[name][0], verdicts))
+        print(lines[-1], file=sys.stderr, flush=True)
+        for v in verdicts:
+            v.case.command = lambda name=name, v=v: f"stability.py --family {name} --case {v.number}"
+            v.failure = f"{v.outcome}: {v.text}"
+            if setup.cases:
+                print(f"{name} {v.number}, {v.case.name}: {v.failure}\n{setup.folder}/{name}-{v.number}")
+        failures += [(f"{name} {v.number}", v) for v in verdicts if not v.good]
+    return lines, failures
+
+
 # ---------------------------------------------------------------- report
 
 def report(sections, failures):
@@ -173,9 +224,13 @@ def report(sections, failures):
 
 def parse():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--family", action="append", choices=[*FAMILIES, "random", "methods"],
-                        help="only this one (may be repeated)")
-    parser.add_argument("--quick", action="store_true", help="a few cases of each family, smaller meshes")
+    parser.add_argument("--family", action="append", choices=[*FAMILIES, "random", "methods", *STATICS, "statics"],
+                        help="only this one (may be repeated); statics: all that are judged by statics")
+    extent = parser.add_mutually_exclusive_group()
+    extent.add_argument("--quick", action="store_true", help="a few cases of each family, smaller meshes")
+    extent.add_argument("--full", action="store_true", help="all of them (the default)")
+    parser.add_argument("--case", type=int, action="append",
+                        help="only this number of a family judged by statics (may be repeated); keeps its folder")
     parser.add_argument("--conetact", type=Path, default=ROOT / "build" / "conetact")
     parser.add_argument("--random-problems", type=Path, help="default: beside conetact")
     parser.add_argument("--jobs", type=int, default=2)
@@ -188,16 +243,22 @@ def main():
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
     setup = Setup(options)
     names = options.family or [*FAMILIES, "random", "methods"]
+    names = [part for name in names for part in (STATICS if name == "statics" else [name])]
     sections, failures = [], []
     try:
-        lines, failures = families_table(setup, [name for name in names if name != "methods"])
+        lines, failures = families_table(setup, [name for name in names if name != "methods" and name not in STATICS])
         sections.append(lines if len(lines) > 2 else [])
         if "methods" in names:
             lines, more = methods_table(setup)
             sections.append(lines)
             failures += more
+        if statics := [name for name in names if name in STATICS]:
+            lines, more = statics_table(setup, statics)
+            sections.append(lines)
+            failures += more
     finally:
-        shutil.rmtree(setup.folder, ignore_errors=True)
+        if not setup.keep:
+            shutil.rmtree(setup.folder, ignore_errors=True)
     text = report(sections, failures)
     options.table.parent.mkdir(parents=True, exist_ok=True)
     options.table.write_text(text)
