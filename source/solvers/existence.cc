@@ -28,9 +28,9 @@ namespace conetact
                                  std::vector<Frame> node_frames)
     : system(std::move(layout))
     , frames(std::move(node_frames))
-    , R(system->n_unknowns(), 0)
+    , R(system->n_contact_unknowns(), 0)
   {
-    if (system->form == Form::stiffness && system->null_space.cols() > 0)
+    if (system->null_space.cols() > 0)
       R = orthonormal_basis(system->null_space);
   }
 

@@ -14,8 +14,11 @@ namespace conetact
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    /** Residuals are not compared with less than this part of alpha. */
-    constexpr double least_force = 1e-4;
+    /**
+     * Where no force is known beforehand, residuals are compared with this part
+     * of what interferences alone would press.
+     */
+    constexpr double part_of_interference = 1e-4;
 
     /**
      * Mean diagonal entry of each node, one a node. A node that nothing holds
@@ -51,6 +54,8 @@ namespace conetact
           scale(j) = norm > 0 ? 1 / norm : 1.;
         }
     }
+
+    constexpr double smallest_force = 1e-30; ///< a zero that divides
 
     /** The largest interference of the displacements q at rest. */
     double
@@ -138,9 +143,10 @@ namespace conetact
     if (has_units)
       return;
     // Forces over sqrt(c): in compliance form scale is sqrt(c) itself.
-    alpha = std::max(load_force,
-                     interference(*contact_system,
-                                  stiffness() ? scaled_offset : scaled_load));
+    const Array &given = stiffness() ? scaled_offset : scaled_load;
+    alpha              = std::max({load_force, largest(given.head(n)), 0.});
+    if (load_force == 0)
+      load_force = part_of_interference * interference(*contact_system, given);
     if (!(alpha > 0))
       alpha = 1;
     scaled_load /= alpha;
@@ -180,7 +186,8 @@ namespace conetact
   LinearRelation::force_scale(const Array &p, const Array &d) const
   {
     const Index n = contact_system->n_contact_unknowns();
-    return std::max({reactions(p, d).head(n).norm(), load_force, least_force});
+    return std::max(
+      {reactions(p, d).head(n).norm(), load_force, smallest_force});
   }
 
 
