@@ -77,6 +77,31 @@ namespace conetact
 
 
 
+  /**
+   * Where all nodes that hold a body slip, nothing holds it: they stick then,
+   * until they are seen to slip with something left that holds.
+   */
+  bool
+  ActiveSet::direction(const Point &point, const double precision, Array &dp)
+  {
+    const Array none  = Array::Zero(point.p.size());
+    const auto  solve = [&](const NodeSets &sets, const bool regularised) {
+      return newton.solve(*relation,
+                          linearized_laws(*relation, sets, point.p, point.d),
+                          none,
+                          precision,
+                          dp,
+                          regularised);
+    };
+    if (relation->system().n_motions == 0)
+      return solve(point.sets, true);
+    return solve(point.sets, false) ||
+           solve(without_slip(*relation, point.sets), false) ||
+           solve(point.sets, true);
+  }
+
+
+
   /** One Newton step; false if there is none. */
   bool
   ActiveSet::step(Point       &point,
@@ -90,13 +115,8 @@ namespace conetact
         0. :
         std::min(1e-2,
                  std::max(.1 * point.residual, .3 * goal / point.residual));
-    const Array none = Array::Zero(point.p.size());
-    Array       dp;
-    if (!newton.solve(*relation,
-                      linearized_laws(*relation, point.sets, point.p, point.d),
-                      none,
-                      precision,
-                      dp))
+    Array dp;
+    if (!direction(point, precision, dp))
       return false;
 
     Point trial = point_at(point.p + dp);

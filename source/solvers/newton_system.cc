@@ -254,7 +254,8 @@ namespace conetact
                       const std::vector<NodeLaw> &laws,
                       const Array                &rho,
                       const double                precision,
-                      Array                      &dp)
+                      Array                      &dp,
+                      const bool                  regularised)
   {
     split(relation, laws);
     eliminate(relation, laws, rho, dp);
@@ -268,7 +269,7 @@ namespace conetact
     bool  solved = solve_with_reuse(relation, laws, precision, x) ||
                   solve_directly(relation, laws, 0, x);
     for (const double shift : {1e-9, 1e-6})
-      if (!solved)
+      if (!solved && regularised)
         solved = solve_directly(relation, laws, shift, x);
     if (!solved)
       return false;

@@ -271,7 +271,13 @@ namespace conetact
   {
     const ContactSystem &system = relation.system();
     VectorXd            &r      = relation.stiffness() ? d : p;
-    VectorXd             v      = relation.displacements(p, d);
+    const auto           stop   = [&](const Index first, const Index size) {
+      // v = p + o in stiffness form
+      if (relation.stiffness())
+        p.segment(first, size) = -relation.offset().segment(first, size);
+      else
+        d.segment(first, size).setZero();
+    };
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index     first = system.first[i], nt = system.n_tangents(i);
@@ -279,16 +285,24 @@ namespace conetact
         if (node == NodeState::open)
           r.segment(first, nt + 1).setZero();
         else
-          v(first + nt) = 0;
+          stop(first + nt, 1);
         if (node == NodeState::stick)
-          v.segment(first, nt).setZero();
+          stop(first, nt);
         if (node == NodeState::slip && system.mu(i) == 0)
           r.segment(first, nt).setZero();
       }
-    if (relation.stiffness())
-      p = v - relation.offset();
-    else
-      d = v;
+  }
+
+
+
+  NodeSets
+  without_slip(const LinearRelation &relation, NodeSets sets)
+  {
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      if (sets[i].state == NodeState::slip &&
+          relation.system().mu(static_cast<Index>(i)) > 0)
+        sets[i].state = NodeState::stick;
+    return sets;
   }
 
 

@@ -37,15 +37,16 @@ namespace conetact
     /**
      * Solves for the increment of p, to the relative precision asked for (a
      * hint: small systems are always solved directly, and all of them where it
-     * is 0). False if the matrix is
-     * singular beyond help or the result is not finite.
+     * is 0). False if the matrix is singular, beyond help where `regularised`,
+     * or the result is not finite.
      */
     bool
     solve(const LinearRelation       &relation,
           const std::vector<NodeLaw> &laws,
           const Array                &rho,
           const double                precision,
-          Array                      &dp);
+          Array                      &dp,
+          const bool                  regularised = true);
 
     /** Whether the last system was too small to save a factorisation. */
     bool

@@ -62,6 +62,10 @@ namespace conetact
                   Eigen::VectorXd      &p,
                   Eigen::VectorXd      &d);
 
+  /** The same with nodes that slip against friction stuck. */
+  NodeSets
+  without_slip(const LinearRelation &relation, NodeSets sets);
+
   /** States, and signs of slip in 2D: what makes two steps the same. */
   std::string
   signature(const NodeSets &sets);
