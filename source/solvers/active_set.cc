@@ -77,6 +77,17 @@ namespace conetact
 
 
 
+  bool
+  ActiveSet::is_balanced(const Array &p) const
+  {
+    constexpr double small = 1e-3; // or it would have moved without end
+    const Array      d     = dual(p);
+    return d.tail(relation->system().n_motions).norm() <=
+           small * relation->force_scale(p, d);
+  }
+
+
+
   /**
    * Where all nodes that hold a body slip, nothing holds it: they stick then,
    * until they are seen to slip with something left that holds.
@@ -95,9 +106,11 @@ namespace conetact
     };
     if (relation->system().n_motions == 0)
       return solve(point.sets, true);
-    return solve(point.sets, false) ||
-           solve(without_slip(*relation, point.sets), false) ||
-           solve(point.sets, true);
+    if (solve(point.sets, false) ||
+        (solve(point.sets, true) && is_balanced(point.p + dp)))
+      return true;
+    const NodeSets stuck = without_slip(*relation, point.sets);
+    return solve(stuck, false) || solve(stuck, true);
   }
 
 

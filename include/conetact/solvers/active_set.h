@@ -67,6 +67,8 @@ namespace conetact
     std::string
     iterate(Point &point, SolverReport &report);
     bool
+    is_balanced(const Array &p) const;
+    bool
     direction(const Point &point, const double precision, Array &dp);
     bool
     step(Point &point, const bool damped, const double goal, const bool exact);
