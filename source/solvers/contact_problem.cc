@@ -33,10 +33,15 @@ namespace conetact
       return system.form == Form::stiffness ? mean : 1. / mean;
     }
 
-    /** Matrix times x: of a symmetric matrix half is enough to be read. */
+    /**
+     * Matrix times x. A stiffness is symmetric, half of it is enough to be
+     * read; a compliance need not be.
+     */
     VectorXd
     product(const ContactSystem &system, const VectorXd &x)
     {
+      if (system.form == Form::compliance)
+        return system.matrix * x;
       return system.matrix.selfadjointView<Eigen::Lower>() * x;
     }
 

@@ -126,7 +126,9 @@ namespace conetact
       return;
 
     Array product = Array::Zero(sx.size());
-    if (2 * static_cast<Index>(columns.size()) > sx.size())
+    if (!stiffness() && 2 * static_cast<Index>(columns.size()) > sx.size())
+      product.noalias() += contact_system->matrix * sx; // may be unsymmetric
+    else if (2 * static_cast<Index>(columns.size()) > sx.size())
       // half of the matrix is enough
       product.noalias() +=
         contact_system->matrix.selfadjointView<Eigen::Lower>() * sx;

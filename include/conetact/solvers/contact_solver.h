@@ -6,6 +6,7 @@
 
 #include "conetact/solvers/contact_problem.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,6 +43,12 @@ namespace conetact
     unsigned int     max_sweeps     = 20000;       ///< of Gauss-Seidel
     unsigned int     max_substeps   = 1024;        ///< of an increment
     SmoothingOptions smoothing;
+
+    /**
+     * Asked in the outer loops, where there is one: true ends a solver with
+     * what it has and the report of a failure (a limit of time).
+     */
+    std::function<bool()> stop = {};
   };
 
   /**
