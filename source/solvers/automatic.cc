@@ -4,6 +4,7 @@
 #include "conetact/solvers/automatic.h"
 
 #include "conetact/solvers/gauss_seidel.h"
+#include "conetact/solvers/redundant_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +90,7 @@ namespace conetact
 
     SmoothingOptions smoothing = options.smoothing;
     smoothing.scaled           = true;
+    smoothing.stop             = options.stop;
     smoothing.m0 = smoothing.eps0 = m0;
     SmoothingIteration iteration(*relation, smoothing, state);
     ContactState       trial  = state;
@@ -137,8 +139,12 @@ namespace conetact
                          ContactState         &state,
                          const bool            thorough)
   {
-    ContactState trial  = state;
-    SolverReport report = active_set.solve(problem, trial);
+    ContactState trial = state;
+    SolverReport report;
+    if (is_sparse_compliance(*problem.system))
+      report = make_redundant_contacts(options)->solve(problem, trial);
+    if (!report.converged)
+      report = active_set.solve(problem, trial = state);
     if (report.converged)
       {
         state = trial;
@@ -191,6 +197,8 @@ namespace conetact
         if (!one.converged)
           {
             report.reason = one.reason;
+            if (options.stop && options.stop())
+              break;
             size /= 4;
             if (size < smallest)
               break;

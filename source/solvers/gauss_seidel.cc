@@ -54,7 +54,7 @@ namespace conetact
       std::vector<LocalCoulomb>            local;
       Eigen::SparseMatrix<double>          sparse; ///< empty if the matrix is
                                                    ///< not
-      Eigen::VectorXd                      x, y, y_of_node;
+      Eigen::VectorXd x, y, y_of_node;
     };
 
 
@@ -165,9 +165,9 @@ namespace conetact
     GaussSeidel::write(const ContactProblem &problem, ContactState &state)
     {
       const bool compliance = system->form == Form::compliance;
-      y       = image(problem);
-      state.r = compliance ? x : y_of_node;
-      state.v = compliance ? y_of_node : x;
+      y                     = image(problem);
+      state.r               = compliance ? x : y_of_node;
+      state.v               = compliance ? y_of_node : x;
     }
 
 
@@ -185,7 +185,7 @@ namespace conetact
          body's equilibrium is judged, may be far smaller than the residual's
          scale. So it goes on for two more digits, for as many sweeps again. */
       bool         changed = true, stopped = false;
-      unsigned int last    = options.max_sweeps;
+      unsigned int last = options.max_sweeps;
       // the residual costs as much as a dense sweep
       const unsigned int check = sparse.size() > 0 ? 100 : 10;
       while (changed && !stopped && report.iterations < last)

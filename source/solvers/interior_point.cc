@@ -48,10 +48,10 @@ namespace conetact
     double
     longest_in_cone(const SmallVector &z, const SmallVector &dz)
     {
-      const Index  n = z.size() - 1;
-      const double a = determinant(dz);
-      const double b = z(0) * dz(0) - z.tail(n).dot(dz.tail(n));
-      const double c = std::max(determinant(z), 0.);
+      const Index  n      = z.size() - 1;
+      const double a      = determinant(dz);
+      const double b      = z(0) * dz(0) - z.tail(n).dot(dz.tail(n));
+      const double c      = std::max(determinant(z), 0.);
       double       result = 2;
       if (dz(0) < 0)
         result = -z(0) / dz(0);
@@ -59,8 +59,8 @@ namespace conetact
       const double d = b * b - a * c;
       if (n > 0 && d >= 0 && (b < 0 || a < 0))
         {
-          const double root = b < 0 ? c / (-b + std::sqrt(d)) :
-                                      (-b - std::sqrt(d)) / a;
+          const double root =
+            b < 0 ? c / (-b + std::sqrt(d)) : (-b - std::sqrt(d)) / a;
           if (root >= 0)
             result = std::min(result, root);
         }
@@ -91,8 +91,8 @@ namespace conetact
     std::vector<double>  weights;
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        const double mu   = system.mu(i);
-        const Index  nt   = mu > 0 ? system.n_tangents(i) : 0;
+        const double mu = system.mu(i);
+        const Index  nt = mu > 0 ? system.n_tangents(i) : 0;
         Cone         cone;
         cone.first = static_cast<Index>(where.size());
         cone.size  = nt + 1;
@@ -137,7 +137,7 @@ namespace conetact
   void
   InteriorPoint::start()
   {
-    x = z = Array::Zero(q.size());
+    x = z             = Array::Zero(q.size());
     const double size = std::max(1., q.lpNorm<Eigen::Infinity>());
     for (const Cone &cone : cones)
       x(cone.first) = z(cone.first) = size;
@@ -188,9 +188,9 @@ namespace conetact
         const Index       n  = cone.size - 1;
         const SmallVector xc = x.segment(cone.first, cone.size),
                           zc = z.segment(cone.first, cone.size);
-        const double dx = std::sqrt(determinant(xc)),
-                     dz = std::sqrt(determinant(zc));
-        SmallVector  w  = xc / dx;
+        const double dx      = std::sqrt(determinant(xc)),
+                     dz      = std::sqrt(determinant(zc));
+        SmallVector w        = xc / dx;
         w.tail(n) *= -1;
         w += zc / dz;
         w /= std::sqrt(2 * (1 + xc.dot(zc) / (dx * dz)));
@@ -264,9 +264,8 @@ namespace conetact
     Array h(q.size());
     for (const Cone &cone : cones)
       {
-        const SmallVector lambda =
-          cone.root * x.segment(cone.first, cone.size);
-        SmallVector aim = -jordan_product(lambda, lambda);
+        const SmallVector lambda = cone.root * x.segment(cone.first, cone.size);
+        SmallVector       aim    = -jordan_product(lambda, lambda);
         aim(0) += sigma_m;
         if (dx.size() > 0)
           {
@@ -288,12 +287,11 @@ namespace conetact
   {
     double result = 1 / stay_inside;
     for (const Cone &cone : cones)
-      result = std::min(
-        {result,
-         longest_in_cone(x.segment(cone.first, cone.size),
-                         dx.segment(cone.first, cone.size)),
-         longest_in_cone(z.segment(cone.first, cone.size),
-                         dz.segment(cone.first, cone.size))});
+      result = std::min({result,
+                         longest_in_cone(x.segment(cone.first, cone.size),
+                                         dx.segment(cone.first, cone.size)),
+                         longest_in_cone(z.segment(cone.first, cone.size),
+                                         dz.segment(cone.first, cone.size))});
     return stay_inside * result;
   }
 

@@ -52,15 +52,8 @@ namespace conetact
       return sparse.solve(b);
     Eigen::VectorXd x = b;
     const auto      n = static_cast<lapack_int>(b.size());
-    LAPACKE_dgetrs_work(LAPACK_COL_MAJOR,
-                        'N',
-                        n,
-                        1,
-                        dense.data(),
-                        n,
-                        pivots.data(),
-                        x.data(),
-                        n);
+    LAPACKE_dgetrs_work(
+      LAPACK_COL_MAJOR, 'N', n, 1, dense.data(), n, pivots.data(), x.data(), n);
     return x;
   }
 } // namespace conetact

@@ -69,13 +69,14 @@ namespace conetact
     const TangentMatrix schur =
       block.topLeftCorner(n, n) - elimination * block.row(n).head(n);
 
-    stick_weight       = lift(.5 * (schur + schur.transpose()), floor);
+    stick_weight = lift(.5 * (schur + schur.transpose()), floor);
     if (n == 2)
       skew = .5 * (schur(1, 0) - schur(0, 1)) * basis.determinant();
-    sigma              = n > 0 ? stick_weight.maxCoeff() : 1.;
-    slip_weight        = Tangent::Constant(n, sigma);
-    normal_of_reaction = -basis.transpose() * (block.row(n).head(n).transpose() / pivot);
-    normal_of_slip     = Tangent::Zero(n);
+    sigma       = n > 0 ? stick_weight.maxCoeff() : 1.;
+    slip_weight = Tangent::Constant(n, sigma);
+    normal_of_reaction =
+      -basis.transpose() * (block.row(n).head(n).transpose() / pivot);
+    normal_of_slip = Tangent::Zero(n);
   }
 
 
@@ -139,8 +140,8 @@ namespace conetact
       stick += skew * Tangent(Eigen::Vector2d(-ratio(1), ratio(0)));
     const Tangent dr_t =
       divide(ratio.cwiseProduct(slip_weight), denominator, w);
-    const Tangent du_t = sigma * divide(stick, denominator, w);
-    const double dlength = length > 0 ? slide.r_t.dot(dr_t) / length : 0.;
+    const Tangent du_t    = sigma * divide(stick, denominator, w);
+    const double  dlength = length > 0 ? slide.r_t.dot(dr_t) / length : 0.;
     slide.slope =
       dlength - mu * (normal_of_reaction.dot(dr_t) + normal_of_slip.dot(du_t));
   }

@@ -26,11 +26,10 @@ namespace conetact
 
     /* Entries of P + D (M + shift): rows of M by node, the weights of D. */
     Triplets
-    assemble(const ContactSystem                        &system,
-             const Eigen::SparseMatrix<double,
-                                       Eigen::RowMajor> &M,
-             const std::vector<NodeLaw>                 &laws,
-             const double                                shift)
+    assemble(const ContactSystem                                &system,
+             const Eigen::SparseMatrix<double, Eigen::RowMajor> &M,
+             const std::vector<NodeLaw>                         &laws,
+             const double                                        shift)
     {
       Triplets entries;
       for (Index i = 0; i < system.n_nodes(); ++i)
@@ -46,8 +45,7 @@ namespace conetact
                                      own(k, l));
                 if (law.d(k, l) == 0)
                   continue;
-                for (Eigen::SparseMatrix<double,
-                                         Eigen::RowMajor>::InnerIterator
+                for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator
                        e(M, first + l);
                      e;
                      ++e)
@@ -75,8 +73,7 @@ namespace conetact
     for (Index i = 0; i < linear.system().n_nodes(); ++i)
       h.segment(linear.system().first[i], linear.system().n_tangents(i) + 1) =
         laws[static_cast<std::size_t>(i)].h;
-    const Triplets entries =
-      assemble(linear.system(), relation.M, laws, shift);
+    const Triplets entries = assemble(linear.system(), relation.M, laws, shift);
     SparseRelation::Matrix J(p.size(), p.size());
     J.setFromTriplets(entries.begin(), entries.end());
     factor.forget_pattern();

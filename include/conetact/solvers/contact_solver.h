@@ -32,6 +32,7 @@ namespace conetact
     double eps0           = 1e-2; ///< first regularisation
     double beta0          = 1e3;  ///< first bound on the residual
     int    max_iterations = 300;  ///< linear solves before giving up
+    std::function<bool()> stop = {}; ///< see SolverOptions
   };
 
   /** Options of all solvers, with defaults that need no tuning. */

@@ -90,14 +90,14 @@ namespace conetact
     double
     longest(const Array &dx, const Array &dz) const;
 
-    const SparseRelation        &relation;
-    const bool                   coupled;
-    std::vector<Cone>            cones;
-    std::vector<Index>           where;  ///< unknown of each row
-    Array                        weight; ///< r = weight x
-    Eigen::SparseMatrix<double>  W;
-    Array                        q, x, z, residual;
-    LargeFactor                  factor;
+    const SparseRelation       &relation;
+    const bool                  coupled;
+    std::vector<Cone>           cones;
+    std::vector<Index>          where;  ///< unknown of each row
+    Array                       weight; ///< r = weight x
+    Eigen::SparseMatrix<double> W;
+    Array                       q, x, z, residual;
+    LargeFactor                 factor;
   };
 } // namespace conetact
 

@@ -89,7 +89,6 @@ namespace conetact
     Tangent       stick_weight, slip_weight; ///< denominator (1-theta), theta
     double        sigma;    ///< slip over reaction at theta = 1/2
     double        skew = 0; ///< w of the skew part [0 -w; w 0]
-    double        skew = 0; ///< w of the skew part [0 -w; w 0]
     Tangent normal_of_reaction, normal_of_slip; ///< r_n from r_t and from u_t
   };
 } // namespace conetact

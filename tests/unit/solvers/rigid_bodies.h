@@ -105,8 +105,9 @@ namespace conetact
             add_force(entries, contacts[c], contacts[c].above, e, column);
             add_force(entries, contacts[c], contacts[c].below, -e, column);
           }
-      Eigen::SparseMatrix<double> H(
-        n_dofs(), static_cast<Eigen::Index>(contacts.size()) * dim);
+      Eigen::SparseMatrix<double> H(n_dofs(),
+                                    static_cast<Eigen::Index>(contacts.size()) *
+                                      dim);
       H.setFromTriplets(entries.begin(), entries.end());
       return H;
     }
@@ -134,8 +135,8 @@ namespace conetact
     ContactProblem
     problem() const
     {
-      const Eigen::SparseMatrix<double>                 H = directions();
-      const Eigen::SparseMatrix<double>                 M = mass();
+      const Eigen::SparseMatrix<double>                  H = directions();
+      const Eigen::SparseMatrix<double>                  M = mass();
       const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(M);
 
       auto system    = std::make_shared<ContactSystem>();
@@ -174,15 +175,13 @@ namespace conetact
     body_mass(const RigidBlock &block) const
     {
       const Eigen::Vector3d s = block.size.cwiseAbs2();
-      const double          m =
-        density * block.size.prod() * (block.fixed ? 1e6 : 1.);
+      const double m = density * block.size.prod() * (block.fixed ? 1e6 : 1.);
       const Eigen::Matrix3d Q =
         Eigen::AngleAxisd(block.angle, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
       const Eigen::Matrix3d J =
         Q *
-        (m / 12 *
-         Eigen::Vector3d(s(1) + s(2), s(0) + s(2), s(0) + s(1)))
+        (m / 12 * Eigen::Vector3d(s(1) + s(2), s(0) + s(2), s(0) + s(1)))
           .asDiagonal() *
         Q.transpose();
       if (dim == 2)
@@ -191,7 +190,7 @@ namespace conetact
       skew << 0, -block.spin(2), block.spin(1), //
         block.spin(2), 0, -block.spin(0),       //
         -block.spin(1), block.spin(0), 0;
-      Eigen::MatrixXd result   = Eigen::MatrixXd::Zero(6, 6);
+      Eigen::MatrixXd result = Eigen::MatrixXd::Zero(6, 6);
       result.diagonal().head(3).setConstant(m);
       result.bottomRightCorner(3, 3) = J + step * skew * J;
       return result;
@@ -255,8 +254,7 @@ namespace conetact
     ground.centre = {.5 * width, -.5, 0};
     s.blocks.push_back(ground);
     const auto at = [&](const int row, const int i) {
-      return static_cast<std::size_t>(row == 0 ? 0 :
-                                                 1 + (row - 1) * width + i);
+      return static_cast<std::size_t>(row == 0 ? 0 : 1 + (row - 1) * width + i);
     };
     for (int row = 1; row <= height; ++row)
       for (int i = 0; i < width; ++i)
@@ -286,7 +284,7 @@ namespace conetact
   inline RigidBodies
   arch(const int dim, const int n, const double thickness = .3)
   {
-    RigidBodies  s;
+    RigidBodies s;
     s.dim              = dim;
     const double pi    = std::acos(-1.);
     const double angle = pi / n;
