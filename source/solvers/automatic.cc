@@ -140,11 +140,7 @@ namespace conetact
                          const bool            thorough)
   {
     ContactState trial = state;
-    SolverReport report;
-    if (is_sparse_compliance(*problem.system))
-      report = make_redundant_contacts(options)->solve(problem, trial);
-    if (!report.converged)
-      report = active_set.solve(problem, trial = state);
+    SolverReport report = active_set.solve(problem, trial);
     if (report.converged)
       {
         state = trial;
@@ -238,11 +234,26 @@ namespace conetact
   {
     // Here is the place to ask whether an equilibrium can exist at all.
 
+    // Of redundant contacts the best that was found is of use to the caller.
+    ContactState estimate = state;
+    SolverReport first;
+    if (is_sparse_compliance(*problem.system))
+      first = make_redundant_contacts(options)->solve(problem, estimate);
+    if (first.converged || (options.stop && options.stop()))
+      {
+        state = estimate;
+        return first;
+      }
+
     SolverReport report = solve_whole(problem, state, true);
+    count(report, first);
     if (report.converged || problem.system->n_unknowns() == 0)
       return report;
     if (options.max_substeps < 2)
-      return report;
+      {
+        state = estimate;
+        return report;
+      }
     SolverReport parts = solve_in_parts(problem, state);
     count(parts, report);
     return parts;

@@ -211,7 +211,9 @@ namespace conetact
           return report;
         }
       std::ostringstream reason;
-      reason << "Gauss-Seidel stopped after " << report.iterations
+      reason << "Gauss-Seidel stopped "
+             << (stopped ? "by the limit of time " : "") << "after "
+             << report.iterations
              << " sweeps at a residual of " << report.residual;
       report.reason = reason.str();
       return report;
