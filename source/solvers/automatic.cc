@@ -139,7 +139,7 @@ namespace conetact
                          ContactState         &state,
                          const bool            thorough)
   {
-    ContactState trial = state;
+    ContactState trial  = state;
     SolverReport report = active_set.solve(problem, trial);
     if (report.converged)
       {
