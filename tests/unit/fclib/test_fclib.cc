@@ -404,6 +404,8 @@ namespace
       G.insert(last, 0)       = 2;
       G.insert(last + 2, 1)   = 1;
       b << -.02, 0;
+      H.makeCompressed();
+      G.makeCompressed();
     }
     int
     write(const std::string &file)
@@ -475,6 +477,7 @@ TEST_F(Fclib, BadGlobalProblems)
   });
   refuse("constraints", [&](GlobalProblem &g) {
     g.G.col(1) = 3 * g.G.col(0);
+    g.G.makeCompressed();
     g.write(file);
   });
   refuse("negative", [&](GlobalProblem &g) {
@@ -486,9 +489,9 @@ TEST_F(Fclib, BadGlobalProblems)
     g.write(file);
     replace(file, root + "vectors/f", std::vector<double>{1, 2});
   });
-  refuse("H has 8 rows", [&](GlobalProblem &g) {
+  refuse("H has 12 rows", [&](GlobalProblem &g) {
     g.write(file);
-    replace(file, root + "H/m", std::vector<int>{8});
+    replace(file, root + "H/m", std::vector<int>{12});
   });
   refuse("M is not square", [&](GlobalProblem &g) {
     g.write(file);
