@@ -8,6 +8,7 @@
 #include "conetact/solvers/contact_solver.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
@@ -35,8 +36,9 @@ namespace
   {
     std::string   file, output;
     SolverOptions options;
-    bool          guess = false;
-    bool          help  = false;
+    double        time_limit = 50; ///< seconds; 0: none
+    bool          guess      = false;
+    bool          help       = false;
   };
 
   std::string
@@ -44,9 +46,12 @@ namespace
   {
     std::string text =
       "usage: conetact-fclib solve FILE.hdf5 [options]\n"
-      "Solves the local frictional contact problem of an FCLib file.\n"
+      "Solves the frictional contact problem of an FCLib file, local or "
+      "global.\n"
       "  --solver NAME      one of the methods below, automatic by default\n"
       "  --tolerance T      on the residual, without units; 1e-10 by default\n"
+      "  --time-limit S     gives up after S seconds with a report; 50 by "
+      "default, 0: never\n"
       "  --guess            start from the first guess in the file\n"
       "  --store            store the solution in FILE.hdf5\n"
       "  --output FILE      store problem and solution in another file\n"
@@ -59,12 +64,31 @@ namespace
     return text;
   }
 
+  /** A number, or nan. */
   double
-  read_tolerance(const std::string &text)
+  to_number(const std::string &text)
   {
     char        *end   = nullptr;
     const double value = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != 0 || !(value > 0) || !(value < 1))
+    return text.empty() || *end != 0 ? std::nan("") : value;
+  }
+
+  double
+  read_time_limit(const std::string &text)
+  {
+    const double value = to_number(text);
+    if (!(value >= 0))
+      throw InputError("--time-limit needs a number of seconds, 0 for no "
+                       "limit, not '" +
+                       text + "'.");
+    return value;
+  }
+
+  double
+  read_tolerance(const std::string &text)
+  {
+    const double value = to_number(text);
+    if (!(value > 0) || !(value < 1))
       throw InputError("--tolerance needs a number between 0 and 1, not '" +
                        text + "'.");
     return value;
@@ -104,6 +128,8 @@ namespace
           line.options.method = value();
         else if (word == "--tolerance")
           line.options.tolerance = read_tolerance(value());
+        else if (word == "--time-limit")
+          line.time_limit = read_time_limit(value());
         else if (word == "--output")
           line.output = value();
         else if (word == "--store")
@@ -131,9 +157,40 @@ namespace
     return line;
   }
 
+  /**
+   * The law in a file is no increment of a path: parts of it would be solved
+   * for another law, and are not tried.
+   */
+  SolverOptions
+  options_of(const CommandLine &line)
+  {
+    using Clock           = std::chrono::steady_clock;
+    SolverOptions options = line.options;
+    options.max_substeps  = 1;
+    if (line.time_limit > 0)
+      options.stop = [start = Clock::now(), limit = line.time_limit] {
+        return std::chrono::duration<double>(Clock::now() - start).count() >
+               limit;
+      };
+    return options;
+  }
+
+  std::string
+  why_not(const CommandLine &line, const SolverReport &report)
+  {
+    if (report.reason.empty())
+      return "the residual is too large.";
+    if (report.reason.find("limit of time") == std::string::npos)
+      return report.reason + '.';
+    return report.reason + "; --time-limit " +
+           std::to_string(static_cast<long>(10 * line.time_limit) + 1) +
+           " gives it more.";
+  }
+
   int
   solve(const CommandLine &line)
   {
+    const SolverOptions  options = options_of(line);
     const ContactProblem problem = read_fclib(line.file);
     const Eigen::Index   n       = problem.system->n_unknowns();
     const Eigen::Index   n_c     = problem.system->n_nodes();
@@ -149,8 +206,7 @@ namespace
 
     const auto         start     = std::chrono::steady_clock::now();
     const std::clock_t cpu_start = std::clock();
-    const SolverReport report =
-      make_solver(line.options)->solve(problem, state);
+    const SolverReport report    = make_solver(options)->solve(problem, state);
     const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - start;
     const double cpu_time =
@@ -166,10 +222,7 @@ namespace
               << " s\nresidual   " << residual << '\n';
     if (!solved)
       {
-        std::cerr << "Not converged: "
-                  << (report.reason.empty() ? "the residual is too large" :
-                                              report.reason)
-                  << '\n';
+        std::cerr << "Not converged: " << why_not(line, report) << '\n';
         return 2;
       }
     if (!line.output.empty())

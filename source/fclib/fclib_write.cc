@@ -4,6 +4,7 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/fclib/fclib_file.h"
+#include "conetact/fclib/fclib_global.h"
 #include "conetact/fclib/hdf5_file.h"
 #include "conetact/fclib/order.h"
 
@@ -85,9 +86,13 @@ namespace conetact
       fclib_solution
       view()
       {
-        return {nullptr, u.data(), r.data(), nullptr};
+        return {v.size() > 0 ? v.data() : nullptr,
+                u.data(),
+                r.data(),
+                l.size() > 0 ? l.data() : nullptr};
       }
       VectorXd u, r;
+      VectorXd v, l; ///< of the bodies, in files of global problems
     };
 
 
@@ -131,7 +136,13 @@ namespace conetact
                    const ContactState &solution,
                    const fs::path     &file)
     {
-      Arrays         arrays(order, solution);
+      Arrays arrays(order, solution);
+      if (const Hdf5File old(file); old.has("/fclib_global"))
+        {
+          const FclibGlobal::Bodies bodies = FclibGlobal(old).bodies(arrays.r);
+          arrays.v                         = bodies.v;
+          arrays.l                         = bodies.lambda;
+        }
       fclib_solution view = arrays.view();
       if (fclib_write_solution(&view, file.c_str()) != 1)
         fail(file, "FCLib refused the solution");

@@ -178,6 +178,8 @@ namespace conetact
     point.residual = std::numeric_limits<double>::infinity();
     while (report.iterations < options.max_iterations)
       {
+        if (options.stop && options.stop())
+          return "stopped by the limit of time";
         seen.insert(current);
         const double before = point.residual;
         if (!step(point, damped, goal, report.iterations >= exact_from))

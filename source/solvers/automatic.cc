@@ -4,6 +4,7 @@
 #include "conetact/solvers/automatic.h"
 
 #include "conetact/solvers/gauss_seidel.h"
+#include "conetact/solvers/redundant_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +114,7 @@ namespace conetact
 
     SmoothingOptions smoothing = options.smoothing;
     smoothing.scaled           = true;
+    smoothing.stop             = options.stop;
     smoothing.m0 = smoothing.eps0 = m0;
     SmoothingIteration iteration(*relation, smoothing, state);
     ContactState       trial  = state;
@@ -218,6 +220,8 @@ namespace conetact
         if (!one.converged)
           {
             report.reason = one.reason;
+            if (options.stop && options.stop())
+              break;
             size /= 4;
             if (size < smallest)
               break;
@@ -255,11 +259,26 @@ namespace conetact
   SolverReport
   Automatic::solve(const ContactProblem &problem, ContactState &state)
   {
+    // Of redundant contacts the best that was found is of use to the caller.
+    ContactState estimate = state;
+    SolverReport first;
+    if (is_sparse_compliance(*problem.system))
+      first = make_redundant_contacts(options)->solve(problem, estimate);
+    if (first.converged || (options.stop && options.stop()))
+      {
+        state = estimate;
+        return first;
+      }
+
     SolverReport report = solve_whole(problem, state, true);
+    count(report, first);
     if (report.converged || problem.system->n_unknowns() == 0)
       return report;
     if (options.max_substeps < 2)
-      return report;
+      {
+        state = estimate;
+        return report;
+      }
     SolverReport parts = solve_in_parts(problem, state);
     count(parts, report);
     return parts;

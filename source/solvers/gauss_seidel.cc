@@ -5,6 +5,8 @@
 
 #include "conetact/solvers/local_coulomb.h"
 
+#include <Eigen/Sparse>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -14,6 +16,9 @@ namespace conetact
 {
   namespace
   {
+    /** Share of entries up to which a matrix is treated as a sparse one. */
+    constexpr double sparse_up_to = .25;
+
     /**
      * The loop over the nodes. It keeps the unknown x, that is r in compliance
      * and v in stiffness form, its image y = matrix x +- load, and what the
@@ -35,6 +40,10 @@ namespace conetact
       set_up(const std::shared_ptr<const ContactSystem> &new_system);
       void
       start(const ContactProblem &problem, const ContactState &state);
+      Eigen::VectorXd
+      image(const ContactProblem &problem) const;
+      void
+      add_columns(const Eigen::Index begin, const LocalCoulomb::Vector &step);
       bool
       sweep();
       void
@@ -43,7 +52,9 @@ namespace conetact
       SolverOptions                        options;
       std::shared_ptr<const ContactSystem> system;
       std::vector<LocalCoulomb>            local;
-      Eigen::VectorXd                      x, y, y_of_node;
+      Eigen::SparseMatrix<double>          sparse; ///< empty if the matrix is
+                                                   ///< not
+      Eigen::VectorXd x, y, y_of_node;
     };
 
 
@@ -67,6 +78,39 @@ namespace conetact
                              system->mu[i],
                              scale);
         }
+      const double entries =
+        static_cast<double>((system->matrix.array() != 0).count());
+      sparse.resize(0, 0);
+      if (entries < sparse_up_to * static_cast<double>(system->matrix.size()))
+        sparse = system->matrix.sparseView();
+    }
+
+
+
+    /* matrix x +- load. */
+    Eigen::VectorXd
+    GaussSeidel::image(const ContactProblem &problem) const
+    {
+      const double sign = system->form == Form::compliance ? 1 : -1;
+      if (sparse.size() > 0)
+        return sparse * x + sign * problem.load;
+      return system->matrix * x + sign * problem.load;
+    }
+
+
+
+    void
+    GaussSeidel::add_columns(const Eigen::Index          begin,
+                             const LocalCoulomb::Vector &step)
+    {
+      if (sparse.size() == 0)
+        y.noalias() += system->matrix.middleCols(begin, step.size()) * step;
+      else
+        for (Eigen::Index k = 0; k < step.size(); ++k)
+          for (Eigen::SparseMatrix<double>::InnerIterator e(sparse, begin + k);
+               e;
+               ++e)
+            y(e.row()) += e.value() * step(k);
     }
 
 
@@ -78,7 +122,7 @@ namespace conetact
       const Eigen::VectorXd &given      = compliance ? state.r : state.v;
       const Eigen::Index     n          = system->n_unknowns();
       x         = given.size() == n ? given : Eigen::VectorXd::Zero(n);
-      y         = system->matrix * x + (compliance ? 1. : -1.) * problem.load;
+      y         = image(problem);
       y_of_node = y;
     }
 
@@ -109,7 +153,7 @@ namespace conetact
             continue;
           changed = true;
           x.segment(begin, size) += step;
-          y.noalias() += system->matrix.middleCols(begin, size) * step;
+          add_columns(begin, step);
         }
       return changed;
     }
@@ -121,9 +165,9 @@ namespace conetact
     GaussSeidel::write(const ContactProblem &problem, ContactState &state)
     {
       const bool compliance = system->form == Form::compliance;
-      y       = system->matrix * x + (compliance ? 1. : -1.) * problem.load;
-      state.r = compliance ? x : y_of_node;
-      state.v = compliance ? y_of_node : x;
+      y                     = image(problem);
+      state.r               = compliance ? x : y_of_node;
+      state.v               = compliance ? y_of_node : x;
     }
 
 
@@ -140,14 +184,16 @@ namespace conetact
          an imbalance of forces, and the largest nodal force, by which a whole
          body's equilibrium is judged, may be far smaller than the residual's
          scale. So it goes on for two more digits, for as many sweeps again. */
-      bool         changed = true;
-      unsigned int last    = options.max_sweeps;
-      while (changed && report.iterations < last)
+      bool         changed = true, stopped = false;
+      unsigned int last = options.max_sweeps;
+      // the residual costs as much as a dense sweep
+      const unsigned int check = sparse.size() > 0 ? 100 : 10;
+      while (changed && !stopped && report.iterations < last)
         {
           changed = sweep();
           ++report.iterations;
-          // the residual costs as much as a sweep
-          if (changed && report.iterations % 10 != 0 &&
+          stopped = options.stop && options.stop();
+          if (changed && !stopped && report.iterations % check != 0 &&
               report.iterations < last)
             continue;
           write(problem, state);
@@ -165,7 +211,9 @@ namespace conetact
           return report;
         }
       std::ostringstream reason;
-      reason << "Gauss-Seidel stopped after " << report.iterations
+      reason << "Gauss-Seidel stopped "
+             << (stopped ? "by the limit of time " : "") << "after "
+             << report.iterations
              << " sweeps at a residual of " << report.residual;
       report.reason = reason.str();
       return report;

@@ -69,11 +69,14 @@ namespace conetact
     const TangentMatrix schur =
       block.topLeftCorner(n, n) - elimination * block.row(n).head(n);
 
-    stick_weight       = lift(schur, floor);
-    sigma              = n > 0 ? stick_weight.maxCoeff() : 1.;
-    slip_weight        = Tangent::Constant(n, sigma);
-    normal_of_reaction = -basis.transpose() * elimination;
-    normal_of_slip     = Tangent::Zero(n);
+    stick_weight = lift(.5 * (schur + schur.transpose()), floor);
+    if (n == 2)
+      skew = .5 * (schur(1, 0) - schur(0, 1)) * basis.determinant();
+    sigma       = n > 0 ? stick_weight.maxCoeff() : 1.;
+    slip_weight = Tangent::Constant(n, sigma);
+    normal_of_reaction =
+      -basis.transpose() * (block.row(n).head(n).transpose() / pivot);
+    normal_of_slip = Tangent::Zero(n);
   }
 
 
@@ -100,12 +103,30 @@ namespace conetact
 
 
 
+  /* The diagonal matrix with this skew part, inverse, times x. */
+  LocalCoulomb::Tangent
+  LocalCoulomb::divide(const Tangent &x,
+                       const Tangent &denominator,
+                       const double   w) const
+  {
+    if (w == 0)
+      return x.cwiseQuotient(denominator);
+    const double determinant = denominator(0) * denominator(1) + w * w;
+    Tangent      result(2);
+    result << (denominator(1) * x(0) + w * x(1)) / determinant,
+      (denominator(0) * x(1) - w * x(0)) / determinant;
+    return result;
+  }
+
+
+
   void
   LocalCoulomb::evaluate(const double theta, Slide &slide) const
   {
     const Tangent denominator =
       (1 - theta) * stick_weight + theta * slip_weight;
-    const Tangent ratio = slide.load.cwiseQuotient(denominator);
+    const double  w     = (1 - theta) * skew;
+    const Tangent ratio = divide(slide.load, denominator, w);
 
     slide.r_t = -(1 - theta) * ratio;
     slide.u_t = sigma * theta * ratio;
@@ -114,11 +135,13 @@ namespace conetact
     const double length = slide.r_t.norm();
     slide.mismatch      = length - mu * slide.r_n;
 
+    Tangent stick = ratio.cwiseProduct(stick_weight);
+    if (skew != 0)
+      stick += skew * Tangent(Eigen::Vector2d(-ratio(1), ratio(0)));
     const Tangent dr_t =
-      ratio.cwiseProduct(slip_weight).cwiseQuotient(denominator);
-    const Tangent du_t =
-      sigma * ratio.cwiseProduct(stick_weight).cwiseQuotient(denominator);
-    const double dlength = length > 0 ? slide.r_t.dot(dr_t) / length : 0.;
+      divide(ratio.cwiseProduct(slip_weight), denominator, w);
+    const Tangent du_t    = sigma * divide(stick, denominator, w);
+    const double  dlength = length > 0 ? slide.r_t.dot(dr_t) / length : 0.;
     slide.slope =
       dlength - mu * (normal_of_reaction.dot(dr_t) + normal_of_slip.dot(du_t));
   }

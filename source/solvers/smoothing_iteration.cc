@@ -415,6 +415,11 @@ namespace conetact
   {
     while (natural > target)
       {
+        if (options.stop && options.stop())
+          {
+            why = "stopped by the limit of time";
+            return false;
+          }
         if (iterations >= static_cast<unsigned int>(options.max_iterations) ||
             stalls > 30 || !std::isfinite(natural))
           {

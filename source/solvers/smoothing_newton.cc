@@ -19,7 +19,9 @@ namespace conetact
       relation.emplace(problem.system, options.smoothing.scaled);
     relation->set_load(problem);
 
-    SmoothingIteration iteration(*relation, options.smoothing, state);
+    SmoothingOptions smoothing = options.smoothing;
+    smoothing.stop             = options.stop;
+    SmoothingIteration iteration(*relation, smoothing, state);
     // The residual of the scaled form is relative to the largest load, which
     // may be smaller than the reactions: the check below is what counts.
     iteration.advance(options.tolerance);

@@ -21,13 +21,16 @@ namespace conetact
    * @f]
    * This is our compliance form, with u in the place of (slip, gap) in
    * whatever units the file has. A contact is (n, t1[, t2]) there and
-   * (t1, [t2,] n) here; the functions below convert.
+   * (t1, [t2,] n) here; the functions below convert. W may be unsymmetric, as
+   * the gyroscopic terms of multibody programs make it, and is taken as it is.
+   * Global problems are reduced to local ones, see FclibGlobal.
    */
 
   /**
-   * Reads the local problem. Throws InputError with a sentence for a file that
-   * is missing, damaged or inconsistent, and for the kinds we do not treat
-   * (global problems, equality constraints).
+   * Reads the local problem, or the global one as a local one. Throws
+   * InputError with a sentence for a file that is missing, damaged or
+   * inconsistent, and for what we do not treat (local problems with equality
+   * constraints).
    */
   ContactProblem
   read_fclib(const std::string &file);
@@ -57,7 +60,9 @@ namespace conetact
 
   /**
    * Copies `from` to `to` (which may be the same file) with this solution in
-   * the place of any it may hold. Throws WriteError.
+   * the place of any it may hold; global problems get the velocities of the
+   * bodies and the forces of bilateral constraints that belong to it, too.
+   * Throws WriteError.
    */
   void
   store_fclib_solution(const ContactProblem &problem,

@@ -6,6 +6,7 @@
 
 #include "conetact/solvers/contact_problem.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ namespace conetact
     double eps0           = 1e-2; ///< first regularisation
     double beta0          = 1e3;  ///< first bound on the residual
     int    max_iterations = 300;  ///< linear solves before giving up
+    std::function<bool()> stop = {}; ///< see SolverOptions
   };
 
   /** Options of all solvers, with defaults that need no tuning. */
@@ -42,6 +44,12 @@ namespace conetact
     unsigned int     max_sweeps     = 20000;       ///< of Gauss-Seidel
     unsigned int     max_substeps   = 1024;        ///< of an increment
     SmoothingOptions smoothing;
+
+    /**
+     * Asked in the outer loops, where there is one: true ends a solver with
+     * what it has and the report of a failure (a limit of time).
+     */
+    std::function<bool()> stop = {};
   };
 
   /**

@@ -21,7 +21,8 @@ namespace conetact
    * sliding, and @f$|r_t| - \mu r_n@f$ changes its sign in between: a root is
    * always found. (Jourdan, Alart, Jean 1998 take it from a quartic in alpha,
    * which loses digits for large mu.) Where the law has several solutions it
-   * returns one of them.
+   * returns one of them. W need not be symmetric (gyroscopic terms): in the
+   * basis that diagonalises the symmetric part the skew part stays what it is.
    */
   class LocalCoulomb
   {
@@ -70,6 +71,8 @@ namespace conetact
     void
     find_root(Slide &slide) const;
     Tangent
+    divide(const Tangent &x, const Tangent &denominator, const double w) const;
+    Tangent
     lift(const TangentMatrix &tangential, const double floor);
     void
     set_up_compliance(const double floor);
@@ -84,7 +87,8 @@ namespace conetact
     Tangent       elimination; ///< W_tn / W_nn, or K_tt^-1 K_tn
     TangentMatrix basis;       ///< eigenvectors of the tangential matrix
     Tangent       stick_weight, slip_weight; ///< denominator (1-theta), theta
-    double        sigma; ///< slip over reaction at theta = 1/2
+    double        sigma;    ///< slip over reaction at theta = 1/2
+    double        skew = 0; ///< w of the skew part [0 -w; w 0]
     Tangent normal_of_reaction, normal_of_slip; ///< r_n from r_t and from u_t
   };
 } // namespace conetact

@@ -96,6 +96,7 @@ namespace conetact::test
     {}
     void
     write_graphics(const Eigen::VectorXd &,
+                   const Eigen::VectorXd &,
                    const Actions &,
                    const double,
                    const std::filesystem::path &) const override

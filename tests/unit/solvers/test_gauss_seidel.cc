@@ -102,6 +102,32 @@ TEST(LocalCoulomb, SolvesEveryBlockExactly)
 
 
 
+TEST(LocalCoulomb, UnsymmetricCompliances)
+{
+  for (const double mu : {0., .01, .3, 1., 3.})
+    for (const int dim : {2, 3})
+      for (const double skew : {1e-5, 1e-3, 1e-1})
+        for (int sample = 0; sample < 200; ++sample)
+          {
+            const MatrixXd A = random_matrix(dim, 2 * dim),
+                           B = random_matrix(dim, dim);
+            const MatrixXd block =
+              A * A.transpose() / dim + skew * (B - B.transpose());
+            const auto problem =
+              make_problem(make_system(Form::compliance, block, dim, mu),
+                           random_matrix(dim, 1));
+            LocalCoulomb::Vector v, r;
+            LocalCoulomb(Form::compliance, block, mu, 1)
+              .solve(problem.load, v, r);
+            ASSERT_LT(contact_residual(problem, {v, r, {}}), 1e-10)
+              << mu << " " << dim << " " << skew << "\n"
+              << block << "\n"
+              << problem.load.transpose();
+          }
+}
+
+
+
 TEST(LocalCoulomb, SingularBlocksDoNotHarm)
 {
   for (const Form form : {Form::stiffness, Form::compliance})
