@@ -213,8 +213,8 @@ namespace conetact
       std::ostringstream reason;
       reason << "Gauss-Seidel stopped "
              << (stopped ? "by the limit of time " : "") << "after "
-             << report.iterations
-             << " sweeps at a residual of " << report.residual;
+             << report.iterations << " sweeps at a residual of "
+             << report.residual;
       report.reason = reason.str();
       return report;
     }
