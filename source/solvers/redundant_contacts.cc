@@ -205,7 +205,8 @@ namespace conetact
   bool
   is_sparse_compliance(const ContactSystem &system)
   {
-    if (system.form != Form::compliance || system.n_nodes() < 2)
+    if (system.form != Form::compliance || system.n_motions > 0 ||
+        system.n_nodes() < 2)
       return false;
     const auto entries =
       static_cast<double>((system.matrix.array() != 0).count());
