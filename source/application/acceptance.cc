@@ -44,7 +44,8 @@ namespace conetact
       };
       for (const Resultant &contact : record.contacts)
         add(contact);
-      add(record.supports);
+      for (const Resultant &support : record.each_support)
+        add(support);
       add(record.loads);
       return largest > 0 ? std::max(sum.force.norm() / largest,
                                     sum.moment.norm() / (largest * reach)) :
@@ -173,8 +174,11 @@ namespace conetact
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(verification.contact_points(), accepted, finding, record);
-    record.rows = contact_rows.rows(
-      increment.state, increment.contact, finding.u, record.time);
+    record.rows = contact_rows.rows(increment.state,
+                                    increment.contact,
+                                    finding.u,
+                                    record.time,
+                                    accepted.whole);
     record.determinate = warnings.is_determinate(increment.state.node);
     warnings.check_size(accepted.amounts, w);
     if (drawn)

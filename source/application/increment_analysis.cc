@@ -97,6 +97,8 @@ namespace conetact
     check_existence(problem, increment);
     report = solver->solve(problem, state);
     done.add(report);
+    if (problem.system->form == Form::stiffness)
+      state.u = elastic_part(problem, state);
     if (!report.converged)
       fail(increment.record,
            report.reason.empty() ?

@@ -146,6 +146,17 @@ namespace conetact
       load.q = solve(load.b);
   }
 
+  LoadCase
+  Condensation::nothing() const
+  {
+    LoadCase load;
+    load.b = Eigen::VectorXd::Zero(coordinates.n_unknowns());
+    load.f = Eigen::VectorXd::Zero(set.layout().n_unknowns());
+    if (is_linear())
+      load.q = load.b;
+    return load;
+  }
+
   Eigen::VectorXd
   Condensation::reduce_forces(const Eigen::VectorXd &b) const
   {

@@ -96,7 +96,8 @@ namespace conetact
   ContactRows::rows(const ContactState    &state,
                     const Eigen::VectorXd &q,
                     const Eigen::VectorXd &u,
-                    const double           t)
+                    const double           t,
+                    const bool             whole)
   {
     const ContactSystem    &layout = model.coordinates.layout();
     std::vector<ContactRow> rows   = last;
@@ -137,9 +138,12 @@ namespace conetact
           in_frame(node, reaction_vector(rule, first, state.r));
         row.state       = state.node[i];
         other_before[i] = other;
-        if (layout.n_tangents(index) == 0 && row.state != NodeState::open)
+        if ((layout.n_tangents(index) == 0 || !whole) &&
+            row.state != NodeState::open)
           row.state =
-            std::hypot(row.du[1], row.du[2]) > round_off * relative.norm() ?
+            std::hypot(row.du[1], row.du[2]) >
+                round_off * relative.norm() +
+                  position_rounding * (row.position.norm() + at_dof(dof).norm()) ?
               NodeState::slip :
               NodeState::stick;
       }

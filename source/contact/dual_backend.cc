@@ -352,6 +352,15 @@ namespace conetact
       }
   }
 
+  LoadCase
+  DualBackend::nothing() const
+  {
+    LoadCase load;
+    load.b = VectorXd::Zero(own.n_unknowns());
+    load.f = VectorXd::Zero(H.rows() + motions.n_free());
+    return load;
+  }
+
   Eigen::VectorXd
   DualBackend::reduce_forces(const VectorXd &b) const
   {

@@ -10,6 +10,9 @@ namespace conetact
     /** More different loads than this are forgotten and begun anew. */
     constexpr std::size_t largest_basis = 8;
 
+    /** A load case that differs by less is a combination of others. */
+    constexpr double same_load = 4e-15;
+
     void
     add(const double factor, const Eigen::VectorXd &x, Eigen::VectorXd &sum)
     {
@@ -37,7 +40,13 @@ namespace conetact
     Eigen::VectorXd rest(2 * n);
     rest << forces, stiffness_scale * prescribed;
 
-    const double size    = rest.norm();
+    const double size = rest.norm();
+    if (size == 0)
+      {
+        load            = nothing();
+        load.prescribed = prescribed;
+        return load;
+      }
     const auto   project = [&] {
       for (const Known &known : basis)
         {
@@ -49,21 +58,19 @@ namespace conetact
     project();
     project(); // twice is enough for orthogonality to round-off
     const double norm = rest.norm();
-    if (norm <= 1e-15 * size && !basis.empty())
+    if (norm <= same_load * size)
       return load;
 
     if (basis.size() == largest_basis)
       basis.clear();
     Known known;
-    known.direction = norm > 0 ? Eigen::VectorXd(rest / norm) : rest;
+    known.direction = rest / norm;
     reduce_one(known.direction.head(n),
                known.direction.tail(n) / stiffness_scale,
                known.load);
-    if (norm > 0)
-      ++n_reduced;
+    ++n_reduced;
     add(norm, known.load, load);
-    if (norm > 0)
-      basis.push_back(std::move(known));
+    basis.push_back(std::move(known));
     return load;
   }
 

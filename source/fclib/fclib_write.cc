@@ -165,11 +165,42 @@ namespace conetact
 
 
 
+  /**
+   * Motions that foundations resist follow from the reactions,
+   * a = C^{-1} (G^T r + b), and add to the compliance.
+   */
+  ContactProblem
+  without_motions(const ContactProblem &problem)
+  {
+    const ContactSystem &given = *problem.system;
+    const Eigen::Index   n = given.n_contact_unknowns(), k = given.n_motions;
+    if (k == 0)
+      return problem;
+    const Eigen::LLT<MatrixXd> C(given.matrix.bottomRightCorner(k, k));
+    if (given.null_space.cols() > 0 || C.info() != Eigen::Success)
+      throw InputError(
+        "A body of the scene is held by contact alone: its compliance is not "
+        "finite, and FCLib knows no other form.");
+    const MatrixXd G      = given.matrix.topRightCorner(n, k);
+    auto           system = std::make_shared<ContactSystem>(given);
+    system->n_motions     = 0;
+    system->first.resize(system->first.size() - static_cast<std::size_t>(k));
+    const MatrixXd W = given.matrix.topLeftCorner(n, n) +
+                       G * C.solve(MatrixXd(G.transpose()));
+    system->matrix        = .5 * (W + W.transpose());
+    ContactProblem result = problem;
+    result.system         = system;
+    result.load = problem.load.head(n) - G * C.solve(problem.load.tail(k));
+    return result;
+  }
+
+
+
   ContactProblem
   compliance_form(const ContactProblem &problem)
   {
     if (problem.system->form == Form::compliance)
-      return problem;
+      return without_motions(problem);
     const MatrixXd &K     = problem.system->matrix;
     const VectorXd  scale = K.diagonal().unaryExpr(
       [](const double d) { return d > 0 ? 1 / std::sqrt(d) : 1.; });
@@ -189,6 +220,9 @@ namespace conetact
     ContactProblem result = problem;
     result.load =
       scale.asDiagonal() * llt.solve(scale.asDiagonal() * problem.load);
+    if (problem.offset.size() > 0)
+      result.load += problem.offset;
+    result.offset = VectorXd();
     result.system = system;
     return result;
   }

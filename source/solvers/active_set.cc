@@ -146,24 +146,6 @@ namespace conetact
 
 
 
-  /**
-   * A step of a small system costs nothing, and squares what is left; where
-   * displacements are large the forces still miss digits.
-   */
-  bool
-  ActiveSet::worth_one_more(const Point &point,
-                            const bool   improved,
-                            const double goal) const
-  {
-    const double forces = (relation->stiffness() ? point.d : point.p).norm();
-    const double size   = std::max(point.p.norm(), point.d.norm());
-    return improved && point.residual > 2 * rounding &&
-           (newton.was_small() ||
-            point.residual * size > goal * std::max(forces, 1.));
-  }
-
-
-
   std::string
   ActiveSet::iterate(Point &point, SolverReport &report)
   {
@@ -192,9 +174,7 @@ namespace conetact
         current                    = next;
         stalls                     = improved ? 0 : stalls + 1;
         // Within the goal states may still differ where nothing depends on it.
-        if ((point.residual <= goal &&
-             !worth_one_more(point, improved, goal)) ||
-            (same && stalls > max_stalls))
+        if (point.residual <= goal || (same && stalls > max_stalls))
           break;
         if (!same && !improved && seen.count(next) > 0)
           {

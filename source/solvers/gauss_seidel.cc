@@ -4,11 +4,13 @@
 #include "conetact/solvers/gauss_seidel.h"
 
 #include "conetact/solvers/local_coulomb.h"
+#include "conetact/solvers/stiffness_form.h"
 
 #include <Eigen/Sparse>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -36,6 +38,8 @@ namespace conetact
       solve(const ContactProblem &problem, ContactState &state) override;
 
     private:
+      SolverReport
+      solve_without_motions(const ContactProblem &problem, ContactState &state);
       void
       set_up(const std::shared_ptr<const ContactSystem> &new_system);
       void
@@ -50,7 +54,8 @@ namespace conetact
       write(const ContactProblem &problem, ContactState &state);
 
       SolverOptions                        options;
-      std::shared_ptr<const ContactSystem> system;
+      std::shared_ptr<const ContactSystem> system, full;
+      std::optional<StiffnessForm>         eliminated; ///< motions of `full`
       std::vector<LocalCoulomb>            local;
       Eigen::SparseMatrix<double>          sparse; ///< empty if the matrix is
                                                    ///< not
@@ -87,14 +92,16 @@ namespace conetact
 
 
 
-    /* matrix x +- load. */
+    /* W r + q or K (v - o) - f. */
     Eigen::VectorXd
     GaussSeidel::image(const ContactProblem &problem) const
     {
-      const double sign = system->form == Form::compliance ? 1 : -1;
+      const double          sign = system->form == Form::compliance ? 1 : -1;
+      const Eigen::VectorXd p =
+        problem.offset.size() > 0 ? Eigen::VectorXd(x - problem.offset) : x;
       if (sparse.size() > 0)
-        return sparse * x + sign * problem.load;
-      return system->matrix * x + sign * problem.load;
+        return sparse * p + sign * problem.load;
+      return system->matrix * p + sign * problem.load;
     }
 
 
@@ -168,6 +175,42 @@ namespace conetact
       y                     = image(problem);
       state.r               = compliance ? x : y_of_node;
       state.v               = compliance ? y_of_node : x;
+      state.u               = Eigen::VectorXd();
+    }
+
+
+
+    /* Motions have no reaction that a sweep could find: they are eliminated. */
+    SolverReport
+    GaussSeidel::solve_without_motions(const ContactProblem &problem,
+                                       ContactState         &state)
+    {
+      if (!eliminated || full != problem.system)
+        {
+          full = problem.system;
+          eliminated.emplace(full);
+        }
+      const Eigen::Index n = full->n_contact_unknowns(), k = full->n_motions;
+      if (!eliminated->exists())
+        {
+          SolverReport report;
+          report.reason = "contacts depend on each other";
+          return report;
+        }
+      ContactProblem stiff  = problem;
+      stiff.system          = eliminated->system();
+      stiff.load            = eliminated->load(problem.load);
+      ContactState own      = state;
+      own.v                 = state.v.head(n);
+      own.r                 = state.r.head(n);
+      const auto   report   = solve(stiff, own);
+      state.node            = own.node;
+      state.v               = Eigen::VectorXd::Zero(n + k);
+      state.r               = state.v;
+      state.v.head(n)       = own.v;
+      state.r.head(n)       = own.r;
+      state.r.tail(k)       = eliminated->motions(problem.load, own.v);
+      return report;
     }
 
 
@@ -175,6 +218,8 @@ namespace conetact
     SolverReport
     GaussSeidel::solve(const ContactProblem &problem, ContactState &state)
     {
+      if (problem.system->n_motions > 0)
+        return solve_without_motions(problem, state);
       SolverReport report;
       report.solver = "gauss-seidel";
       set_up(problem.system);

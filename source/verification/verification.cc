@@ -16,7 +16,8 @@ namespace conetact
     using Eigen::Index;
     using Eigen::VectorXd;
 
-    constexpr double eps = std::numeric_limits<double>::epsilon();
+    constexpr double eps   = std::numeric_limits<double>::epsilon();
+    constexpr double noise = 64 * eps; ///< of the largest force so far
 
     /** An error over its scale; where nothing acts, none is allowed. */
     double
@@ -42,6 +43,7 @@ namespace conetact
     std::vector<double> nodal;   ///< F_b with thermal forces
     std::vector<double> force;   ///< F_b
     std::vector<double> history; ///< largest F_b so far
+    double              noise = 0; ///< rounding of the largest force so far
     std::vector<double> reach;   ///< largest coordinate + displacement
   };
 
@@ -121,6 +123,9 @@ namespace conetact
         scales.history[body] =
           std::max(scales.history[body], scales.nodal.back());
       }
+    // bodies are solved together: what is small beside others has their noise
+    scales.noise = noise * *std::max_element(scales.history.begin(),
+                                             scales.history.end());
     return scales;
   }
 
@@ -143,7 +148,7 @@ namespace conetact
                   std::abs(free[entry->unknown]) /
                   (turns ? 2 * motions.size(body) : 1.);
                 const double scale = scales.nodal[body];
-                if (error <= eps * scales.history[body])
+                if (error <= .1 * scales.noise)
                   continue;
                 if (error <= .1 * tolerance * scale)
                   {
@@ -152,8 +157,7 @@ namespace conetact
                   }
                 if (terms.size() == 0) // only where they may matter
                   terms = elastic.terms(claim.w);
-                const double left = error - 8 * eps * terms[dof] -
-                                    8 * eps * scales.history[body];
+                const double left = error - 8 * eps * terms[dof] - scales.noise;
                 const double e = relative(left, scale);
                 out.equilibrium = std::max(out.equilibrium, e);
                 if (e > tolerance && out.why.empty())
@@ -171,7 +175,7 @@ namespace conetact
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
         const Balance &balance = out.external.bodies[body];
-        const double   small   = 8 * eps * scales.history[body];
+        const double   small   = scales.noise;
         const double   size    = motions.size(body);
         const double   e       = std::max(
           relative(balance.sum.force.norm() - small, balance.forces),
@@ -196,8 +200,7 @@ namespace conetact
         const unsigned int  other =
           node.masters.empty() ? node.body : node.master;
         const double F = std::min(scales.force[node.body], scales.force[other]);
-        const double past = 8 * eps * std::max(scales.history[node.body],
-                                               scales.history[other]);
+        const double past = scales.noise;
         const double position =
           16 * eps * std::max(scales.reach[node.body], scales.reach[other]);
         const double k = point.stiffness;

@@ -28,14 +28,16 @@ namespace conetact
      * reactions there are minus those of the pair's nodes, gaps and
      * displacements their weighted means.
      *
-     * `state`: end of the increment; `q`: displacements of the contact
+     * Of an increment that was not solved as a `whole`, states tell the slip
+     * of all its parts. `state`: end of the increment; `q`: displacements of the contact
      * unknowns since the start; `u`: all dofs; `t`: time.
      */
     std::vector<ContactRow>
     rows(const ContactState    &state,
          const Eigen::VectorXd &q,
          const Eigen::VectorXd &u,
-         const double           t);
+         const double           t,
+         const bool             whole = true);
 
   private:
     void

@@ -87,6 +87,8 @@ namespace conetact
     reduce_one(const Eigen::VectorXd &forces,
                const Eigen::VectorXd &prescribed,
                LoadCase              &load) override;
+    LoadCase
+    nothing() const override;
     Eigen::VectorXd
     reduce_forces(const Eigen::VectorXd &b) const override;
 

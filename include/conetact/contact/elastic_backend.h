@@ -104,6 +104,9 @@ namespace conetact
     reduce_one(const Eigen::VectorXd &forces,
                const Eigen::VectorXd &prescribed,
                LoadCase              &load) = 0;
+    /** The same without anything that acts. */
+    virtual LoadCase
+    nothing() const = 0;
     /** Its f once more, after candidates were added. */
     void
     reduce_again();

@@ -72,10 +72,6 @@ namespace conetact
     direction(const Point &point, const double precision, Array &dp);
     bool
     step(Point &point, const bool damped, const double goal, const bool exact);
-    bool
-    worth_one_more(const Point &point,
-                   const bool   improved,
-                   const double goal) const;
 
     SolverOptions                 options;
     std::optional<LinearRelation> relation;
