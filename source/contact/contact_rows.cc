@@ -11,9 +11,6 @@ namespace conetact
 {
   namespace
   {
-    /** Slips below this part of a displacement are round-off. */
-    constexpr double round_off = 1e-12;
-
     /** (n, t1, t2) components of a vector in space. */
     Tensor<1, 3>
     in_frame(const ContactNode &node, const Tensor<1, 3> &v)
@@ -142,8 +139,8 @@ namespace conetact
             row.state != NodeState::open)
           row.state =
             std::hypot(row.du[1], row.du[2]) >
-                round_off * relative.norm() +
-                  position_rounding * (row.position.norm() + at_dof(dof).norm()) ?
+                position_rounding *
+                  (row.position.norm() + at_dof(dof).norm()) ?
               NodeState::slip :
               NodeState::stick;
       }

@@ -34,6 +34,18 @@ namespace conetact
       return result;
     }
 
+    constexpr unsigned int most_stiffenings = 60;
+
+    /** The same system with bodies that many times softer. */
+    std::shared_ptr<const ContactSystem>
+    softened(const ContactSystem &system, const double times)
+    {
+      auto        result = std::make_shared<ContactSystem>(system);
+      const Index n      = system.n_contact_unknowns();
+      result->matrix.topLeftCorner(n, n) *= times;
+      return result;
+    }
+
     /** v with the normal components set to zero: the slips. */
     VectorXd
     slips_of(const ContactSystem &system, VectorXd v)
@@ -138,6 +150,62 @@ namespace conetact
 
 
 
+  /**
+   * Bodies that gaps keep apart by far more than they deform rest on a few
+   * nodes, and Newton's method jumps from one to the other. Much softer ones
+   * rest on many: they are made stiffer step by step, from one solution to the
+   * next, until they are what they are.
+   */
+  bool
+  Automatic::stiffen(const ContactProblem &problem,
+                     ContactState         &state,
+                     SolverReport         &report)
+  {
+    const ContactSystem &system = *problem.system;
+    const Index          n      = system.n_contact_unknowns();
+    const double         force  = problem.load.tail(system.n_motions).norm();
+    double               softer = largest(problem.load.head(n)) /
+                    (force * system.matrix.diagonal().head(n).mean());
+    if (system.n_motions == 0 || !(softer > 10) || !std::isfinite(softer))
+      return false;
+    SolverOptions loose   = options;
+    loose.tolerance       = std::max(1e-6, options.tolerance);
+    ContactState   now    = state;
+    ContactProblem part   = problem;
+    double         solved = 0, ratio = 10;
+    now.node.clear();
+    for (unsigned int step = 0; step < most_stiffenings; ++step)
+      {
+        part.system             = softened(system, softer);
+        ContactState       next = now;
+        const SolverReport one  = ActiveSet(loose).solve(part, next);
+        count(report, one);
+        if (one.converged)
+          {
+            now    = next;
+            now.v  = state.v;
+            solved = softer;
+          }
+        else if (solved == 0 || ratio < 1.3)
+          return false;
+        else
+          ratio = std::sqrt(ratio);
+        if (solved == 1)
+          break;
+        softer = std::max(1., solved / ratio);
+      }
+    report.solver = "active set";
+    now.v         = state.v;
+    const SolverReport last = active_set.solve(problem, now);
+    count(report, last);
+    report.residual = last.residual;
+    if (last.converged)
+      state = now;
+    return last.converged;
+  }
+
+
+
   bool
   Automatic::relax(const ContactProblem &problem,
                    ContactState         &state,
@@ -171,6 +239,12 @@ namespace conetact
     if (report.converged)
       {
         state = trial;
+        return report;
+      }
+    if (stiffen(problem, state, report))
+      {
+        report.converged = true;
+        report.reason.clear();
         return report;
       }
     // A few nodes that cannot make up their mind are what node by node is good

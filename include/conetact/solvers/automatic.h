@@ -51,6 +51,10 @@ namespace conetact
            SolverReport         &report);
     /** Some sweeps of Gauss-Seidel, then polish. */
     bool
+    stiffen(const ContactProblem &problem,
+            ContactState         &state,
+            SolverReport         &report);
+    bool
     relax(const ContactProblem &problem,
           ContactState         &state,
           const unsigned int    sweeps,
