@@ -31,6 +31,9 @@ namespace conetact
       return points;
     }
 
+    /** Over the spacing of nodes: beyond, a foot is on another face. */
+    constexpr double farthest_slide = 1;
+
     /** The sum of all resultants over the largest of them. */
     double
     balance_of(const IncrementRecord &record, const double reach)
@@ -159,6 +162,38 @@ namespace conetact
   }
 
   std::string
+  Acceptance::wrong_foot(const PendingIncrement &increment,
+                         const Finding          &finding) const
+  {
+    const auto &points = verification.contact_points();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const ContactNode &node = *points[i].node;
+        if (node.masters.empty() ||
+            increment.state.node[i] == NodeState::open)
+          continue;
+        Tensor<1, 3> slid;
+        for (unsigned int c = 0; c < model.bodies.dim; ++c)
+          {
+            slid[c] = finding.u[model.plain.dof(node.body, node.node) + c];
+            for (const auto &[master, weight] : node.masters)
+              slid[c] -=
+                weight * finding.u[model.plain.dof(node.master, master) + c];
+          }
+        slid -= (slid * node.n) * node.n;
+        if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
+          return "the contact node at " + to_text(node.position) +
+                 " of body '" + model.bodies.names[node.body] +
+                 "' has slid by " + to_text(slid.norm()) +
+                 " along its master, whose faces it meets where the bodies "
+                 "were undeformed. Contacts of bodies are for slides of less "
+                 "than a cell (" +
+                 to_text(node.spacing) + "): use a smaller motion";
+      }
+    return "";
+  }
+
+  std::string
   Acceptance::complete(PendingIncrement             &increment,
                        const Finding                &finding,
                        const Eigen::VectorXd        &w,
@@ -170,6 +205,8 @@ namespace conetact
       return finding.why;
     if (const std::string why = wrong_gap(increment, finding, w, finding.u);
         !why.empty())
+      return why;
+    if (const std::string why = wrong_foot(increment, finding); !why.empty())
       return why;
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);

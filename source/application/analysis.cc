@@ -71,9 +71,9 @@ namespace conetact
   {
     for (const double t : scene.times)
       {
-        const Eigen::VectorXd forces = loads.at(t);
+        const NodalLoads::Acting acting = loads.acting(t);
         model.plain.prescribed(t);
-        refuse_unbalanced(forces + model.elastic.ground_forces(t), t);
+        refuse_unbalanced(acting.mechanical + model.elastic.ground_forces(t), t);
       }
     log.time("loads and supports at all times");
     report_loads(loads, scene.bodies.dim, log);
@@ -170,12 +170,10 @@ namespace conetact
     const double              t      = increment.record.time;
     const NodalLoads::Acting  acting = loads.acting(t);
     increment.forces                 = acting.forces + prestress;
-    increment.mechanical             = increment.forces;
-    if (acting.thermal.size() > 0)
-      increment.mechanical -= acting.thermal;
+    increment.mechanical             = acting.mechanical + prestress;
     for (const auto &[force, moment] : acting.each)
       increment.record.each_load.push_back({force, moment});
-    increment.load = model.load_case(increment.forces, t);
+    increment.load = model.load_case(increment.mechanical, acting.thermal, t);
   }
 
   void

@@ -45,11 +45,13 @@ namespace conetact
   }
 
   LoadCase
-  ContactModel::load_case(const Eigen::VectorXd &forces, const double t)
+  ContactModel::load_case(const Eigen::VectorXd &mechanical,
+                          const Eigen::VectorXd &thermal,
+                          const double           t)
   {
     const Eigen::VectorXd placement  = motions.placement(t);
     Eigen::VectorXd       prescribed = plain.prescribed(t);
-    Eigen::VectorXd       all        = forces + elastic.ground_forces(t);
+    Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
     if (!placement.isZero(0))
       {
         const Eigen::VectorXd rigid = motions.field(placement);
@@ -59,7 +61,25 @@ namespace conetact
           [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
         all -= elastic.spring_forces(rigid);
       }
-    LoadCase load  = condensation().reduce(all, prescribed);
+    LoadCase load;
+    if (thermal.size() == 0)
+      load = condensation().reduce(all, prescribed);
+    else if (is_dual())
+      {
+        load          = condensation().reduce(all, prescribed);
+        LoadCase heat = condensation().reduce(
+          thermal, Eigen::VectorXd::Zero(prescribed.size()));
+        const ContactSystem &system = *condensation().system();
+        for (Eigen::Index j = system.n_contact_unknowns();
+             j < system.n_unknowns();
+             ++j)
+          if (system.matrix(j, j) == 0) // rounding must not drive a body
+            heat.f[j] = 0;
+        load.b += heat.b;
+        load.f += heat.f;
+      }
+    else
+      load = condensation().reduce(all + thermal, prescribed);
     load.placement = placement;
     load.offset    = offset(load, t);
     return load;

@@ -259,11 +259,36 @@ namespace conetact
     return .5 * (W + W.transpose());
   }
 
+  // What contacts see of a motion only by rounding, such as a ring that turns
+  // in a frictionless bore, they do not see, nor do loads drive it.
+  void
+  DualBackend::forget_unseen(MatrixXd &G)
+  {
+    unseen.resize(G.cols(), 0);
+    if (G.cols() == 0 || G.rows() == 0)
+      return;
+    MatrixXd tall = G;
+    if (G.rows() < G.cols())
+      {
+        tall.setZero(G.cols(), G.cols());
+        tall.topRows(G.rows()) = G;
+      }
+    const Eigen::JacobiSVD<MatrixXd> svd(tall, Eigen::ComputeThinV);
+    const double limit = 1e-12 * svd.singularValues().maxCoeff();
+    const Index  seen  = (svd.singularValues().array() > limit).count();
+    unseen             = svd.matrixV().rightCols(G.cols() - seen);
+    G -= (G * unseen).eval() * unseen.transpose();
+    for (Index j = 0; j < G.cols(); ++j)
+      if (G.col(j).norm() <= limit)
+        G.col(j).setZero();
+  }
+
   void
   DualBackend::assemble_system()
   {
     auto        system = std::make_shared<ContactSystem>(set.layout());
     const Index n = H.rows(), k = motions.n_free();
+    MatrixXd    all_G = MatrixXd::Zero(n, k), all_C = MatrixXd::Zero(k, k);
     system->form      = Form::compliance;
     system->n_motions = k;
     for (Index j = 0; j < k; ++j)
@@ -273,17 +298,19 @@ namespace conetact
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         const BodyMotions &m = body_motions[body];
-        const Index        first = n + m.first, size = m.R.cols();
+        const Index        first = m.first, size = m.R.cols();
         if (size == 0)
           continue;
-        const MatrixXd G =
+        all_G.middleCols(first, size) =
           H.middleCols(own.begin(body), n_own(body)) * (m.R + m.Y);
-        system->matrix.block(0, first, n, size) = G;
-        system->matrix.block(first, 0, size, n) = -G.transpose();
         const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
-        system->matrix.block(first, first, size, size) =
-          .5 * (C + C.transpose());
+        all_C.block(first, first, size, size) = .5 * (C + C.transpose());
       }
+    if (all_C.isZero(0)) // foundations make up for what contacts do not see
+      forget_unseen(all_G);
+    system->matrix.topRightCorner(n, k)    = all_G;
+    system->matrix.bottomLeftCorner(k, n)  = -all_G.transpose();
+    system->matrix.bottomRightCorner(k, k) = all_C;
     system->null_space = set.gather(motions.null_space());
     contact_system     = system;
     // loads and prescribed displacements are kept apart by their sizes only
@@ -374,8 +401,11 @@ namespace conetact
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
         }
+    VectorXd against = imbalance(b);
+    if (unseen.cols() > 0)
+      against -= unseen * (unseen.transpose() * against).eval();
     VectorXd f(H.rows() + motions.n_free());
-    f << H * w, imbalance(b);
+    f << H * w, against;
     return f;
   }
 

@@ -46,13 +46,19 @@ namespace conetact
     void
     scale_motions(const ContactSystem &system, VectorXd &scale)
     {
-      const Index n = system.n_contact_unknowns();
+      const Index n       = system.n_contact_unknowns();
+      double      largest = 0;
       for (Index j = n; j < system.n_unknowns(); ++j)
         {
           const double norm =
             scale.head(n).cwiseProduct(system.matrix.col(j).head(n)).norm();
-          scale(j) = norm > 0 ? 1 / norm : 1.;
+          scale(j) = norm;
+          largest  = std::max(largest, norm);
         }
+      for (Index j = n; j < system.n_unknowns(); ++j)
+        scale(j) = 1 / (scale(j) > 1e-6 * largest ? scale(j) :
+                        largest > 0               ? largest :
+                                                    1.);
     }
 
     constexpr double smallest_force = 1e-30; ///< a zero that divides

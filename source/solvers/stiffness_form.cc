@@ -11,23 +11,6 @@ namespace conetact
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
 
-  namespace
-  {
-    /** Null space of a small symmetric positive semidefinite matrix. */
-    MatrixXd
-    unresisted(const MatrixXd &C)
-    {
-      if (C.rows() == 0)
-        return C;
-      const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(C);
-      const double limit = 1e-12 * eigen.eigenvalues().maxCoeff();
-      Index        k     = 0;
-      while (k < C.rows() && eigen.eigenvalues()[k] <= limit)
-        ++k;
-      return eigen.eigenvectors().leftCols(k);
-    }
-  } // namespace
-
   StiffnessForm::StiffnessForm(std::shared_ptr<const ContactSystem> given)
     : dual(std::move(given))
   {
@@ -37,24 +20,31 @@ namespace conetact
         return;
       }
     const Index n = dual->n_contact_unknowns(), k = dual->n_motions;
+    split_motions(dual->matrix.bottomRightCorner(k, k));
     const MatrixXd G = dual->matrix.topRightCorner(n, k);
-    const MatrixXd C = dual->matrix.bottomRightCorner(k, k);
-    free             = unresisted(C);
-    const MatrixXd G0 = G * free;
-    MatrixXd       W  = dual->matrix.topLeftCorner(n, n);
-    gamma             = G0.squaredNorm() > 0 ? W.trace() / G0.squaredNorm() : 0.;
-    W += gamma * G0 * G0.transpose();
-    seen = gamma * G0;
+    MatrixXd       W = dual->matrix.topLeftCorner(n, n);
+    // what foundations resist follows from the reactions
+    G_r = G * resisted;
+    W += G_r * stiffness.cwiseInverse().asDiagonal() * G_r.transpose();
+    const MatrixXd G_0 = G * free;
+    const double   gamma =
+      G_0.squaredNorm() > 0 ? W.trace() / G_0.squaredNorm() : 0.;
+    W += gamma * G_0 * G_0.transpose();
+    added = gamma * G_0 * free.transpose();
+    if (G_r.cols() > 0)
+      added += G_r * stiffness.cwiseInverse().asDiagonal() *
+               resisted.transpose();
     const Eigen::LLT<MatrixXd> cholesky(W);
     if (cholesky.info() != Eigen::Success)
       return;
     auto           system = std::make_shared<ContactSystem>(*dual);
     const MatrixXd Y      = cholesky.solve(MatrixXd::Identity(n, n));
-    YG                    = cholesky.solve(G);
+    YG                    = cholesky.solve(G_0);
     // motions that no contact sees stay where they are
-    S = (G.transpose() * YG + C)
-          .completeOrthogonalDecomposition()
-          .pseudoInverse();
+    S = MatrixXd(free.cols(), free.cols());
+    if (S.size() > 0)
+      S =
+        (G_0.transpose() * YG).completeOrthogonalDecomposition().pseudoInverse();
     system->form      = Form::stiffness;
     system->n_motions = 0;
     system->first.resize(system->first.size() - static_cast<std::size_t>(k));
@@ -63,11 +53,25 @@ namespace conetact
     stiff          = system;
   }
 
+  void
+  StiffnessForm::split_motions(const MatrixXd &C)
+  {
+    free = resisted = MatrixXd(C.rows(), 0);
+    if (C.rows() == 0)
+      return;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(C);
+    const double limit = 1e-12 * eigen.eigenvalues().maxCoeff();
+    const Index  k     = (eigen.eigenvalues().array() <= limit).count();
+    free               = eigen.eigenvectors().leftCols(k);
+    resisted           = eigen.eigenvectors().rightCols(C.rows() - k);
+    stiffness          = eigen.eigenvalues().tail(C.rows() - k);
+  }
+
   VectorXd
   StiffnessForm::displacement(const VectorXd &given) const
   {
     return given.head(dual->n_contact_unknowns()) -
-           seen * (free.transpose() * given.tail(dual->n_motions));
+           added * given.tail(dual->n_motions);
   }
 
   VectorXd
@@ -76,13 +80,18 @@ namespace conetact
     if (dual->form == Form::stiffness)
       return given;
     return stiff->matrix * displacement(given) -
-           YG * (S * given.tail(dual->n_motions));
+           YG * (S * (free.transpose() * given.tail(dual->n_motions)));
   }
 
   VectorXd
   StiffnessForm::motions(const VectorXd &given, const VectorXd &v) const
   {
-    return S * (YG.transpose() * (v - displacement(given)) -
-                given.tail(dual->n_motions));
+    const VectorXd b   = -given.tail(dual->n_motions);
+    const VectorXd a_0 = S * (YG.transpose() * (v - displacement(given)) +
+                              free.transpose() * b);
+    const VectorXd r   = stiff->matrix * v - load(given);
+    const VectorXd a_r =
+      (G_r.transpose() * r + resisted.transpose() * b).cwiseQuotient(stiffness);
+    return free * a_0 + resisted * a_r;
   }
 } // namespace conetact

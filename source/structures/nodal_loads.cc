@@ -77,12 +77,15 @@ namespace conetact
     Acting          all;
     Eigen::VectorXd f;
     all.forces.setZero(begin.back());
+    all.mechanical = all.forces;
     for (std::size_t i = 0; i < loads.size(); ++i)
       {
         const unsigned int body = loads[i].body;
         f.setZero(structures[body]->n_dofs());
         add(i, t, f);
         all.forces.segment(begin[body], f.size()) += f;
+        if (loads[i].kind != Load::Kind::temperature)
+          all.mechanical.segment(begin[body], f.size()) += f;
         all.each.push_back(resultant(*structures[body], dim, f));
         if (loads[i].kind != Load::Kind::temperature)
           continue;

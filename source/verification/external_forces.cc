@@ -77,6 +77,7 @@ namespace conetact
         balance.sum.moment += moment + turning;
         balance.forces += force.norm();
         balance.moments += moment.norm() + turning.norm();
+        balance.arms += (p - centres[body]).norm() * force.norm();
         balance.largest = std::max(balance.largest, force.norm());
       }
 

@@ -57,6 +57,8 @@ namespace conetact
               const Finding          &finding,
               const Eigen::VectorXd  &w,
               const Eigen::VectorXd  &u) const;
+    std::string
+    wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
     void
     add_resultants(IncrementRecord &record, const Finding &finding) const;
     void

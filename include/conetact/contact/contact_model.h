@@ -52,9 +52,14 @@ namespace conetact
     FactorEstimate
     estimate_factor() const;
 
-    /** Everything that acts at time t, with nodal `forces` on all dofs. */
+    /**
+     * Everything that acts at time t: nodal forces on all dofs, and those of
+     * changes of temperature (or none), which balance by themselves.
+     */
     LoadCase
-    load_case(const Eigen::VectorXd &forces, const double t);
+    load_case(const Eigen::VectorXd &mechanical,
+              const Eigen::VectorXd &thermal,
+              const double           t);
     /** Amounts of all rigid motions, from the free ones. */
     Eigen::VectorXd
     amounts(const Eigen::VectorXd &placement, const Eigen::VectorXd &a) const;

@@ -126,6 +126,8 @@ namespace conetact
     void
     respond_to_springs();
     void
+    forget_unseen(MatrixXd &G);
+    void
     assemble_system();
     MatrixXd
     flexibility() const;
@@ -163,6 +165,7 @@ namespace conetact
     Eigen::SparseMatrix<double>          H; ///< of own unknowns
     std::vector<Part>                    parts;
     std::vector<BodyMotions>             body_motions;
+    MatrixXd                             unseen; ///< motions, orthonormal
     std::shared_ptr<const ContactSystem> contact_system;
   };
 } // namespace conetact

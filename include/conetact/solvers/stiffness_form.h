@@ -10,11 +10,12 @@ namespace conetact
 {
   /**
    * The stiffness form of a system in compliance form, for methods that know
-   * no other: with @f$Y = W^{-1}@f$ and the motions eliminated by their balance,
-   * @f[ K = Y - Y G (G^T Y G + C)^{-1} G^T Y,\quad
-   *     f = K q + Y G (G^T Y G + C)^{-1} b . @f]
-   * K G = 0 holds but for rounding where C = 0: results are to be corrected in
-   * the compliance form. W may be singular along the motions G_0 that C does not
+   * no other. Motions G_r that C resists add to the compliance, the others, G_0,
+   * are eliminated by their balance: with @f$Y = W^{-1}@f$,
+   * @f[ K = Y - Y G_0 (G_0^T Y G_0)^{-1} G_0^T Y,\quad
+   *     f = K q + Y G_0 (G_0^T Y G_0)^{-1} b . @f]
+   * K G_0 = 0 holds but for rounding: results are to be corrected in the
+   * compliance form. W may be singular along the motions G_0 that C does not
    * resist: their balance lets @f$\gamma G_0 G_0^T@f$ be added to it.
    */
   class StiffnessForm
@@ -42,15 +43,19 @@ namespace conetact
     motions(const Eigen::VectorXd &given, const Eigen::VectorXd &v) const;
 
   private:
-    /** q with what the addition to W takes from it. */
+    void
+    split_motions(const Eigen::MatrixXd &C);
+    /** q with what the additions to W take from it. */
     Eigen::VectorXd
     displacement(const Eigen::VectorXd &given) const;
 
     std::shared_ptr<const ContactSystem> dual, stiff;
-    Eigen::MatrixXd YG, S; ///< S = (G^T Y G + C)^{-1}
-    Eigen::MatrixXd free;  ///< motions that C does not resist
-    Eigen::MatrixXd seen;  ///< gamma G_0
-    double          gamma = 0;
+    Eigen::MatrixXd free;      ///< motions that C does not resist
+    Eigen::MatrixXd resisted;  ///< the others, eigenvectors of C
+    Eigen::VectorXd stiffness; ///< their eigenvalues
+    Eigen::MatrixXd G_r;       ///< resisted ones as contacts see them
+    Eigen::MatrixXd added;     ///< to W, times -b
+    Eigen::MatrixXd YG, S;     ///< S = (G_0^T Y G_0)^{-1}
   };
 } // namespace conetact
 

@@ -31,6 +31,7 @@ namespace conetact
     struct Acting
     {
       Eigen::VectorXd forces;  ///< on all dofs of all bodies
+      Eigen::VectorXd mechanical; ///< all but those of temperature
       Eigen::VectorXd thermal; ///< the part of them that changes of
                                ///< temperature make; empty: none
       /** Force and moment about the origin of each load. */

@@ -20,6 +20,7 @@ namespace conetact
     Resultant sum;       ///< moment about the body's centre
     double    forces  = 0; ///< sum of magnitudes [force]
     double    moments = 0; ///< sum of |arm x force| and |moment|
+    double    arms    = 0; ///< sum of |arm| |force| [force x length]
     double    largest = 0; ///< force on a node [force]
 
     /** The sum over the magnitudes, the larger of forces and moments. */
