@@ -33,6 +33,8 @@ namespace conetact
 
     /** Over the spacing of nodes: beyond, a foot is on another face. */
     constexpr double farthest_slide = 1;
+    /** The same: what supports move less than that does not matter. */
+    constexpr double least_slide = 1e-6;
 
     /** The sum of all resultants over the largest of them. */
     double
@@ -161,6 +163,71 @@ namespace conetact
     return worst ? to_sentence(*worst) : "";
   }
 
+  /** Displacement of a node relative to what it may touch. */
+  Tensor<1, 3>
+  Acceptance::relative(const ContactNode     &node,
+                       const Eigen::VectorXd &u,
+                       const double           t) const
+  {
+    const auto at = [&](const unsigned int body, const unsigned int i) {
+      Tensor<1, 3> displacement;
+      for (unsigned int c = 0; c < model.bodies.dim; ++c)
+        displacement[c] = u[model.plain.dof(body, i) + c];
+      return displacement;
+    };
+    Tensor<1, 3> v = at(node.body, node.node);
+    if (node.obstacle != nullptr)
+      v -= node.obstacle->displacement_at(t);
+    for (const auto &[master, weight] : node.masters)
+      v -= weight * at(node.master, master);
+    return v;
+  }
+
+  std::string
+  Acceptance::wrong_at_supports(const PendingIncrement &increment,
+                                const Finding          &finding) const
+  {
+    const double t        = increment.record.time;
+    const auto   sentence = [&](const ContactNode &node,
+                              const std::string &what) {
+      return "a support holds the contact node at " + to_text(node.position) +
+             " of body '" + model.bodies.names[node.body] + "' " + what +
+             ". Take the node out of the support or of the contact";
+    };
+    std::vector<bool> free(model.bodies.contact_nodes.size(), false);
+    const auto       &points = verification.contact_points();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const ContactNode &node = *points[i].node;
+        free[static_cast<std::size_t>(&node -
+                                      model.bodies.contact_nodes.data())] = true;
+        if (std::max(node.mu_1, node.mu_2) == 0 ||
+            increment.state.node[i] == NodeState::open)
+          continue;
+        Tensor<1, 3> slip = relative(node, finding.u, t);
+        if (last_u.size() > 0)
+          slip -= relative(node, last_u, last_time);
+        for (const HeldDirection &held :
+             model.coordinates.contact_rules()[i]->held)
+          if (std::abs(slip * held.direction) > least_slide * node.spacing)
+            return sentence(node,
+                            "along " + to_text(held.direction) +
+                              " while it slides that way by " +
+                              to_text(slip * held.direction) +
+                              ": friction there would be left out");
+      }
+    for (std::size_t k = 0; k < free.size(); ++k)
+      if (const ContactNode &node = model.bodies.contact_nodes[k]; !free[k])
+        if (const double gap =
+              node.gap + relative(node, finding.u, t) * node.n;
+            gap < -least_slide * node.spacing)
+          return sentence(node,
+                          "along its contact normal and pushes it into what it "
+                          "may touch, by " +
+                            to_text(-gap));
+    return "";
+  }
+
   std::string
   Acceptance::wrong_foot(const PendingIncrement &increment,
                          const Finding          &finding) const
@@ -208,6 +275,11 @@ namespace conetact
       return why;
     if (const std::string why = wrong_foot(increment, finding); !why.empty())
       return why;
+    if (const std::string why = wrong_at_supports(increment, finding);
+        !why.empty())
+      return why;
+    last_u    = finding.u;
+    last_time = record.time;
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(verification.contact_points(), accepted, finding, record);

@@ -174,7 +174,11 @@ namespace conetact
         current                    = next;
         stalls                     = improved ? 0 : stalls + 1;
         // Within the goal states may still differ where nothing depends on it.
-        if (point.residual <= goal || (same && stalls > max_stalls))
+        // A step of a small system costs nothing, and squares what is left.
+        const bool enough = point.residual <= 2 * rounding || !improved ||
+                            !newton.was_small();
+        if ((point.residual <= goal && enough) ||
+            (same && stalls > max_stalls))
           break;
         if (!same && !improved && seen.count(next) > 0)
           {

@@ -145,7 +145,15 @@ namespace conetact
   Balance::error() const
   {
     return std::max(forces > 0 ? sum.force.norm() / forces : 0.,
-                    moments > 0 ? sum.moment.norm() / moments : 0.);
+                    turning() > 0 ? sum.moment.norm() / turning() : 0.);
+  }
+
+  double
+  Balance::turning() const
+  {
+    // forces towards the centre have moments of rounding only
+    constexpr double least = .01;
+    return std::max(moments, least * arms);
   }
 
   Tensor<1, 3>

@@ -179,10 +179,8 @@ namespace conetact
         const double   size    = motions.size(body);
         const double   e       = std::max(
           relative(balance.sum.force.norm() - small, balance.forces),
-          // forces towards the centre have moments of rounding only
-          relative(balance.sum.moment.norm() - small * size -
-                     noise * balance.arms,
-                   balance.moments));
+          relative(balance.sum.moment.norm() - small * size,
+                   balance.turning()));
         out.equilibrium = std::max(out.equilibrium, e);
         if (e > tolerance && out.why.empty())
           out.why = "the forces on body '" + bodies.names[body] +

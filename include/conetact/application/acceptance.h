@@ -57,6 +57,13 @@ namespace conetact
               const Finding          &finding,
               const Eigen::VectorXd  &w,
               const Eigen::VectorXd  &u) const;
+    Tensor<1, 3>
+    relative(const ContactNode     &node,
+             const Eigen::VectorXd &u,
+             const double           t) const;
+    std::string
+    wrong_at_supports(const PendingIncrement &increment,
+                      const Finding          &finding) const;
     std::string
     wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
     void
@@ -72,6 +79,8 @@ namespace conetact
     ContactRows         contact_rows;
     Energies            energies;
     Warnings            warnings;
+    Eigen::VectorXd     last_u; ///< of the increment before, all dofs
+    double              last_time = 0;
   };
 } // namespace conetact
 

@@ -23,6 +23,9 @@ namespace conetact
     double    arms    = 0; ///< sum of |arm| |force| [force x length]
     double    largest = 0; ///< force on a node [force]
 
+    /** What moments are compared with. */
+    double
+    turning() const;
     /** The sum over the magnitudes, the larger of forces and moments. */
     double
     error() const;

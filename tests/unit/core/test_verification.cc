@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Faults that are planted into right results are found, right ones accepted.
+
+#include "conetact/application/scene.h"
+#include "conetact/contact/contact_model.h"
+#include "conetact/verification/verification.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace conetact;
+
+namespace
+{
+  constexpr double tolerance = 1e-10;
+
+  std::vector<ContactPoint>
+  points_of(const ContactModel &model)
+  {
+    std::vector<ContactPoint> points;
+    for (const NodeRule *rule : model.coordinates.contact_rules())
+      {
+        ContactPoint point;
+        point.node  = rule->contact_node;
+        point.dual  = rule->dual;
+        point.mu    = rule->mu;
+        point.first = points.empty() ?
+                        0 :
+                        points.back().first +
+                          static_cast<Eigen::Index>(points.back().dual.size());
+        points.push_back(point);
+      }
+    return points;
+  }
+
+  /** The increments of a scene, solved, with their verification. */
+  class Solved
+  {
+  public:
+    explicit Solved(const std::string &text)
+      : scene(make(text))
+      , model(scene->bodies, scene->times)
+      , verification(model.bodies,
+                     model.elastic,
+                     model.plain,
+                     model.motions,
+                     points_of(model),
+                     tolerance)
+    {}
+
+    /** Calls visit(claim) for each increment before it is accepted. */
+    template <typename Visit>
+    void
+    for_each(const Visit &visit)
+    {
+      NodalLoads     loads = scene->nodal_loads();
+      ContactHistory history(model);
+      const auto     solver = make_solver(scene->solver);
+      set_stiffness();
+      for (const double t : scene->times)
+        {
+          const Eigen::VectorXd forces = loads.at(t);
+          const LoadCase load = model.load_case(forces, {}, t);
+          ContactState   state   = history.start();
+          const auto     problem = history.problem(load);
+          ASSERT_TRUE(solver->solve(problem, state).converged);
+          if (problem.system->form == Form::stiffness)
+            state.u = elastic_part(problem, state);
+          const ContactHistory before = history;
+          history.advance(state);
+          Claim claim;
+          claim.amounts =
+            model.amounts(load.placement, history.free_motions());
+          claim.w =
+            model.condensation().expand({&load}, {history.primal()}).col(0);
+          claim.r      = history.of_candidates(state, before).r;
+          claim.states = history.of_candidates(state, before).node;
+          claim.loads = claim.mechanical = forces;
+          claim.t                        = t;
+          visit(claim);
+          verification.accept(claim, verification.judge(claim));
+        }
+    }
+
+    std::unique_ptr<Scene> scene;
+    ContactModel           model;
+    Verification           verification;
+
+  private:
+    static std::unique_ptr<Scene>
+    make(const std::string &text)
+    {
+      const auto file =
+        std::filesystem::temp_directory_path() / "conetact-verification.prm";
+      std::ofstream(file) << text;
+      CommandLine line;
+      line.scene   = file;
+      auto created = std::make_unique<Scene>(line);
+      created->build();
+      return created;
+    }
+
+    void
+    set_stiffness()
+    {
+      const ContactSystem &system = *model.condensation().system();
+      Eigen::VectorXd      k(system.n_nodes());
+      for (Eigen::Index i = 0; i < k.size(); ++i)
+        {
+          const double mean =
+            system.matrix.diagonal()
+              .segment(system.first[static_cast<std::size_t>(i)],
+                       system.n_tangents(i) + 1)
+              .mean();
+          k[i] = system.form == Form::stiffness ? mean : 1 / mean;
+        }
+      verification.set_stiffness(k);
+    }
+  };
+
+  std::string
+  block(const std::string &name, const std::string &arguments, const double E)
+  {
+    return "subsection Body " + name +
+           "\n subsection Mesh\n set Generator = subdivided_hyper_rectangle\n"
+           " set Arguments = " +
+           arguments +
+           " : true\n end\n subsection Material\n set Young modulus = " +
+           std::to_string(E) + "\n set Poisson ratio = 0.3\n end\nend\n";
+  }
+
+  const std::string time =
+    "subsection Time\n set End = 3\n set Increments = 3\nend\n";
+
+  std::string
+  floor_contact(const std::string &body, const std::string &ids)
+  {
+    return "subsection Contact bottom\n set Body = " + body +
+           "\n set Boundary ids = " + ids +
+           "\n set Obstacle = floor\n set Friction coefficient = 0.3\nend\n";
+  }
+
+  std::string
+  held(const bool space)
+  {
+    return std::string(space ? "set Dimension = 3\n" : "") +
+           "set Bodies = block\nset Obstacles = floor\nset Contacts = bottom\n"
+           "set Supports = top\n" +
+           (space ? block("block", "4, 4, 3 : 0, 0, 0 : 1, 1, 1", 1000) :
+                    block("block", "12, 6 : 0, 0 : 2, 1", 1000)) +
+           "subsection Obstacle floor\n set Normal = " +
+           (space ? "0, 0, 1" : "0, 1") + "\nend\n" +
+           floor_contact("block", space ? "4" : "2") +
+           "subsection Support top\n set Body = block\n set Boundary ids = " +
+           (space ? "5" : "3") + "\n set Displacement = 0.004*max(t - 1, 0) ; " +
+           (space ? "0.001*t ; " : "") + "-0.01*min(t, 1)\nend\n" + time;
+  }
+
+  const std::string stacked =
+    "set Bodies = block, mat\nset Contacts = joint\nset Supports = low\n"
+    "set Loads = press, push\n" +
+    block("block", "6, 4 : 3, 1 : 6, 3", 2e5) +
+    block("mat", "18, 3 : 0, 0 : 9, 1", 10) +
+    "subsection Contact joint\n set Body = block\n set Boundary ids = 2\n"
+    " set Master body = mat\n set Master boundary ids = 3\n"
+    " set Friction coefficient = 0.4\nend\n"
+    "subsection Support low\n set Body = mat\n set Boundary ids = 2\nend\n"
+    "subsection Load press\n set Body = block\n set Kind = pressure\n"
+    " set Boundary ids = 3\n set Value = 0.01\nend\n"
+    "subsection Load push\n set Body = block\n set Kind = body force\n"
+    " set Value = 0.0005*t ; 0\nend\n" +
+    time;
+
+  const std::string dropped =
+    "set Bodies = block\nset Obstacles = floor\nset Contacts = bottom\n"
+    "set Loads = weight\n" +
+    block("block", "10, 5 : 0, 0 : 20, 10", 2e5) +
+    "subsection Obstacle floor\n set Normal = 0, 1\n set Point = 0, -100\nend\n" +
+    floor_contact("block", "2") +
+    "subsection Load weight\n set Body = block\n set Kind = body force\n"
+    " set Value = 5e-6*t ; -7.7e-5\nend\n" +
+    time;
+
+  /** A fault at one node, where it has enough force; false: not here. */
+  using Fault = bool (*)(Claim &, const ContactPoint &, std::size_t);
+
+  bool
+  scale(Claim &c, const ContactPoint &p, std::size_t)
+  {
+    c.r.segment(p.first, static_cast<Eigen::Index>(p.dual.size())) *= 1 + 1e-6;
+    return true;
+  }
+  bool
+  flip(Claim &c, const ContactPoint &p, std::size_t)
+  {
+    const auto n = p.first + static_cast<Eigen::Index>(p.dual.size()) - 1;
+    c.r[n]       = -c.r[n];
+    return true;
+  }
+  bool
+  drop(Claim &c, const ContactPoint &p, std::size_t)
+  {
+    c.r.segment(p.first, static_cast<Eigen::Index>(p.dual.size())).setZero();
+    return true;
+  }
+  bool
+  turn(Claim &c, const ContactPoint &p, std::size_t)
+  {
+    // in the plane the tangential reaction turns towards the normal
+    const double a = c.r[p.first], b = c.r[p.first + 1];
+    c.r[p.first]     = a - 1e-3 * b;
+    c.r[p.first + 1] = b + 1e-3 * a;
+    return true;
+  }
+  bool
+  rename(Claim &c, const ContactPoint &p, const std::size_t i)
+  {
+    const double limit =
+      p.mu * c.r[p.first + static_cast<Eigen::Index>(p.dual.size()) - 1];
+    const double r_t =
+      c.r.segment(p.first, static_cast<Eigen::Index>(p.dual.size()) - 1).norm();
+    if (c.states[i] == NodeState::stick && r_t > .99 * limit)
+      return false; // biactive
+    c.states[i] = c.states[i] == NodeState::stick ? NodeState::slip :
+                                                    NodeState::stick;
+    return true;
+  }
+  bool
+  open(Claim &c, const ContactPoint &, const std::size_t i)
+  {
+    c.states[i] = NodeState::open;
+    return true;
+  }
+
+  void
+  plant_faults(const std::string &text, unsigned int &n_planted)
+  {
+    Solved solved(text);
+    solved.for_each([&](const Claim &claim) {
+      const Finding right = solved.verification.judge(claim);
+      EXPECT_TRUE(right.why.empty()) << right.why;
+      EXPECT_LE(right.residual, tolerance);
+      EXPECT_LE(right.equilibrium, tolerance);
+      const auto  &points  = solved.verification.contact_points();
+      const double largest = claim.r.cwiseAbs().maxCoeff();
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const auto n = points[i].first +
+                         static_cast<Eigen::Index>(points[i].dual.size()) - 1;
+          if (claim.r[n] < 1e-3 * largest)
+            continue;
+          for (const Fault fault : {scale, flip, drop, turn, rename, open})
+            {
+              Claim wrong = claim;
+              if (!fault(wrong, points[i], i))
+                continue;
+              ++n_planted;
+              EXPECT_FALSE(solved.verification.judge(wrong).why.empty());
+            }
+        }
+      for (double size = 1; size < 1e11; size *= 10)
+        for (Eigen::Index k = 0; k < claim.amounts.size(); ++k)
+          {
+            Claim wrong = claim;
+            wrong.amounts[k] += size * solved.model.motions.size(0);
+            ++n_planted;
+            EXPECT_FALSE(solved.verification.judge(wrong).why.empty());
+          }
+    });
+  }
+} // namespace
+
+TEST(Verification, PlantedFaultsAreFound)
+{
+  unsigned int n = 0;
+  for (const std::string &scene : {held(false), held(true), stacked, dropped})
+    plant_faults(scene, n);
+  EXPECT_GE(n, 1000u);
+}
