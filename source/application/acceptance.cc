@@ -84,7 +84,9 @@ namespace conetact
                      system.n_tangents(i) + 1)
             .mean();
         stiffness[set.nodes()[static_cast<std::size_t>(i)]] =
-          system.form == Form::stiffness ? mean : mean > 0 ? 1 / mean : 0;
+          system.form == Form::stiffness ? mean :
+          mean > 0                       ? 1 / mean :
+                                           0;
       }
     // candidates outside the set carry nothing; their gaps are like others
     const double largest = stiffness.size() > 0 ? stiffness.maxCoeff() : 0;
@@ -97,12 +99,11 @@ namespace conetact
                     const Eigen::VectorXd  &w) const
   {
     Claim claim;
-    claim.amounts =
-      model.amounts(increment.load.placement, increment.motions);
-    claim.w           = w;
-    claim.r           = increment.state.r;
-    claim.states      = increment.state.node;
-    claim.loads       = increment.forces;
+    claim.amounts = model.amounts(increment.load.placement, increment.motions);
+    claim.w       = w;
+    claim.r       = increment.state.r;
+    claim.states  = increment.state.node;
+    claim.loads   = increment.forces;
     claim.mechanical  = increment.mechanical;
     claim.t           = increment.record.time;
     claim.whole       = increment.record.report.substeps <= 1;
@@ -149,13 +150,12 @@ namespace conetact
           continue;
         const auto n = points[i].first +
                        static_cast<Eigen::Index>(points[i].dual.size()) - 1;
-        moved.push_back(
-          {&node,
-           at(u, node),
-           node.obstacle->displacement_at(increment.record.time),
-           increment.state.node[i] == NodeState::open ?
-             node.gap + finding.displacements[n] :
-             0.});
+        moved.push_back({&node,
+                         at(u, node),
+                         node.obstacle->displacement_at(increment.record.time),
+                         increment.state.node[i] == NodeState::open ?
+                           node.gap + finding.displacements[n] :
+                           0.});
         if (increment.state.node[i] != NodeState::open)
           indentation = std::max(indentation, std::abs(at(w, node) * node.n));
       }
@@ -185,7 +185,7 @@ namespace conetact
 
   std::string
   Acceptance::wrong_at_supports(const PendingIncrement &increment,
-                                const Finding          &finding) const
+                                const Finding          &finding)
   {
     const double t        = increment.record.time;
     const auto   sentence = [&](const ContactNode &node,
@@ -198,9 +198,9 @@ namespace conetact
     const auto       &points = verification.contact_points();
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const ContactNode &node = *points[i].node;
-        free[static_cast<std::size_t>(&node -
-                                      model.bodies.contact_nodes.data())] = true;
+        const ContactNode &node                       = *points[i].node;
+        free[static_cast<std::size_t>(
+          &node - model.bodies.contact_nodes.data())] = true;
         if (std::max(node.mu_1, node.mu_2) == 0 ||
             increment.state.node[i] == NodeState::open)
           continue;
@@ -210,16 +210,17 @@ namespace conetact
         for (const HeldDirection &held :
              model.coordinates.contact_rules()[i]->held)
           if (std::abs(slip * held.direction) > least_slide * node.spacing)
-            return sentence(node,
-                            "along " + to_text(held.direction) +
-                              " while it slides that way by " +
-                              to_text(slip * held.direction) +
-                              ": friction there would be left out");
+            warnings.once("friction at a support",
+                          sentence(node,
+                                   "along " + to_text(held.direction) +
+                                     " while it slides that way by " +
+                                     to_text(slip * held.direction) +
+                                     ": friction there is left out") +
+                            ".");
       }
     for (std::size_t k = 0; k < free.size(); ++k)
       if (const ContactNode &node = model.bodies.contact_nodes[k]; !free[k])
-        if (const double gap =
-              node.gap + relative(node, finding.u, t) * node.n;
+        if (const double gap = node.gap + relative(node, finding.u, t) * node.n;
             gap < -least_slide * node.spacing)
           return sentence(node,
                           "along its contact normal and pushes it into what it "
@@ -236,8 +237,7 @@ namespace conetact
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const ContactNode &node = *points[i].node;
-        if (node.masters.empty() ||
-            increment.state.node[i] == NodeState::open)
+        if (node.masters.empty() || increment.state.node[i] == NodeState::open)
           continue;
         Tensor<1, 3> slid;
         for (unsigned int c = 0; c < model.bodies.dim; ++c)
@@ -261,10 +261,10 @@ namespace conetact
   }
 
   std::string
-  Acceptance::complete(PendingIncrement             &increment,
-                       const Finding                &finding,
-                       const Eigen::VectorXd        &w,
-                       const bool                    drawn)
+  Acceptance::complete(PendingIncrement      &increment,
+                       const Finding         &finding,
+                       const Eigen::VectorXd &w,
+                       const bool             drawn)
   {
     IncrementRecord &record = increment.record;
     add_resultants(record, finding);
@@ -278,12 +278,12 @@ namespace conetact
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
       return why;
-    last_u    = finding.u;
-    last_time = record.time;
+    last_u               = finding.u;
+    last_time            = record.time;
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(verification.contact_points(), accepted, finding, record);
-    record.rows = contact_rows.rows(increment.state,
+    record.rows        = contact_rows.rows(increment.state,
                                     increment.contact,
                                     finding.u,
                                     record.time,

@@ -73,7 +73,8 @@ namespace conetact
       {
         const NodalLoads::Acting acting = loads.acting(t);
         model.plain.prescribed(t);
-        refuse_unbalanced(acting.mechanical + model.elastic.ground_forces(t), t);
+        refuse_unbalanced(acting.mechanical + model.elastic.ground_forces(t),
+                          t);
       }
     log.time("loads and supports at all times");
     report_loads(loads, scene.bodies.dim, log);
@@ -94,13 +95,11 @@ namespace conetact
       return;
     const RigidMotions::Motion motion =
       model.motions.motion_of_free(unseen * driven);
-    throw InputError("Nothing holds body '" +
-                     scene.bodies.names[motion.body] + "' against moving " +
-                     describe(motion) +
+    throw InputError("Nothing holds body '" + scene.bodies.names[motion.body] +
+                     "' against moving " + describe(motion) +
                      ": no support, and no contact with friction, but loads "
                      "drive it at t = " +
-                     to_text(t) +
-                     ". Add a Support, or friction to a Contact.");
+                     to_text(t) + ". Add a Support, or friction to a Contact.");
   }
 
   void
@@ -167,10 +166,10 @@ namespace conetact
   void
   Analysis::apply_loads(PendingIncrement &increment)
   {
-    const double              t      = increment.record.time;
-    const NodalLoads::Acting  acting = loads.acting(t);
-    increment.forces                 = acting.forces + prestress;
-    increment.mechanical             = acting.mechanical + prestress;
+    const double             t      = increment.record.time;
+    const NodalLoads::Acting acting = loads.acting(t);
+    increment.forces                = acting.forces + prestress;
+    increment.mechanical            = acting.mechanical + prestress;
     for (const auto &[force, moment] : acting.each)
       increment.record.each_load.push_back({force, moment});
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);

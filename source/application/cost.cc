@@ -78,7 +78,7 @@ namespace conetact
     const auto n_dofs     = static_cast<double>(coordinates.n_dofs());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
-    cost.factor = model.estimate_factor();
+    cost.factor          = model.estimate_factor();
     cost.stiffness_bytes = 8 * n_contact * n_contact;
     // and at most as much again for Newton's matrix
     cost.memory_bytes =

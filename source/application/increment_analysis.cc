@@ -72,7 +72,8 @@ namespace conetact
   PendingIncrement
   IncrementAnalysis::solve(const unsigned int k)
   {
-    PendingIncrement increment{{}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+    PendingIncrement increment{
+      {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     apply_loads(increment);
@@ -133,10 +134,11 @@ namespace conetact
       existence = std::make_unique<ExistenceCheck>(make_existence_check(model));
     // at the start of the increment the reactions balance the load on the null
     // space
-    const Existence result = existence->check(
-      resultants_of(problem, model),
-      -increment.before.start().r.head(problem.system->n_contact_unknowns()),
-      problem.reference_force);
+    const Existence result =
+      existence->check(resultants_of(problem, model),
+                       -increment.before.start().r.head(
+                         problem.system->n_contact_unknowns()),
+                       problem.reference_force);
     if (!result.admissible)
       fail(increment.record,
            "no equilibrium exists, " + describe(result, model));
@@ -156,9 +158,9 @@ namespace conetact
       }
     acceptance.set_stiffness(*model.condensation().system(),
                              model.working_set());
-    const Eigen::MatrixXd         w = model.condensation().expand(cases, primal);
-    const std::size_t             n_right = recover_all(batch, w);
-    std::vector<IncrementRecord>  finished;
+    const Eigen::MatrixXd        w = model.condensation().expand(cases, primal);
+    const std::size_t            n_right = recover_all(batch, w);
+    std::vector<IncrementRecord> finished;
     std::vector<PendingIncrement> all = std::move(batch);
     batch.clear();
     for (std::size_t i = 0; i < n_right; ++i)
@@ -201,10 +203,8 @@ namespace conetact
   {
     if (model.working_set().is_all())
       return;
-    increment.after.recover(
-      candidate_displacements(model,
-                              acceptance.displacements(increment, w),
-                              increment.record.time));
+    increment.after.recover(candidate_displacements(
+      model, acceptance.displacements(increment, w), increment.record.time));
     increment.state =
       increment.after.of_candidates(increment.end, increment.before);
     increment.contact = increment.after.displacements();
@@ -293,8 +293,8 @@ namespace conetact
     ContactState guess = increment.before.start();
     if (model.is_dual())
       {
-        const Eigen::VectorXd missed = model.working_set().gather(
-          finding.displacements - increment.contact);
+        const Eigen::VectorXd missed =
+          model.working_set().gather(finding.displacements - increment.contact);
         increment.load.f.head(missed.size()) += missed;
         guess      = increment.end;
         guess.node = increment.end.node;
@@ -306,8 +306,7 @@ namespace conetact
     const Eigen::VectorXd old    = increment.primal;
     increment.record.report      = solve_contact(increment, guess);
     increment.record.report.iterations += before;
-    return w +
-           elastic.correction(finding.unbalanced, increment.primal - old);
+    return w + elastic.correction(finding.unbalanced, increment.primal - old);
   }
 
   std::string

@@ -277,11 +277,11 @@ namespace conetact
     record.report.converged  = true;
     record.report.solver     = "load path";
     record.report.iterations = 1;
-    pending.contact   = point.v;
-    pending.state.v   = point.v - last.v;
-    pending.state.r   = point.r;
-    const double zero = noise * largest(point.r);
-    const double rest = noise * largest(point.v);
+    pending.contact          = point.v;
+    pending.state.v          = point.v - last.v;
+    pending.state.r          = point.r;
+    const double zero        = noise * largest(point.r);
+    const double rest        = noise * largest(point.v);
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       {
         const Eigen::Index k = system().normal(i);
@@ -338,9 +338,9 @@ namespace conetact
          ++step)
       {
         const Eigen::VectorXd refined =
-          w + model.condensation().correction(
-                finding.unbalanced,
-                Eigen::VectorXd::Zero(pending.primal.size()));
+          w + model.condensation().correction(finding.unbalanced,
+                                              Eigen::VectorXd::Zero(
+                                                pending.primal.size()));
         Finding found = acceptance.judge(pending, refined);
         if (!(found.equilibrium < .5 * finding.equilibrium) ||
             found.residual > std::max(finding.residual, scene.solver.tolerance))
@@ -367,7 +367,7 @@ namespace conetact
       }
     acceptance.set_stiffness(*model.condensation().system(),
                              model.working_set());
-    const Eigen::MatrixXd w = model.condensation().expand(cases, primal);
+    const Eigen::MatrixXd        w = model.condensation().expand(cases, primal);
     std::vector<IncrementRecord> finished;
     const auto                   write_finished = [&] {
       write(finished);

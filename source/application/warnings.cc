@@ -78,22 +78,22 @@ namespace conetact
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
     const Index        offset  = model.plain.offset(body);
     double             largest = 0;
-    structure.for_each_element(
-      [&](const std::vector<unsigned int> &dofs, const double *) {
-        const unsigned int a = dofs.front() / n_c;
-        for (const unsigned int dof : dofs)
-          if (const unsigned int b = dof / n_c; b != a)
-            {
-              double stretch = 0;
-              for (unsigned int c = 0; c < dim; ++c)
-                stretch += std::pow(
-                  w[offset + b * n_c + c] - w[offset + a * n_c + c], 2);
-              largest = std::max(largest,
-                                 std::sqrt(stretch) /
-                                   structure.position(a).distance(
-                                     structure.position(b)));
-            }
-      });
+    structure.for_each_element([&](const std::vector<unsigned int> &dofs,
+                                   const double *) {
+      const unsigned int a = dofs.front() / n_c;
+      for (const unsigned int dof : dofs)
+        if (const unsigned int b = dof / n_c; b != a)
+          {
+            double stretch = 0;
+            for (unsigned int c = 0; c < dim; ++c)
+              stretch +=
+                std::pow(w[offset + b * n_c + c] - w[offset + a * n_c + c], 2);
+            largest =
+              std::max(largest,
+                       std::sqrt(stretch) /
+                         structure.position(a).distance(structure.position(b)));
+          }
+    });
     return largest;
   }
 

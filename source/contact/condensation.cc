@@ -139,8 +139,7 @@ namespace conetact
                            const Eigen::VectorXd &prescribed,
                            LoadCase              &load)
   {
-    load.b =
-      coordinates.restrict(forces - elastic.internal_forces(prescribed));
+    load.b = coordinates.restrict(forces - elastic.internal_forces(prescribed));
     load.f = reduce_forces(load.b);
     if (is_linear())
       load.q = solve(load.b);
@@ -232,7 +231,7 @@ namespace conetact
   Condensation::correction(const Eigen::VectorXd &unbalanced,
                            const Eigen::VectorXd &primal) const
   {
-    const Eigen::VectorXd b = coordinates.restrict(unbalanced);
+    const Eigen::VectorXd b       = coordinates.restrict(unbalanced);
     Eigen::VectorXd       reduced = Eigen::VectorXd::Zero(primal.size());
     if (solver->is_extended())
       reduced = -reduce_forces(b);

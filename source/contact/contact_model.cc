@@ -36,10 +36,11 @@ namespace conetact
   {
     if (coordinates.n_contact_unknowns() == 0)
       return false;
-    const bool pairs =
-      std::any_of(bodies.contact_nodes.begin(),
-                  bodies.contact_nodes.end(),
-                  [](const ContactNode &node) { return !node.masters.empty(); });
+    const bool pairs = std::any_of(bodies.contact_nodes.begin(),
+                                   bodies.contact_nodes.end(),
+                                   [](const ContactNode &node) {
+                                     return !node.masters.empty();
+                                   });
     // mechanisms are found in a stiffness only
     return pairs || (motions.n_free() > 0 && !may_be_mechanism());
   }
@@ -66,9 +67,10 @@ namespace conetact
       load = condensation().reduce(all, prescribed);
     else if (is_dual())
       {
-        load          = condensation().reduce(all, prescribed);
-        LoadCase heat = condensation().reduce(
-          thermal, Eigen::VectorXd::Zero(prescribed.size()));
+        load = condensation().reduce(all, prescribed);
+        LoadCase heat =
+          condensation().reduce(thermal,
+                                Eigen::VectorXd::Zero(prescribed.size()));
         const ContactSystem &system = *condensation().system();
         for (Eigen::Index j = system.n_contact_unknowns();
              j < system.n_unknowns();
@@ -154,11 +156,8 @@ namespace conetact
     if (is_dual())
       return std::make_unique<DualBackend>(
         elastic, coordinates, plain, motions, chosen);
-    return std::make_unique<Condensation>(elastic,
-                                          coordinates,
-                                          chosen,
-                                          motions.null_space(),
-                                          may_be_mechanism());
+    return std::make_unique<Condensation>(
+      elastic, coordinates, chosen, motions.null_space(), may_be_mechanism());
   }
 
   FactorEstimate

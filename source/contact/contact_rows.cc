@@ -130,17 +130,15 @@ namespace conetact
         row.u[0] = q[layout.normal(index)];
         row.du   = in_frame(node, tangential(rule, first, state.v)) +
                  (other - other_before[i]);
-        row.du[0] = row.u[0] - last[i].u[0];
-        row.reaction =
-          in_frame(node, reaction_vector(rule, first, state.r));
+        row.du[0]       = row.u[0] - last[i].u[0];
+        row.reaction    = in_frame(node, reaction_vector(rule, first, state.r));
         row.state       = state.node[i];
         other_before[i] = other;
         if ((layout.n_tangents(index) == 0 || !whole) &&
             row.state != NodeState::open)
           row.state =
             std::hypot(row.du[1], row.du[2]) >
-                position_rounding *
-                  (row.position.norm() + at_dof(dof).norm()) ?
+                position_rounding * (row.position.norm() + at_dof(dof).norm()) ?
               NodeState::slip :
               NodeState::stick;
       }

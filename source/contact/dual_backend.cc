@@ -114,7 +114,7 @@ namespace conetact
   void
   DualBackend::find_parts()
   {
-    const auto        n = static_cast<unsigned int>(elastic.bodies.names.size());
+    const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
     std::vector<bool> placed(n, false);
     for (const auto &group : find_equal_bodies(elastic, own))
       {
@@ -231,9 +231,9 @@ namespace conetact
       for (const unsigned int body : part.bodies)
         {
           BodyMotions &m = body_motions[body];
-          m.Y = m.spring_forces.isZero(0) ?
-                  MatrixXd(MatrixXd::Zero(m.R.rows(), m.R.cols())) :
-                  MatrixXd(part.element->deform(-m.spring_forces));
+          m.Y            = m.spring_forces.isZero(0) ?
+                             MatrixXd(MatrixXd::Zero(m.R.rows(), m.R.cols())) :
+                             MatrixXd(part.element->deform(-m.spring_forces));
         }
   }
 
@@ -244,14 +244,13 @@ namespace conetact
     for (const Part &part : parts)
       for (const unsigned int body : part.bodies)
         {
-          const SparseMatrix all =
-            H.middleCols(own.begin(body), n_own(body));
-          Triplets entries;
+          const SparseMatrix all = H.middleCols(own.begin(body), n_own(body));
+          Triplets           entries;
           for (std::size_t k = 0; k < part.retained.size(); ++k)
-            for (SparseMatrix::InnerIterator it(all, part.retained[k]); it; ++it)
+            for (SparseMatrix::InnerIterator it(all, part.retained[k]); it;
+                 ++it)
               entries.emplace_back(it.row(), static_cast<Index>(k), it.value());
-          SparseMatrix rows(H.rows(),
-                            static_cast<Index>(part.retained.size()));
+          SparseMatrix rows(H.rows(), static_cast<Index>(part.retained.size()));
           rows.setFromTriplets(entries.begin(), entries.end());
           const MatrixXd half = rows * part.element->flexibility();
           W.noalias() += half * rows.transpose();
@@ -297,7 +296,7 @@ namespace conetact
     system->matrix.topLeftCorner(n, n) = flexibility();
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
-        const BodyMotions &m = body_motions[body];
+        const BodyMotions &m     = body_motions[body];
         const Index        first = m.first, size = m.R.cols();
         if (size == 0)
           continue;
@@ -311,8 +310,8 @@ namespace conetact
     system->matrix.topRightCorner(n, k)    = all_G;
     system->matrix.bottomLeftCorner(k, n)  = -all_G.transpose();
     system->matrix.bottomRightCorner(k, k) = all_C;
-    system->null_space = set.gather(motions.null_space());
-    contact_system     = system;
+    system->null_space                     = set.gather(motions.null_space());
+    contact_system                         = system;
     // loads and prescribed displacements are kept apart by their sizes only
     stiffness_scale =
       n > 0 && system->matrix.diagonal().head(n).sum() > 0 ?
@@ -326,8 +325,8 @@ namespace conetact
     MatrixXd p(forces.rows(), forces.cols());
     for (const Part &part : parts)
       for (const unsigned int body : part.bodies)
-        p.middleRows(own.begin(body), n_own(body)) = part.element->deform(
-          forces.middleRows(own.begin(body), n_own(body)));
+        p.middleRows(own.begin(body), n_own(body)) =
+          part.element->deform(forces.middleRows(own.begin(body), n_own(body)));
     return p;
   }
 
@@ -434,8 +433,7 @@ namespace conetact
   DualBackend::correction(const VectorXd &unbalanced,
                           const VectorXd &primal) const
   {
-    return own.expand(
-      deform(forces_of(primal) - own.restrict(unbalanced)));
+    return own.expand(deform(forces_of(primal) - own.restrict(unbalanced)));
   }
 
   double
@@ -472,7 +470,7 @@ namespace conetact
                         const RigidMotions  &motions,
                         const WorkingSet    &set)
   {
-    const DualBackend dual(elastic, coordinates, plain, motions, set, Empty());
+    const DualBackend  dual(elastic, coordinates, plain, motions, set, Empty());
     const SparseMatrix all = assemble(elastic, dual.own);
     FactorEstimate     sum;
     for (const Part &part : dual.parts)

@@ -47,7 +47,7 @@ namespace conetact
         load.prescribed = prescribed;
         return load;
       }
-    const auto   project = [&] {
+    const auto project = [&] {
       for (const Known &known : basis)
         {
           const double part = known.direction.dot(rest);

@@ -333,8 +333,8 @@ namespace conetact
   Eigen::VectorXd
   ElasticSystem::ground(const std::size_t s, const double t) const
   {
-    Eigen::VectorXd  moved   = Eigen::VectorXd::Zero(dof_offset.back());
-    const Support   &support = bodies.supports[s];
+    Eigen::VectorXd  moved     = Eigen::VectorXd::Zero(dof_offset.back());
+    const Support   &support   = bodies.supports[s];
     const Structure &structure = *bodies.structures[support.body];
     const auto       dof = [&](const unsigned int node, const unsigned int c) {
       return dof_offset[support.body] +
@@ -344,8 +344,7 @@ namespace conetact
       return moved;
     for (const SurfaceNode &node : support.surface.nodes)
       {
-        const Tensor<1, 3> motion =
-          far_end(support, node, t);
+        const Tensor<1, 3> motion = far_end(support, node, t);
         for (unsigned int c = 0; c < bodies.dim; ++c)
           moved[dof(node.node, c)] = motion[c];
       }

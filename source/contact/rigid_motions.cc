@@ -72,7 +72,7 @@ namespace conetact
       if (gram.rows() == 0)
         return result;
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-      const double limit =
+      const double                                         limit =
         rank_limit * std::max(1., eigen.eigenvalues().maxCoeff());
       Eigen::Index n_null = 0;
       while (n_null < gram.rows() && eigen.eigenvalues()[n_null] < limit)
@@ -156,7 +156,7 @@ namespace conetact
         const Index first = body * n_one;
         const Split parts = split(held.block(first, first, n_one, n_one));
         held_inverse.block(first, first, n_one, n_one) = parts.pseudo_inverse;
-        const Index k = free_modes.cols();
+        const Index k                                  = free_modes.cols();
         free_modes.conservativeResize(n, k + parts.null.cols());
         free_modes.rightCols(parts.null.cols()).setZero();
         free_modes.block(first, k, n_one, parts.null.cols()) = parts.null;
@@ -181,8 +181,7 @@ namespace conetact
                 const Index first = support.body * n_one;
                 springs.block(first, first, n_one, n_one) += r.transpose() * r;
               }
-    without_springs =
-      split(free_modes.transpose() * springs * free_modes).null;
+    without_springs = split(free_modes.transpose() * springs * free_modes).null;
   }
 
   void

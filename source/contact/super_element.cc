@@ -65,8 +65,8 @@ namespace conetact
     {
       if (S.rows() == 0)
         return S;
-      const double    alpha = S.diagonal().mean();
-      const MatrixXd  held  = S + alpha * B * B.transpose();
+      const double         alpha = S.diagonal().mean();
+      const MatrixXd       held  = S + alpha * B * B.transpose();
       Eigen::LLT<MatrixXd> cholesky(held);
       if (cholesky.info() != Eigen::Success)
         throw SingularMatrix({});
@@ -74,8 +74,7 @@ namespace conetact
       if (B.cols() == 0)
         return .5 * (T + T.transpose());
       const MatrixXd TB = T * B;
-      MatrixXd       P  = T - TB * (B.transpose() * TB).ldlt().solve(
-                          TB.transpose());
+      MatrixXd P = T - TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
       // once more on both sides: rounding of T is not free of motions
       P -= B * (B.transpose() * P).eval();
       P -= (P * B).eval() * B.transpose();

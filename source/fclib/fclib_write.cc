@@ -185,8 +185,8 @@ namespace conetact
     auto           system = std::make_shared<ContactSystem>(given);
     system->n_motions     = 0;
     system->first.resize(system->first.size() - static_cast<std::size_t>(k));
-    const MatrixXd W = given.matrix.topLeftCorner(n, n) +
-                       G * C.solve(MatrixXd(G.transpose()));
+    const MatrixXd W =
+      given.matrix.topLeftCorner(n, n) + G * C.solve(MatrixXd(G.transpose()));
     system->matrix        = .5 * (W + W.transpose());
     ContactProblem result = problem;
     result.system         = system;

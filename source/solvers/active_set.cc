@@ -175,10 +175,9 @@ namespace conetact
         stalls                     = improved ? 0 : stalls + 1;
         // Within the goal states may still differ where nothing depends on it.
         // A step of a small system costs nothing, and squares what is left.
-        const bool enough = point.residual <= 2 * rounding || !improved ||
-                            !newton.was_small();
-        if ((point.residual <= goal && enough) ||
-            (same && stalls > max_stalls))
+        const bool enough =
+          point.residual <= 2 * rounding || !improved || !newton.was_small();
+        if ((point.residual <= goal && enough) || (same && stalls > max_stalls))
           break;
         if (!same && !improved && seen.count(next) > 0)
           {
@@ -249,8 +248,7 @@ namespace conetact
   ActiveSet::is_free(const ContactProblem &problem)
   {
     const ContactSystem &system = *problem.system;
-    if (system.n_motions == 0 ||
-        !problem.load.tail(system.n_motions).isZero(0))
+    if (system.n_motions == 0 || !problem.load.tail(system.n_motions).isZero(0))
       return false;
     for (Index i = 0; i < system.n_nodes(); ++i)
       if (problem.load(system.normal(i)) < 0)

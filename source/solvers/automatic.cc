@@ -56,7 +56,8 @@ namespace conetact
       return v;
     }
 
-    /** What the start of an increment and its end differ in: load and offset. */
+    /** What the start of an increment and its end differ in: load and offset.
+     */
     struct Change
     {
       VectorXd of_load, of_offset;
@@ -80,11 +81,10 @@ namespace conetact
         }
       const VectorXd u =
         problem.offset.size() > 0 && state.u.size() > 0 ? state.u : v;
-      change.of_load       = problem.load - (multiply(system, u) - state.r);
-      change.offset_at_end = problem.offset.size() > 0 ?
-                               problem.offset :
-                               VectorXd::Zero(v.size());
-      change.of_offset     = change.offset_at_end - (v - u);
+      change.of_load = problem.load - (multiply(system, u) - state.r);
+      change.offset_at_end =
+        problem.offset.size() > 0 ? problem.offset : VectorXd::Zero(v.size());
+      change.of_offset = change.offset_at_end - (v - u);
       return change;
     }
   } // namespace
@@ -194,8 +194,8 @@ namespace conetact
           break;
         softer = std::max(1., solved / ratio);
       }
-    report.solver = "active set";
-    now.v         = state.v;
+    report.solver           = "active set";
+    now.v                   = state.v;
     const SolverReport last = active_set.solve(problem, now);
     count(report, last);
     report.residual = last.residual;
@@ -212,9 +212,9 @@ namespace conetact
                    const unsigned int    sweeps,
                    SolverReport         &report)
   {
-    SolverOptions few                           = options;
-    few.max_sweeps                              = sweeps;
-    ContactState                         trial  = state;
+    SolverOptions few  = options;
+    few.max_sweeps     = sweeps;
+    ContactState trial = state;
     // motions have no reaction of their own that a sweep could find
     if (problem.system->n_motions > 0)
       return false;
@@ -286,7 +286,8 @@ namespace conetact
         // What has slipped so far is part of the load of the next part.
         part.load = problem.load - (1 - next) * change.of_load;
         if (system.form == Form::stiffness)
-          part.offset = change.offset_at_end - (1 - next) * change.of_offset - slip;
+          part.offset =
+            change.offset_at_end - (1 - next) * change.of_offset - slip;
         else
           part.load -= slip;
         const SolverReport one = solve_whole(part, trial, false);

@@ -101,7 +101,9 @@ namespace conetact
   without_rounding(const VectorXd &x, const VectorXd &allowed)
   {
     return x.binaryExpr(allowed, [](const double value, const double limit) {
-      return value > limit ? value - limit : value < -limit ? value + limit : 0.;
+      return value > limit  ? value - limit :
+             value < -limit ? value + limit :
+                              0.;
     });
   }
 
@@ -151,8 +153,7 @@ namespace conetact
     const double load =
       stiff ? problem.load.norm() : problem.load.tail(system.n_motions).norm();
     const double result =
-      error /
-      std::max({state.r.head(n).norm(), load, problem.reference_force});
+      error / std::max({state.r.head(n).norm(), load, problem.reference_force});
     return std::isfinite(result) ? result :
                                    std::numeric_limits<double>::infinity();
   }

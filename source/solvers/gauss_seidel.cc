@@ -197,19 +197,19 @@ namespace conetact
           report.reason = "contacts depend on each other";
           return report;
         }
-      ContactProblem stiff  = problem;
-      stiff.system          = eliminated->system();
-      stiff.load            = eliminated->load(problem.load);
-      ContactState own      = state;
-      own.v                 = state.v.head(n);
-      own.r                 = state.r.head(n);
-      const auto   report   = solve(stiff, own);
-      state.node            = own.node;
-      state.v               = Eigen::VectorXd::Zero(n + k);
-      state.r               = state.v;
-      state.v.head(n)       = own.v;
-      state.r.head(n)       = own.r;
-      state.r.tail(k)       = eliminated->motions(problem.load, own.v);
+      ContactProblem stiff = problem;
+      stiff.system         = eliminated->system();
+      stiff.load           = eliminated->load(problem.load);
+      ContactState own     = state;
+      own.v                = state.v.head(n);
+      own.r                = state.r.head(n);
+      const auto report    = solve(stiff, own);
+      state.node           = own.node;
+      state.v              = Eigen::VectorXd::Zero(n + k);
+      state.r              = state.v;
+      state.v.head(n)      = own.v;
+      state.r.head(n)      = own.r;
+      state.r.tail(k)      = eliminated->motions(problem.load, own.v);
       return report;
     }
 

@@ -129,13 +129,12 @@ namespace conetact
   LinearRelation::set_load(const ContactProblem &problem)
   {
     // Both M = S A S and l = +-S load with S = diag(scale)
-    const Index n    = contact_system->n_contact_unknowns();
-    const Index k    = contact_system->n_motions;
-    scaled_load      = scale.cwiseProduct(problem.load);
-    has_offset       = problem.offset.size() > 0;
-    scaled_offset    = has_offset ?
-                         Array(problem.offset.cwiseQuotient(scale)) :
-                         Array::Zero(scale.size());
+    const Index n = contact_system->n_contact_unknowns();
+    const Index k = contact_system->n_motions;
+    scaled_load   = scale.cwiseProduct(problem.load);
+    has_offset    = problem.offset.size() > 0;
+    scaled_offset = has_offset ? Array(problem.offset.cwiseQuotient(scale)) :
+                                 Array::Zero(scale.size());
     if (stiffness())
       scaled_load = -scaled_load;
     load_force = stiffness() ? scaled_load.norm() : scaled_load.tail(k).norm();

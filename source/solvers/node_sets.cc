@@ -198,10 +198,10 @@ namespace conetact
   {
     const SmallMatrix one = SmallMatrix::Ones(1, 1);
     for (Index j = 0; j < relation.system().n_motions; ++j)
-      laws.push_back({SmallMatrix::Zero(1, 1),
-                      one,
-                      -d.segment(relation.system().n_contact_unknowns() + j,
-                                 1)});
+      laws.push_back(
+        {SmallMatrix::Zero(1, 1),
+         one,
+         -d.segment(relation.system().n_contact_unknowns() + j, 1)});
   }
 
 
@@ -242,8 +242,7 @@ namespace conetact
     const Fields         x(relation, p, d);
     const Index          n   = system.n_contact_unknowns();
     double               sum = x.v.tail(system.n_motions).squaredNorm();
-    const VectorXd       v =
-      without_rounding(x.v.head(n), relation.rounding(p));
+    const VectorXd v = without_rounding(x.v.head(n), relation.rounding(p));
     if (relation.stiffness())
       sum = 0;
     for (Index i = 0; i < system.n_nodes(); ++i)

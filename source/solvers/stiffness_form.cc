@@ -32,8 +32,8 @@ namespace conetact
     W += gamma * G_0 * G_0.transpose();
     added = gamma * G_0 * free.transpose();
     if (G_r.cols() > 0)
-      added += G_r * stiffness.cwiseInverse().asDiagonal() *
-               resisted.transpose();
+      added +=
+        G_r * stiffness.cwiseInverse().asDiagonal() * resisted.transpose();
     const Eigen::LLT<MatrixXd> cholesky(W);
     if (cholesky.info() != Eigen::Success)
       return;
@@ -43,14 +43,16 @@ namespace conetact
     // motions that no contact sees stay where they are
     S = MatrixXd(free.cols(), free.cols());
     if (S.size() > 0)
-      S =
-        (G_0.transpose() * YG).completeOrthogonalDecomposition().pseudoInverse();
+      S = (G_0.transpose() * YG)
+            .completeOrthogonalDecomposition()
+            .pseudoInverse();
     system->form      = Form::stiffness;
     system->n_motions = 0;
     system->first.resize(system->first.size() - static_cast<std::size_t>(k));
     system->matrix = Y - YG * S * YG.transpose();
-    system->matrix = (.5 * (system->matrix + system->matrix.transpose())).eval();
-    stiff          = system;
+    system->matrix =
+      (.5 * (system->matrix + system->matrix.transpose())).eval();
+    stiff = system;
   }
 
   void
@@ -86,10 +88,10 @@ namespace conetact
   VectorXd
   StiffnessForm::motions(const VectorXd &given, const VectorXd &v) const
   {
-    const VectorXd b   = -given.tail(dual->n_motions);
-    const VectorXd a_0 = S * (YG.transpose() * (v - displacement(given)) +
-                              free.transpose() * b);
-    const VectorXd r   = stiff->matrix * v - load(given);
+    const VectorXd b = -given.tail(dual->n_motions);
+    const VectorXd a_0 =
+      S * (YG.transpose() * (v - displacement(given)) + free.transpose() * b);
+    const VectorXd r = stiff->matrix * v - load(given);
     const VectorXd a_r =
       (G_r.transpose() * r + resisted.transpose() * b).cwiseQuotient(stiffness);
     return free * a_0 + resisted * a_r;

@@ -26,7 +26,7 @@ namespace conetact
               const unsigned int     dim,
               const Eigen::VectorXd &f)
     {
-      const unsigned int n = structure.n_components();
+      const unsigned int                    n = structure.n_components();
       std::pair<Tensor<1, 3>, Tensor<1, 3>> sum;
       for (unsigned int i = 0; i < structure.n_nodes(); ++i)
         {

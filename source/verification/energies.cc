@@ -72,8 +72,8 @@ namespace conetact
             Tensor<1, 3>());
         record.external_work += .5 * (last.reactions[i] + now.reactions[i]) *
                                 (now.obstacles[i] - last.obstacles[i]);
-        const auto  nt   = static_cast<Index>(point.dual.size()) - 1;
-        const auto  work = [&](const Index first, const Index size) {
+        const auto nt   = static_cast<Index>(point.dual.size()) - 1;
+        const auto work = [&](const Index first, const Index size) {
           return -trapezoid(last.r.segment(first, size),
                             now.r.segment(first, size),
                             last.relative.segment(first, size),

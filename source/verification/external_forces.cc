@@ -68,11 +68,9 @@ namespace conetact
         if (force.norm_square() == 0 && moment.norm_square() == 0)
           return; // as on most nodes
         resultant.force += force;
-        resultant.moment +=
-          moment + cross_product_3d(Tensor<1, 3>(p), force);
+        resultant.moment += moment + cross_product_3d(Tensor<1, 3>(p), force);
         Balance           &balance = all.bodies[body];
-        const Tensor<1, 3> turning =
-          cross_product_3d(p - centres[body], force);
+        const Tensor<1, 3> turning = cross_product_3d(p - centres[body], force);
         balance.sum.force += force;
         balance.sum.moment += moment + turning;
         balance.forces += force.norm();
@@ -123,8 +121,10 @@ namespace conetact
           for (const HeldDirection &h : rule.held)
             {
               const Tensor<1, 3> part = (force * h.direction) * h.direction;
-              collector.act(
-                all.supports[h.terms.front().support], rule.body, p, part);
+              collector.act(all.supports[h.terms.front().support],
+                            rule.body,
+                            p,
+                            part);
               for (unsigned int c = 0; c < bodies.dim; ++c)
                 all.held[dof + c] += part[c];
             }
@@ -166,13 +166,13 @@ namespace conetact
   }
 
   ExternalForces
-  external_forces(const Bodies                       &bodies,
-                  const Coordinates                  &plain,
-                  const std::vector<ContactPoint>    &points,
-                  const Eigen::VectorXd              &rest,
-                  const std::vector<Foundation>         &foundations,
-                  const Eigen::VectorXd              &loads,
-                  const Eigen::VectorXd              &r)
+  external_forces(const Bodies                    &bodies,
+                  const Coordinates               &plain,
+                  const std::vector<ContactPoint> &points,
+                  const Eigen::VectorXd           &rest,
+                  const std::vector<Foundation>   &foundations,
+                  const Eigen::VectorXd           &loads,
+                  const Eigen::VectorXd           &r)
   {
     ExternalForces all;
     all.held.setZero(rest.size());
@@ -187,8 +187,10 @@ namespace conetact
             all.masters.resize(node.contact + 1);
           }
         const Tensor<1, 3> force = reaction(point, r);
-        collector.act(
-          all.contacts[node.contact], node.body, node.position, force);
+        collector.act(all.contacts[node.contact],
+                      node.body,
+                      node.position,
+                      force);
         for (const auto &[master, weight] : node.masters)
           collector.act(all.masters[node.contact],
                         node.master,

@@ -40,11 +40,11 @@ namespace conetact
   /** What errors of this increment are compared with. */
   struct Verification::Scales
   {
-    std::vector<double> nodal;   ///< F_b with thermal forces
-    std::vector<double> force;   ///< F_b
-    std::vector<double> history; ///< largest F_b so far
+    std::vector<double> nodal;     ///< F_b with thermal forces
+    std::vector<double> force;     ///< F_b
+    std::vector<double> history;   ///< largest F_b so far
     double              noise = 0; ///< rounding of the largest force so far
-    std::vector<double> reach;   ///< largest coordinate + displacement
+    std::vector<double> reach;     ///< largest coordinate + displacement
   };
 
   Verification::Verification(const Bodies             &b,
@@ -60,10 +60,10 @@ namespace conetact
     , points(std::move(contacts))
     , tolerance(tol)
     , history(bodies.structures.size(), 0.)
-    , before(VectorXd::Zero(
-        points.empty() ?
-          0 :
-          points.back().first + static_cast<Index>(points.back().dual.size())))
+    , before(VectorXd::Zero(points.empty() ?
+                              0 :
+                              points.back().first +
+                                static_cast<Index>(points.back().dual.size())))
   {}
 
   void
@@ -104,10 +104,10 @@ namespace conetact
     scales.history = history;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
-        const Structure   &structure = *bodies.structures[body];
-        const unsigned int n_c       = structure.n_components();
-        Index              dof       = plain.offset(body);
-        double largest_load = 0, coordinate = 0, moved = 0;
+        const Structure   &structure    = *bodies.structures[body];
+        const unsigned int n_c          = structure.n_components();
+        Index              dof          = plain.offset(body);
+        double             largest_load = 0, coordinate = 0, moved = 0;
         for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
           {
             const auto size = [&](const VectorXd &f) {
@@ -124,8 +124,8 @@ namespace conetact
           std::max(scales.history[body], scales.nodal.back());
       }
     // bodies are solved together: what is small beside others has their noise
-    scales.noise = noise * *std::max_element(scales.history.begin(),
-                                             scales.history.end());
+    scales.noise =
+      noise * *std::max_element(scales.history.begin(), scales.history.end());
     return scales;
   }
 
@@ -138,15 +138,15 @@ namespace conetact
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
         const unsigned int n_c = bodies.structures[body]->n_components();
-        for (Index dof = plain.offset(body); dof < plain.offset(body + 1); ++dof)
+        for (Index dof = plain.offset(body); dof < plain.offset(body + 1);
+             ++dof)
           {
             const auto [begin, end] = plain.row(dof);
             const bool turns = (dof - plain.offset(body)) % n_c >= bodies.dim;
             for (const auto *entry = begin; entry != end; ++entry)
               {
-                const double error =
-                  std::abs(free[entry->unknown]) /
-                  (turns ? 2 * motions.size(body) : 1.);
+                const double error = std::abs(free[entry->unknown]) /
+                                     (turns ? 2 * motions.size(body) : 1.);
                 const double scale = scales.nodal[body];
                 if (error <= .1 * scales.noise)
                   continue;
@@ -158,8 +158,8 @@ namespace conetact
                 if (terms.size() == 0) // only where they may matter
                   terms = elastic.terms(claim.w);
                 const double left = error - 8 * eps * terms[dof] - scales.noise;
-                const double e = relative(left, scale);
-                out.equilibrium = std::max(out.equilibrium, e);
+                const double e    = relative(left, scale);
+                out.equilibrium   = std::max(out.equilibrium, e);
                 if (e > tolerance && out.why.empty())
                   out.why = "forces at a node of body '" + bodies.names[body] +
                             "' are out of balance by " + to_text(e) +
@@ -177,10 +177,10 @@ namespace conetact
         const Balance &balance = out.external.bodies[body];
         const double   small   = scales.noise;
         const double   size    = motions.size(body);
-        const double   e       = std::max(
-          relative(balance.sum.force.norm() - small, balance.forces),
-          relative(balance.sum.moment.norm() - small * size,
-                   balance.turning()));
+        const double   e =
+          std::max(relative(balance.sum.force.norm() - small, balance.forces),
+                   relative(balance.sum.moment.norm() - small * size,
+                            balance.turning()));
         out.equilibrium = std::max(out.equilibrium, e);
         if (e > tolerance && out.why.empty())
           out.why = "the forces on body '" + bodies.names[body] +
@@ -206,10 +206,10 @@ namespace conetact
           16 * eps * std::max(scales.reach[node.body], scales.reach[other]);
         const double k = point.stiffness;
 
-        const auto   nt = static_cast<Index>(point.dual.size()) - 1;
-        const Index  n  = point.first + nt;
-        const double r_n = claim.r[n];
-        const double gap = node.gap + out.displacements[n];
+        const auto     nt  = static_cast<Index>(point.dual.size()) - 1;
+        const Index    n   = point.first + nt;
+        const double   r_n = claim.r[n];
+        const double   gap = node.gap + out.displacements[n];
         const VectorXd r_t = claim.r.segment(point.first, nt);
         const VectorXd slip =
           out.displacements.segment(point.first, nt) -
@@ -228,9 +228,8 @@ namespace conetact
         const auto length = [&](const double error, const char *name) {
           if (error <= position)
             return;
-          const double e =
-            k > 0 ? relative((error - position) * k - past, F) :
-                    std::numeric_limits<double>::infinity();
+          const double e = k > 0 ? relative((error - position) * k - past, F) :
+                                   std::numeric_limits<double>::infinity();
           if (e > worst)
             what = name;
           worst = std::max(worst, e);
@@ -251,8 +250,7 @@ namespace conetact
         if (claim.whole && nt > 0 && claim.states[i] == NodeState::slip)
           {
             force(limit - r_t.norm(), "slips below the limit of friction");
-            const double shortest =
-              position + (k > 0 ? tolerance * F / k : 0.);
+            const double shortest = position + (k > 0 ? tolerance * F / k : 0.);
             if (slip.norm() > shortest)
               force((r_t + limit * slip / slip.norm()).norm() -
                       limit * position / slip.norm(),
@@ -273,7 +271,7 @@ namespace conetact
     if (!claim.amounts.allFinite() || !claim.w.allFinite() ||
         !claim.r.allFinite())
       {
-        out.why = "its displacements or forces are not finite";
+        out.why      = "its displacements or forces are not finite";
         out.residual = out.equilibrium =
           std::numeric_limits<double>::infinity();
         return out;
@@ -288,8 +286,9 @@ namespace conetact
     for (const ContactPoint &point : points)
       {
         const Tensor<1, 3> force = reaction(point, claim.r);
-        const auto take = [&](const unsigned int body, const unsigned int node,
-                              const double weight) {
+        const auto         take  = [&](const unsigned int body,
+                              const unsigned int node,
+                              const double       weight) {
           for (unsigned int c = 0; c < bodies.dim; ++c)
             rest[plain.dof(body, node) + c] -= weight * force[c];
         };

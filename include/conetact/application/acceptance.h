@@ -63,7 +63,7 @@ namespace conetact
              const double           t) const;
     std::string
     wrong_at_supports(const PendingIncrement &increment,
-                      const Finding          &finding) const;
+                      const Finding          &finding);
     std::string
     wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
     void

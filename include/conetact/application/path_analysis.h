@@ -36,11 +36,11 @@ namespace conetact
     /** Everything that acts at an end of a stage. */
     struct Case
     {
-      Eigen::VectorXd       forces, mechanical; ///< nodal, all dofs [force]
+      Eigen::VectorXd        forces, mechanical; ///< nodal, all dofs [force]
       std::vector<Resultant> each_load;
-      LoadCase              load;
-      Eigen::VectorXd       relation; ///< load of the system, v = (u_t, g)
-      Eigen::VectorXd       f; ///< total: K v = r + f with v = (u_t, g)
+      LoadCase               load;
+      Eigen::VectorXd        relation; ///< load of the system, v = (u_t, g)
+      Eigen::VectorXd        f;        ///< total: K v = r + f with v = (u_t, g)
     };
     Case
     case_at(const double t);
@@ -89,17 +89,17 @@ namespace conetact
       PendingIncrement pending;
       PathPoint        point;
     };
-    Eigen::VectorXd           initial_gap; ///< of each contact node, signed
-    PathOptions               options;
+    Eigen::VectorXd              initial_gap; ///< of each contact node, signed
+    PathOptions                  options;
     std::optional<StiffnessForm> stiffness;
-    std::vector<Waiting>      waiting;
-    PathPoint                 last; ///< of the path
-    std::optional<EventTable> events;
-    std::filesystem::path     folder;
-    bool                      names_are_unique; ///< node numbers
-    bool                      constant_stage = false;
-    std::string               on_the_way; ///< jumps and plateaus
-    unsigned int              n_records = 0;
+    std::vector<Waiting>         waiting;
+    PathPoint                    last; ///< of the path
+    std::optional<EventTable>    events;
+    std::filesystem::path        folder;
+    bool                         names_are_unique; ///< node numbers
+    bool                         constant_stage = false;
+    std::string                  on_the_way; ///< jumps and plateaus
+    unsigned int                 n_records = 0;
   };
 } // namespace conetact
 

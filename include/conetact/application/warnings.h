@@ -32,9 +32,11 @@ namespace conetact
     void
     check_size(const Eigen::VectorXd &amounts, const Eigen::VectorXd &w);
 
-  private:
+    /** Says the sentence the first time that one of this kind comes. */
     void
     once(const std::string &kind, const std::string &sentence);
+
+  private:
     double
     largest_strain(const unsigned int body, const Eigen::VectorXd &w) const;
 

@@ -5,8 +5,8 @@
 #define conetact_contact_contact_model_h
 
 #include "conetact/contact/condensation.h"
-#include "conetact/contact/dual_backend.h"
 #include "conetact/contact/coordinates.h"
+#include "conetact/contact/dual_backend.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/rigid_motions.h"

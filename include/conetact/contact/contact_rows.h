@@ -29,8 +29,8 @@ namespace conetact
      * displacements their weighted means.
      *
      * Of an increment that was not solved as a `whole`, states tell the slip
-     * of all its parts. `state`: end of the increment; `q`: displacements of the contact
-     * unknowns since the start; `u`: all dofs; `t`: time.
+     * of all its parts. `state`: end of the increment; `q`: displacements of
+     * the contact unknowns since the start; `u`: all dofs; `t`: time.
      */
     std::vector<ContactRow>
     rows(const ContactState    &state,

@@ -19,7 +19,7 @@ namespace conetact
   {
     Eigen::VectorXd prescribed; ///< deformation that supports give, all dofs
                                 ///< [length]
-    Eigen::VectorXd b; ///< its forces on the elastic unknowns [force]
+    Eigen::VectorXd b;          ///< its forces on the elastic unknowns [force]
     /**
      * Load of a ContactProblem in total terms: f [force] in stiffness form, q
      * [length] and -b [force] in compliance form.

@@ -149,17 +149,17 @@ namespace conetact
         const Point<3>     &p,
         const Tensor<1, 3> &direction) const;
 
-    const Bodies        &bodies;
-    const NodeRules     &rules;
-    std::vector<Motion>  frames;   ///< of each body, without motion
-    std::vector<Index>   offset;   ///< first dof of each body
-    Index                n_one;    ///< modes of a body
-    Eigen::MatrixXd      held;     ///< sum of row^T row over held directions
-    Eigen::MatrixXd      held_inverse; ///< pseudo-inverse of it
-    Eigen::MatrixXd      free_modes;
+    const Bodies             &bodies;
+    const NodeRules          &rules;
+    std::vector<Motion>       frames; ///< of each body, without motion
+    std::vector<Index>        offset; ///< first dof of each body
+    Index                     n_one;  ///< modes of a body
+    Eigen::MatrixXd           held;   ///< sum of row^T row over held directions
+    Eigen::MatrixXd           held_inverse; ///< pseudo-inverse of it
+    Eigen::MatrixXd           free_modes;
     std::vector<unsigned int> free_body;
-    Eigen::MatrixXd      without_springs;
-    Eigen::MatrixXd      seen_by_contacts;
+    Eigen::MatrixXd           without_springs;
+    Eigen::MatrixXd           seen_by_contacts;
   };
 
   /** "along (1, 0, 0)", "about (0, 0, 1)", "along ... and about ...". */

@@ -57,7 +57,7 @@ namespace conetact
 
     /** n_c + n_motions + 1 offsets, first[0] = 0. */
     std::vector<Eigen::Index> first = {0};
-    Eigen::VectorXd           mu; ///< n_c friction coefficients >= 0
+    Eigen::VectorXd           mu;            ///< n_c friction coefficients >= 0
     Eigen::Index              n_motions = 0; ///< compliance form only
 
     /**

@@ -10,8 +10,8 @@ namespace conetact
 {
   /**
    * The stiffness form of a system in compliance form, for methods that know
-   * no other. Motions G_r that C resists add to the compliance, the others, G_0,
-   * are eliminated by their balance: with @f$Y = W^{-1}@f$,
+   * no other. Motions G_r that C resists add to the compliance, the others,
+   * G_0, are eliminated by their balance: with @f$Y = W^{-1}@f$,
    * @f[ K = Y - Y G_0 (G_0^T Y G_0)^{-1} G_0^T Y,\quad
    *     f = K q + Y G_0 (G_0^T Y G_0)^{-1} b . @f]
    * K G_0 = 0 holds but for rounding: results are to be corrected in the

@@ -17,7 +17,7 @@ namespace conetact
   /** Forces on one body that should balance, with their magnitudes. */
   struct Balance
   {
-    Resultant sum;       ///< moment about the body's centre
+    Resultant sum;         ///< moment about the body's centre
     double    forces  = 0; ///< sum of magnitudes [force]
     double    moments = 0; ///< sum of |arm x force| and |moment|
     double    arms    = 0; ///< sum of |arm| |force| [force x length]
@@ -31,7 +31,8 @@ namespace conetact
     error() const;
   };
 
-  /** Everything that acts on the bodies from outside at the undeformed nodes. */
+  /** Everything that acts on the bodies from outside at the undeformed nodes.
+   */
   struct ExternalForces
   {
     std::vector<Balance>   bodies;
@@ -48,13 +49,13 @@ namespace conetact
    * without thermal ones, which cancel by themselves.
    */
   ExternalForces
-  external_forces(const Bodies                       &bodies,
-                  const Coordinates                  &plain,
-                  const std::vector<ContactPoint>    &points,
-                  const Eigen::VectorXd              &rest,
-                  const std::vector<Foundation>         &foundations,
-                  const Eigen::VectorXd              &loads,
-                  const Eigen::VectorXd              &r);
+  external_forces(const Bodies                    &bodies,
+                  const Coordinates               &plain,
+                  const std::vector<ContactPoint> &points,
+                  const Eigen::VectorXd           &rest,
+                  const std::vector<Foundation>   &foundations,
+                  const Eigen::VectorXd           &loads,
+                  const Eigen::VectorXd           &r);
 
   /** Force on the body at a contact point. */
   Tensor<1, 3>

@@ -18,8 +18,8 @@ namespace conetact
   struct ContactPoint
   {
     const ContactNode        *node = nullptr;
-    std::vector<Tensor<1, 3>> dual; ///< components of force, normal last
-    double                    mu = 0; ///< of the cone in these components
+    std::vector<Tensor<1, 3>> dual;      ///< components of force, normal last
+    double                    mu    = 0; ///< of the cone in these components
     Eigen::Index              first = 0; ///< of its unknowns
     double stiffness = 0; ///< of the softer side [force/length], 0: not known
   };
@@ -31,10 +31,10 @@ namespace conetact
     Eigen::VectorXd        w;       ///< deformation, all dofs [length]
     Eigen::VectorXd        r;       ///< reactions of the contact unknowns
     std::vector<NodeState> states;
-    Eigen::VectorXd        loads; ///< nodal, all dofs [force]
+    Eigen::VectorXd        loads;      ///< nodal, all dofs [force]
     Eigen::VectorXd        mechanical; ///< those without thermal ones
-    double                 t     = 0;
-    bool                   whole = true; ///< not solved in parts
+    double                 t           = 0;
+    bool                   whole       = true; ///< not solved in parts
     bool                   incremental = true; ///< law of the slip since
                                                ///< before; else of all slip
   };
@@ -42,16 +42,16 @@ namespace conetact
   /** What the verification finds of a claim. */
   struct Finding
   {
-    double residual    = 0; ///< worst error of the contact law, relative
-    double equilibrium = 0; ///< worst unbalanced force, relative
-    std::string why;        ///< it is not accepted, a sentence; empty: it is
+    double      residual    = 0; ///< worst error of the contact law, relative
+    double      equilibrium = 0; ///< worst unbalanced force, relative
+    std::string why; ///< it is not accepted, a sentence; empty: it is
 
-    Eigen::VectorXd u;          ///< displacements of all dofs [length]
-    Eigen::VectorXd internal;   ///< K w of the bodies, all dofs [force]
-    Eigen::VectorXd unbalanced; ///< forces on all dofs [force]
-    Eigen::VectorXd displacements; ///< of the contact unknowns, relative
+    Eigen::VectorXd     u;             ///< displacements of all dofs [length]
+    Eigen::VectorXd     internal;      ///< K w of the bodies, all dofs [force]
+    Eigen::VectorXd     unbalanced;    ///< forces on all dofs [force]
+    Eigen::VectorXd     displacements; ///< of the contact unknowns, relative
     std::vector<double> largest_force; ///< external, on a node, of each body
-    ExternalForces          external;
+    ExternalForces      external;
     std::vector<Foundation> foundations; ///< by support
   };
 

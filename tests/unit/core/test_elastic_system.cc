@@ -65,5 +65,6 @@ TEST(ElasticSystem, TermsOfABodyThatMovesWithoutStrain)
   const Eigen::VectorXd u = Eigen::VectorXd::Constant(body->n_dofs(), 2.);
   EXPECT_EQ(system.internal_forces(u).cwiseAbs().maxCoeff(), 0);
   EXPECT_GT(system.terms(u).maxCoeff(), 10);
-  EXPECT_DOUBLE_EQ(system.terms(2 * u).maxCoeff(), 2 * system.terms(u).maxCoeff());
+  EXPECT_DOUBLE_EQ(system.terms(2 * u).maxCoeff(),
+                   2 * system.terms(u).maxCoeff());
 }

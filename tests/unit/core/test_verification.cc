@@ -63,18 +63,17 @@ namespace
       set_stiffness();
       for (const double t : scene->times)
         {
-          const Eigen::VectorXd forces = loads.at(t);
-          const LoadCase load = model.load_case(forces, {}, t);
-          ContactState   state   = history.start();
-          const auto     problem = history.problem(load);
+          const Eigen::VectorXd forces  = loads.at(t);
+          const LoadCase        load    = model.load_case(forces, {}, t);
+          ContactState          state   = history.start();
+          const auto            problem = history.problem(load);
           ASSERT_TRUE(solver->solve(problem, state).converged);
           if (problem.system->form == Form::stiffness)
             state.u = elastic_part(problem, state);
           const ContactHistory before = history;
           history.advance(state);
           Claim claim;
-          claim.amounts =
-            model.amounts(load.placement, history.free_motions());
+          claim.amounts = model.amounts(load.placement, history.free_motions());
           claim.w =
             model.condensation().expand({&load}, {history.primal()}).col(0);
           claim.r      = history.of_candidates(state, before).r;
@@ -156,7 +155,8 @@ namespace
            (space ? "0, 0, 1" : "0, 1") + "\nend\n" +
            floor_contact("block", space ? "4" : "2") +
            "subsection Support top\n set Body = block\n set Boundary ids = " +
-           (space ? "5" : "3") + "\n set Displacement = 0.004*max(t - 1, 0) ; " +
+           (space ? "5" : "3") +
+           "\n set Displacement = 0.004*max(t - 1, 0) ; " +
            (space ? "0.001*t ; " : "") + "-0.01*min(t, 1)\nend\n" + time;
   }
 
@@ -225,8 +225,8 @@ namespace
       c.r.segment(p.first, static_cast<Eigen::Index>(p.dual.size()) - 1).norm();
     if (c.states[i] == NodeState::stick && r_t > .99 * limit)
       return false; // biactive
-    c.states[i] = c.states[i] == NodeState::stick ? NodeState::slip :
-                                                    NodeState::stick;
+    c.states[i] =
+      c.states[i] == NodeState::stick ? NodeState::slip : NodeState::stick;
     return true;
   }
   bool

@@ -172,13 +172,13 @@ namespace conetact
         const Eigen::Index k = o.motions;
         for (Eigen::Index j = 0; j < k; ++j)
           system->first.push_back(system->first.back() + 1);
-        system->n_motions                = k;
-        const Eigen::MatrixXd G          = random_matrix(random, n, k);
-        Eigen::MatrixXd       all        = Eigen::MatrixXd::Zero(n + k, n + k);
-        all.topLeftCorner(n, n)          = system->matrix;
-        all.topRightCorner(n, k)         = G;
-        all.bottomLeftCorner(k, n)       = -G.transpose();
-        system->matrix                   = all;
+        system->n_motions          = k;
+        const Eigen::MatrixXd G    = random_matrix(random, n, k);
+        Eigen::MatrixXd       all  = Eigen::MatrixXd::Zero(n + k, n + k);
+        all.topLeftCorner(n, n)    = system->matrix;
+        all.topRightCorner(n, k)   = G;
+        all.bottomLeftCorner(k, n) = -G.transpose();
+        system->matrix             = all;
         s.v.conservativeResize(n + k);
         s.r.conservativeResize(n + k);
         s.v.tail(k).setZero();

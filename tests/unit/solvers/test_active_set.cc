@@ -230,7 +230,8 @@ TEST(ActiveSet, MotionsFollowFromBalance)
           state.r.head(state.r.size() - 3) *= .9;
           const SolverReport report = solve(random.problem, state);
           EXPECT_TRUE(report.converged) << report.reason;
-          EXPECT_LT((state.r - random.solution.r).head(state.r.size() - 3).norm(),
-                    1e-11 * std::max(1., drift));
+          EXPECT_LT(
+            (state.r - random.solution.r).head(state.r.size() - 3).norm(),
+            1e-11 * std::max(1., drift));
         }
 }
