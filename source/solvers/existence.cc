@@ -230,7 +230,9 @@ namespace conetact
       }
     if (result.tight.empty())
       result.motion = Motion::lifts_off;
-    else if (is_translation(v, result.tight))
+    else if (is_translation(v, result.tight) ||
+             (result.tight.size() == result.moving.size() &&
+              is_mostly_translation(v, result.tight)))
       result.motion = Motion::slides;
     else
       result.motion = result.tight.size() == result.moving.size() ?
@@ -273,6 +275,31 @@ namespace conetact
       }
     std::sort(queue.begin(), queue.end());
     return queue;
+  }
+
+
+
+  /* The proof of a body that slides may turn it a little besides: friction is
+     not associated. */
+  bool
+  ExistenceCheck::is_mostly_translation(const VectorXd           &v,
+                                        const std::vector<Index> &nodes) const
+  {
+    constexpr double most = .7; // of the root mean square
+    if (frames.empty())
+      return false;
+    Eigen::Vector3d sum     = Eigen::Vector3d::Zero();
+    double          squares = 0;
+    for (const Index i : nodes)
+      {
+        const Eigen::Vector3d u =
+          frames[static_cast<std::size_t>(i)] *
+          v.segment(system->first[i], system->n_tangents(i) + 1);
+        sum += u;
+        squares += u.squaredNorm();
+      }
+    const auto n = static_cast<double>(nodes.size());
+    return sum.norm() / n > most * std::sqrt(squares / n);
   }
 
 

@@ -118,6 +118,9 @@ namespace conetact
     std::vector<Eigen::Index>
     moving_nodes(const Eigen::VectorXd &v) const;
     bool
+    is_mostly_translation(const Eigen::VectorXd           &v,
+                          const std::vector<Eigen::Index> &nodes) const;
+    bool
     is_translation(const Eigen::VectorXd           &v,
                    const std::vector<Eigen::Index> &nodes) const;
 
