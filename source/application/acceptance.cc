@@ -239,14 +239,7 @@ namespace conetact
         const ContactNode &node = *points[i].node;
         if (node.masters.empty() || increment.state.node[i] == NodeState::open)
           continue;
-        Tensor<1, 3> slid;
-        for (unsigned int c = 0; c < model.bodies.dim; ++c)
-          {
-            slid[c] = finding.u[model.plain.dof(node.body, node.node) + c];
-            for (const auto &[master, weight] : node.masters)
-              slid[c] -=
-                weight * finding.u[model.plain.dof(node.master, master) + c];
-          }
+        Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
         slid -= (slid * node.n) * node.n;
         if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
           return "the contact node at " + to_text(node.position) +
