@@ -817,6 +817,11 @@ def supports(laws):
     young, height, k, d = 1000.0, 1.5, 400.0, .01
     for dim in (2, 3):
         size = (1.0, height) if dim == 2 else (1.0, 1.0, height)
+        springs = {"Dimension": dim, "Body block": box((2,) * dim, size), "Output": {"VTU": 0},
+                   "Support bottom": support(2 * dim - 2, "x, y, z"[:3 * dim - 2], Stiffness=k),
+                   "Load top": load("pressure", "2", 2 * dim - 1)}
+        found = laws.run(springs).increments[-1]["support_bottom_f_" + "xyz"[dim - 1]]
+        laws.check(f"{dim}D, elastic foundation, no contact", abs(found - 2), 1e-10)
         scene = {"Dimension": dim, "Body block": box((4, 3) if dim == 2 else (2, 2, 3), size, young=young),
                  "Obstacle floor": floor(dim), "Contact bottom": contact(ids=2 * dim - 2),
                  "Support left": support(0, "x"),
@@ -860,6 +865,23 @@ def supports(laws):
     oblique = merge(space, {"Support top": {"Directions": "(1, 1, 0), (0, 1, -2), (3, 0, 1)",
                                             "Displacement": " ; ".join(along)}})
     laws.same("3D, directions that are not orthogonal", laws.run(space), laws.run(oblique), 1e-11)
+
+    # a belt under a block whose contact nodes supports hold: friction is mu N there too, along the slip
+    for dim, held, belt in ((2, "x", (.5, 0)), (3, "x, y", (.3, .4, 0)), (3, "x", (.3, .4, 0))):
+        scene = {"Dimension": dim, "Body block": box((4,) * dim, (1.0,) * dim),
+                 "Obstacle floor": floor(dim, Displacement=" ; ".join(f"{v}*t" for v in belt)),
+                 "Contact bottom": contact(ids=2 * dim - 2, mu=.25), "Support bottom": support(2 * dim - 2, held),
+                 "Load top": load("pressure", "2", 2 * dim - 1),
+                 "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
+        if dim == 3:
+            scene["Support top"] = support(5, "x, y")
+        last = laws.run(scene).last()
+        name = f"{dim}D, a belt, {held} of contact nodes held"
+        laws.check(f"{name}: size of friction", abs(sum(math.hypot(row["r_t1"], row["r_t2"]) for row in last) - .5), 1e-9)
+        laws.demand(f"{name}: none sticks", all(row["state"] != "stick" for row in last))
+        if len(held.split()) == dim - 1:
+            total = plus((0, 0, 0), *(in_space(row, dim, REACTION) for row in last))
+            laws.check(f"{name}: friction along the belt", math.dist(total[:dim - 1], belt[:dim - 1]), 1e-9)
 
     # rollers at 30 degrees
     c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)

@@ -14,6 +14,7 @@ from statics import Statement, Touch, place, read
 REACH = 1.0  # of the smaller body: gaps are compared below it
 OPPOSING = (0.0, .1, .2, .35, .5, .6, .7072, .8, .87)  # -cosines of the angle that a surface may ask for
 GAPS = 2e-6  # VTU has seven digits
+OVERHANG = .01  # of a face: a node beyond its edge by less is over it
 
 
 def shapes(dim):
@@ -91,24 +92,36 @@ def gap_faults(folder, contacts, size):
     return faults
 
 
-def own_normal(point, faces, size):
-    """Mean outward normal of the faces at a node of the body itself."""
+def own_normals(point, faces, size):
+    """Outward normals of the faces at a node of the body itself."""
     s, d = closest(faces, point)
     at = d < 1e-4 * size
-    n = face_normals(faces[at], s[at]).sum(axis=0)
-    return n / np.linalg.norm(n)
+    return face_normals(faces[at], s[at])
+
+
+def sizes(faces):
+    """The diagonal of each face."""
+    return np.linalg.norm(faces.max(axis=1) - faces.min(axis=1), axis=1)
 
 
 def gap_fault(row, own, other, size):
-    """The gap must be the distance to the nearest of the faces that oppose the node, whatever angle that asks for."""
+    """The gap must be the distance to the nearest of the faces that oppose one of the node's, whatever angle that asks
+    for, or to its plane where the node is beyond its edge by next to nothing."""
     point = place(row)
     s, d = closest(other, point)
-    cosines = -face_normals(other, s) @ own_normal(point, own, size)
-    nearest = {cosine: d[cosines > cosine - 1e-6].min(initial=np.inf) for cosine in OPPOSING}
-    if any(abs(distance - row["gap"]) <= GAPS * size for distance in nearest.values()):
-        return None
+    cosines = (-face_normals(other, s) @ own_normals(point, own, size).T).max(axis=1)
+    for cosine in OPPOSING:
+        opposing = np.flatnonzero(cosines > cosine - 1e-6)
+        if opposing.size == 0:
+            continue
+        nearest = opposing[d[opposing].argmin()]
+        if abs(d[nearest] - row["gap"]) <= GAPS * size:
+            return None
+        beyond = np.sqrt(max(d[nearest] ** 2 - row["gap"] ** 2, 0))
+        if row["gap"] <= d[nearest] and beyond <= OVERHANG * sizes(other[[nearest]])[0]:
+            return None
     return f"{row['contact']} at {row['x']:.6g}, {row['y']:.6g}, {row['z']:.6g}: gap {row['gap']:.6g}, " \
-           f"nearest face at {d.min():.6g}, nearest that opposes it at {nearest[0.0]:.6g}"
+           f"nearest face at {d.min():.6g}"
 
 
 def no_touch(number):

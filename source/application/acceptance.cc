@@ -33,8 +33,8 @@ namespace conetact
 
     /** Over the spacing of nodes: beyond, a foot is on another face. */
     constexpr double farthest_slide = 1;
-    /** The same: what supports move less than that does not matter. */
-    constexpr double least_slide = 1e-6;
+    /** The same: a support that pushes a node in by less is rounding. */
+    constexpr double least_depth = 1e-6;
 
     /** The sum of all resultants over the largest of them. */
     double
@@ -185,47 +185,28 @@ namespace conetact
 
   std::string
   Acceptance::wrong_at_supports(const PendingIncrement &increment,
-                                const Finding          &finding)
+                                const Finding          &finding) const
   {
-    const double t        = increment.record.time;
-    const auto   sentence = [&](const ContactNode &node,
-                              const std::string &what) {
-      return "a support holds the contact node at " + to_text(node.position) +
-             " of body '" + model.bodies.names[node.body] + "' " + what +
-             ". Take the node out of the support or of the contact";
-    };
-    std::vector<bool> free(model.bodies.contact_nodes.size(), false);
-    const auto       &points = verification.contact_points();
-    for (std::size_t i = 0; i < points.size(); ++i)
+    const auto       &nodes = model.bodies.contact_nodes;
+    std::vector<bool> has_rows(nodes.size(), false);
+    for (const ContactPoint &point : verification.contact_points())
+      has_rows[static_cast<std::size_t>(point.node - nodes.data())] = true;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
       {
-        const ContactNode &node                       = *points[i].node;
-        free[static_cast<std::size_t>(
-          &node - model.bodies.contact_nodes.data())] = true;
-        if (std::max(node.mu_1, node.mu_2) == 0 ||
-            increment.state.node[i] == NodeState::open)
+        const ContactNode &node = nodes[i];
+        if (has_rows[i])
           continue;
-        Tensor<1, 3> slip = relative(node, finding.u, t);
-        if (last_u.size() > 0)
-          slip -= relative(node, last_u, last_time);
-        for (const HeldDirection &held :
-             model.coordinates.contact_rules()[i]->held)
-          if (std::abs(slip * held.direction) > least_slide * node.spacing)
-            warnings.once("friction at a support",
-                          sentence(node,
-                                   "along " + to_text(held.direction) +
-                                     " while it slides that way by " +
-                                     to_text(slip * held.direction) +
-                                     ": friction there is left out") +
-                            ".");
+        const double gap =
+          node.gap + relative(node, finding.u, increment.record.time) * node.n;
+        if (gap < -least_depth * node.spacing)
+          return "a support holds the contact node at " +
+                 to_text(node.position) + " of body '" +
+                 model.bodies.names[node.body] +
+                 "' along its contact normal and pushes it into what it may "
+                 "touch, by " +
+                 to_text(-gap) +
+                 ". Take the node out of the support or of the contact";
       }
-    for (std::size_t k = 0; k < free.size(); ++k)
-      if (const ContactNode &node = model.bodies.contact_nodes[k]; !free[k])
-        if (const double gap = node.gap + relative(node, finding.u, t) * node.n;
-            gap < -least_slide * node.spacing)
-          return sentence(node,
-                          "along its contact normal and pushes it into what it "
-                          "may touch, by " +
-                            to_text(-gap));
     return "";
   }
 
@@ -271,8 +252,6 @@ namespace conetact
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
       return why;
-    last_u               = finding.u;
-    last_time            = record.time;
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(verification.contact_points(), accepted, finding, record);

@@ -18,24 +18,28 @@ namespace conetact
 {
   namespace
   {
-    /** Throws InputError for a contact none of whose nodes may touch. */
+    /**
+     * Bodies that face each other nowhere may be meant so, and are warned of;
+     * throws InputError for a contact that supports leave nothing of.
+     */
     void
-    refuse_empty_contacts(const Scene &scene, const ContactModel &model)
+    check_empty_contacts(const Scene        &scene,
+                         const ContactModel &model,
+                         Log                &log)
     {
       std::vector<bool> empty(scene.contact_names.size(), true);
       for (const NodeRule *rule : model.coordinates.contact_rules())
         empty[rule->contact_node->contact] = false;
       for (std::size_t c = 0; c < empty.size(); ++c)
-        if (empty[c])
+        if (empty[c] && scene.pairings[c].n_paired == 0)
+          log.say("warning: contact '" + scene.contact_names[c] +
+                  "': nothing touches, for no node faces the master within its "
+                  "Reach. Check Master boundary ids and the bodies' places.");
+        else if (empty[c])
           throw InputError(
             "Contact '" + scene.contact_names[c] +
-            "' has no node that may touch: " +
-            (scene.pairings[c].n_paired == 0 ?
-               "none faces the master within its Reach. Check Master boundary "
-               "ids and the bodies' places" :
-               "supports hold all of them along its normal. Take them out of "
-               "the supports") +
-            std::string(", or remove the contact."));
+            "' has no node that may touch: supports hold all of them along its "
+            "normal. Take them out of the supports, or remove the contact.");
     }
   } // namespace
 
@@ -49,7 +53,7 @@ namespace conetact
     , set(model)
     , acceptance(scene, model, l)
   {
-    refuse_empty_contacts(scene, model);
+    check_empty_contacts(scene, model, log);
   }
 
   void

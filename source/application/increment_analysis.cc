@@ -90,8 +90,9 @@ namespace conetact
     SolverReport report;
     if (state.v.size() == 0)
       {
-        report.converged = true;
-        report.solver    = "linear";
+        report.converged  = true;
+        report.solver     = "linear";
+        increment.motions = history.free_motions();
         return report;
       }
     const ContactProblem problem = history.problem(increment.load);

@@ -74,8 +74,9 @@ namespace conetact
         if (!stiffness->exists())
           throw InputError(
             "Solver/Method: a load path needs contacts that do not depend on "
-            "each other, but some contact nodes are held on both sides. Take "
-            "them out of a contact, or choose automatic.");
+            "each other, but some contact nodes are held on both sides, or "
+            "slide along what supports hold. Take them out of a contact or a "
+            "support, or choose automatic.");
       }
     return *stiffness->system();
   }

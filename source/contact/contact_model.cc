@@ -42,7 +42,8 @@ namespace conetact
                                      return !node.masters.empty();
                                    });
     // mechanisms are found in a stiffness only
-    return pairs || (motions.n_free() > 0 && !may_be_mechanism());
+    return pairs || rules.has_prescribed_slip() ||
+           (motions.n_free() > 0 && !may_be_mechanism());
   }
 
   LoadCase

@@ -30,17 +30,16 @@ namespace conetact
       return sum;
     }
 
-    /** The rest of it: frictionless and held directions. */
+    /** The rest of it: frictionless directions, and held ones without slip. */
     Tensor<1, 3>
     other_tangential(const NodeRule &rule, const Tensor<1, 3> &relative)
     {
-      Tensor<1, 3> sum;
-      for (const Tensor<1, 3> &free : rule.free)
-        sum += (relative * free) * free;
-      for (const HeldDirection &held : rule.held)
-        sum += (relative * held.direction) * held.direction;
-      return sum;
+      Tensor<1, 3> rest = relative;
+      for (std::size_t k = 0; k < rule.contact.size(); ++k)
+        rest -= (relative * rule.dual[k]) * rule.contact[k];
+      return rest;
     }
+
     /** Where the reaction acts on the other side, undeformed. */
     Point<3>
     foot_of(const Bodies &bodies, const ContactNode &node)

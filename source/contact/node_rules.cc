@@ -17,6 +17,9 @@ namespace conetact
     /** Directions closer than this (as a sine) are the same. */
     constexpr double same_direction = 1e-9;
 
+    /** Over the spacing of nodes: what slides less than that does not. */
+    constexpr double least_slide = 1e-12;
+
     Tensor<1, 3>
     remainder(Tensor<1, 3> v, const std::vector<Tensor<1, 3>> &orthonormal)
     {
@@ -160,7 +163,7 @@ namespace conetact
                        const bool                 with_contacts)
     : bodies(b)
   {
-    std::map<std::pair<unsigned int, unsigned int>, NodeRule> rules;
+    RuleMap    rules;
     const auto rule_of = [&](const unsigned int body,
                              const unsigned int node) -> NodeRule & {
       NodeRule &rule = rules[{body, node}];
@@ -193,7 +196,12 @@ namespace conetact
 
     if (with_contacts)
       for (const ContactNode &node : bodies.contact_nodes)
-        add_contact(rule_of(node.body, node.node), node);
+        {
+          NodeRule &rule = rule_of(node.body, node.node);
+          add_contact(rule,
+                      node,
+                      slides_along_supports(rules, rule, node, times));
+        }
 
     for (auto &[key, rule] : rules)
       {
@@ -258,8 +266,54 @@ namespace conetact
     return bodies.supports[held.support].rotations[held.rotation].angle(p, t);
   }
 
+  bool
+  NodeRules::slides_along_supports(const RuleMap             &rules,
+                                   const NodeRule            &rule,
+                                   const ContactNode         &node,
+                                   const std::vector<double> &times) const
+  {
+    if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
+      return false;
+    std::vector<std::pair<const NodeRule *, double>> masters;
+    for (const auto &[master, weight] : node.masters)
+      if (weight != 0)
+        {
+          const auto found = rules.find({node.master, master});
+          if (found == rules.end() || !found->second.masters.empty())
+            return true; // its body may deform along anything held here
+          masters.emplace_back(&found->second, weight);
+        }
+    for (const HeldDirection &own : rule.held)
+      {
+        for (const auto &[master, weight] : masters)
+          if (remainder(own.direction, directions(master->held)).norm() >
+              same_direction)
+            return true;
+        for (const double t : times)
+          {
+            double slip = displacement(own, node.position, t);
+            if (node.obstacle != nullptr)
+              slip -= node.obstacle->displacement_at(t) * own.direction;
+            for (const auto &[master, weight] : masters)
+              for (const HeldDirection &h : master->held)
+                slip -= weight * (h.direction * own.direction) *
+                        displacement(h,
+                                     bodies.structures[master->body]->position(
+                                       master->node),
+                                     t);
+            if (std::abs(slip) > least_slide * node.spacing)
+              return true;
+          }
+      }
+    return false;
+  }
+
+  // What a support holds across the normal has no cone where nothing slides
+  // there; where it does, friction acts, and the support takes it.
   void
-  NodeRules::add_contact(NodeRule &rule, const ContactNode &node)
+  NodeRules::add_contact(NodeRule          &rule,
+                         const ContactNode &node,
+                         const bool         slides)
   {
     const std::vector<Tensor<1, 3>> held = directions(rule.held);
     const double normal_left             = remainder(node.n, held).norm();
@@ -278,8 +332,9 @@ namespace conetact
         " nor across it. Take the node out of the support or of the contact.");
 
     rule.contact_node = &node;
+    prescribed_slip   = prescribed_slip || slides;
     const unsigned int n_left =
-      bodies.dim - 1 - static_cast<unsigned int>(held.size());
+      bodies.dim - 1 - (slides ? 0 : static_cast<unsigned int>(held.size()));
     if (n_left == 2)
       add_both_tangents(rule, node);
     else if (n_left == 1)

@@ -63,7 +63,7 @@ namespace conetact
              const double           t) const;
     std::string
     wrong_at_supports(const PendingIncrement &increment,
-                      const Finding          &finding);
+                      const Finding          &finding) const;
     std::string
     wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
     void
@@ -79,8 +79,6 @@ namespace conetact
     ContactRows         contact_rows;
     Energies            energies;
     Warnings            warnings;
-    Eigen::VectorXd     last_u; ///< of the increment before, all dofs
-    double              last_time = 0;
   };
 } // namespace conetact
 

@@ -38,8 +38,9 @@ namespace conetact
 
     /**
      * Whether contacts are rows over bodies that condense themselves, with
-     * free motions as unknowns (DualBackend); else all bodies are held and
-     * meet obstacles only, and one stiffness serves them (Condensation).
+     * free motions as unknowns (DualBackend); else all bodies are held, meet
+     * obstacles only and do not slide along what supports hold, and one
+     * stiffness serves them (Condensation).
      */
     bool
     is_dual() const;

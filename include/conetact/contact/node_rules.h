@@ -8,6 +8,7 @@
 #include "conetact/structures/actions.h"
 #include "conetact/structures/structure.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -140,6 +141,16 @@ namespace conetact
       return n_held;
     }
 
+    /**
+     * Whether friction acts along directions that supports hold: displacements
+     * there are no unknowns, so that contact has no stiffness form.
+     */
+    bool
+    has_prescribed_slip() const
+    {
+      return prescribed_slip;
+    }
+
   private:
     /** A direction that is held already, with its own displacement. */
     struct Redundant
@@ -154,15 +165,26 @@ namespace conetact
     hold_rotation(NodeRule                     &rule,
                   const NodeRule::HeldRotation &held,
                   const std::vector<double>    &times) const;
+    using RuleMap = std::map<std::pair<unsigned int, unsigned int>, NodeRule>;
+
+    /** Whether a node with friction slides along what supports hold. */
+    bool
+    slides_along_supports(const RuleMap             &rules,
+                          const NodeRule            &rule,
+                          const ContactNode         &contact_node,
+                          const std::vector<double> &times) const;
     void
-    add_contact(NodeRule &rule, const ContactNode &contact_node);
+    add_contact(NodeRule          &rule,
+                const ContactNode &contact_node,
+                const bool         slides);
     void
     check_redundant(const std::vector<double> &times) const;
 
     const Bodies          &bodies;
     std::vector<NodeRule>  sorted;
     std::vector<Redundant> redundant;
-    unsigned int           n_held = 0;
+    unsigned int           n_held          = 0;
+    bool                   prescribed_slip = false;
   };
 } // namespace conetact
 
