@@ -166,7 +166,7 @@ def row_faults(row, mu, size, length, motion, in_parts):
         yield f"open with a reaction {r_n:.3g}"
     if row["state"] != "open" and abs(row["gap"]) > length:
         yield f"{row['state']} with a gap of {row['gap']:.3g}"
-    if row["state"] == "slip" and mu * r_n - tangential > tiny:
+    if row["state"] == "slip" and mu * r_n - tangential > tiny and not in_parts:
         yield f"slips with friction {tangential:.6g} below {mu * r_n:.6g}"
     if row["state"] == "stick" and slide > length and not in_parts:
         yield f"sticks and slides by {slide:.3g}"

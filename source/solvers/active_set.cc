@@ -89,8 +89,9 @@ namespace conetact
 
 
   /**
-   * Where all nodes that hold a body slip, nothing holds it: they stick then,
-   * until they are seen to slip with something left that holds.
+   * Where all nodes that hold a body slip, nothing holds it: the strongest one
+   * sticks then, or all of them if that is not enough, until they are seen to
+   * slip with something left that holds.
    */
   bool
   ActiveSet::direction(const Point &point, const double precision, Array &dp)
@@ -108,6 +109,8 @@ namespace conetact
       return solve(point.sets, true);
     if (solve(point.sets, false) ||
         (solve(point.sets, true) && is_balanced(point.p + dp)))
+      return true;
+    if (solve(with_strongest_stuck(*relation, point.sets, point.p), false))
       return true;
     const NodeSets stuck = without_slip(*relation, point.sets);
     return solve(stuck, false) || solve(stuck, true);

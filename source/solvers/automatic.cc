@@ -34,16 +34,36 @@ namespace conetact
       return result;
     }
 
-    constexpr unsigned int most_stiffenings = 60;
-
-    /** The same system with bodies that many times softer. */
+    /** The same system with bodies that many times softer, less friction. */
     std::shared_ptr<const ContactSystem>
-    softened(const ContactSystem &system, const double times)
+    softened(const ContactSystem &system,
+             const double         times,
+             const double         friction)
     {
       auto        result = std::make_shared<ContactSystem>(system);
       const Index n      = system.n_contact_unknowns();
       result->matrix.topLeftCorner(n, n) *= times;
+      result->mu *= friction;
       return result;
+    }
+
+    /**
+     * With motions counted from a place near the end, where they have more
+     * digits than from far away.
+     */
+    SolverReport
+    solve_about(const VectorXd       &motions,
+                const ContactProblem &problem,
+                ContactState         &state,
+                ContactSolver        &solver)
+    {
+      const Index    k    = motions.size();
+      ContactProblem near = problem;
+      near.load += problem.system->matrix.rightCols(k) * motions;
+      state.r.tail(k) -= motions;
+      const SolverReport report = solver.solve(near, state);
+      state.r.tail(k) += motions;
+      return report;
     }
 
     /** v with the normal components set to zero: the slips. */
@@ -154,7 +174,8 @@ namespace conetact
    * Bodies that gaps keep apart by far more than they deform rest on a few
    * nodes, and Newton's method jumps from one to the other. Much softer ones
    * rest on many: they are made stiffer step by step, from one solution to the
-   * next, until they are what they are.
+   * next, until they are what they are. With friction such a path may turn
+   * back: then with less of it, which the last step makes up for.
    */
   bool
   Automatic::stiffen(const ContactProblem &problem,
@@ -164,44 +185,70 @@ namespace conetact
     const ContactSystem &system = *problem.system;
     const Index          n      = system.n_contact_unknowns();
     const double         force  = problem.load.tail(system.n_motions).norm();
-    double               softer = largest(problem.load.head(n)) /
-                    (force * system.matrix.diagonal().head(n).mean());
+    const double         softer = largest(problem.load.head(n)) /
+                          (force * system.matrix.diagonal().head(n).mean());
     if (system.n_motions == 0 || !(softer > 10) || !std::isfinite(softer))
       return false;
+    for (const double friction : {1., .3, .1, 0.})
+      {
+        ContactState now = state;
+        if (!stiffen_from(softer, friction, problem, now, report))
+          continue;
+        const SolverReport last =
+          solve_about(now.r.tail(system.n_motions), problem, now, active_set);
+        count(report, last);
+        report.solver   = "active set";
+        report.residual = last.residual;
+        if (last.converged)
+          {
+            state = now;
+            return true;
+          }
+      }
+    return false;
+  }
+
+
+
+  bool
+  Automatic::stiffen_from(double                softer,
+                          const double          friction,
+                          const ContactProblem &problem,
+                          ContactState         &state,
+                          SolverReport         &report) const
+  {
+    constexpr unsigned int most_steps = 200;
+    constexpr double       least_step = 1.001;
+
     SolverOptions loose   = options;
     loose.tolerance       = std::max(1e-6, options.tolerance);
-    ContactState   now    = state;
     ContactProblem part   = problem;
+    const auto     start  = state.v;
     double         solved = 0, ratio = 10;
-    now.node.clear();
-    for (unsigned int step = 0; step < most_stiffenings; ++step)
+    const double   softest = 1e6 * softer;
+    state.node.clear();
+    for (unsigned int step = 0; step < most_steps; ++step)
       {
-        part.system             = softened(system, softer);
-        ContactState       next = now;
+        part.system             = softened(*problem.system, softer, friction);
+        ContactState       next = state;
         const SolverReport one  = ActiveSet(loose).solve(part, next);
         count(report, one);
         if (one.converged)
           {
-            now    = next;
-            now.v  = state.v;
-            solved = softer;
+            state   = next;
+            state.v = start;
+            solved  = softer;
+            ratio   = std::min(10., std::pow(ratio, 1.5));
           }
-        else if (solved == 0 || ratio < 1.3)
-          return false;
-        else
+        else if (solved > 0)
           ratio = std::sqrt(ratio);
         if (solved == 1)
-          break;
-        softer = std::max(1., solved / ratio);
+          return true;
+        softer = solved > 0 ? std::max(1., solved / ratio) : 10 * softer;
+        if (ratio < least_step || softer > softest)
+          return false;
       }
-    report.solver           = "active set";
-    now.v                   = state.v;
-    const SolverReport last = active_set.solve(problem, now);
-    count(report, last);
-    report.residual = last.residual;
-    if (last.converged)
-      state = now;
-    return last.converged;
+    return false;
   }
 
 

@@ -71,6 +71,9 @@ namespace conetact
       return residual;
     }
 
+    /** Over the reaction: slips times stiffness beyond this are as good. */
+    constexpr double longest_slip = 1e4;
+
     /** Residual of the contact law, as forces; that of motions is balance. */
     VectorXd
     law_residual(const ContactProblem &problem,
@@ -86,12 +89,19 @@ namespace conetact
       for (Index i = 0; i < system.n_nodes(); ++i)
         {
           const Index       first = system.first[i], nt = system.n_tangents(i);
-          const double      mu = system.mu(i);
-          const SmallVector r  = state.r.segment(first, nt + 1);
-          SmallVector       v  = closest.segment(first, nt + 1);
-          v(nt) += mu * v.head(nt).norm();
+          const double      mu   = system.mu(i);
+          const SmallVector r    = state.r.segment(first, nt + 1);
+          SmallVector       v    = closest.segment(first, nt + 1);
+          const double      slip = v.head(nt).norm(), gap = v(nt);
+          // the law holds with any factor; far slips would round reactions
+          double factor = rho(first);
+          if (factor * slip > longest_slip * r.norm() && r.norm() > 0)
+            factor = longest_slip * r.norm() / slip;
+          v(nt) += mu * slip;
           result.segment(first, nt + 1) =
-            r - project_on_friction_cone(r - rho(first) * v, mu);
+            r - project_on_friction_cone(r - factor * v, mu);
+          if (factor < rho(first))
+            result(first + nt) += rho(first) * std::abs(gap);
         }
       return result;
     }

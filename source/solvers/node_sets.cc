@@ -306,6 +306,31 @@ namespace conetact
 
 
 
+  NodeSets
+  with_strongest_stuck(const LinearRelation  &relation,
+                       NodeSets               sets,
+                       const Eigen::VectorXd &p)
+  {
+    const ContactSystem &system    = relation.system();
+    NodeSet             *strongest = nullptr;
+    double               most      = 0;
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      {
+        const auto   k    = static_cast<Index>(i);
+        const double hold = system.mu(k) * p(system.normal(k));
+        if (sets[i].state == NodeState::slip && hold > most)
+          {
+            most      = hold;
+            strongest = &sets[i];
+          }
+      }
+    if (strongest != nullptr)
+      strongest->state = NodeState::stick;
+    return sets;
+  }
+
+
+
   std::string
   signature(const NodeSets &sets)
   {

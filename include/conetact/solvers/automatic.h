@@ -55,6 +55,12 @@ namespace conetact
             ContactState         &state,
             SolverReport         &report);
     bool
+    stiffen_from(double                softer,
+                 const double          friction,
+                 const ContactProblem &problem,
+                 ContactState         &state,
+                 SolverReport         &report) const;
+    bool
     relax(const ContactProblem &problem,
           ContactState         &state,
           const unsigned int    sweeps,

@@ -66,6 +66,12 @@ namespace conetact
   NodeSets
   without_slip(const LinearRelation &relation, NodeSets sets);
 
+  /** The same with that one stuck which takes most friction. */
+  NodeSets
+  with_strongest_stuck(const LinearRelation  &relation,
+                       NodeSets               sets,
+                       const Eigen::VectorXd &p);
+
   /** States, and signs of slip in 2D: what makes two steps the same. */
   std::string
   signature(const NodeSets &sets);

@@ -122,17 +122,14 @@ namespace
 
 TEST(Substructures, AddUpToTheWhole)
 {
-  for (const double mu : {0., .3})
-    {
-      Scene equal;
-      EXPECT_EQ(n_parts(equal), 1u);
-      equal.touch(mu);
-      EXPECT_EQ(n_parts(equal), 1u);
-      Scene two("Young modulus = 5|Poisson ratio = 0.31");
-      EXPECT_EQ(n_parts(two), 2u);
-      two.touch(mu);
-      EXPECT_EQ(n_parts(two), 2u);
-    }
+  Scene equal;
+  EXPECT_EQ(n_parts(equal), 1u);
+  equal.touch(0);
+  EXPECT_EQ(n_parts(equal), 1u);
+  Scene two("Young modulus = 5|Poisson ratio = 0.31");
+  EXPECT_EQ(n_parts(two), 2u);
+  two.touch(0);
+  EXPECT_EQ(n_parts(two), 2u);
 }
 
 
