@@ -20,6 +20,9 @@ namespace conetact
     /** Reactions below this part of the largest are those of open nodes. */
     constexpr double noise = 1e-12;
 
+    /** Over the spacing of nodes: smaller gaps are closed. */
+    constexpr double touching = 1e-9;
+
     bool
     numbers_are_unique(const Coordinates &coordinates)
     {
@@ -50,8 +53,9 @@ namespace conetact
         options.cohesion[i++] = rule->contact_node->cohesion;
       }
     if (initial_gap.size() == 0)
-      throw InputError("Solver/Method: supports hold all contact nodes, so "
-                       "that no contact state can change. Choose automatic.");
+      throw InputError("Solver/Method: supports hold all contact nodes, or "
+                       "they face nothing, so that no contact state can "
+                       "change. Choose automatic.");
   }
 
 
@@ -61,6 +65,33 @@ namespace conetact
   {
     scene.check_stages();
     Analysis::check_history();
+    refuse_falling();
+  }
+
+
+
+  /* A path follows rates, and there is none at which a body falls. */
+  void
+  PathAnalysis::refuse_falling() const
+  {
+    if (model.motions.unresisted().cols() == 0)
+      return;
+    std::vector<bool> touches(scene.bodies.names.size(), false);
+    for (const NodeRule *rule : model.coordinates.contact_rules())
+      if (const ContactNode &node = *rule->contact_node;
+          node.gap <= touching * node.spacing)
+        {
+          touches[node.body] = true;
+          if (!node.masters.empty())
+            touches[node.master] = true;
+        }
+    for (const unsigned int body : model.motions.body_of_free())
+      if (!touches[body])
+        throw InputError("Solver/Method: body '" + scene.bodies.names[body] +
+                         "' touches nothing at the start, so that it falls "
+                         "under the first load. A load path needs bodies that "
+                         "rest on their contacts: close the gap, add a "
+                         "Support, or choose automatic.");
   }
 
 
@@ -296,6 +327,12 @@ namespace conetact
         pending.state.node.push_back(point.r[k] <= zero ? NodeState::open :
                                      slip > rest        ? NodeState::slip :
                                                           NodeState::stick);
+        if (pending.state.node.back() == NodeState::open &&
+            options.cohesion[i] == 0) // but for rounding
+          pending.state.r
+            .segment(system().first[static_cast<std::size_t>(i)],
+                     system().n_tangents(i) + 1)
+            .setZero();
       }
     take_primal(at, point, pending);
     waiting.push_back({std::move(pending), point});
@@ -321,9 +358,9 @@ namespace conetact
         pending.primal = pending.contact - at.load.offset;
         return;
       }
-    pending.motions = stiffness->motions(at.relation, point.v);
+    pending.motions = stiffness->motions(at.relation, point.v, pending.state.r);
     pending.primal.resize(point.r.size() + pending.motions.size());
-    pending.primal << point.r, pending.motions;
+    pending.primal << pending.state.r, pending.motions;
   }
 
 

@@ -24,6 +24,9 @@ namespace conetact
 
   namespace
   {
+    /** Squares of what is larger, and stiffnesses times it, may overflow. */
+    constexpr double largest_value = 1e100;
+
     double
     choose(const double condition, const double yes, const double no)
     {
@@ -108,6 +111,12 @@ namespace conetact
       throw InputError(p.entry + ": '" + p.text + "' is not finite at " +
                        to_text(point) + ", t = " + to_text(t) +
                        ". Change the expression so that it is defined there.");
+    if (std::abs(value) > largest_value)
+      throw InputError(p.entry + ": '" + p.text + "' is " + to_text(value) +
+                       (p.uses_space || p.uses_time ?
+                          " at " + to_text(point) + ", t = " + to_text(t) :
+                          "") +
+                       ", too large to compute with. Choose other units.");
     return value;
   }
 

@@ -3,6 +3,8 @@
 
 #include "conetact/solvers/active_set.h"
 
+#include "conetact/solvers/unloaded.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -246,31 +248,6 @@ namespace conetact
 
 
 
-  /** Whether nothing has to touch and nothing has to move. */
-  bool
-  ActiveSet::is_free(const ContactProblem &problem)
-  {
-    const ContactSystem &system = *problem.system;
-    if (system.n_motions == 0 || !problem.load.tail(system.n_motions).isZero(0))
-      return false;
-    for (Index i = 0; i < system.n_nodes(); ++i)
-      if (problem.load(system.normal(i)) < 0)
-        return false;
-    return true;
-  }
-
-
-
-  SolverReport
-  ActiveSet::open_all(const ContactProblem &problem, ContactState &state)
-  {
-    state.r = Array::Zero(problem.system->n_unknowns());
-    state.v = problem.load;
-    return unchanged(problem, state);
-  }
-
-
-
   SolverReport
   ActiveSet::solve(const ContactProblem &problem, ContactState &state)
   {
@@ -288,8 +265,15 @@ namespace conetact
           return report;
         }
 
-    if (is_free(problem))
-      return open_all(problem, state);
+    if (auto end = move_without_load(problem, start))
+      {
+        state      = std::move(*end);
+        state.node = classify(problem, state, 0);
+        SolverReport report;
+        report.solver    = "active set";
+        report.converged = true;
+        return report;
+      }
 
     ContactState with_units;
     relation->from_scaled(p, change, with_units);

@@ -209,7 +209,7 @@ namespace conetact
       state.r              = state.v;
       state.v.head(n)      = own.v;
       state.r.head(n)      = own.r;
-      state.r.tail(k)      = eliminated->motions(problem.load, own.v);
+      state.r.tail(k)      = eliminated->motions(problem.load, own.v, own.r);
       return report;
     }
 

@@ -87,6 +87,25 @@ namespace conetact
              (SmallMatrix::Identity(n, n) - damping * r * e.transpose());
     }
 
+    /**
+     * What can neither deform nor move sticks with any reaction: it keeps the
+     * one it has.
+     */
+    void
+    keep_reactions_of_fixed(const LinearRelation &relation,
+                            const Index           first,
+                            NodeLaw              &law)
+    {
+      for (Index k = 0; k + 1 < law.h.size(); ++k)
+        if (relation.is_fixed(first + k))
+          {
+            law.p.row(k).setZero();
+            law.d.row(k).setZero();
+            law.p(k, k) = 1;
+            law.h(k)    = 0;
+          }
+    }
+
     /** A dv + B dr = h. */
     struct Law
     {
@@ -226,6 +245,8 @@ namespace conetact
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
+        if (sets[at(i)].state == NodeState::stick)
+          keep_reactions_of_fixed(relation, first, result[at(i)]);
       }
     append_balance(relation, d, result);
     return result;

@@ -72,6 +72,8 @@ namespace conetact
   VectorXd
   StiffnessForm::displacement(const VectorXd &given) const
   {
+    if (dual->n_motions == 0)
+      return given;
     return given.head(dual->n_contact_unknowns()) -
            added * given.tail(dual->n_motions);
   }
@@ -81,19 +83,25 @@ namespace conetact
   {
     if (dual->form == Form::stiffness)
       return given;
-    return stiff->matrix * displacement(given) -
-           YG * (S * (free.transpose() * given.tail(dual->n_motions)));
+    VectorXd f = stiff->matrix * displacement(given);
+    if (free.cols() > 0) // BLAS does not take matrices of size 0
+      f -= YG * (S * (free.transpose() * given.tail(dual->n_motions)));
+    return f;
   }
 
   VectorXd
-  StiffnessForm::motions(const VectorXd &given, const VectorXd &v) const
+  StiffnessForm::motions(const VectorXd &given,
+                         const VectorXd &v,
+                         const VectorXd &r) const
   {
     const VectorXd b = -given.tail(dual->n_motions);
-    const VectorXd a_0 =
-      S * (YG.transpose() * (v - displacement(given)) + free.transpose() * b);
-    const VectorXd r = stiff->matrix * v - load(given);
-    const VectorXd a_r =
-      (G_r.transpose() * r + resisted.transpose() * b).cwiseQuotient(stiffness);
-    return free * a_0 + resisted * a_r;
+    VectorXd       a = VectorXd::Zero(b.size());
+    if (free.cols() > 0)
+      a += free * (S * (YG.transpose() * (v - displacement(given)) +
+                        free.transpose() * b));
+    if (resisted.cols() > 0)
+      a += resisted * (G_r.transpose() * r + resisted.transpose() * b)
+                        .cwiseQuotient(stiffness);
+    return a;
   }
 } // namespace conetact

@@ -28,6 +28,8 @@ namespace conetact
     PathAnalysis(const Scene &scene, Log &log);
     void
     check_history() override;
+    void
+    refuse_falling() const;
     /** Throws AnalysisError where the path does not converge. */
     void
     run(const std::filesystem::path &folder, const bool quiet) override;

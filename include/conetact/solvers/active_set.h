@@ -54,10 +54,6 @@ namespace conetact
     attach(const ContactProblem &problem);
     SolverReport
     unchanged(const ContactProblem &problem, ContactState &state) const;
-    static bool
-    is_free(const ContactProblem &problem);
-    SolverReport
-    open_all(const ContactProblem &problem, ContactState &state);
     SolverReport
     solve_from_states(const ContactProblem &problem, ContactState &state);
     /** d = M p + l. */

@@ -54,6 +54,14 @@ namespace conetact
       return contact_system->form == Form::stiffness;
     }
 
+    /** Whether neither reactions nor motions move this unknown at all. */
+    bool
+    is_fixed(const Eigen::Index k) const
+    {
+      const Eigen::MatrixXd &W = contact_system->matrix;
+      return !stiffness() && W(k, k) == 0 && W.row(k).isZero(0);
+    }
+
     /** The constant part l. */
     const Array &
     load() const

@@ -38,9 +38,11 @@ namespace conetact
     /** f from (q, -b). */
     Eigen::VectorXd
     load(const Eigen::VectorXd &given) const;
-    /** The motions a that go with displacements v under the load (q, -b). */
+    /** The motions a that go with v and r under the load (q, -b). */
     Eigen::VectorXd
-    motions(const Eigen::VectorXd &given, const Eigen::VectorXd &v) const;
+    motions(const Eigen::VectorXd &given,
+            const Eigen::VectorXd &v,
+            const Eigen::VectorXd &r) const;
 
   private:
     void
