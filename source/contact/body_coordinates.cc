@@ -12,9 +12,6 @@ namespace conetact
   {
     using Directions = std::vector<Tensor<1, 3>>;
 
-    /** Cosines below this are round-off. */
-    constexpr double round_off = 1e-12;
-
     /** An orthonormal basis of what is left, in the order of the axes. */
     Directions
     left_over(const Directions   &taken,
@@ -31,22 +28,13 @@ namespace conetact
     }
 
     Directions
-    joined(const std::vector<HeldDirection> &held, const Directions &others)
+    directions(const NodeRule *rule)
     {
-      Directions all = others;
-      for (const HeldDirection &h : held)
-        all.push_back(h.direction);
+      Directions all;
+      if (rule != nullptr)
+        for (const HeldDirection &h : rule->held)
+          all.push_back(h.direction);
       return all;
-    }
-
-    bool
-    are_across(const std::vector<HeldDirection> &held, const Directions &others)
-    {
-      for (const HeldDirection &h : held)
-        for (const Tensor<1, 3> &e : others)
-          if (std::abs(h.direction * e) > round_off * e.norm())
-            return false;
-      return true;
     }
 
     bool
@@ -62,7 +50,6 @@ namespace conetact
     : bodies(b)
     , coordinates(c)
     , axes(a)
-    , exact(b.structures.size(), true)
   {
     reserve(static_cast<std::size_t>(coordinates.n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
@@ -103,27 +90,12 @@ namespace conetact
   BodyCoordinates::add_translations(const unsigned int body,
                                     const unsigned int node)
   {
-    const unsigned int dim  = bodies.dim;
-    const NodeRule    *rule = coordinates.rule(body, node);
-    const auto         add  = [&](const Directions &taken, const bool contact) {
-      for (const Tensor<1, 3> &e : left_over(taken, axes[body], dim))
-        unknowns.push_back({coordinates.number(body, node),
-                            coordinates.dof(body, node),
-                            dim,
-                            e,
-                            contact});
-    };
-    if (rule == nullptr)
-      {
-        add({}, false);
-        return;
-      }
-    if (!are_across(rule->held, rule->free) ||
-        !are_across(rule->held, rule->contact))
-      exact[body] = false;
-    add(joined(rule->held, rule->contact), false);
-    if (!rule->contact.empty())
-      add(joined(rule->held, rule->free), true);
+    for (const Tensor<1, 3> &e : left_over(
+           directions(coordinates.rule(body, node)), axes[body], bodies.dim))
+      unknowns.push_back({coordinates.number(body, node),
+                          coordinates.dof(body, node),
+                          bodies.dim,
+                          e});
   }
 
   void
@@ -147,8 +119,7 @@ namespace conetact
           unknowns.push_back({coordinates.number(body, node),
                               coordinates.dof(body, node) + dim,
                               n - dim,
-                              direction,
-                              false});
+                              direction});
         }
   }
 
@@ -189,30 +160,5 @@ namespace conetact
         p[static_cast<Eigen::Index>(i)] = sum;
       }
     return p;
-  }
-
-  std::vector<LinearMap::Entry>
-  BodyCoordinates::row_of(const Eigen::Index p) const
-  {
-    const Unknown     &unknown = unknowns[static_cast<std::size_t>(p)];
-    const Eigen::Index n_free =
-      coordinates.n_unknowns() - coordinates.n_contact_unknowns();
-    std::vector<Entry> row;
-    for (unsigned int c = 0; c < unknown.n_components; ++c)
-      {
-        const auto [first, last] = coordinates.row(unknown.dof + c);
-        for (const Entry *entry = first; entry != last; ++entry)
-          {
-            const double factor = unknown.direction[c] * entry->factor;
-            const auto   q      = static_cast<std::size_t>(entry->unknown);
-            // free and contact directions of a node are orthogonal
-            const bool across =
-              coordinates.node_of_unknowns()[q] == unknown.node &&
-              (entry->unknown >= n_free) != unknown.is_contact;
-            if (factor != 0 && !across)
-              row.push_back({entry->unknown, factor});
-          }
-      }
-    return row;
   }
 } // namespace conetact

@@ -16,18 +16,39 @@ namespace conetact
 
     /** A power of two, so that dividing by it rounds nothing. */
     double
-    mean_diagonal(const Substructures &substructures)
+    mean_diagonal(const Eigen::SparseMatrix<double> &upper)
     {
-      double       sum = 0;
-      Eigen::Index n   = 0;
-      for (const Substructure &part : substructures.parts)
-        {
-          sum += part.upper.diagonal().sum();
-          n += part.upper.cols();
-        }
-      return sum > 0 ?
-               std::exp2(std::round(std::log2(sum / static_cast<double>(n)))) :
-               1.;
+      const double sum = upper.diagonal().sum();
+      return sum > 0 ? std::exp2(std::round(
+                         std::log2(sum / static_cast<double>(upper.cols())))) :
+                       1.;
+    }
+
+    /** The elastic system with its unknowns in other places, if any. */
+    struct Sorted
+    {
+      Eigen::SparseMatrix<double> upper;
+      std::vector<unsigned int>   node_of;
+    };
+
+    Sorted
+    sorted(const ElasticSystem &elastic,
+           const Coordinates   &coordinates,
+           const Places        &place)
+    {
+      Sorted result = {assemble(elastic, coordinates),
+                       coordinates.node_of_unknowns()};
+      if (place.size() == 0)
+        return result;
+      Eigen::SparseMatrix<double> upper(result.upper.rows(),
+                                        result.upper.cols());
+      upper.selfadjointView<Eigen::Upper>() =
+        result.upper.selfadjointView<Eigen::Upper>().twistedBy(place);
+      result.upper.swap(upper);
+      for (Eigen::Index q = 0; q < place.size(); ++q)
+        result.node_of[static_cast<std::size_t>(place.indices()[q])] =
+          coordinates.node_of_unknowns()[static_cast<std::size_t>(q)];
+      return result;
     }
 
     /** Places of the unknowns with those of the set last; empty: as they are.
@@ -67,12 +88,11 @@ namespace conetact
   {
     const Eigen::Index n = set.layout().n_unknowns();
     {
-      auto substructures = make_substructures(elastic, coordinates, place, n);
+      Sorted matrix = sorted(elastic, coordinates, place);
       // MUMPS has thresholds of its own, which know no units.
-      stiffness_scale = mean_diagonal(substructures);
-      for (Substructure &part : substructures.parts)
-        part.upper /= stiffness_scale;
-      solver = std::make_unique<ExtendedSchur>(substructures);
+      stiffness_scale = mean_diagonal(matrix.upper);
+      matrix.upper /= stiffness_scale;
+      solver = std::make_unique<ExtendedSchur>(matrix.upper, n, matrix.node_of);
     }
 
     auto system    = std::make_shared<ContactSystem>(set.layout());
@@ -243,8 +263,10 @@ namespace conetact
                         const Coordinates   &coordinates,
                         const WorkingSet    &set)
   {
-    const Eigen::Index n = set.layout().n_unknowns();
-    return SubstructureSolver::estimate(
-      make_substructures(elastic, coordinates, set_last(coordinates, set), n));
+    const Sorted matrix =
+      sorted(elastic, coordinates, set_last(coordinates, set));
+    return SchurSolver::estimate(matrix.upper,
+                                 set.layout().n_unknowns(),
+                                 matrix.node_of);
   }
 } // namespace conetact

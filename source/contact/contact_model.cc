@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/equal_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +29,12 @@ namespace conetact
     , plain(bodies, plain_rules)
     , elastic(bodies)
     , motions(bodies, plain_rules, coordinates)
+    , dual(needs_dual())
     , chosen(coordinates.layout())
   {}
 
   bool
-  ContactModel::is_dual() const
+  ContactModel::needs_dual() const
   {
     if (coordinates.n_contact_unknowns() == 0)
       return false;
@@ -43,7 +45,17 @@ namespace conetact
                                    });
     // mechanisms are found in a stiffness only
     return pairs || rules.has_prescribed_slip() ||
-           (motions.n_free() > 0 && !may_be_mechanism());
+           (!may_be_mechanism() &&
+            (motions.n_free() > 0 || has_equal_bodies()));
+  }
+
+  bool
+  ContactModel::has_equal_bodies() const
+  {
+    return may_have_equals(bodies) &&
+           !find_equal_bodies(elastic,
+                              BodyCoordinates(bodies, plain, body_axes(bodies)))
+              .empty();
   }
 
   LoadCase
@@ -108,8 +120,8 @@ namespace conetact
           u -= node.obstacle->displacement_at(t);
         for (const auto &[master, weight] : node.masters)
           u -= weight * at(node.master, master);
-        for (const Tensor<1, 3> &dual : rule->dual)
-          result[k++] = u * dual;
+        for (const Tensor<1, 3> &direction : rule->dual)
+          result[k++] = u * direction;
       }
     return result;
   }

@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <set>
 
 namespace conetact
 {
@@ -79,6 +80,19 @@ namespace conetact
 
 
 
+  bool
+  may_have_equals(const Bodies &bodies)
+  {
+    std::set<unsigned int> sizes;
+    for (std::size_t body = 0; body < bodies.structures.size(); ++body)
+      if (!bodies.is_at_rest(body) &&
+          !sizes.insert(bodies.structures[body]->n_nodes()).second)
+        return true;
+    return false;
+  }
+
+
+
   std::vector<Tensor<2, 3>>
   body_axes(const Bodies &bodies)
   {
@@ -120,7 +134,7 @@ namespace conetact
     std::vector<std::vector<unsigned int>> groups;
     for (unsigned int body = 0; body < n; ++body)
       {
-        if (own.begin(body) == own.end(body) || !own.is_exact(body))
+        if (own.begin(body) == own.end(body))
           continue;
         const auto group =
           std::find_if(groups.begin(), groups.end(), [&](const auto &other) {

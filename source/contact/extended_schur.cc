@@ -25,8 +25,11 @@ namespace conetact
 
 
 
-  ExtendedSchur::ExtendedSchur(const Substructures &substructures)
-    : solver(substructures)
+  ExtendedSchur::ExtendedSchur(const Eigen::SparseMatrix<double> &upper,
+                               const Index                        n_schur,
+                               const std::vector<unsigned int>   &node_of)
+    : n_unknowns(upper.cols())
+    , solver(upper, n_schur, node_of)
   {}
 
 
@@ -42,7 +45,7 @@ namespace conetact
     for (Index first = 0; first < n_new; first += columns_at_once)
       {
         const Index count = std::min(columns_at_once, n_new - first);
-        MatrixXd    unit  = MatrixXd::Zero(solver.n_unknowns(), count);
+        MatrixXd    unit  = MatrixXd::Zero(n_unknowns, count);
         for (Index k = 0; k < count; ++k)
           unit(unknowns[static_cast<std::size_t>(first + k)], k) = 1;
         X.middleRows(first, count) = solver.reduce(unit).transpose();

@@ -10,15 +10,16 @@ namespace conetact
 {
   /**
    * Unknowns p of each body by itself, in its own axes: @f$ u = B p @f$ but for
-   * what is prescribed. Contacts do not join bodies here, p of a slave node is
-   * its displacement itself; what supports hold and hanging nodes are
-   * eliminated. Equal bodies have equal matrices @f$ B^T K B @f$ however they
+   * what is prescribed. What supports hold and hanging nodes are eliminated. Equal bodies have equal matrices @f$ B^T K B @f$ however they
    * are turned, if their supports are turned along.
    */
   class BodyCoordinates : public LinearMap
   {
   public:
-    /** `axes` of each body, as columns of an orthogonal matrix. */
+    /**
+     * `coordinates` without contacts; `axes` of each body, as columns of an
+     * orthogonal matrix.
+     */
     BodyCoordinates(const Bodies                    &bodies,
                     const Coordinates               &coordinates,
                     const std::vector<Tensor<2, 3>> &axes);
@@ -40,13 +41,6 @@ namespace conetact
     {
       return unknowns[static_cast<std::size_t>(p)].node;
     }
-    /** False where supports are askew to contacts: B does not tell all. */
-    bool
-    is_exact(const std::size_t body) const
-    {
-      return exact[body];
-    }
-
     /** First unknown of a node, and one past its last. */
     std::pair<Eigen::Index, Eigen::Index>
     unknowns_of(const unsigned int body, const unsigned int node) const
@@ -59,10 +53,6 @@ namespace conetact
     Eigen::VectorXd
     values(const Eigen::VectorXd &u) const;
 
-    /** A row of T, p = T q with the unknowns q of the Coordinates. */
-    std::vector<Entry>
-    row_of(const Eigen::Index p) const;
-
   private:
     /** p = direction . u, of components of u from a dof on. */
     struct Unknown
@@ -71,7 +61,6 @@ namespace conetact
       Eigen::Index dof;
       unsigned int n_components;
       Tensor<1, 3> direction;
-      bool         is_contact; ///< in the span of the node's contact unknowns
     };
 
     void
@@ -92,7 +81,6 @@ namespace conetact
     std::vector<Eigen::Index> first_unknown; ///< of each body
     std::vector<std::size_t>  first_of_node; ///< by numbers of nodes
     std::vector<Unknown>      unknowns;
-    std::vector<bool>         exact;
   };
 } // namespace conetact
 

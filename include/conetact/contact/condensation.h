@@ -8,7 +8,6 @@
 #include "conetact/contact/elastic_backend.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/extended_schur.h"
-#include "conetact/contact/substructures.h"
 #include "conetact/contact/working_set.h"
 
 #include <memory>
@@ -16,6 +15,9 @@
 
 namespace conetact
 {
+  /** Places of unknowns; empty: as they are. */
+  using Places = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic>;
+
   /**
    * The elastic system condensed to the contact unknowns of a working set, [K]
    * section 4: one factorisation gives @f$ K q_C = r + f @f$ and serves all
@@ -71,7 +73,7 @@ namespace conetact
     unsigned int
     n_shared_bodies() const override
     {
-      return solver->base().n_shared();
+      return 0;
     }
     SchurWork
     work() const override

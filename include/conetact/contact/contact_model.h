@@ -39,11 +39,14 @@ namespace conetact
     /**
      * Whether contacts are rows over bodies that condense themselves, with
      * free motions as unknowns (DualBackend); else all bodies are held, meet
-     * obstacles only and do not slide along what supports hold, and one
-     * stiffness serves them (Condensation).
+     * obstacles only, do not slide along what supports hold and differ from
+     * each other, and one stiffness serves them (Condensation).
      */
     bool
-    is_dual() const;
+    is_dual() const
+    {
+      return dual;
+    }
 
     /** Made when first asked for, of the working set. */
     ElasticBackend &
@@ -86,6 +89,10 @@ namespace conetact
     work() const;
 
   private:
+    bool
+    needs_dual() const;
+    bool
+    has_equal_bodies() const;
     std::unique_ptr<ElasticBackend>
     make_backend() const;
     std::string
@@ -93,6 +100,7 @@ namespace conetact
     Eigen::VectorXd
     offset(const LoadCase &load, const double t) const;
 
+    bool                            dual;
     WorkingSet                      chosen;
     std::unique_ptr<ElasticBackend> condensed;
     SchurWork                       former_work; ///< before condensed anew

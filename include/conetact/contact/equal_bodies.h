@@ -11,6 +11,10 @@
 
 namespace conetact
 {
+  /** Whether two bodies have as many nodes: others cannot be equal. */
+  bool
+  may_have_equals(const Bodies &bodies);
+
   /**
    * Axes in which each body has its nodes where the first body with as many
    * nodes has them in the scene's axes, as near as a turn can bring them:

@@ -4,7 +4,7 @@
 #ifndef conetact_contact_extended_schur_h
 #define conetact_contact_extended_schur_h
 
-#include "conetact/contact/substructure_solver.h"
+#include "conetact/contact/schur_solver.h"
 
 namespace conetact
 {
@@ -20,8 +20,10 @@ namespace conetact
   class ExtendedSchur
   {
   public:
-    /** As SubstructureSolver. */
-    explicit ExtendedSchur(const Substructures &substructures);
+    /** As SchurSolver. */
+    ExtendedSchur(const Eigen::SparseMatrix<double> &upper,
+                  const Eigen::Index                 n_schur,
+                  const std::vector<unsigned int>   &node_of);
 
     /**
      * Adds `unknowns`, eliminated so far, behind those of S, which becomes the
@@ -51,12 +53,12 @@ namespace conetact
     }
 
     /** Without what was added. */
-    SubstructureSolver &
+    SchurSolver &
     base()
     {
       return solver;
     }
-    const SubstructureSolver &
+    const SchurSolver &
     base() const
     {
       return solver;
@@ -67,7 +69,8 @@ namespace conetact
     void
     append(const Eigen::MatrixXd &D, const Eigen::MatrixXd &X);
 
-    SubstructureSolver        solver;
+    Eigen::Index              n_unknowns;
+    SchurSolver               solver;
     std::vector<Eigen::Index> added;
     Eigen::MatrixXd           L, B; ///< D = L L^T, B = L^-1 X
   };

@@ -13,16 +13,9 @@ namespace
 {
   using conetact::ExtendedSchur;
   using conetact::Lattice;
-  using conetact::Substructures;
   using conetact::System;
   using Eigen::Index;
   using Eigen::MatrixXd;
-
-  Substructures
-  whole(const System &system, const Index n_schur)
-  {
-    return {{{system.upper, system.node_of, {}}}, system.node_of, n_schur};
-  }
 
   struct Reference
   {
@@ -64,7 +57,7 @@ namespace
     const System   system = Lattice{{6, 6, 5}}.assemble();
     const MatrixXd A = MatrixXd(system.upper).selfadjointView<Eigen::Upper>();
     const Index    n = A.cols(), n_base = 60;
-    ExtendedSchur  schur(whole(system, n_base));
+    ExtendedSchur  schur(system.upper, n_base, system.node_of);
     MatrixXd       S = schur.base().take_schur_complement();
 
     std::vector<Index> kept(static_cast<std::size_t>(n_base));
@@ -91,7 +84,7 @@ namespace
   TEST(ExtendedSchur, OneReductionAndOneExpansionForEachUnknown)
   {
     const System  system = Lattice{{5, 5, 4}}.assemble();
-    ExtendedSchur schur(whole(system, 30));
+    ExtendedSchur schur(system.upper, 30, system.node_of);
     MatrixXd      S = schur.base().take_schur_complement();
     schur.extend({3, 4, 5}, S);
     schur.extend({90, 91}, S);
