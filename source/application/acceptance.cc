@@ -13,24 +13,6 @@ namespace conetact
 {
   namespace
   {
-    std::vector<ContactPoint>
-    contact_points(const ContactModel &model)
-    {
-      std::vector<ContactPoint> points;
-      for (const NodeRule *rule : model.coordinates.contact_rules())
-        {
-          ContactPoint point;
-          point.node = rule->contact_node;
-          point.dual = rule->dual;
-          point.mu   = rule->mu;
-          if (!points.empty())
-            point.first = points.back().first +
-                          static_cast<Eigen::Index>(points.back().dual.size());
-          points.push_back(std::move(point));
-        }
-      return points;
-    }
-
     /** Over the spacing of nodes: beyond, a foot is on another face. */
     constexpr double farthest_slide = 1;
     /** The same: a support that pushes a node in by less is rounding. */
@@ -63,9 +45,9 @@ namespace conetact
     , model(m)
     , verification(model.bodies,
                    model.elastic,
-                   model.plain,
+                   model.coordinates,
                    model.motions,
-                   contact_points(model),
+                   model.points,
                    scene.solver.tolerance)
     , contact_rows(model, scene.master_side)
     , warnings(model, log)
@@ -75,7 +57,7 @@ namespace conetact
   Acceptance::set_stiffness(const ContactSystem &system, const WorkingSet &set)
   {
     Eigen::VectorXd stiffness =
-      Eigen::VectorXd::Zero(model.coordinates.layout().n_nodes());
+      Eigen::VectorXd::Zero(model.points.layout().n_nodes());
     for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
       {
         const double mean =
@@ -137,12 +119,9 @@ namespace conetact
     std::vector<MovedNode> moved;
     double                 indentation = 0;
     const auto at = [&](const Eigen::VectorXd &x, const ContactNode &node) {
-      Tensor<1, 3> displacement;
-      for (unsigned int c = 0; c < model.bodies.dim; ++c)
-        displacement[c] = x[model.plain.dof(node.body, node.node) + c];
-      return displacement;
+      return model.displacement(x, node.body, node.node);
     };
-    const auto &points = verification.contact_points();
+    const ContactPoints &points = model.points;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const ContactNode &node = *points[i].node;
@@ -169,18 +148,12 @@ namespace conetact
                        const Eigen::VectorXd &u,
                        const double           t) const
   {
-    const auto at = [&](const unsigned int body, const unsigned int i) {
-      Tensor<1, 3> displacement;
-      for (unsigned int c = 0; c < model.bodies.dim; ++c)
-        displacement[c] = u[model.plain.dof(body, i) + c];
-      return displacement;
-    };
-    Tensor<1, 3> v = at(node.body, node.node);
-    if (node.obstacle != nullptr)
-      v -= node.obstacle->displacement_at(t);
-    for (const auto &[master, weight] : node.masters)
-      v -= weight * at(node.master, master);
-    return v;
+    return relative_displacement(
+      node,
+      [&](const unsigned int body, const unsigned int i) {
+        return model.displacement(u, body, i);
+      },
+      t);
   }
 
   std::string
@@ -189,7 +162,7 @@ namespace conetact
   {
     const auto       &nodes = model.bodies.contact_nodes;
     std::vector<bool> has_rows(nodes.size(), false);
-    for (const ContactPoint &point : verification.contact_points())
+    for (const ContactPoint &point : model.points)
       has_rows[static_cast<std::size_t>(point.node - nodes.data())] = true;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
@@ -214,7 +187,7 @@ namespace conetact
   Acceptance::wrong_foot(const PendingIncrement &increment,
                          const Finding          &finding) const
   {
-    const auto &points = verification.contact_points();
+    const ContactPoints &points = model.points;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const ContactNode &node = *points[i].node;
@@ -254,7 +227,7 @@ namespace conetact
       return why;
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
-    energies.add(verification.contact_points(), accepted, finding, record);
+    energies.add(model.points, accepted, finding, record);
     record.rows        = contact_rows.rows(increment.state,
                                     increment.contact,
                                     finding.u,
@@ -312,8 +285,10 @@ namespace conetact
     for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
       {
         const Eigen::Index n = scene.bodies.structures[b]->n_dofs();
-        record.displacements.push_back(u.segment(model.plain.offset(b), n));
-        record.deformations.push_back(w.segment(model.plain.offset(b), n));
+        record.displacements.push_back(
+          u.segment(model.coordinates.offset(b), n));
+        record.deformations.push_back(
+          w.segment(model.coordinates.offset(b), n));
       }
   }
 } // namespace conetact

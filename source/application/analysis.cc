@@ -28,8 +28,8 @@ namespace conetact
                          Log                &log)
     {
       std::vector<bool> empty(scene.contact_names.size(), true);
-      for (const NodeRule *rule : model.coordinates.contact_rules())
-        empty[rule->contact_node->contact] = false;
+      for (const ContactPoint &point : model.points)
+        empty[point.node->contact] = false;
       for (std::size_t c = 0; c < empty.size(); ++c)
         if (empty[c] && scene.pairings[c].n_paired == 0)
           log.say("warning: contact '" + scene.contact_names[c] +
@@ -76,7 +76,7 @@ namespace conetact
     for (const double t : scene.times)
       {
         const NodalLoads::Acting acting = loads.acting(t);
-        model.plain.prescribed(t);
+        model.coordinates.prescribed(t);
         refuse_unbalanced(acting.mechanical + model.elastic.ground_forces(t),
                           t);
       }

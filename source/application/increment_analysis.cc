@@ -204,8 +204,9 @@ namespace conetact
   {
     if (model.working_set().is_all())
       return;
-    increment.after.recover(candidate_displacements(
-      model, acceptance.displacements(increment, w), increment.record.time));
+    increment.after.recover(
+      model.relative_displacements(acceptance.displacements(increment, w),
+                                   increment.record.time));
     increment.state =
       increment.after.of_candidates(increment.end, increment.before);
     increment.contact = increment.after.displacements();

@@ -24,11 +24,11 @@ namespace conetact
     constexpr double touching = 1e-9;
 
     bool
-    numbers_are_unique(const Coordinates &coordinates)
+    numbers_are_unique(const ContactPoints &points)
     {
       std::set<unsigned int> numbers;
-      for (const NodeRule *rule : coordinates.contact_rules())
-        if (!numbers.insert(rule->node).second)
+      for (const ContactPoint &point : points)
+        if (!numbers.insert(point.node->node).second)
           return false;
       return true;
     }
@@ -38,8 +38,8 @@ namespace conetact
 
   PathAnalysis::PathAnalysis(const Scene &s, Log &l)
     : Analysis(s, l)
-    , initial_gap(model.coordinates.layout().n_nodes())
-    , names_are_unique(numbers_are_unique(model.coordinates))
+    , initial_gap(model.points.layout().n_nodes())
+    , names_are_unique(numbers_are_unique(model.points))
   {
     options.law       = scene.path.method == PathSettings::Method::lemke ?
                           PathLaw::holonomic :
@@ -47,10 +47,10 @@ namespace conetact
     options.tolerance = scene.solver.tolerance;
     options.cohesion.resize(initial_gap.size());
     Eigen::Index i = 0;
-    for (const NodeRule *rule : model.coordinates.contact_rules())
+    for (const ContactPoint &point : model.points)
       {
-        initial_gap[i]        = rule->contact_node->gap;
-        options.cohesion[i++] = rule->contact_node->cohesion;
+        initial_gap[i]        = point.node->gap;
+        options.cohesion[i++] = point.node->cohesion;
       }
     if (initial_gap.size() == 0)
       throw InputError("Solver/Method: supports hold all contact nodes, or "
@@ -77,8 +77,8 @@ namespace conetact
     if (model.motions.unresisted().cols() == 0)
       return;
     std::vector<bool> touches(scene.bodies.names.size(), false);
-    for (const NodeRule *rule : model.coordinates.contact_rules())
-      if (const ContactNode &node = *rule->contact_node;
+    for (const ContactPoint &point : model.points)
+      if (const ContactNode &node = *point.node;
           node.gap <= touching * node.spacing)
         {
           touches[node.body] = true;
@@ -456,8 +456,7 @@ namespace conetact
     if (result.outcome == PathOutcome::limit_load)
       {
         std::vector<bool> touching;
-        for (std::size_t i = 0; i < model.coordinates.contact_rules().size();
-             ++i)
+        for (std::size_t i = 0; i < model.points.size(); ++i)
           touching.push_back(last.state.empty() ||
                              last.state[i] != PathState::open);
         end.mechanism = name_mechanism(model, result.mechanism, touching);
@@ -479,7 +478,7 @@ namespace conetact
   {
     if (!model.is_dual())
       return model.condensation().correction(
-        Eigen::VectorXd::Zero(model.plain.n_dofs()), velocity);
+        Eigen::VectorXd::Zero(model.coordinates.n_dofs()), velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
     return model.motions.field(model.motions.of_free(a));
@@ -534,10 +533,8 @@ namespace conetact
   std::string
   PathAnalysis::node_name(const Eigen::Index i) const
   {
-    const ContactNode &node =
-      *model.coordinates.contact_rules()[static_cast<std::size_t>(i)]
-         ->contact_node;
-    const std::string number = std::to_string(node.node);
+    const ContactNode &node   = *model.points[i].node;
+    const std::string  number = std::to_string(node.node);
     return names_are_unique ? number :
                               scene.contact_names[node.contact] + ":" + number;
   }

@@ -64,7 +64,7 @@ namespace conetact
         log.note("skipped: " + std::to_string(elements - matrices) + " of " +
                  std::to_string(elements) + " cell matrices of body " +
                  bodies.names[b] + ", congruent to others");
-    const ContactSystem &layout = model.coordinates.layout();
+    const ContactSystem &layout = model.points.layout();
     log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
             std::to_string(layout.n_unknowns()) + " unknowns of " +
             std::to_string(model.coordinates.n_unknowns()) + ", " +
@@ -90,10 +90,9 @@ namespace conetact
     if (n_no_cone > 0)
       log.note("skipped: friction cones of " + std::to_string(n_no_cone) +
                " contact nodes without friction or with held tangents");
-    if (model.rules.n_held_contact_nodes() > 0)
-      log.note(
-        "skipped: " + std::to_string(model.rules.n_held_contact_nodes()) +
-        " contact nodes whose normal is held by a support");
+    if (model.points.n_held() > 0)
+      log.note("skipped: " + std::to_string(model.points.n_held()) +
+               " contact nodes whose normal is held by a support");
     if (scene.path.method == PathSettings::Method::none &&
         scene.n_drawings() < scene.times.size())
       log.note("skipped: drawings of " +

@@ -37,7 +37,7 @@ namespace conetact
     const Eigen::MatrixXd G = model.motions.null_space();
     if (G.cols() == 0)
       return true;
-    const ContactSystem &layout = model.coordinates.layout();
+    const ContactSystem &layout = model.points.layout();
     std::vector<Index>   opposing;
     for (Index i = 0; i < layout.n_nodes(); ++i)
       {
@@ -76,7 +76,7 @@ namespace conetact
   {
     const Structure   &structure = *model.bodies.structures[body];
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
-    const Index        offset  = model.plain.offset(body);
+    const Index        offset  = model.coordinates.offset(body);
     double             largest = 0;
     structure.for_each_element([&](const std::vector<unsigned int> &dofs,
                                    const double *) {
@@ -104,8 +104,8 @@ namespace conetact
       {
         const std::string name   = "body '" + model.bodies.names[body] + "' ";
         const double      size   = 2 * model.motions.size(body);
-        const Index       offset = model.plain.offset(body);
-        const Index       n      = model.plain.offset(body + 1) - offset;
+        const Index       offset = model.coordinates.offset(body);
+        const Index       n      = model.coordinates.offset(body + 1) - offset;
         const double      most   = largest(w.segment(offset, n));
         const std::string theory =
           " Small-strain theory is wrong there: results are those of the "

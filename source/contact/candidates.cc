@@ -43,7 +43,7 @@ namespace conetact
       std::vector<Tensor<1, 3>> sum(model.bodies.structures.size());
       std::vector<double>       n(sum.size());
       for (const NodeRule &rule : coordinates.rules().rules())
-        if (!rule.held.empty() && rule.contact_node == nullptr)
+        if (!rule.held.empty())
           {
             const Index first = coordinates.dof(rule.body, rule.node);
             for (unsigned int c = 0; c < model.bodies.dim; ++c)
@@ -63,17 +63,17 @@ namespace conetact
     VectorXd
     closest_gaps(const ContactModel &model, const std::vector<double> &times)
     {
-      const auto &rules = model.coordinates.contact_rules();
-      VectorXd    gaps(index(rules.size()));
-      for (std::size_t i = 0; i < rules.size(); ++i)
-        gaps[index(i)] = rules[i]->contact_node->gap;
+      const ContactPoints &points = model.points;
+      VectorXd             gaps(index(points.size()));
+      for (std::size_t i = 0; i < points.size(); ++i)
+        gaps[index(i)] = points[i].node->gap;
       VectorXd closest = gaps;
       for (const double t : times)
         {
           const auto motions = mean_motions(model, t);
-          for (std::size_t i = 0; i < rules.size(); ++i)
+          for (std::size_t i = 0; i < points.size(); ++i)
             {
-              const ContactNode &node = *rules[i]->contact_node;
+              const ContactNode &node = *points[i].node;
               const Tensor<1, 3> opponent =
                 node.obstacle != nullptr ? node.obstacle->displacement_at(t) :
                                            motions[node.master];
@@ -84,17 +84,16 @@ namespace conetact
             }
         }
       std::map<unsigned int, double> apart;
-      for (std::size_t i = 0; i < rules.size(); ++i)
+      for (std::size_t i = 0; i < points.size(); ++i)
         {
           double &least = apart
-                            .emplace(rules[i]->contact_node->contact,
+                            .emplace(points[i].node->contact,
                                      std::numeric_limits<double>::max())
                             .first->second;
           least = std::min(least, closest[index(i)]);
         }
-      for (std::size_t i = 0; i < rules.size(); ++i)
-        closest[index(i)] -=
-          std::max(0., apart[rules[i]->contact_node->contact]);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        closest[index(i)] -= std::max(0., apart[points[i].node->contact]);
       return closest;
     }
 
@@ -108,12 +107,13 @@ namespace conetact
           for (std::size_t i = 0; i < dofs.size(); ++i)
             diagonal[dofs[i]] += matrix[i * (dofs.size() + 1)];
         });
-      const auto &rules = model.coordinates.contact_rules();
-      VectorXd    stiffness(index(rules.size()));
-      for (std::size_t i = 0; i < rules.size(); ++i)
+      const ContactPoints &points = model.points;
+      VectorXd             stiffness(index(points.size()));
+      for (std::size_t i = 0; i < points.size(); ++i)
         stiffness[index(i)] =
           diagonal
-            .segment(model.coordinates.dof(rules[i]->body, rules[i]->node),
+            .segment(model.coordinates.dof(points[i].node->body,
+                                           points[i].node->node),
                      model.bodies.dim)
             .mean();
       return stiffness;
@@ -178,7 +178,7 @@ namespace conetact
       if (motions.cols() == 0)
         return;
       const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(motions.transpose());
-      const auto &first = model.coordinates.layout().first;
+      const auto &first = model.points.layout().first;
       for (Index k = 0; k < motions.cols(); ++k)
         {
           const Index unknown = qr.colsPermutation().indices()[k];
@@ -216,7 +216,7 @@ namespace conetact
                     const std::function<VectorXd(const double t)> &forces,
                     const std::vector<double>                     &times)
   {
-    const ContactSystem &candidates = model.coordinates.layout();
+    const ContactSystem &candidates = model.points.layout();
     if (candidates.n_unknowns() < fewest_unknowns || model.may_be_mechanism())
       return WorkingSet(candidates);
     const VectorXd gaps      = closest_gaps(model, times);
@@ -225,9 +225,7 @@ namespace conetact
 
     std::map<unsigned int, std::vector<Index>> of_contact;
     for (Index i = 0; i < candidates.n_nodes(); ++i)
-      of_contact[model.coordinates.contact_rules()[static_cast<std::size_t>(i)]
-                   ->contact_node->contact]
-        .push_back(i);
+      of_contact[model.points[i].node->contact].push_back(i);
     std::vector<bool> chosen(static_cast<std::size_t>(candidates.n_nodes()));
     for (auto &[contact, nodes] : of_contact)
       {
@@ -252,44 +250,13 @@ namespace conetact
 
 
 
-  VectorXd
-  candidate_displacements(const ContactModel &model,
-                          const VectorXd     &u,
-                          const double        t)
-  {
-    const Coordinates &coordinates = model.coordinates;
-    const auto at_node = [&](const unsigned int body, const unsigned int node) {
-      Tensor<1, 3> displacement;
-      for (unsigned int c = 0; c < model.bodies.dim; ++c)
-        displacement[c] = u[coordinates.dof(body, node) + c];
-      return displacement;
-    };
-    VectorXd q(coordinates.n_contact_unknowns());
-    Index    k = 0;
-    for (const NodeRule *rule : coordinates.contact_rules())
-      {
-        const ContactNode &node     = *rule->contact_node;
-        Tensor<1, 3>       relative = at_node(rule->body, rule->node);
-        if (node.obstacle != nullptr)
-          relative -= node.obstacle->displacement_at(t);
-        for (const auto &[master, weight] : node.masters)
-          relative -= weight * at_node(node.master, master);
-        for (const Tensor<1, 3> &dual : rule->dual)
-          q[k++] = relative * dual;
-      }
-    return q;
-  }
-
-
-
   std::vector<Index>
   penetrating(const ContactModel &model, const VectorXd &gaps)
   {
     double largest = 0;
     Index  i       = 0;
-    for (const NodeRule *rule : model.coordinates.contact_rules())
-      largest =
-        std::max(largest, std::abs(gaps[i++] - rule->contact_node->gap));
+    for (const ContactPoint &point : model.points)
+      largest = std::max(largest, std::abs(gaps[i++] - point.node->gap));
     std::vector<Index> nodes;
     for (i = 0; i < gaps.size(); ++i)
       if (!model.working_set().contains(i) && gaps[i] < -round_off * largest)
@@ -302,7 +269,7 @@ namespace conetact
   void
   join(ContactModel &model, const VectorXd &gaps)
   {
-    const ContactSystem     &candidates = model.coordinates.layout();
+    const ContactSystem     &candidates = model.points.layout();
     const std::vector<Index> nodes      = penetrating(model, gaps);
     if (model.extend(nodes))
       return;

@@ -76,12 +76,14 @@ namespace conetact
   } // namespace
 
   Condensation::Condensation(const ElasticSystem   &e,
-                             const Coordinates     &c,
+                             const NodeRules       &supports,
+                             const ContactPoints   &p,
                              const WorkingSet      &s,
                              const Eigen::MatrixXd &null_space,
                              const bool             find_mechanisms)
     : elastic(e)
-    , coordinates(c)
+    , points(p)
+    , coordinates(elastic.bodies, supports, &points)
     , set(s)
     , rigid(null_space)
     , place(set_last(coordinates, set))
@@ -123,12 +125,12 @@ namespace conetact
   bool
   Condensation::extend(const std::vector<Eigen::Index> &nodes)
   {
-    const WorkingSet added(coordinates.layout(), nodes);
+    const WorkingSet added(points.layout(), nodes);
     if (!extension_is_cheaper(added.layout().n_unknowns()))
       return false;
     std::vector<Eigen::Index> all = set.nodes();
     all.insert(all.end(), nodes.begin(), nodes.end());
-    set = WorkingSet(coordinates.layout(), all);
+    set = WorkingSet(points.layout(), all);
 
     std::vector<Eigen::Index> unknowns;
     for (const Eigen::Index c : added.unknowns())
@@ -260,10 +262,12 @@ namespace conetact
 
   FactorEstimate
   estimate_condensation(const ElasticSystem &elastic,
-                        const Coordinates   &coordinates,
+                        const NodeRules     &supports,
+                        const ContactPoints &points,
                         const WorkingSet    &set)
   {
-    const Sorted matrix =
+    const Coordinates coordinates(elastic.bodies, supports, &points);
+    const Sorted      matrix =
       sorted(elastic, coordinates, set_last(coordinates, set));
     return SchurSolver::estimate(matrix.upper,
                                  set.layout().n_unknowns(),

@@ -24,19 +24,18 @@ namespace conetact
   ContactModel::ContactModel(const Bodies &b, const std::vector<double> &times)
     : bodies(b)
     , rules(bodies, times)
+    , points(bodies, rules, times)
     , coordinates(bodies, rules)
-    , plain_rules(bodies, times, false)
-    , plain(bodies, plain_rules)
     , elastic(bodies)
-    , motions(bodies, plain_rules, coordinates)
+    , motions(bodies, rules, points, coordinates)
     , dual(needs_dual())
-    , chosen(coordinates.layout())
+    , chosen(points.layout())
   {}
 
   bool
   ContactModel::needs_dual() const
   {
-    if (coordinates.n_contact_unknowns() == 0)
+    if (points.size() == 0)
       return false;
     const bool pairs = std::any_of(bodies.contact_nodes.begin(),
                                    bodies.contact_nodes.end(),
@@ -44,7 +43,7 @@ namespace conetact
                                      return !node.masters.empty();
                                    });
     // mechanisms are found in a stiffness only
-    return pairs || rules.has_prescribed_slip() ||
+    return pairs || points.have_prescribed_slip() || points.share_nodes() ||
            (!may_be_mechanism() &&
             (motions.n_free() > 0 || has_equal_bodies()));
   }
@@ -53,8 +52,8 @@ namespace conetact
   ContactModel::has_equal_bodies() const
   {
     return may_have_equals(bodies) &&
-           !find_equal_bodies(elastic,
-                              BodyCoordinates(bodies, plain, body_axes(bodies)))
+           !find_equal_bodies(
+              elastic, BodyCoordinates(bodies, coordinates, body_axes(bodies)))
               .empty();
   }
 
@@ -64,13 +63,13 @@ namespace conetact
                           const double           t)
   {
     const Eigen::VectorXd placement  = motions.placement(t);
-    Eigen::VectorXd       prescribed = plain.prescribed(t);
+    Eigen::VectorXd       prescribed = coordinates.prescribed(t);
     Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
     if (!placement.isZero(0))
       {
         const Eigen::VectorXd rigid = motions.field(placement);
         const double          zero  = deformation_rounding * largest(rigid);
-        prescribed -= plain.held_part(rigid);
+        prescribed -= coordinates.held_part(rigid);
         prescribed = prescribed.unaryExpr(
           [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
         all -= elastic.spring_forces(rigid);
@@ -103,26 +102,37 @@ namespace conetact
   Eigen::VectorXd
   ContactModel::offset(const LoadCase &load, const double t) const
   {
-    Eigen::VectorXd result(coordinates.n_contact_unknowns());
-    const auto      at = [&](const unsigned int body, const unsigned int node) {
-      Tensor<1, 3>       u   = motions.at(load.placement, body, node);
-      const Eigen::Index dof = plain.dof(body, node);
-      for (unsigned int c = 0; c < bodies.dim; ++c)
-        u[c] += load.prescribed[dof + c];
-      return u;
-    };
-    Eigen::Index k = 0;
-    for (const NodeRule *rule : coordinates.contact_rules())
-      {
-        const ContactNode &node = *rule->contact_node;
-        Tensor<1, 3>       u    = at(rule->body, rule->node);
-        if (node.obstacle != nullptr)
-          u -= node.obstacle->displacement_at(t);
-        for (const auto &[master, weight] : node.masters)
-          u -= weight * at(node.master, master);
-        for (const Tensor<1, 3> &direction : rule->dual)
-          result[k++] = u * direction;
-      }
+    return points.components(
+      [&](const unsigned int body, const unsigned int node) {
+        Tensor<1, 3>       u   = motions.at(load.placement, body, node);
+        const Eigen::Index dof = coordinates.dof(body, node);
+        for (unsigned int c = 0; c < bodies.dim; ++c)
+          u[c] += load.prescribed[dof + c];
+        return u;
+      },
+      t);
+  }
+
+  Eigen::VectorXd
+  ContactModel::relative_displacements(const Eigen::VectorXd &u,
+                                       const double           t) const
+  {
+    return points.components(
+      [&](const unsigned int body, const unsigned int node) {
+        return displacement(u, body, node);
+      },
+      t);
+  }
+
+  Tensor<1, 3>
+  ContactModel::displacement(const Eigen::VectorXd &u,
+                             const unsigned int     body,
+                             const unsigned int     node) const
+  {
+    Tensor<1, 3>       result;
+    const Eigen::Index dof = coordinates.dof(body, node);
+    for (unsigned int c = 0; c < bodies.dim; ++c)
+      result[c] = u[dof + c];
     return result;
   }
 
@@ -168,9 +178,9 @@ namespace conetact
   {
     if (is_dual())
       return std::make_unique<DualBackend>(
-        elastic, coordinates, plain, motions, chosen);
+        elastic, points, coordinates, motions, chosen);
     return std::make_unique<Condensation>(
-      elastic, coordinates, chosen, motions.null_space(), may_be_mechanism());
+      elastic, rules, points, chosen, motions.null_space(), may_be_mechanism());
   }
 
   FactorEstimate
@@ -178,8 +188,8 @@ namespace conetact
   {
     if (is_dual())
       return DualBackend::estimate(
-        elastic, coordinates, plain, motions, working_set());
-    return estimate_condensation(elastic, coordinates, working_set());
+        elastic, points, coordinates, motions, working_set());
+    return estimate_condensation(elastic, rules, points, working_set());
   }
 
   ElasticBackend &
@@ -222,22 +232,22 @@ namespace conetact
 
   ContactHistory::ContactHistory(ContactModel &m)
     : model(&m)
-    , initial_gap(m.coordinates.layout().n_nodes())
-    , q(Eigen::VectorXd::Zero(m.coordinates.n_contact_unknowns()))
+    , initial_gap(m.points.layout().n_nodes())
+    , q(Eigen::VectorXd::Zero(m.points.n_unknowns()))
     , r(q)
     , elastic(q)
     , a(Eigen::VectorXd::Zero(m.motions.n_free()))
     , base(a)
   {
     Eigen::Index i = 0;
-    for (const NodeRule *rule : model->coordinates.contact_rules())
-      initial_gap[i++] = rule->contact_node->gap;
+    for (const ContactPoint &point : model->points)
+      initial_gap[i++] = point.node->gap;
   }
 
   Eigen::VectorXd
   ContactHistory::shift() const
   {
-    const ContactSystem &layout = model->coordinates.layout();
+    const ContactSystem &layout = model->points.layout();
     Eigen::VectorXd      s      = -q;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       s[layout.normal(i)] = initial_gap[i];
@@ -247,7 +257,7 @@ namespace conetact
   Eigen::VectorXd
   ContactHistory::gaps() const
   {
-    const ContactSystem &layout = model->coordinates.layout();
+    const ContactSystem &layout = model->points.layout();
     Eigen::VectorXd      gap    = initial_gap;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       gap[i] += q[layout.normal(i)];
@@ -346,7 +356,7 @@ namespace conetact
                                 const ContactHistory &before) const
   {
     const WorkingSet    &set    = model->working_set();
-    const ContactSystem &layout = model->coordinates.layout();
+    const ContactSystem &layout = model->points.layout();
     ContactState         state{q - before.q, r, set.scatter(end.node)};
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       state.v[layout.normal(i)] = initial_gap[i] + q[layout.normal(i)];

@@ -20,23 +20,22 @@ namespace conetact
 
     /** The tangential displacement spanned by the contact unknowns. */
     Tensor<1, 3>
-    tangential(const NodeRule        &rule,
-               const Eigen::Index     first,
-               const Eigen::VectorXd &v)
+    tangential(const ContactPoint &point, const Eigen::VectorXd &v)
     {
       Tensor<1, 3> sum;
-      for (std::size_t k = 0; k + 1 < rule.contact.size(); ++k)
-        sum += v[first + static_cast<Eigen::Index>(k)] * rule.contact[k];
+      for (std::size_t k = 0; k + 1 < point.directions.size(); ++k)
+        sum +=
+          v[point.first + static_cast<Eigen::Index>(k)] * point.directions[k];
       return sum;
     }
 
     /** The rest of it: frictionless directions, and held ones without slip. */
     Tensor<1, 3>
-    other_tangential(const NodeRule &rule, const Tensor<1, 3> &relative)
+    other_tangential(const ContactPoint &point, const Tensor<1, 3> &relative)
     {
       Tensor<1, 3> rest = relative;
-      for (std::size_t k = 0; k < rule.contact.size(); ++k)
-        rest -= (relative * rule.dual[k]) * rule.contact[k];
+      for (std::size_t k = 0; k < point.directions.size(); ++k)
+        rest -= (relative * point.dual[k]) * point.directions[k];
       return rest;
     }
 
@@ -54,13 +53,11 @@ namespace conetact
     }
 
     Tensor<1, 3>
-    reaction_vector(const NodeRule        &rule,
-                    const Eigen::Index     first,
-                    const Eigen::VectorXd &r)
+    reaction_vector(const ContactPoint &point, const Eigen::VectorXd &r)
     {
       Tensor<1, 3> force;
-      for (std::size_t k = 0; k < rule.dual.size(); ++k)
-        force += r[first + static_cast<Eigen::Index>(k)] * rule.dual[k];
+      for (std::size_t k = 0; k < point.dual.size(); ++k)
+        force += r[point.first + static_cast<Eigen::Index>(k)] * point.dual[k];
       return force;
     }
   } // namespace
@@ -69,11 +66,11 @@ namespace conetact
                            const std::vector<unsigned int> &sides)
     : model(m)
     , master_side(sides)
-    , other_before(m.coordinates.contact_rules().size())
+    , other_before(m.points.size())
   {
-    for (const NodeRule *rule : model.coordinates.contact_rules())
+    for (const ContactPoint &point : model.points)
       {
-        const ContactNode &node = *rule->contact_node;
+        const ContactNode &node = *point.node;
         ContactRow         row;
         row.contact  = node.contact;
         row.node     = node.node;
@@ -95,49 +92,38 @@ namespace conetact
                     const double           t,
                     const bool             whole)
   {
-    const ContactSystem    &layout = model.coordinates.layout();
+    const ContactSystem    &layout = model.points.layout();
     std::vector<ContactRow> rows   = last;
-    const auto              at_dof = [&](const Eigen::Index dof) {
-      Tensor<1, 3> displacement;
-      for (unsigned int c = 0; c < model.bodies.dim; ++c)
-        displacement[c] = u[dof + c];
-      return displacement;
-    };
-    const auto opponent_motion = [&](const ContactNode &node) {
-      if (node.obstacle != nullptr)
-        return node.obstacle->displacement_at(t);
-      Tensor<1, 3> motion;
-      for (const auto &[master, weight] : node.masters)
-        motion += weight * at_dof(model.coordinates.dof(node.master, master));
-      return motion;
+    const auto at = [&](const unsigned int body, const unsigned int node) {
+      return model.displacement(u, body, node);
     };
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
-        const NodeRule    &rule  = *model.coordinates.contact_rules()[i];
-        const ContactNode &node  = *rule.contact_node;
-        const auto         index = static_cast<Eigen::Index>(i);
-        const Eigen::Index first = layout.first[i];
-        const Eigen::Index dof   = model.coordinates.dof(rule.body, rule.node);
-        ContactRow        &row   = rows[i];
+        const ContactPoint &point = model.points[i];
+        const ContactNode  &node  = *point.node;
+        const auto          index = static_cast<Eigen::Index>(i);
+        ContactRow         &row   = rows[i];
 
-        const Tensor<1, 3> relative = at_dof(dof) - opponent_motion(node);
         const Tensor<1, 3> other =
-          in_frame(node, other_tangential(rule, relative));
+          in_frame(node,
+                   other_tangential(point, relative_displacement(node, at, t)));
 
         row.gap  = state.v[layout.normal(index)];
-        row.u    = in_frame(node, tangential(rule, first, q)) + other;
+        row.u    = in_frame(node, tangential(point, q)) + other;
         row.u[0] = q[layout.normal(index)];
-        row.du   = in_frame(node, tangential(rule, first, state.v)) +
+        row.du   = in_frame(node, tangential(point, state.v)) +
                  (other - other_before[i]);
         row.du[0]       = row.u[0] - last[i].u[0];
-        row.reaction    = in_frame(node, reaction_vector(rule, first, state.r));
+        row.reaction    = in_frame(node, reaction_vector(point, state.r));
         row.state       = state.node[i];
         other_before[i] = other;
         if ((layout.n_tangents(index) == 0 || !whole) &&
             row.state != NodeState::open)
           row.state =
             std::hypot(row.du[1], row.du[2]) >
-                position_rounding * (row.position.norm() + at_dof(dof).norm()) ?
+                position_rounding *
+                  (row.position.norm() + node.spacing +
+                   at(node.body, node.node).norm()) ?
               NodeState::slip :
               NodeState::stick;
       }
@@ -158,10 +144,9 @@ namespace conetact
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
-        const ContactNode &node =
-          *model.coordinates.contact_rules()[i]->contact_node;
-        const ContactRow &row      = last[i];
-        const auto        in_space = [&](const Tensor<1, 3> &v) {
+        const ContactNode &node     = *model.points[i].node;
+        const ContactRow  &row      = last[i];
+        const auto         in_space = [&](const Tensor<1, 3> &v) {
           return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;
         };
         for (const auto &[master, weight] : node.masters)
@@ -177,12 +162,14 @@ namespace conetact
               model.bodies.structures[node.master]->position(master);
             sum.row.foot = sum.row.position;
             sum.row.area += weight * row.area;
-            sum.row.gap += weight * row.gap;
-            sum.weight += weight;
-            sum.normal -= weight * row.normal;
+            // beside a face that is overhung weights are a little below zero
+            const double share = std::abs(weight);
+            sum.row.gap += share * row.gap;
+            sum.weight += share;
+            sum.normal -= share * row.normal;
             sum.reaction -= weight * in_space(row.reaction);
-            sum.u -= weight * in_space(row.u);
-            sum.du -= weight * in_space(row.du);
+            sum.u -= share * in_space(row.u);
+            sum.du -= share * in_space(row.du);
           }
       }
     for (auto &[key, sum] : sums)

@@ -10,9 +10,12 @@
 
 namespace conetact
 {
-  Coordinates::Coordinates(const Bodies &b, const NodeRules &r)
+  Coordinates::Coordinates(const Bodies        &b,
+                           const NodeRules     &r,
+                           const ContactPoints *p)
     : bodies(b)
     , node_rules(r)
+    , points(p)
     , dof_offset(1, 0)
     , node_offset(1, 0)
   {
@@ -23,7 +26,11 @@ namespace conetact
       }
     rule_of_node.resize(node_offset.back(), nullptr);
     for (const NodeRule &rule : node_rules.rules())
-      rule_of_node[node_offset[rule.body] + rule.node] = &rule;
+      rule_of_node[number(rule.body, rule.node)] = &rule;
+    point_of_node.resize(node_offset.back(), nullptr);
+    if (points != nullptr)
+      for (const ContactPoint &point : *points)
+        point_of_node[number(point.node->body, point.node->node)] = &point;
     number_unknowns();
     write_rows();
   }
@@ -54,26 +61,14 @@ namespace conetact
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         number_node(body, i);
 
-    std::vector<double> mu;
-    for (const ContactNode &node : bodies.contact_nodes)
-      {
-        const unsigned int global = node_offset[node.body] + node.node;
-        const NodeRule    *rule   = rule_of_node[global];
-        if (rule == nullptr || rule->contact.empty())
-          continue;
-        const auto n_own      = static_cast<Eigen::Index>(rule->contact.size());
-        first_contact[global] = n_free + contact_layout.first.back();
-        contact_layout.first.push_back(contact_layout.first.back() + n_own);
-        mu.push_back(rule->mu);
-        contacts.push_back(rule);
-        node_of_unknown.insert(node_of_unknown.end(),
-                               rule->contact.size(),
-                               global);
-      }
-    set_n_unknowns(n_free + contact_layout.n_unknowns());
-    contact_layout.mu =
-      Eigen::Map<Eigen::VectorXd>(mu.data(),
-                                  static_cast<Eigen::Index>(mu.size()));
+    if (points != nullptr)
+      for (const ContactPoint &point : *points)
+        {
+          const unsigned int n = number(point.node->body, point.node->node);
+          first_contact[n]     = n_free + point.first;
+          node_of_unknown.insert(node_of_unknown.end(), point.dual.size(), n);
+        }
+    set_n_unknowns(n_free + n_contact_unknowns());
   }
 
   void
@@ -86,10 +81,11 @@ namespace conetact
     first_unknown[n]             = n_free;
     if (bodies.is_at_rest(body))
       return;
-    if (rule != nullptr)
-      n_free += static_cast<Eigen::Index>(rule->free.size());
+    const Directions *free = free_directions(n);
+    if (free != nullptr)
+      n_free += static_cast<Eigen::Index>(free->size());
 
-    for (unsigned int c = rule != nullptr ? bodies.dim : 0;
+    for (unsigned int c = free != nullptr ? bodies.dim : 0;
          c < structure.n_components();
          ++c)
       if (structure.has_dof(node, c) &&
@@ -109,9 +105,18 @@ namespace conetact
         for (unsigned int c = 0; c < bodies.structures[body]->n_components();
              ++c)
           {
-            append_row(body, i, c, 1., 0);
+            append_row(body, i, c, 1.);
             end_row();
           }
+  }
+
+  /* Null where a node has the scene's axes; hanging nodes have none. */
+  const Coordinates::Directions *
+  Coordinates::free_directions(const std::size_t n) const
+  {
+    if (point_of_node[n] != nullptr)
+      return &point_of_node[n]->frictionless;
+    return rule_of_node[n] != nullptr ? &rule_of_node[n]->free : nullptr;
   }
 
   void
@@ -119,30 +124,28 @@ namespace conetact
                           const unsigned int c,
                           const double       factor)
   {
-    const NodeRule &rule = *rule_of_node[n];
-    const auto      add  = [&](const std::vector<Tensor<1, 3>> &directions,
-                         const Eigen::Index               first) {
+    const auto add = [&](const Directions  &directions,
+                         const Eigen::Index first) {
       for (std::size_t k = 0; k < directions.size(); ++k)
         if (directions[k][c] != 0)
           append(first + static_cast<Eigen::Index>(k),
                  factor * directions[k][c]);
     };
-    add(rule.free, first_unknown[n]);
-    add(rule.contact, first_contact[n]);
+    add(*free_directions(n), first_unknown[n]);
+    if (point_of_node[n] != nullptr)
+      add(point_of_node[n]->directions, first_contact[n]);
   }
 
   void
   Coordinates::append_row(const unsigned int body,
                           const unsigned int node,
                           const unsigned int c,
-                          const double       factor,
-                          const unsigned int depth)
+                          const double       factor)
   {
     if (bodies.is_at_rest(body))
       return;
-    const std::size_t n    = node_offset[body] + node;
-    const NodeRule   *rule = rule_of_node[n];
-    if (rule == nullptr || c >= bodies.dim)
+    const std::size_t n = number(body, node);
+    if (free_directions(n) == nullptr || c >= bodies.dim)
       {
         if (const Eigen::Index unknown =
               own_unknown[static_cast<std::size_t>(dof(body, node)) + c];
@@ -150,24 +153,12 @@ namespace conetact
           append(unknown, factor);
         return;
       }
-    if (depth > bodies.structures.size() + 2)
-      throw InputError("Body '" + bodies.names[body] + "': its node at " +
-                       to_text(bodies.structures[body]->position(node)) +
-                       " follows other bodies in a circle of contacts. Let "
-                       "Body and Master body change roles in one of them.");
-    if (rule->masters.empty())
+    const NodeRule *rule = rule_of_node[n];
+    if (rule == nullptr || rule->masters.empty())
       append_own(n, c, factor);
-    for (const auto &[master, weight] : rule->masters)
-      append_row(body, master, c, factor * weight, depth + 1);
-    if (rule->contact_node != nullptr)
-      for (unsigned int d = 0; d < bodies.dim; ++d)
-        if (const double part = rule->left_free(c, d); part != 0)
-          for (const auto &[master, weight] : rule->contact_node->masters)
-            append_row(rule->contact_node->master,
-                       master,
-                       d,
-                       factor * part * weight,
-                       depth + 1);
+    else
+      for (const auto &[master, weight] : rule->masters)
+        append_row(body, master, c, factor * weight);
   }
 
   Eigen::VectorXd
@@ -225,10 +216,6 @@ namespace conetact
       return u;
     for (const auto &[master, weight] : rule->masters)
       u += weight * along_held(body, master, displacement);
-    if (rule->contact_node != nullptr)
-      for (const auto &[master, weight] : rule->contact_node->masters)
-        u +=
-          weight * along_held(rule->contact_node->master, master, displacement);
     for (const HeldDirection &held : rule->held)
       u += (displacement(*rule, held) - u * held.direction) * held.direction;
     return u;

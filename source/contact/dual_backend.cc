@@ -54,17 +54,17 @@ namespace conetact
   } // namespace
 
   DualBackend::DualBackend(const ElasticSystem &e,
+                           const ContactPoints &p,
                            const Coordinates   &c,
-                           const Coordinates   &p,
                            const RigidMotions  &m,
                            const WorkingSet    &s,
                            const Empty)
     : elastic(e)
+    , points(p)
     , coordinates(c)
-    , plain(p)
     , motions(m)
     , set(s)
-    , own(elastic.bodies, plain, body_axes(elastic.bodies))
+    , own(elastic.bodies, coordinates, body_axes(elastic.bodies))
     , H(set.layout().n_unknowns(), own.n_unknowns())
   {
     write_rows();
@@ -72,11 +72,11 @@ namespace conetact
   }
 
   DualBackend::DualBackend(const ElasticSystem &e,
+                           const ContactPoints &p,
                            const Coordinates   &c,
-                           const Coordinates   &p,
                            const RigidMotions  &m,
                            const WorkingSet    &s)
-    : DualBackend(e, c, p, m, s, Empty())
+    : DualBackend(e, p, c, m, s, Empty())
   {
     find_motions();
     condense();
@@ -92,16 +92,19 @@ namespace conetact
     Index              row = 0;
     for (const Index i : set.nodes())
       {
-        const NodeRule    &rule = *coordinates.contact_rules()[at(i)];
-        const ContactNode &node = *rule.contact_node;
-        for (const Tensor<1, 3> &dual : rule.dual)
+        const ContactNode &node = *points[i].node;
+        for (const Tensor<1, 3> &dual : points[i].dual)
           {
-            append(
-              own, row, plain.dof(rule.body, rule.node), dim, dual, entries);
+            append(own,
+                   row,
+                   coordinates.dof(node.body, node.node),
+                   dim,
+                   dual,
+                   entries);
             for (const auto &[master, weight] : node.masters)
               append(own,
                      row,
-                     plain.dof(node.master, master),
+                     coordinates.dof(node.master, master),
                      dim,
                      -weight * dual,
                      entries);
@@ -417,7 +420,7 @@ namespace conetact
     for (Index k = 0; k < n; ++k)
       forces.col(k) = loads[at(k)]->b + forces_of(primal[at(k)]);
     const MatrixXd p = deform(forces);
-    MatrixXd       w(plain.n_dofs(), n);
+    MatrixXd       w(coordinates.n_dofs(), n);
     for (Index k = 0; k < n; ++k)
       w.col(k) = own.expand(p.col(k)) + loads[at(k)]->prescribed;
     return w;
@@ -465,12 +468,12 @@ namespace conetact
 
   FactorEstimate
   DualBackend::estimate(const ElasticSystem &elastic,
+                        const ContactPoints &points,
                         const Coordinates   &coordinates,
-                        const Coordinates   &plain,
                         const RigidMotions  &motions,
                         const WorkingSet    &set)
   {
-    const DualBackend  dual(elastic, coordinates, plain, motions, set, Empty());
+    const DualBackend dual(elastic, points, coordinates, motions, set, Empty());
     const SparseMatrix all = assemble(elastic, dual.own);
     FactorEstimate     sum;
     for (const Part &part : dual.parts)

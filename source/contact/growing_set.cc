@@ -41,7 +41,7 @@ namespace conetact
   {
     if (model.working_set().is_all())
       return false;
-    model.choose(WorkingSet(model.coordinates.layout()));
+    model.choose(WorkingSet(model.points.layout()));
     return true;
   }
 } // namespace conetact

@@ -25,11 +25,11 @@ namespace conetact
              const std::size_t      i,
              const Eigen::VectorXd &velocity)
     {
-      const NodeRule    &rule  = *model.coordinates.contact_rules()[i];
-      const Eigen::Index first = model.coordinates.layout().first[i];
-      Tensor<1, 3>       v;
-      for (std::size_t k = 0; k < rule.contact.size(); ++k)
-        v += velocity[first + static_cast<Eigen::Index>(k)] * rule.contact[k];
+      const ContactPoint &point = model.points[i];
+      Tensor<1, 3>        v;
+      for (std::size_t k = 0; k < point.directions.size(); ++k)
+        v += velocity[point.first + static_cast<Eigen::Index>(k)] *
+             point.directions[k];
       return v;
     }
 
@@ -64,23 +64,23 @@ namespace conetact
                  const Eigen::VectorXd   &velocity,
                  const std::vector<bool> &touching)
   {
-    const auto               &rules = model.coordinates.contact_rules();
+    const ContactPoints      &points = model.points;
     std::vector<Tensor<1, 3>> v;
     std::set<unsigned int>    moving;
-    for (std::size_t i = 0; i < rules.size(); ++i)
+    for (std::size_t i = 0; i < points.size(); ++i)
       {
         v.push_back(in_space(model, i, velocity));
         if (v.back().norm() > at_rest)
-          moving.insert(rules[i]->body);
+          moving.insert(points[i].node->body);
       }
     Mechanism result;
     bool      lifts = false;
-    for (std::size_t i = 0; i < rules.size(); ++i)
+    for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const double away = velocity[model.coordinates.layout().normal(
-          static_cast<Eigen::Index>(i))];
-        lifts             = lifts || away > at_rest;
-        if (!touching[i] || moving.count(rules[i]->body) == 0)
+        const double away =
+          velocity[points.layout().normal(static_cast<Eigen::Index>(i))];
+        lifts = lifts || away > at_rest;
+        if (!touching[i] || moving.count(points[i].node->body) == 0)
           continue;
         if (away > at_rest)
           result.open.push_back(i);
@@ -103,8 +103,7 @@ namespace conetact
     std::map<unsigned int, std::vector<std::string>> of_contact;
     for (const std::size_t i : nodes)
       {
-        const ContactNode &node =
-          *model.coordinates.contact_rules()[i]->contact_node;
+        const ContactNode &node = *model.points[i].node;
         of_contact[node.contact].push_back(std::to_string(node.node));
       }
     std::vector<std::string> texts;

@@ -17,9 +17,6 @@ namespace conetact
     /** Directions closer than this (as a sine) are the same. */
     constexpr double same_direction = 1e-9;
 
-    /** Over the spacing of nodes: what slides less than that does not. */
-    constexpr double least_slide = 1e-12;
-
     Tensor<1, 3>
     remainder(Tensor<1, 3> v, const std::vector<Tensor<1, 3>> &orthonormal)
     {
@@ -27,62 +24,29 @@ namespace conetact
         v -= (v * e) * e;
       return v;
     }
-
-    std::vector<Tensor<1, 3>>
-    directions(const std::vector<HeldDirection> &held)
-    {
-      std::vector<Tensor<1, 3>> result;
-      for (const HeldDirection &h : held)
-        result.push_back(h.direction);
-      return result;
-    }
-
-    void
-    add_cone(NodeRule &rule, const Tensor<1, 3> &tangent, const double scale)
-    {
-      rule.contact.push_back(scale * tangent);
-      rule.dual.push_back(tangent / scale);
-    }
-
-    /**
-     * Tangents that no support holds. The elliptic cone becomes a circular one
-     * of coefficient mu = sqrt(mu_1 mu_2) in the coordinates u_k mu_k/mu, the
-     * forces r_k mu/mu_k: same work, [K] remark 3.3.
-     */
-    void
-    add_both_tangents(NodeRule &rule, const ContactNode &node)
-    {
-      rule.mu        = node.mu_1 == node.mu_2 ? node.mu_1 :
-                       node.mu_1 > 0 && node.mu_2 > 0 ?
-                                                std::sqrt(node.mu_1 * node.mu_2) :
-                                                std::max(node.mu_1, node.mu_2);
-      const auto add = [&](const Tensor<1, 3> &axis, const double mu) {
-        if (mu > 0)
-          add_cone(rule, axis, rule.mu / mu);
-        else
-          rule.free.push_back(axis);
-      };
-      add(node.axis_1, node.mu_1);
-      add(node.axis_2, node.mu_2);
-    }
-
-    /** The one tangent that is left; mu is the cone's radius along it. */
-    void
-    add_one_tangent(NodeRule           &rule,
-                    const ContactNode  &node,
-                    const Tensor<1, 3> &tangent)
-    {
-      if (node.mu_1 == node.mu_2)
-        rule.mu = node.mu_1;
-      else if (node.mu_1 > 0 && node.mu_2 > 0)
-        rule.mu = 1 / std::hypot(tangent * node.axis_1 / node.mu_1,
-                                 tangent * node.axis_2 / node.mu_2);
-      if (rule.mu > 0)
-        add_cone(rule, tangent, 1);
-      else
-        rule.free.push_back(tangent);
-    }
   } // namespace
+
+  std::vector<Tensor<1, 3>>
+  directions(const std::vector<HeldDirection> &held)
+  {
+    std::vector<Tensor<1, 3>> result;
+    for (const HeldDirection &h : held)
+      result.push_back(h.direction);
+    return result;
+  }
+
+  bool
+  is_spanned(const Tensor<1, 3>              &v,
+             const std::vector<Tensor<1, 3>> &orthonormal)
+  {
+    return remainder(v, orthonormal).norm() < same_direction * v.norm();
+  }
+
+  bool
+  is_across(const Tensor<1, 3> &v, const std::vector<Tensor<1, 3>> &orthonormal)
+  {
+    return remainder(v, orthonormal).norm() >= (1 - same_direction) * v.norm();
+  }
 
   std::vector<Tensor<1, 3>>
   complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
@@ -149,21 +113,10 @@ namespace conetact
 
 
 
-  double
-  NodeRule::left_free(const unsigned int c, const unsigned int d) const
-  {
-    double part = c == d ? 1 : 0;
-    for (const HeldDirection &h : held)
-      part -= h.direction[c] * h.direction[d];
-    return part;
-  }
-
-  NodeRules::NodeRules(const Bodies              &b,
-                       const std::vector<double> &times,
-                       const bool                 with_contacts)
+  NodeRules::NodeRules(const Bodies &b, const std::vector<double> &times)
     : bodies(b)
   {
-    RuleMap    rules;
+    std::map<std::pair<unsigned int, unsigned int>, NodeRule> rules;
     const auto rule_of = [&](const unsigned int body,
                              const unsigned int node) -> NodeRule & {
       NodeRule &rule = rules[{body, node}];
@@ -194,22 +147,29 @@ namespace conetact
           }
       }
 
-    if (with_contacts)
-      for (const ContactNode &node : bodies.contact_nodes)
-        {
-          NodeRule &rule = rule_of(node.body, node.node);
-          add_contact(rule,
-                      node,
-                      slides_along_supports(rules, rule, node, times));
-        }
-
     for (auto &[key, rule] : rules)
       {
-        if (rule.masters.empty() && rule.contact.empty())
+        if (rule.masters.empty())
           rule.free = complement(directions(rule.held), bodies.dim);
         sorted.push_back(std::move(rule));
       }
     check_redundant(times);
+  }
+
+  const NodeRule *
+  NodeRules::find(const unsigned int body, const unsigned int node) const
+  {
+    const auto rule =
+      std::lower_bound(sorted.begin(),
+                       sorted.end(),
+                       std::make_pair(body, node),
+                       [](const NodeRule                              &a,
+                          const std::pair<unsigned int, unsigned int> &b) {
+                         return std::make_pair(a.body, a.node) < b;
+                       });
+    return rule != sorted.end() && rule->body == body && rule->node == node ?
+             &*rule :
+             nullptr;
   }
 
   void
@@ -266,85 +226,6 @@ namespace conetact
     return bodies.supports[held.support].rotations[held.rotation].angle(p, t);
   }
 
-  bool
-  NodeRules::slides_along_supports(const RuleMap             &rules,
-                                   const NodeRule            &rule,
-                                   const ContactNode         &node,
-                                   const std::vector<double> &times) const
-  {
-    if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
-      return false;
-    std::vector<std::pair<const NodeRule *, double>> masters;
-    for (const auto &[master, weight] : node.masters)
-      if (weight != 0)
-        {
-          const auto found = rules.find({node.master, master});
-          if (found == rules.end() || !found->second.masters.empty())
-            return true; // its body may deform along anything held here
-          masters.emplace_back(&found->second, weight);
-        }
-    for (const HeldDirection &own : rule.held)
-      {
-        for (const auto &[master, weight] : masters)
-          if (remainder(own.direction, directions(master->held)).norm() >
-              same_direction)
-            return true;
-        for (const double t : times)
-          {
-            double slip = displacement(own, node.position, t);
-            if (node.obstacle != nullptr)
-              slip -= node.obstacle->displacement_at(t) * own.direction;
-            for (const auto &[master, weight] : masters)
-              for (const HeldDirection &h : master->held)
-                slip -= weight * (h.direction * own.direction) *
-                        displacement(h,
-                                     bodies.structures[master->body]->position(
-                                       master->node),
-                                     t);
-            if (std::abs(slip) > least_slide * node.spacing)
-              return true;
-          }
-      }
-    return false;
-  }
-
-  // What a support holds across the normal has no cone where nothing slides
-  // there; where it does, friction acts, and the support takes it.
-  void
-  NodeRules::add_contact(NodeRule          &rule,
-                         const ContactNode &node,
-                         const bool         slides)
-  {
-    const std::vector<Tensor<1, 3>> held = directions(rule.held);
-    const double normal_left             = remainder(node.n, held).norm();
-    if (normal_left < same_direction)
-      {
-        ++n_held;
-        return;
-      }
-    if (normal_left < 1 - same_direction)
-      throw InputError(
-        "Support '" +
-        bodies.supports[rule.held.back().terms.front().support].name +
-        "' holds the contact node at " + to_text(node.position) + " of body '" +
-        bodies.names[node.body] + "' along " + to_text(held.back()) +
-        ", neither along its contact normal " + to_text(node.n) +
-        " nor across it. Take the node out of the support or of the contact.");
-
-    rule.contact_node = &node;
-    prescribed_slip   = prescribed_slip || slides;
-    const unsigned int n_left =
-      bodies.dim - 1 - (slides ? 0 : static_cast<unsigned int>(held.size()));
-    if (n_left == 2)
-      add_both_tangents(rule, node);
-    else if (n_left == 1)
-      add_one_tangent(rule,
-                      node,
-                      bodies.dim == 2 ? node.t1 :
-                                        cross_product_3d(node.n, held[0]));
-    add_cone(rule, node.n, 1);
-  }
-
   double
   NodeRules::displacement(const HeldDirection &held,
                           const Point<3>      &p,
@@ -362,15 +243,8 @@ namespace conetact
   {
     for (const Redundant &r : redundant)
       {
-        const auto rule =
-          std::lower_bound(sorted.begin(),
-                           sorted.end(),
-                           std::make_pair(r.body, r.node),
-                           [](const NodeRule                              &a,
-                              const std::pair<unsigned int, unsigned int> &b) {
-                             return std::make_pair(a.body, a.node) < b;
-                           });
-        const Point<3> p = bodies.structures[r.body]->position(r.node);
+        const NodeRule *rule = find(r.body, r.node);
+        const Point<3>  p    = bodies.structures[r.body]->position(r.node);
         for (const double t : times)
           {
             const double wanted = displacement(r.held, p, t);

@@ -33,14 +33,13 @@ namespace conetact
       Tensor<1, 3>         sum;
       for (const Eigen::Index i : refusal.tight)
         {
-          const auto      k = static_cast<std::size_t>(i);
-          const NodeRule &rule =
-            *model.coordinates.contact_rules()[static_cast<std::size_t>(
-              model.working_set().nodes()[k])];
-          const double sign = side_of(body, *rule.contact_node);
+          const auto          k = static_cast<std::size_t>(i);
+          const ContactPoint &point =
+            model.points[model.working_set().nodes()[k]];
+          const double sign = side_of(body, *point.node);
           for (Eigen::Index c = 0; c < layout.n_tangents(i); ++c)
             sum += sign * refusal.v[layout.first[k] + c] *
-                   rule.contact[static_cast<std::size_t>(c)];
+                   point.directions[static_cast<std::size_t>(c)];
         }
       return sum;
     }
@@ -85,13 +84,12 @@ namespace conetact
     std::vector<ExistenceCheck::Frame> frames;
     for (const Eigen::Index i : model.working_set().nodes())
       {
-        const NodeRule *rule =
-          model.coordinates.contact_rules()[static_cast<std::size_t>(i)];
+        const auto           &directions = model.points[i].directions;
         ExistenceCheck::Frame frame(
-          3, static_cast<Eigen::Index>(rule->contact.size()));
+          3, static_cast<Eigen::Index>(directions.size()));
         for (Eigen::Index c = 0; c < frame.cols(); ++c)
           for (unsigned int d = 0; d < 3; ++d)
-            frame(d, c) = rule->contact[static_cast<std::size_t>(c)][d];
+            frame(d, c) = directions[static_cast<std::size_t>(c)][d];
         frames.push_back(frame);
       }
     return ExistenceCheck(model.condensation().system(), std::move(frames));

@@ -99,9 +99,10 @@ namespace conetact
     }
   } // namespace
 
-  RigidMotions::RigidMotions(const Bodies      &b,
-                             const NodeRules   &r,
-                             const Coordinates &coordinates)
+  RigidMotions::RigidMotions(const Bodies        &b,
+                             const NodeRules     &r,
+                             const ContactPoints &points,
+                             const Coordinates   &coordinates)
     : bodies(b)
     , rules(r)
     , n_one(n_modes(b.dim))
@@ -114,7 +115,7 @@ namespace conetact
     offset.push_back(coordinates.n_dofs());
     find_held_and_free();
     find_resisted();
-    see_contacts(coordinates);
+    see_contacts(points);
     refuse_loose_bodies();
   }
 
@@ -185,18 +186,17 @@ namespace conetact
   }
 
   void
-  RigidMotions::see_contacts(const Coordinates &coordinates)
+  RigidMotions::see_contacts(const ContactPoints &points)
   {
-    const Index n = coordinates.n_contact_unknowns();
-    seen_by_contacts.setZero(n, free_modes.cols());
+    seen_by_contacts.setZero(points.n_unknowns(), free_modes.cols());
     Index i = 0;
-    for (const NodeRule *rule : coordinates.contact_rules())
-      for (const Tensor<1, 3> &dual : rule->dual)
+    for (const ContactPoint &point : points)
+      for (const Tensor<1, 3> &dual : point.dual)
         {
-          const ContactNode &node = *rule->contact_node;
+          const ContactNode &node = *point.node;
           seen_by_contacts.row(i) =
-            row(rule->body, node.position, dual) *
-            free_modes.middleRows(rule->body * n_one, n_one);
+            row(node.body, node.position, dual) *
+            free_modes.middleRows(node.body * n_one, n_one);
           for (const auto &[master, weight] : node.masters)
             seen_by_contacts.row(i) -=
               row(node.master,

@@ -153,6 +153,37 @@ namespace conetact
     return on_edge.distance <= inside.distance ? on_edge : inside;
   }
 
+  std::optional<std::array<double, 2>>
+  point_along(const std::vector<Point<3>> &corners,
+              const Point<3>              &p,
+              const Tensor<1, 3>          &normal,
+              const std::array<double, 2> &near)
+  {
+    if (corners.size() == 2)
+      {
+        const Tensor<1, 3> along  = corners[1] - corners[0];
+        const double       across = cross_product_3d(along, normal)[2];
+        if (std::abs(across) < 1e-6 * along.norm())
+          return {};
+        return {{{cross_product_3d(p - corners[0], normal)[2] / across, 0}}};
+      }
+    auto at = near;
+    for (unsigned int iteration = 0; iteration < 20; ++iteration)
+      {
+        const auto         g    = face_tangents(corners, at);
+        const Tensor<1, 3> miss = Tensor<1, 3>(p) - image(corners, at);
+        const double       det  = cross_product_3d(g[0], g[1]) * normal;
+        if (std::abs(det) < 1e-6 * g[0].norm() * g[1].norm())
+          return {};
+        const double da = cross_product_3d(miss, g[1]) * normal / det;
+        const double db = cross_product_3d(g[0], miss) * normal / det;
+        at              = {{at[0] + da, at[1] + db}};
+        if (std::abs(da) + std::abs(db) < 1e-14)
+          return at;
+      }
+    return {};
+  }
+
   Tensor<1, 3>
   nearest_in_cone(const Tensor<1, 3>              &direction,
                   const std::vector<Tensor<1, 3>> &cone)

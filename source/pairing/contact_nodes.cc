@@ -46,17 +46,18 @@ namespace conetact
         value_at(*contact.cohesion, node.position, in + "Cohesion");
     }
 
-    /** Diagonal of the box around a body. */
+    /** Diagonal of the box around two bodies. */
     double
-    size_of(const Structure &body)
+    size_of(const Structure &one, const Structure &other)
     {
-      Point<3> low = body.position(0), high = low;
-      for (unsigned int node = 0; node < body.n_nodes(); ++node)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            low[d]  = std::min(low[d], body.position(node)[d]);
-            high[d] = std::max(high[d], body.position(node)[d]);
-          }
+      Point<3> low = one.position(0), high = low;
+      for (const Structure *body : {&one, &other})
+        for (unsigned int node = 0; node < body->n_nodes(); ++node)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d]  = std::min(low[d], body->position(node)[d]);
+              high[d] = std::max(high[d], body->position(node)[d]);
+            }
       return low.distance(high);
     }
 
@@ -96,10 +97,9 @@ namespace conetact
                                          bodies[contact.master],
                                          in + "Master boundary ids");
       const std::string reach = prm.get("Reach");
-      contact.reach           = reach.empty() ?
-                                  std::max(size_of(*structures[contact.body]),
-                                 size_of(*structures[contact.master])) :
-                                  to_number(reach, in + "Reach");
+      contact.reach = reach.empty() ? size_of(*structures[contact.body],
+                                              *structures[contact.master]) :
+                                      to_number(reach, in + "Reach");
       if (!prm.get("Gap").empty())
         contact.gap.emplace(prm.get("Gap"), in + "Gap");
       if (structures[contact.body]->surface(contact.ids).two_sided &&
@@ -353,7 +353,8 @@ namespace conetact
                       "",
                       Anything(),
                       "Nodes further than this from the master's faces stay "
-                      "free. Empty: the diagonal of the larger body. [length]");
+                      "free. Empty: the diagonal of the box around both "
+                      "bodies. [length]");
     prm.declare_entry("Largest angle",
                       "60",
                       Anything(),
@@ -460,8 +461,7 @@ namespace conetact
                      const std::vector<const Structure *> &structures,
                      const unsigned int                    dim)
   {
-    ContactNodes                                                  result;
-    std::map<std::pair<unsigned int, unsigned int>, unsigned int> contact_of;
+    ContactNodes result;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact &contact = contacts[c];
@@ -473,14 +473,6 @@ namespace conetact
             count(node, result.pairings.back());
             if (!node)
               continue;
-            const auto [other, is_new] =
-              contact_of.insert({{contact.body, s.node}, c});
-            if (!is_new)
-              throw InputError(
-                "Contact '" + contacts[other->second].name + "' and contact '" +
-                contact.name + "' both hold the node at " +
-                to_text(s.position) + " of body '" + bodies[contact.body] +
-                "'. A node stands in one contact only: change Boundary ids.");
             node->contact = c;
             set_friction(*node, contact);
             set_frame(*node, node->n, dim);

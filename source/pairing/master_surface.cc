@@ -61,6 +61,25 @@ namespace conetact
         normal = -normal;
     }
 
+    /**
+     * Where forces act on a face: they have no moment if that is along the
+     * normal from p, a little beyond the face where p overhangs it.
+     */
+    std::array<double, 2>
+    acting_at(const FaceNet::Face         &face,
+              const Point<3>              &p,
+              const Tensor<1, 3>          &normal,
+              const std::array<double, 2> &closest)
+    {
+      const auto   along   = point_along(face.corners, p, normal, closest);
+      const double allowed = 2 * overhang;
+      const auto   is_near = [&](const double a) {
+        return a >= -allowed && a <= 1 + allowed;
+      };
+      return along && is_near((*along)[0]) && is_near((*along)[1]) ? *along :
+                                                                     closest;
+    }
+
     bool
     is_sharp(const std::vector<FaceNet::Closest> &feature)
     {
@@ -234,7 +253,9 @@ namespace conetact
         if (at.distance == nearest && cosine <= opposes)
           continue;
         Foot       foot{meeting->gap, meeting->normal, faces[f].size, {}};
-        const auto weights = shape_values(faces[f].nodes.size(), at.at);
+        const auto weights =
+          shape_values(faces[f].nodes.size(),
+                       acting_at(faces[f], p, meeting->normal, at.at));
         for (std::size_t i = 0; i < weights.size(); ++i)
           if (std::abs(weights[i]) > 1e-14)
             foot.masters.emplace_back(faces[f].nodes[i], weights[i]);

@@ -29,10 +29,10 @@ namespace conetact
   } // namespace
 
   void
-  Energies::add(const std::vector<ContactPoint> &points,
-                const Claim                     &claim,
-                const Finding                   &finding,
-                IncrementRecord                 &record)
+  Energies::add(const ContactPoints &points,
+                const Claim         &claim,
+                const Finding       &finding,
+                IncrementRecord     &record)
   {
     State now;
     now.u           = finding.u;

@@ -166,13 +166,13 @@ namespace conetact
   }
 
   ExternalForces
-  external_forces(const Bodies                    &bodies,
-                  const Coordinates               &plain,
-                  const std::vector<ContactPoint> &points,
-                  const Eigen::VectorXd           &rest,
-                  const std::vector<Foundation>   &foundations,
-                  const Eigen::VectorXd           &loads,
-                  const Eigen::VectorXd           &r)
+  external_forces(const Bodies                  &bodies,
+                  const Coordinates             &plain,
+                  const ContactPoints           &points,
+                  const Eigen::VectorXd         &rest,
+                  const std::vector<Foundation> &foundations,
+                  const Eigen::VectorXd         &loads,
+                  const Eigen::VectorXd         &r)
   {
     ExternalForces all;
     all.held.setZero(rest.size());

@@ -47,31 +47,22 @@ namespace conetact
     std::vector<double> reach;     ///< largest coordinate + displacement
   };
 
-  Verification::Verification(const Bodies             &b,
-                             const ElasticSystem      &e,
-                             const Coordinates        &p,
-                             const RigidMotions       &m,
-                             std::vector<ContactPoint> contacts,
-                             const double              tol)
+  Verification::Verification(const Bodies        &b,
+                             const ElasticSystem &e,
+                             const Coordinates   &p,
+                             const RigidMotions  &m,
+                             const ContactPoints &contacts,
+                             const double         tol)
     : bodies(b)
     , elastic(e)
     , plain(p)
     , motions(m)
-    , points(std::move(contacts))
+    , points(contacts)
     , tolerance(tol)
     , history(bodies.structures.size(), 0.)
-    , before(VectorXd::Zero(points.empty() ?
-                              0 :
-                              points.back().first +
-                                static_cast<Index>(points.back().dual.size())))
+    , stiffness(VectorXd::Zero(static_cast<Index>(points.size())))
+    , before(VectorXd::Zero(points.n_unknowns()))
   {}
-
-  void
-  Verification::set_stiffness(const VectorXd &stiffness)
-  {
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i].stiffness = stiffness[static_cast<Index>(i)];
-  }
 
   VectorXd
   Verification::relative_displacements(const VectorXd &u, const double t) const
@@ -204,7 +195,7 @@ namespace conetact
         const double past = scales.noise;
         const double position =
           16 * eps * std::max(scales.reach[node.body], scales.reach[other]);
-        const double k = point.stiffness;
+        const double k = stiffness[static_cast<Index>(i)];
 
         const auto     nt  = static_cast<Index>(point.dual.size()) - 1;
         const Index    n   = point.first + nt;

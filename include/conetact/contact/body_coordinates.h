@@ -10,8 +10,9 @@ namespace conetact
 {
   /**
    * Unknowns p of each body by itself, in its own axes: @f$ u = B p @f$ but for
-   * what is prescribed. What supports hold and hanging nodes are eliminated. Equal bodies have equal matrices @f$ B^T K B @f$ however they
-   * are turned, if their supports are turned along.
+   * what is prescribed. What supports hold and hanging nodes are eliminated.
+   * Equal bodies have equal matrices @f$ B^T K B @f$ however they are turned,
+   * if their supports are turned along.
    */
   class BodyCoordinates : public LinearMap
   {

@@ -27,15 +27,6 @@ namespace conetact
     const std::vector<double>                            &times);
 
   /**
-   * Displacements of the unknowns of all candidates relative to what they may
-   * touch [length], from those of all dofs at time t.
-   */
-  Eigen::VectorXd
-  candidate_displacements(const ContactModel    &model,
-                          const Eigen::VectorXd &u,
-                          const double           t);
-
-  /**
    * Candidates outside the working set that penetrate, by the gaps of all
    * [length]. Where there are none, a result is that of the whole set.
    */

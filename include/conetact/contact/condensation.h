@@ -33,7 +33,8 @@ namespace conetact
      * the set are fixed.
      */
     Condensation(const ElasticSystem   &elastic,
-                 const Coordinates     &coordinates,
+                 const NodeRules       &supports,
+                 const ContactPoints   &points,
                  const WorkingSet      &set,
                  const Eigen::MatrixXd &null_space,
                  const bool             find_mechanisms);
@@ -111,7 +112,8 @@ namespace conetact
                     const Eigen::MatrixXd &reduced) const;
 
     const ElasticSystem                 &elastic;
-    const Coordinates                   &coordinates;
+    const ContactPoints                 &points;
+    const Coordinates                    coordinates;
     WorkingSet                           set;
     std::unique_ptr<ExtendedSchur>       solver;
     std::shared_ptr<const ContactSystem> contact_system;
@@ -123,7 +125,8 @@ namespace conetact
   /** What the factorisation of a condensation will take. */
   FactorEstimate
   estimate_condensation(const ElasticSystem &elastic,
-                        const Coordinates   &coordinates,
+                        const NodeRules     &supports,
+                        const ContactPoints &points,
                         const WorkingSet    &set);
 } // namespace conetact
 

@@ -16,8 +16,8 @@
 namespace conetact
 {
   /**
-   * A scene's bodies made ready for contact solvers: rules of nodes,
-   * unknowns, rigid motions and, when first asked for, the condensation.
+   * A scene's bodies made ready for contact solvers: rules of nodes, contact
+   * points, rigid motions and, when first asked for, the condensation.
    */
   class ContactModel
   {
@@ -25,14 +25,10 @@ namespace conetact
     /** `times` are those of the increments. Throws InputError. */
     ContactModel(const Bodies &bodies, const std::vector<double> &times);
 
-    const Bodies     &bodies;
-    const NodeRules   rules;
-    const Coordinates coordinates;
-
-    /** The same bodies without contacts: what supports hold of each. */
-    const NodeRules   plain_rules;
-    const Coordinates plain;
-
+    const Bodies       &bodies;
+    const NodeRules     rules;       ///< what supports and hanging nodes leave
+    const ContactPoints points;      ///< contacts as rows over the nodes
+    const Coordinates   coordinates; ///< of the bodies without contacts
     const ElasticSystem elastic;
     const RigidMotions  motions;
 
@@ -64,6 +60,15 @@ namespace conetact
     load_case(const Eigen::VectorXd &mechanical,
               const Eigen::VectorXd &thermal,
               const double           t);
+    /** Of the contact unknowns, from displacements of all dofs at time t. */
+    Eigen::VectorXd
+    relative_displacements(const Eigen::VectorXd &u, const double t) const;
+    /** That of a node. */
+    Tensor<1, 3>
+    displacement(const Eigen::VectorXd &u,
+                 const unsigned int     body,
+                 const unsigned int     node) const;
+
     /** Amounts of all rigid motions, from the free ones. */
     Eigen::VectorXd
     amounts(const Eigen::VectorXd &placement, const Eigen::VectorXd &a) const;

@@ -4,9 +4,9 @@
 #ifndef conetact_contact_coordinates_h
 #define conetact_contact_coordinates_h
 
+#include "conetact/contact/contact_points.h"
 #include "conetact/contact/linear_map.h"
 #include "conetact/contact/node_rules.h"
-#include "conetact/solvers/contact_problem.h"
 
 #include <Eigen/Core>
 
@@ -19,19 +19,18 @@ namespace conetact
   /**
    * The linear map @f$ u = C q + d(t) @f$ from the unknowns q of equilibrium
    * to the displacements u of all dofs of all bodies, body after body. It
-   * eliminates supports (along any directions) and hanging nodes and turns
-   * contact nodes into their own frames; d holds what supports prescribe
-   * [length].
-   *
-   * Unknowns of contact nodes that carry cones come last, node by node:
-   * tangential ones, then the normal one. A tangent that a support holds or
-   * that has no friction is not among them. Where friction is elliptic they
-   * are scaled so that the cone is circular: solvers see one coefficient.
+   * eliminates supports (along any directions) and hanging nodes; d holds what
+   * supports prescribe [length]. With contact points it turns their nodes into
+   * their own frames, for contacts with obstacles, one at each node: the
+   * unknowns that carry cones come last then, point by point.
    */
   class Coordinates : public LinearMap
   {
   public:
-    Coordinates(const Bodies &bodies, const NodeRules &rules);
+    /** All arguments must outlive the object. */
+    Coordinates(const Bodies        &bodies,
+                const NodeRules     &rules,
+                const ContactPoints *points = nullptr);
 
     Eigen::Index
     n_dofs() const
@@ -41,7 +40,7 @@ namespace conetact
     Eigen::Index
     n_contact_unknowns() const
     {
-      return contact_layout.n_unknowns();
+      return points != nullptr ? points->n_unknowns() : 0;
     }
     /** First dof of a body in u. */
     Eigen::Index
@@ -91,18 +90,6 @@ namespace conetact
     {
       return node_rules;
     }
-    /** Rules of the nodes with contact unknowns, in the order of these. */
-    const std::vector<const NodeRule *> &
-    contact_rules() const
-    {
-      return contacts;
-    }
-    /** Their offsets `first` and coefficients `mu`; no matrix. */
-    const ContactSystem &
-    layout() const
-    {
-      return contact_layout;
-    }
 
   private:
     void
@@ -115,8 +102,10 @@ namespace conetact
     append_row(const unsigned int body,
                const unsigned int node,
                const unsigned int c,
-               const double       factor,
-               const unsigned int depth);
+               const double       factor);
+    using Directions = std::vector<Tensor<1, 3>>;
+    const Directions *
+    free_directions(const std::size_t n) const;
     void
     append_own(const std::size_t n, const unsigned int c, const double factor);
     /** What is along held directions, by their displacements and rotations. */
@@ -137,19 +126,19 @@ namespace conetact
             const unsigned int     body,
             const unsigned int     node) const;
 
-    const Bodies                 &bodies;
-    const NodeRules              &node_rules;
-    std::vector<Eigen::Index>     dof_offset;
-    std::vector<unsigned int>     node_offset;
-    std::vector<const NodeRule *> rule_of_node; ///< of all bodies, or null
+    const Bodies                     &bodies;
+    const NodeRules                  &node_rules;
+    const ContactPoints              *points;
+    std::vector<Eigen::Index>         dof_offset;
+    std::vector<unsigned int>         node_offset;
+    std::vector<const NodeRule *>     rule_of_node;  ///< of all bodies, or null
+    std::vector<const ContactPoint *> point_of_node; ///< the same
 
-    Eigen::Index                  n_free = 0;
-    std::vector<Eigen::Index>     first_unknown; ///< of a node's free ones
-    std::vector<Eigen::Index>     first_contact; ///< of a node's contact ones
-    std::vector<Eigen::Index>     own_unknown;   ///< of each dof, or -1
-    std::vector<unsigned int>     node_of_unknown;
-    std::vector<const NodeRule *> contacts;
-    ContactSystem                 contact_layout;
+    Eigen::Index              n_free = 0;
+    std::vector<Eigen::Index> first_unknown; ///< of a node's free ones
+    std::vector<Eigen::Index> first_contact; ///< of a node's contact ones
+    std::vector<Eigen::Index> own_unknown;   ///< of each dof, or -1
+    std::vector<unsigned int> node_of_unknown;
   };
 } // namespace conetact
 

@@ -34,13 +34,12 @@ namespace conetact
   {
   public:
     /**
-     * `coordinates` number contact unknowns, `plain` are those of the same
-     * bodies without contacts. Throws SingularMatrix. All but `set` must
-     * outlive the object.
+     * `coordinates` are those of the bodies without contacts. Throws
+     * SingularMatrix. All but `set` must outlive the object.
      */
     DualBackend(const ElasticSystem &elastic,
+                const ContactPoints &points,
                 const Coordinates   &coordinates,
-                const Coordinates   &plain,
                 const RigidMotions  &motions,
                 const WorkingSet    &set);
 
@@ -77,8 +76,8 @@ namespace conetact
     /** What the factorisations would take; nothing is factorised. */
     static FactorEstimate
     estimate(const ElasticSystem &elastic,
+             const ContactPoints &points,
              const Coordinates   &coordinates,
-             const Coordinates   &plain,
              const RigidMotions  &motions,
              const WorkingSet    &set);
 
@@ -150,15 +149,15 @@ namespace conetact
     {};
     /** Without factors, for an estimate. */
     DualBackend(const ElasticSystem &elastic,
+                const ContactPoints &points,
                 const Coordinates   &coordinates,
-                const Coordinates   &plain,
                 const RigidMotions  &motions,
                 const WorkingSet    &set,
                 const Empty);
 
     const ElasticSystem                 &elastic;
+    const ContactPoints                 &points;
     const Coordinates                   &coordinates;
-    const Coordinates                   &plain;
     const RigidMotions                  &motions;
     WorkingSet                           set;
     BodyCoordinates                      own;

@@ -8,7 +8,6 @@
 #include "conetact/structures/actions.h"
 #include "conetact/structures/structure.h"
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,11 +61,21 @@ namespace conetact
     std::vector<Term> terms;
   };
 
+  std::vector<Tensor<1, 3>>
+  directions(const std::vector<HeldDirection> &held);
+
+  /** Whether v lies in the span of orthonormal directions, or across it. */
+  bool
+  is_spanned(const Tensor<1, 3>              &v,
+             const std::vector<Tensor<1, 3>> &orthonormal);
+  bool
+  is_across(const Tensor<1, 3>              &v,
+            const std::vector<Tensor<1, 3>> &orthonormal);
+
   /**
    * How the displacement of a node comes about where it is not just its own
-   * unknowns: held directions are orthonormal; the rest of space is spanned by
-   * `free` (unknowns without a cone) and `contact` (those with one, the normal
-   * last). A hanging node has masters and nothing else.
+   * unknowns: held directions are orthonormal, `free` spans the rest of space.
+   * A hanging node has masters and nothing else.
    */
   struct NodeRule
   {
@@ -74,11 +83,6 @@ namespace conetact
     std::vector<HeldDirection>                   held;
     std::vector<std::pair<unsigned int, double>> masters;
     std::vector<Tensor<1, 3>>                    free;
-    std::vector<Tensor<1, 3>>                    contact;
-    std::vector<Tensor<1, 3>> dual; ///< dual[i].contact[j] = (i == j)
-    const ContactNode        *contact_node = nullptr; ///< if `contact` is not
-                                                      ///< empty
-    double mu = 0; ///< of the cone in the coordinates `contact`
 
     /** Rotations that supports prescribe, by index into the scene's lists. */
     struct HeldRotation
@@ -89,31 +93,20 @@ namespace conetact
     std::vector<HeldRotation> rotations;
     bool
     holds_rotation(const unsigned int component) const;
-
-    /**
-     * Entry (c, d) of the projection on what no support holds: the part of a
-     * master's motion that the node follows.
-     */
-    double
-    left_free(const unsigned int c, const unsigned int d) const;
   };
 
   /**
-   * Collects the rules of all nodes of all bodies from hanging nodes, rigid
-   * supports and contact nodes.
+   * Collects the rules of all nodes of all bodies from hanging nodes and rigid
+   * supports.
    */
   class NodeRules
   {
   public:
     /**
-     * Throws InputError where a contact node is held neither along its normal
-     * nor in its tangent plane, or where supports that hold a node in the
-     * same direction prescribe different displacements at one of `times`.
-     * Without contacts, rules are those of the bodies by themselves.
+     * Throws InputError where supports that hold a node in the same direction
+     * prescribe different displacements at one of `times`.
      */
-    NodeRules(const Bodies              &bodies,
-              const std::vector<double> &times,
-              const bool                 with_contacts = true);
+    NodeRules(const Bodies &bodies, const std::vector<double> &times);
 
     /** Sorted by body and node. */
     const std::vector<NodeRule> &
@@ -134,22 +127,9 @@ namespace conetact
                  const Point<3>      &p,
                  const double         t) const;
 
-    /** Number of contact nodes whose normal is held by a support. */
-    unsigned int
-    n_held_contact_nodes() const
-    {
-      return n_held;
-    }
-
-    /**
-     * Whether friction acts along directions that supports hold: displacements
-     * there are no unknowns, so that contact has no stiffness form.
-     */
-    bool
-    has_prescribed_slip() const
-    {
-      return prescribed_slip;
-    }
+    /** That of a node; null: none. */
+    const NodeRule *
+    find(const unsigned int body, const unsigned int node) const;
 
   private:
     /** A direction that is held already, with its own displacement. */
@@ -165,26 +145,12 @@ namespace conetact
     hold_rotation(NodeRule                     &rule,
                   const NodeRule::HeldRotation &held,
                   const std::vector<double>    &times) const;
-    using RuleMap = std::map<std::pair<unsigned int, unsigned int>, NodeRule>;
-
-    /** Whether a node with friction slides along what supports hold. */
-    bool
-    slides_along_supports(const RuleMap             &rules,
-                          const NodeRule            &rule,
-                          const ContactNode         &contact_node,
-                          const std::vector<double> &times) const;
-    void
-    add_contact(NodeRule          &rule,
-                const ContactNode &contact_node,
-                const bool         slides);
     void
     check_redundant(const std::vector<double> &times) const;
 
     const Bodies          &bodies;
     std::vector<NodeRule>  sorted;
     std::vector<Redundant> redundant;
-    unsigned int           n_held          = 0;
-    bool                   prescribed_slip = false;
   };
 } // namespace conetact
 

@@ -26,9 +26,10 @@ namespace conetact
      * Throws InputError where a body that no contact can reach is not held.
      * What is given must outlive the object.
      */
-    RigidMotions(const Bodies      &bodies,
-                 const NodeRules   &rules,
-                 const Coordinates &coordinates);
+    RigidMotions(const Bodies        &bodies,
+                 const NodeRules     &rules,
+                 const ContactPoints &points,
+                 const Coordinates   &coordinates);
 
     /** Amounts of all modes of all bodies, 3 a body in 2D, 6 in 3D. */
     using Amounts = Eigen::VectorXd;
@@ -140,7 +141,7 @@ namespace conetact
     void
     find_resisted();
     void
-    see_contacts(const Coordinates &coordinates);
+    see_contacts(const ContactPoints &points);
     void
     refuse_loose_bodies() const;
     /** direction . R at p, the modes of a body. */

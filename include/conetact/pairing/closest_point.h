@@ -8,6 +8,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace conetact
@@ -27,6 +28,16 @@ namespace conetact
   };
   ClosestPoint
   closest_point(const std::vector<Point<3>> &corners, const Point<3> &p);
+
+  /**
+   * The point of the face, continued beyond its edges, from which p lies along
+   * a normal; none if the iteration from `near` finds none.
+   */
+  std::optional<std::array<double, 2>>
+  point_along(const std::vector<Point<3>> &corners,
+              const Point<3>              &p,
+              const Tensor<1, 3>          &normal,
+              const std::array<double, 2> &near);
 
   /** Q1 shape functions of the corners at a point of the face. */
   std::vector<double>

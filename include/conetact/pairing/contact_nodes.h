@@ -115,8 +115,8 @@ namespace conetact
   };
 
   /**
-   * All nodes of all contacts, contact by contact. Throws InputError where a
-   * node stands in two contacts or too deep in its opponent, or friction is
+   * All nodes of all contacts, contact by contact; a node may stand in several.
+   * Throws InputError where one starts too deep in its opponent, or friction is
    * negative.
    */
   ContactNodes

@@ -22,10 +22,10 @@ namespace conetact
   public:
     /** Writes those of an accepted increment; they come in their order. */
     void
-    add(const std::vector<ContactPoint> &points,
-        const Claim                     &claim,
-        const Finding                   &finding,
-        IncrementRecord                 &record);
+    add(const ContactPoints &points,
+        const Claim         &claim,
+        const Finding       &finding,
+        IncrementRecord     &record);
 
   private:
     struct State

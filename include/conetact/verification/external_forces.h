@@ -12,8 +12,6 @@
 
 namespace conetact
 {
-  struct ContactPoint;
-
   /** Forces on one body that should balance, with their magnitudes. */
   struct Balance
   {
@@ -49,13 +47,13 @@ namespace conetact
    * without thermal ones, which cancel by themselves.
    */
   ExternalForces
-  external_forces(const Bodies                    &bodies,
-                  const Coordinates               &plain,
-                  const std::vector<ContactPoint> &points,
-                  const Eigen::VectorXd           &rest,
-                  const std::vector<Foundation>   &foundations,
-                  const Eigen::VectorXd           &loads,
-                  const Eigen::VectorXd           &r);
+  external_forces(const Bodies                  &bodies,
+                  const Coordinates             &plain,
+                  const ContactPoints           &points,
+                  const Eigen::VectorXd         &rest,
+                  const std::vector<Foundation> &foundations,
+                  const Eigen::VectorXd         &loads,
+                  const Eigen::VectorXd         &r);
 
   /** Force on the body at a contact point. */
   Tensor<1, 3>

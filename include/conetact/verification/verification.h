@@ -14,16 +14,6 @@
 
 namespace conetact
 {
-  /** A contact point as the verification sees it. */
-  struct ContactPoint
-  {
-    const ContactNode        *node = nullptr;
-    std::vector<Tensor<1, 3>> dual;      ///< components of force, normal last
-    double                    mu    = 0; ///< of the cone in these components
-    Eigen::Index              first = 0; ///< of its unknowns
-    double stiffness = 0; ///< of the softer side [force/length], 0: not known
-  };
-
   /** What an increment claims: displacements R a + w and reactions. */
   struct Claim
   {
@@ -74,30 +64,27 @@ namespace conetact
   {
   public:
     /** What is given must outlive the object. */
-    Verification(const Bodies             &bodies,
-                 const ElasticSystem      &elastic,
-                 const Coordinates        &plain,
-                 const RigidMotions       &motions,
-                 std::vector<ContactPoint> points,
-                 const double              tolerance);
+    Verification(const Bodies        &bodies,
+                 const ElasticSystem &elastic,
+                 const Coordinates   &plain,
+                 const RigidMotions  &motions,
+                 const ContactPoints &points,
+                 const double         tolerance);
 
     /**
-     * `stiffness` of each contact point may be set any time before. Judges
-     * against the state that was accepted last.
+     * Stiffness of the softer side of each point [force/length], 0: not known.
      */
     void
-    set_stiffness(const Eigen::VectorXd &stiffness);
+    set_stiffness(const Eigen::VectorXd &of_points)
+    {
+      stiffness = of_points;
+    }
+    /** Judges against the state that was accepted last. */
     Finding
     judge(const Claim &claim) const;
     /** The claim becomes the state that the next one is judged against. */
     void
     accept(const Claim &claim, const Finding &finding);
-
-    const std::vector<ContactPoint> &
-    contact_points() const
-    {
-      return points;
-    }
 
   private:
     struct Scales;
@@ -112,14 +99,15 @@ namespace conetact
     Eigen::VectorXd
     relative_displacements(const Eigen::VectorXd &u, const double t) const;
 
-    const Bodies             &bodies;
-    const ElasticSystem      &elastic;
-    const Coordinates        &plain;
-    const RigidMotions       &motions;
-    std::vector<ContactPoint> points;
-    double                    tolerance;
-    std::vector<double>       history; ///< largest force so far, of each body
-    Eigen::VectorXd           before;  ///< relative displacements
+    const Bodies        &bodies;
+    const ElasticSystem &elastic;
+    const Coordinates   &plain;
+    const RigidMotions  &motions;
+    const ContactPoints &points;
+    double               tolerance;
+    std::vector<double>  history; ///< largest force so far, of each body
+    Eigen::VectorXd      stiffness;
+    Eigen::VectorXd      before; ///< relative displacements
   };
 } // namespace conetact
 

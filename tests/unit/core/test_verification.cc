@@ -18,25 +18,6 @@ namespace
 {
   constexpr double tolerance = 1e-10;
 
-  std::vector<ContactPoint>
-  points_of(const ContactModel &model)
-  {
-    std::vector<ContactPoint> points;
-    for (const NodeRule *rule : model.coordinates.contact_rules())
-      {
-        ContactPoint point;
-        point.node  = rule->contact_node;
-        point.dual  = rule->dual;
-        point.mu    = rule->mu;
-        point.first = points.empty() ?
-                        0 :
-                        points.back().first +
-                          static_cast<Eigen::Index>(points.back().dual.size());
-        points.push_back(point);
-      }
-    return points;
-  }
-
   /** The increments of a scene, solved, with their verification. */
   class Solved
   {
@@ -46,9 +27,9 @@ namespace
       , model(scene->bodies, scene->times)
       , verification(model.bodies,
                      model.elastic,
-                     model.plain,
+                     model.coordinates,
                      model.motions,
-                     points_of(model),
+                     model.points,
                      tolerance)
     {}
 
@@ -245,7 +226,7 @@ namespace
       EXPECT_TRUE(right.why.empty()) << right.why;
       EXPECT_LE(right.residual, tolerance);
       EXPECT_LE(right.equilibrium, tolerance);
-      const auto  &points  = solved.verification.contact_points();
+      const auto  &points  = solved.model.points;
       const double largest = claim.r.cwiseAbs().maxCoeff();
       for (std::size_t i = 0; i < points.size(); ++i)
         {

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_contact_points_h
+#define conetact_contact_contact_points_h
+
+#include "conetact/contact/node_rules.h"
+#include "conetact/solvers/contact_problem.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * A node and what it may touch. Its contact unknowns are the components of
+   * their relative displacement in `directions`, tangents first, the normal
+   * last: @f$v = \sum_k v_k d_k@f$, forces @f$r = \sum_k r_k d^k@f$ in the dual
+   * basis. Where friction is elliptic tangents are scaled so that the cone is
+   * circular: solvers see one coefficient ([K] remark 3.3).
+   */
+  struct ContactPoint
+  {
+    const ContactNode        *node = nullptr;
+    std::vector<Tensor<1, 3>> directions;
+    std::vector<Tensor<1, 3>> dual; ///< dual[i] . directions[j] = (i == j)
+    std::vector<Tensor<1, 3>> frictionless; ///< tangents that nothing holds
+    double                    mu    = 0;
+    Eigen::Index              first = 0; ///< of its unknowns
+  };
+
+  /** Displacement of a contact node relative to what it may touch, at time t.
+   * `at(body, node)` is that of a node. */
+  template <typename DisplacementAt>
+  Tensor<1, 3>
+  relative_displacement(const ContactNode    &node,
+                        const DisplacementAt &at,
+                        const double          t)
+  {
+    Tensor<1, 3> v = at(node.body, node.node);
+    if (node.obstacle != nullptr)
+      v -= node.obstacle->displacement_at(t);
+    for (const auto &[master, weight] : node.masters)
+      v -= weight * at(node.master, master);
+    return v;
+  }
+
+  /**
+   * All contacts of a scene as rows over the nodes of its bodies, contact by
+   * contact. A node that stands in several contacts has a point in each.
+   */
+  class ContactPoints
+  {
+  public:
+    /**
+     * Throws InputError where a contact node is held neither along its normal
+     * nor in its tangent plane. Along the normal: it has no point. In the
+     * tangent plane: it has an unknown there only if it slides that way at one
+     * of `times`, against friction that the support takes.
+     */
+    ContactPoints(const Bodies              &bodies,
+                  const NodeRules           &supports,
+                  const std::vector<double> &times);
+
+    std::vector<ContactPoint>::const_iterator
+    begin() const
+    {
+      return points.begin();
+    }
+    std::vector<ContactPoint>::const_iterator
+    end() const
+    {
+      return points.end();
+    }
+    std::size_t
+    size() const
+    {
+      return points.size();
+    }
+    const ContactPoint &
+    operator[](const std::size_t i) const
+    {
+      return points[i];
+    }
+    const ContactPoint &
+    operator[](const Eigen::Index i) const
+    {
+      return points[static_cast<std::size_t>(i)];
+    }
+
+    /** Offsets `first` and coefficients `mu` of all unknowns; no matrix. */
+    const ContactSystem &
+    layout() const
+    {
+      return contact_layout;
+    }
+    Eigen::Index
+    n_unknowns() const
+    {
+      return contact_layout.n_unknowns();
+    }
+
+    /** All unknowns of displacements at time t. */
+    template <typename DisplacementAt>
+    Eigen::VectorXd
+    components(const DisplacementAt &at, const double t) const
+    {
+      Eigen::VectorXd q(n_unknowns());
+      Eigen::Index    k = 0;
+      for (const ContactPoint &point : points)
+        {
+          const Tensor<1, 3> v = relative_displacement(*point.node, at, t);
+          for (const Tensor<1, 3> &direction : point.dual)
+            q[k++] = v * direction;
+        }
+      return q;
+    }
+
+    /** Number of contact nodes whose normal is held by a support. */
+    unsigned int
+    n_held() const
+    {
+      return n_held_normals;
+    }
+    /** Whether a node has unknowns along what supports hold. */
+    bool
+    have_prescribed_slip() const
+    {
+      return prescribed_slip;
+    }
+    /** Whether a node has several points. */
+    bool
+    share_nodes() const
+    {
+      return shared_nodes;
+    }
+
+  private:
+    bool
+    slides_along_supports(const NodeRule            &rule,
+                          const ContactNode         &node,
+                          const std::vector<double> &times) const;
+    void
+    add(const ContactNode &node, const std::vector<double> &times);
+    void
+    number();
+
+    const Bodies             &bodies;
+    const NodeRules          &supports;
+    std::vector<ContactPoint> points;
+    ContactSystem             contact_layout;
+    unsigned int              n_held_normals  = 0;
+    bool                      prescribed_slip = false;
+    bool                      shared_nodes    = false;
+  };
+} // namespace conetact
+
+#endif

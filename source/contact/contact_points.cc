@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/contact_points.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Over the spacing of nodes: what slides less than that does not. */
+    constexpr double least_slide = 1e-12;
+
+    void
+    add_cone(ContactPoint       &point,
+             const Tensor<1, 3> &tangent,
+             const double        scale)
+    {
+      point.directions.push_back(scale * tangent);
+      point.dual.push_back(tangent / scale);
+    }
+
+    /**
+     * The elliptic cone becomes a circular one of coefficient mu =
+     * sqrt(mu_1 mu_2) in the coordinates u_k mu_k/mu, the forces r_k mu/mu_k:
+     * same work, [K] remark 3.3.
+     */
+    void
+    add_both_tangents(ContactPoint &point)
+    {
+      const ContactNode &node = *point.node;
+      point.mu                = node.mu_1 == node.mu_2 ? node.mu_1 :
+                                node.mu_1 > 0 && node.mu_2 > 0 ?
+                                                         std::sqrt(node.mu_1 * node.mu_2) :
+                                                         std::max(node.mu_1, node.mu_2);
+      const auto add          = [&](const Tensor<1, 3> &axis, const double mu) {
+        if (mu > 0)
+          add_cone(point, axis, point.mu / mu);
+        else
+          point.frictionless.push_back(axis);
+      };
+      add(node.axis_1, node.mu_1);
+      add(node.axis_2, node.mu_2);
+    }
+
+    /** The one tangent that is left; mu is the cone's radius along it. */
+    void
+    add_one_tangent(ContactPoint &point, const Tensor<1, 3> &tangent)
+    {
+      const ContactNode &node = *point.node;
+      if (node.mu_1 == node.mu_2)
+        point.mu = node.mu_1;
+      else if (node.mu_1 > 0 && node.mu_2 > 0)
+        point.mu = 1 / std::hypot(tangent * node.axis_1 / node.mu_1,
+                                  tangent * node.axis_2 / node.mu_2);
+      if (point.mu > 0)
+        add_cone(point, tangent, 1);
+      else
+        point.frictionless.push_back(tangent);
+    }
+  } // namespace
+
+
+
+  ContactPoints::ContactPoints(const Bodies              &b,
+                               const NodeRules           &s,
+                               const std::vector<double> &times)
+    : bodies(b)
+    , supports(s)
+  {
+    for (const ContactNode &node : bodies.contact_nodes)
+      add(node, times);
+    number();
+  }
+
+
+
+  bool
+  ContactPoints::slides_along_supports(const NodeRule            &rule,
+                                       const ContactNode         &node,
+                                       const std::vector<double> &times) const
+  {
+    if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
+      return false;
+    std::vector<std::pair<const NodeRule *, double>> masters;
+    for (const auto &[master, weight] : node.masters)
+      if (weight != 0)
+        {
+          const NodeRule *found = supports.find(node.master, master);
+          if (found == nullptr || !found->masters.empty())
+            return true; // its body may deform along anything held here
+          masters.emplace_back(found, weight);
+        }
+    for (const HeldDirection &own : rule.held)
+      {
+        for (const auto &[master, weight] : masters)
+          if (!is_spanned(own.direction, directions(master->held)))
+            return true;
+        for (const double t : times)
+          {
+            double slip = supports.displacement(own, node.position, t);
+            if (node.obstacle != nullptr)
+              slip -= node.obstacle->displacement_at(t) * own.direction;
+            for (const auto &[master, weight] : masters)
+              for (const HeldDirection &h : master->held)
+                slip -=
+                  weight * (h.direction * own.direction) *
+                  supports.displacement(
+                    h,
+                    bodies.structures[master->body]->position(master->node),
+                    t);
+            if (std::abs(slip) > least_slide * node.spacing)
+              return true;
+          }
+      }
+    return false;
+  }
+
+
+
+  void
+  ContactPoints::add(const ContactNode &node, const std::vector<double> &times)
+  {
+    const NodeRule                 *rule = supports.find(node.body, node.node);
+    const std::vector<Tensor<1, 3>> held =
+      rule != nullptr ? directions(rule->held) : std::vector<Tensor<1, 3>>();
+    if (is_spanned(node.n, held))
+      {
+        ++n_held_normals;
+        return;
+      }
+    if (!is_across(node.n, held))
+      throw InputError(
+        "Support '" +
+        bodies.supports[rule->held.back().terms.front().support].name +
+        "' holds the contact node at " + to_text(node.position) + " of body '" +
+        bodies.names[node.body] + "' along " + to_text(held.back()) +
+        ", neither along its contact normal " + to_text(node.n) +
+        " nor across it. Take the node out of the support or of the contact.");
+
+    ContactPoint point;
+    point.node = &node;
+    const bool slides =
+      rule != nullptr && slides_along_supports(*rule, node, times);
+    prescribed_slip          = prescribed_slip || slides;
+    const std::size_t n_left = bodies.dim - 1 - (slides ? 0 : held.size());
+    if (n_left == 2)
+      add_both_tangents(point);
+    else if (n_left == 1)
+      add_one_tangent(point,
+                      bodies.dim == 2 ? node.t1 :
+                                        cross_product_3d(node.n, held[0]));
+    add_cone(point, node.n, 1);
+    points.push_back(std::move(point));
+  }
+
+
+
+  void
+  ContactPoints::number()
+  {
+    contact_layout.mu.resize(static_cast<Eigen::Index>(points.size()));
+    std::set<std::pair<unsigned int, unsigned int>> nodes;
+    Eigen::Index                                    i = 0;
+    for (ContactPoint &point : points)
+      {
+        point.first            = contact_layout.first.back();
+        contact_layout.mu[i++] = point.mu;
+        contact_layout.first.push_back(
+          point.first + static_cast<Eigen::Index>(point.dual.size()));
+        if (!nodes.insert({point.node->body, point.node->node}).second)
+          shared_nodes = true;
+      }
+  }
+} // namespace conetact
