@@ -18,9 +18,17 @@ namespace conetact
     /** The same: a support that pushes a node in by less is rounding. */
     constexpr double least_depth = 1e-6;
 
-    /** The sum of all resultants over the largest of them. */
+    /** Of the largest force so far: what is left of it is rounding. */
+    constexpr double noise = 64 * 2.2e-16;
+
+    /**
+     * The sum of all resultants over the largest of them; nothing where they
+     * are rounding of the largest `so far`.
+     */
     double
-    balance_of(const IncrementRecord &record, const double reach)
+    balance_of(const IncrementRecord &record,
+               const double           reach,
+               double                &so_far)
     {
       Resultant  sum;
       double     largest = 0;
@@ -34,9 +42,11 @@ namespace conetact
       for (const Resultant &support : record.each_support)
         add(support);
       add(record.loads);
-      return largest > 0 ? std::max(sum.force.norm() / largest,
-                                    sum.moment.norm() / (largest * reach)) :
-                           0.;
+      so_far = std::max(so_far, largest);
+      return largest > noise * so_far ?
+               std::max(sum.force.norm() / largest,
+                        sum.moment.norm() / (largest * reach)) :
+               0.;
     }
   } // namespace
 
@@ -241,8 +251,7 @@ namespace conetact
   }
 
   void
-  Acceptance::add_resultants(IncrementRecord &record,
-                             const Finding   &finding) const
+  Acceptance::add_resultants(IncrementRecord &record, const Finding &finding)
   {
     const ExternalForces &external = finding.external;
     record.equilibrium             = finding.equilibrium;
@@ -266,12 +275,15 @@ namespace conetact
     record.body_balance.clear();
     for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
       {
-        record.body_balance.push_back(external.bodies[b].error());
+        record.body_balance.push_back(external.bodies[b].forces >
+                                          noise * largest_force ?
+                                        external.bodies[b].error() :
+                                        0.);
         const Structure &structure = *model.bodies.structures[b];
         for (unsigned int i = 0; i < structure.n_nodes(); ++i)
           reach = std::max(reach, structure.position(i).norm());
       }
-    record.balance = balance_of(record, reach);
+    record.balance = balance_of(record, reach, largest_force);
     if (record.body_balance.size() == 1)
       record.body_balance.clear();
   }

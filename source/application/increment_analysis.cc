@@ -139,7 +139,7 @@ namespace conetact
       existence->check(resultants_of(problem, model),
                        -increment.before.start().r.head(
                          problem.system->n_contact_unknowns()),
-                       problem.reference_force);
+                       history.largest_force());
     if (!result.admissible)
       fail(increment.record,
            "no equilibrium exists, " + describe(result, model));

@@ -19,6 +19,12 @@ namespace conetact
      * is the rounding of what they prescribe.
      */
     constexpr double deformation_rounding = 64 * 2.2e-16;
+
+    /**
+     * Of the largest force so far: to a tolerance of 1e-10 of this, what is
+     * left of it is rounding.
+     */
+    constexpr double rounding_of_past = 1e-4;
   } // namespace
 
   ContactModel::ContactModel(const Bodies &b, const std::vector<double> &times)
@@ -254,6 +260,23 @@ namespace conetact
     return s;
   }
 
+  // Bodies that are moved until they touch miss each other by rounding only,
+  // which must not press them.
+  Eigen::VectorXd
+  ContactHistory::offset_at(const LoadCase &load) const
+  {
+    const ContactSystem &layout = model->points.layout();
+    Eigen::VectorXd      sum    = load.offset + shift();
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      {
+        const Eigen::Index k = layout.normal(i);
+        if (std::abs(sum[k]) <= position_rounding * (std::abs(initial_gap[i]) +
+                                                     std::abs(load.offset[k])))
+          sum[k] = 0;
+      }
+    return sum;
+  }
+
   Eigen::VectorXd
   ContactHistory::gaps() const
   {
@@ -273,8 +296,8 @@ namespace conetact
     problem.system               = system;
     problem.load                 = load.f;
     problem.gap                  = gaps()(set.nodes());
-    problem.reference_force      = largest;
-    const Eigen::VectorXd offset = set.gather(load.offset + shift());
+    problem.reference_force      = rounding_of_past * largest;
+    const Eigen::VectorXd offset = set.gather(offset_at(load));
     const Eigen::Index    k      = system->n_motions;
     if (system->form == Form::stiffness)
       {

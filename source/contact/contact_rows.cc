@@ -121,9 +121,8 @@ namespace conetact
             row.state != NodeState::open)
           row.state =
             std::hypot(row.du[1], row.du[2]) >
-                position_rounding *
-                  (row.position.norm() + node.spacing +
-                   at(node.body, node.node).norm()) ?
+                position_rounding * (row.position.norm() + node.spacing +
+                                     at(node.body, node.node).norm()) ?
               NodeState::slip :
               NodeState::stick;
       }

@@ -112,8 +112,14 @@ namespace conetact
     if (solve(point.sets, false) ||
         (solve(point.sets, true) && is_balanced(point.p + dp)))
       return true;
+    // one that slips again at once does not hold either
     if (solve(with_strongest_stuck(*relation, point.sets, point.p), false))
-      return true;
+      {
+        const Array p = point.p + dp;
+        if (signature(sets_of_point(*relation, p, dual(p))) !=
+            signature(point.sets))
+          return true;
+      }
     const NodeSets stuck = without_slip(*relation, point.sets);
     return solve(stuck, false) || solve(stuck, true);
   }

@@ -259,15 +259,60 @@ namespace conetact
                    const unsigned int    sweeps,
                    SolverReport         &report)
   {
-    SolverOptions few  = options;
-    few.max_sweeps     = sweeps;
-    ContactState trial = state;
     // motions have no reaction of their own that a sweep could find
     if (problem.system->n_motions > 0)
       return false;
+    SolverOptions few                           = options;
+    few.max_sweeps                              = sweeps;
+    ContactState                         trial  = state;
     const std::unique_ptr<ContactSolver> solver = make_gauss_seidel(few);
     solver->solve(problem, trial);
     report.solver = "gauss-seidel";
+    if (!polish(problem, trial, report))
+      return false;
+    state = trial;
+    return true;
+  }
+
+
+
+  /**
+   * With the motions eliminated: in a stiffness digits are lost, but where all
+   * nodes of a body slip it still tells where the body goes. What is found is
+   * made exact with the motions as unknowns.
+   */
+  bool
+  Automatic::eliminate_motions(const ContactProblem &problem,
+                               ContactState         &state,
+                               const bool            thorough,
+                               SolverReport         &report)
+  {
+    const ContactSystem &system = *problem.system;
+    if (system.n_motions == 0)
+      return false;
+    if (!eliminated || full != problem.system)
+      {
+        full = problem.system;
+        eliminated.emplace(full);
+      }
+    if (!eliminated->exists())
+      return false;
+    const Index    n     = system.n_contact_unknowns();
+    ContactProblem stiff = problem;
+    stiff.system         = eliminated->system();
+    stiff.load           = eliminated->load(problem.load);
+    ContactState own     = state;
+    own.v                = state.v.head(n);
+    own.r                = state.r.head(n);
+    Automatic          inner(options);
+    const SolverReport found = inner.solve_whole(stiff, own, thorough);
+    count(report, found);
+    ContactState trial = state;
+    trial.v.head(n)    = own.v;
+    trial.r.head(n)    = own.r;
+    trial.r.tail(system.n_motions) =
+      eliminated->motions(problem.load, own.v, own.r);
+    report.solver = found.solver;
     if (!polish(problem, trial, report))
       return false;
     state = trial;
@@ -288,15 +333,11 @@ namespace conetact
         state = trial;
         return report;
       }
-    if (stiffen(problem, state, report))
-      {
-        report.converged = true;
-        report.reason.clear();
-        return report;
-      }
     // A few nodes that cannot make up their mind are what node by node is good
     // at; the smoothing sees all nodes at once.
-    bool solved = relax(problem, state, 30, report) ||
+    bool solved = eliminate_motions(problem, state, thorough, report) ||
+                  stiffen(problem, state, report) ||
+                  relax(problem, state, 30, report) ||
                   smooth(problem, state, options.smoothing.m0, report);
     if (!solved && thorough)
       solved = relax(problem, state, 300, report) ||

@@ -147,6 +147,22 @@ namespace conetact
 
 
 
+  namespace
+  {
+    /** v with a slip that is not much larger than r, or r would be rounded. */
+    SmallVector
+    near_reaction(SmallVector v, const SmallVector &r)
+    {
+      constexpr double most  = 1e4;
+      const Index      nt    = v.size() - 1;
+      const double     slip  = v.head(nt).norm();
+      const double     limit = most * r.norm();
+      if (slip > limit && limit > 0)
+        v.head(nt) *= limit / slip;
+      return v;
+    }
+  } // namespace
+
   NodeSets
   sets_of_state(const LinearRelation &relation, const ContactState &state)
   {
@@ -270,7 +286,7 @@ namespace conetact
       {
         const Index       first = system.first[i], nt = system.n_tangents(i);
         const SmallVector r  = x.r.segment(first, nt + 1);
-        SmallVector       z  = r - v.segment(first, nt + 1);
+        SmallVector       z  = r - near_reaction(v.segment(first, nt + 1), r);
         const double      zn = std::max(z(nt), 0.), limit = system.mu(i) * zn;
         const double      norm = z.head(nt).norm();
         if (norm > limit)

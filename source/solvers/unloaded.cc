@@ -70,11 +70,33 @@ namespace conetact
     }
   } // namespace
 
+  namespace
+  {
+    /** Bodies that are held and carried along: nothing touches for sure. */
+    std::optional<ContactState>
+    carried(const ContactProblem &problem, const ContactState &start)
+    {
+      const ContactSystem &system = *problem.system;
+      if (problem.offset.size() == 0 || !problem.load.isZero(0) ||
+          !start.r.isZero(0))
+        return {};
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        if (problem.offset(system.normal(i)) < 0)
+          return {};
+      ContactState state;
+      state.v = problem.offset;
+      state.r = state.u = VectorXd::Zero(system.n_unknowns());
+      return state;
+    }
+  } // namespace
+
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start)
   {
     const ContactSystem &system = *problem.system;
-    const Index          k = system.n_motions, n = system.n_contact_unknowns();
+    if (system.form == Form::stiffness)
+      return carried(problem, start);
+    const Index k = system.n_motions, n = system.n_contact_unknowns();
     if (k == 0 || !problem.load.tail(k).isZero(0) ||
         !system.matrix.bottomRightCorner(k, k).isZero(0))
       return {};

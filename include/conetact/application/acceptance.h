@@ -67,7 +67,7 @@ namespace conetact
     std::string
     wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
     void
-    add_resultants(IncrementRecord &record, const Finding &finding) const;
+    add_resultants(IncrementRecord &record, const Finding &finding);
     void
     add_displacements(IncrementRecord       &record,
                       const Eigen::VectorXd &u,
@@ -79,6 +79,7 @@ namespace conetact
     ContactRows         contact_rows;
     Energies            energies;
     Warnings            warnings;
+    double              largest_force = 0; ///< resultant so far
   };
 } // namespace conetact
 

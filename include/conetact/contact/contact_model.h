@@ -177,6 +177,9 @@ namespace conetact
   private:
     Eigen::VectorXd
     shift() const;
+    /** What moves contacts without strain until the end with `load`. */
+    Eigen::VectorXd
+    offset_at(const LoadCase &load) const;
 
     ContactModel          *model;
     Eigen::VectorXd        initial_gap; ///< of each node with unknowns

@@ -7,6 +7,7 @@
 #include "conetact/solvers/active_set.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/smoothing_newton.h"
+#include "conetact/solvers/stiffness_form.h"
 
 #include <optional>
 
@@ -49,7 +50,11 @@ namespace conetact
            ContactState         &state,
            const double          m0,
            SolverReport         &report);
-    /** Some sweeps of Gauss-Seidel, then polish. */
+    bool
+    eliminate_motions(const ContactProblem &problem,
+                      ContactState         &state,
+                      const bool            thorough,
+                      SolverReport         &report);
     bool
     stiffen(const ContactProblem &problem,
             ContactState         &state,
@@ -60,6 +65,7 @@ namespace conetact
                  const ContactProblem &problem,
                  ContactState         &state,
                  SolverReport         &report) const;
+    /** Some sweeps of Gauss-Seidel, then polish. */
     bool
     relax(const ContactProblem &problem,
           ContactState         &state,
@@ -72,6 +78,9 @@ namespace conetact
     SolverOptions                 options;
     ActiveSet                     active_set;
     std::optional<LinearRelation> relation;
+    /** Stiffness form of the system solved last, if it was needed. */
+    std::shared_ptr<const ContactSystem> full;
+    std::optional<StiffnessForm>         eliminated;
   };
 
   std::unique_ptr<ContactSolver>

@@ -16,6 +16,8 @@ namespace conetact
    * @f$ G_n G_n^T z + q_n \ge 0,\ z \ge 0 @f$ complementary, and no reaction.
    * None where forces or foundations act, bodies have no way out, or are
    * pressed at the `start` of the increment: friction may have jammed them.
+   * In stiffness form, where bodies are held: no reaction if supports carry
+   * them along without strain and nothing comes closer than it may.
    */
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start);
