@@ -15,6 +15,8 @@ namespace conetact
   {
     /** Over the spacing of nodes: beyond, a foot is on another face. */
     constexpr double farthest_slide = 1;
+    /** The same: what is further off does not touch whatever its foot is. */
+    constexpr double nearby = .5;
     /** The same: a support that pushes a node in by less is rounding. */
     constexpr double least_depth = 1e-6;
 
@@ -201,7 +203,11 @@ namespace conetact
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         const ContactNode &node = *points[i].node;
-        if (node.masters.empty() || increment.state.node[i] == NodeState::open)
+        const double       gap =
+          increment.state
+            .v[points[i].first +
+               static_cast<Eigen::Index>(points[i].dual.size()) - 1];
+        if (node.masters.empty() || gap > nearby * node.spacing)
           continue;
         Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
         slid -= (slid * node.n) * node.n;

@@ -64,9 +64,12 @@ namespace conetact
       model.motions.motion(svd.matrixV().rightCols(1));
     once("position",
          "body '" + model.bodies.names[motion.body] + "' may move " +
-           describe(motion) +
-           ", which nothing opposes: forces are determined, its position is "
-           "not, and the shortest motion is taken.");
+           describe(motion) + ", which nothing opposes: " +
+           (opposing.empty() ? "nothing presses it, and its position is not "
+                               "determined; " :
+                               "forces are determined, its position is not, "
+                               "and ") +
+           "the shortest motion is taken.");
     return false;
   }
 

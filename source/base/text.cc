@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 namespace conetact
@@ -96,6 +97,10 @@ namespace conetact
   {
     if (trim(text).empty())
       throw InputError(entry + ": a number is missing. Give one.");
+    if (std::isnan(std::strtod(text.c_str(), nullptr)) ||
+        std::isinf(std::strtod(text.c_str(), nullptr)))
+      throw InputError(entry + ": '" + trim(text) +
+                       "' is not a finite number. Give one.");
     const Expression expression(text, entry);
     if (!expression.is_constant())
       throw InputError(entry + ": '" + trim(text) +

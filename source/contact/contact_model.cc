@@ -267,11 +267,14 @@ namespace conetact
   {
     const ContactSystem &layout = model->points.layout();
     Eigen::VectorXd      sum    = load.offset + shift();
+    const double         moved =
+      conetact::largest(load.placement) + conetact::largest(load.prescribed);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       {
         const Eigen::Index k = layout.normal(i);
-        if (std::abs(sum[k]) <= position_rounding * (std::abs(initial_gap[i]) +
-                                                     std::abs(load.offset[k])))
+        if (std::abs(sum[k]) <=
+            position_rounding *
+              (std::abs(initial_gap[i]) + std::abs(load.offset[k]) + moved))
           sum[k] = 0;
       }
     return sum;

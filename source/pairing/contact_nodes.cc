@@ -284,6 +284,15 @@ namespace conetact
       double                         allowed = 0;
     };
 
+    /** Two obstacles that a node meets along one normal: nothing tells which
+     * of them carries it. */
+    bool
+    meet_the_same(const ContactNode &one, const ContactNode &other)
+    {
+      return one.obstacle != nullptr && other.obstacle != nullptr &&
+             one.n * other.n > 1 - 1e-12;
+    }
+
     void
     count(const std::optional<ContactNode> &node, Pairing &pairing)
     {
@@ -461,7 +470,8 @@ namespace conetact
                      const std::vector<const Structure *> &structures,
                      const unsigned int                    dim)
   {
-    ContactNodes result;
+    ContactNodes                                                      result;
+    std::multimap<std::pair<unsigned int, unsigned int>, std::size_t> known;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact &contact = contacts[c];
@@ -473,9 +483,23 @@ namespace conetact
             count(node, result.pairings.back());
             if (!node)
               continue;
-            node->contact = c;
+            node->contact           = c;
+            const auto key          = std::make_pair(node->body, node->node);
+            const auto [begin, end] = known.equal_range(key);
+            for (auto other = begin; other != end; ++other)
+              if (meet_the_same(result.nodes[other->second], *node))
+                throw InputError(
+                  "Contact '" +
+                  contacts[result.nodes[other->second].contact].name +
+                  "' and contact '" + contact.name +
+                  "' both hold the node at " + to_text(s.position) +
+                  " of body '" + bodies[contact.body] +
+                  "' against obstacles with the same normal. A node stands in "
+                  "several contacts where their normals differ: change "
+                  "Boundary ids.");
             set_friction(*node, contact);
             set_frame(*node, node->n, dim);
+            known.emplace(key, result.nodes.size());
             result.nodes.push_back(std::move(*node));
           }
         finder.check(bodies);

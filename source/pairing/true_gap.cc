@@ -46,7 +46,7 @@ namespace conetact
   std::string
   to_sentence(const GapError &error)
   {
-    return "The obstacle '" + error.node->obstacle->name +
+    return "the obstacle '" + error.node->obstacle->name +
            "' is curved, and it and the body have moved so far past each "
            "other that the gap of the node at " +
            to_text(error.node->position) + " is " + to_text(error.actual) +
@@ -55,6 +55,6 @@ namespace conetact
            to_text(error.allowed) +
            " is allowed, a hundredth of a cell or of the indentation. Let "
            "them move less, or let the obstacle start nearer to where it "
-           "ends.";
+           "ends";
   }
 } // namespace conetact

@@ -271,7 +271,7 @@ namespace conetact
           return report;
         }
 
-    if (auto end = move_without_load(problem, start))
+    if (auto end = stay_without_load(problem, start))
       {
         state      = std::move(*end);
         state.node = classify(problem, state, 0);

@@ -5,6 +5,7 @@
 
 #include "conetact/solvers/gauss_seidel.h"
 #include "conetact/solvers/redundant_contacts.h"
+#include "conetact/solvers/unloaded.h"
 
 #include <algorithm>
 #include <cmath>
@@ -166,6 +167,23 @@ namespace conetact
     if (solved)
       state = trial;
     return solved;
+  }
+
+
+
+  bool
+  Automatic::move_out(const ContactProblem &problem,
+                      ContactState         &state,
+                      SolverReport         &report)
+  {
+    auto end = move_without_load(problem, state);
+    if (!end)
+      return false;
+    state           = std::move(*end);
+    state.node      = classify(problem, state, 0);
+    report.solver   = "active set";
+    report.residual = 0;
+    return true;
   }
 
 
@@ -336,6 +354,7 @@ namespace conetact
     // A few nodes that cannot make up their mind are what node by node is good
     // at; the smoothing sees all nodes at once.
     bool solved = eliminate_motions(problem, state, thorough, report) ||
+                  move_out(problem, state, report) ||
                   stiffen(problem, state, report) ||
                   relax(problem, state, 30, report) ||
                   smooth(problem, state, options.smoothing.m0, report);

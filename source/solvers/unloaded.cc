@@ -70,42 +70,42 @@ namespace conetact
     }
   } // namespace
 
-  namespace
+  std::optional<ContactState>
+  stay_without_load(const ContactProblem &problem, const ContactState &start)
   {
-    /** Bodies that are held and carried along: nothing touches for sure. */
-    std::optional<ContactState>
-    carried(const ContactProblem &problem, const ContactState &start)
-    {
-      const ContactSystem &system = *problem.system;
-      if (problem.offset.size() == 0 || !problem.load.isZero(0) ||
-          !start.r.isZero(0))
+    const ContactSystem &system = *problem.system;
+    const Index          k      = system.n_motions;
+    const bool           stiff  = system.form == Form::stiffness;
+    const bool           held   = k == 0; // in stiffness form, too
+    const VectorXd      &v      = stiff ? problem.offset : problem.load;
+    const bool loaded = !(stiff ? problem.load : VectorXd(v.tail(k))).isZero(0);
+    if (v.size() == 0 || loaded || (held && !start.r.isZero(0)))
+      return {};
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      if (v(system.normal(i)) < 0)
         return {};
-      for (Index i = 0; i < system.n_nodes(); ++i)
-        if (problem.offset(system.normal(i)) < 0)
-          return {};
-      ContactState state;
-      state.v = problem.offset;
-      state.r = state.u = VectorXd::Zero(system.n_unknowns());
-      return state;
-    }
-  } // namespace
+    ContactState state;
+    state.v = v;
+    state.r = VectorXd::Zero(system.n_unknowns());
+    if (stiff)
+      state.u = state.r;
+    return state;
+  }
+
+
 
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start)
   {
     const ContactSystem &system = *problem.system;
-    if (system.form == Form::stiffness)
-      return carried(problem, start);
-    const Index k = system.n_motions, n = system.n_contact_unknowns();
+    const Index          k = system.n_motions, n = system.n_contact_unknowns();
     if (k == 0 || !problem.load.tail(k).isZero(0) ||
-        !system.matrix.bottomRightCorner(k, k).isZero(0))
+        !system.matrix.bottomRightCorner(k, k).isZero(0) ||
+        !start.r.head(n).isZero(0)) // what is pressed already may be jammed
       return {};
     VectorXd gap(system.n_nodes());
     for (Index i = 0; i < gap.size(); ++i)
       gap(i) = problem.load(system.normal(i));
-    // what is pressed already may be jammed
-    if (!start.r.head(n).isZero(0) && gap.minCoeff() < 0)
-      return {};
     const auto a = way_out(system, gap);
     if (!a)
       return {};

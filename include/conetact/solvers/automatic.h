@@ -50,6 +50,10 @@ namespace conetact
            ContactState         &state,
            const double          m0,
            SolverReport         &report);
+    static bool
+    move_out(const ContactProblem &problem,
+             ContactState         &state,
+             SolverReport         &report);
     bool
     eliminate_motions(const ContactProblem &problem,
                       ContactState         &state,

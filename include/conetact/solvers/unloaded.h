@@ -11,13 +11,19 @@
 namespace conetact
 {
   /**
-   * The end of an increment in which no force presses any body: the shortest
+   * The end of an increment in which no force presses any body and none is in
+   * the way: no reaction, and bodies stay where supports carry them. None
+   * where there is an interference, or held bodies are pressed at the `start`:
+   * friction may have jammed them.
+   */
+  std::optional<ContactState>
+  stay_without_load(const ContactProblem &problem, const ContactState &start);
+
+  /**
+   * The same where bodies that nothing presses are in the way: the shortest
    * motion that leaves no interference, a = G_n^T z with
-   * @f$ G_n G_n^T z + q_n \ge 0,\ z \ge 0 @f$ complementary, and no reaction.
-   * None where forces or foundations act, bodies have no way out, or are
-   * pressed at the `start` of the increment: friction may have jammed them.
-   * In stiffness form, where bodies are held: no reaction if supports carry
-   * them along without strain and nothing comes closer than it may.
+   * @f$ G_n G_n^T z + q_n \ge 0,\ z \ge 0 @f$ complementary. None where
+   * foundations act or bodies have no way out.
    */
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start);

@@ -84,9 +84,10 @@ TEST(Unloaded, NodesJoinThatTheMotionPushesIn)
 TEST(Unloaded, StaysWhereNothingIsInTheWay)
 {
   const auto problem = bar({-1, 1}, {0, .2});
-  const auto end     = move_without_load(problem, at_rest(problem));
+  const auto end     = stay_without_load(problem, at_rest(problem));
   ASSERT_TRUE(end);
   EXPECT_TRUE(end->r.isZero(0));
+  EXPECT_FALSE(stay_without_load(bar({-1, 1}, {0, -.2}), at_rest(problem)));
 }
 
 
