@@ -130,6 +130,7 @@ namespace conetact
   create_solver_options(dealii::ParameterHandler &prm)
   {
     SolverOptions options;
+    options.may_be_rigid = false;
     if (path_method(prm.get("Method")) == PathSettings::Method::none)
       options.method = prm.get("Method");
     options.tolerance        = prm.get_double("Tolerance");

@@ -444,7 +444,7 @@ namespace conetact
     // Of redundant contacts the best that was found is of use to the caller.
     ContactState estimate = state;
     SolverReport first;
-    if (is_sparse_compliance(*problem.system))
+    if (options.may_be_rigid && is_sparse_compliance(*problem.system))
       first = make_redundant_contacts(options)->solve(problem, estimate);
     if (first.converged || (options.stop && options.stop()))
       {

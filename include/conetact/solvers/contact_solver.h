@@ -45,6 +45,9 @@ namespace conetact
     unsigned int     max_substeps   = 1024;        ///< of an increment
     SmoothingOptions smoothing;
 
+    /** Sparse W may be that of rigid bodies, whose contacts are redundant. */
+    bool may_be_rigid = true;
+
     /**
      * Asked in the outer loops, where there is one: true ends a solver with
      * what it has and the report of a failure (a limit of time).
