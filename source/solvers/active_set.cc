@@ -160,7 +160,7 @@ namespace conetact
   std::string
   ActiveSet::iterate(Point &point, SolverReport &report)
   {
-    const double          goal = std::max(1e-4 * options.tolerance, 1e-14);
+    const double          goal = std::max(1e-4 * options.tolerance, 1e-13);
     std::set<std::string> seen;
     std::string           current = signature(point.sets);
     bool                  damped  = false;
@@ -184,10 +184,9 @@ namespace conetact
         const bool        improved = point.residual < .5 * before;
         current                    = next;
         stalls                     = improved ? 0 : stalls + 1;
-        // Within the goal states may still differ where nothing depends on it.
-        // A step of a small system costs nothing, and squares what is left.
-        const bool enough =
-          point.residual <= 2 * rounding || !improved || !newton.was_small();
+        // States may still differ, and a step of a small system costs nothing:
+        // it squares what is left, if that is not rounding.
+        const bool enough = same || !improved || !newton.was_small();
         if ((point.residual <= goal && enough) || (same && stalls > max_stalls))
           break;
         if (!same && !improved && seen.count(next) > 0)
