@@ -22,6 +22,9 @@ namespace conetact
     // do not settle: then what a step leaves open matters.
     constexpr unsigned int exact_from = 12;
 
+    /** Residuals below this that do not improve any more are rounding. */
+    constexpr double noise = 1e-13;
+
     /** A load that differs by less from the one in balance is the same. */
     constexpr double rounding = 1e-15;
 
@@ -160,11 +163,13 @@ namespace conetact
   std::string
   ActiveSet::iterate(Point &point, SolverReport &report)
   {
-    const double          goal = std::max(1e-4 * options.tolerance, 1e-13);
+    const double          goal = std::max(1e-4 * options.tolerance, 1e-14);
     std::set<std::string> seen;
     std::string           current = signature(point.sets);
-    bool                  damped  = false;
-    unsigned int          stalls  = 0;
+    const ContactSystem  &system  = relation->system();
+    const bool   is_plane = system.n_contact_unknowns() <= 2 * system.n_nodes();
+    bool         damped   = false;
+    unsigned int stalls   = 0;
     // The residual of the first point says nothing: its states are not those
     // of its z.
     point.d        = dual(point.p);
@@ -184,10 +189,13 @@ namespace conetact
         const bool        improved = point.residual < .5 * before;
         current                    = next;
         stalls                     = improved ? 0 : stalls + 1;
-        // States may still differ, and a step of a small system costs nothing:
-        // it squares what is left, if that is not rounding.
-        const bool enough = same || !improved || !newton.was_small();
-        if ((point.residual <= goal && enough) || (same && stalls > max_stalls))
+        // In the plane a step is exact if the states are; in space one of a
+        // small system costs nothing, and squares what is left.
+        const bool enough =
+          (same && is_plane) || !improved || !newton.was_small();
+        const bool is_noise = point.residual <= noise && same && !improved;
+        if ((point.residual <= goal && enough) || is_noise ||
+            (same && stalls > max_stalls))
           break;
         if (!same && !improved && seen.count(next) > 0)
           {
