@@ -193,7 +193,8 @@ namespace conetact
         // small system costs nothing, and squares what is left.
         const bool enough =
           (same && is_plane) || !improved || !newton.was_small();
-        const bool is_noise = point.residual <= noise && same && !improved;
+        const bool is_noise =
+          point.residual <= noise && same && (is_plane || !improved);
         if ((point.residual <= goal && enough) || is_noise ||
             (same && stalls > max_stalls))
           break;
