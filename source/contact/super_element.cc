@@ -37,7 +37,8 @@ namespace conetact
       SparseMatrix result(upper.rows(), upper.cols());
       result.selfadjointView<Eigen::Upper>() =
         upper.selfadjointView<Eigen::Upper>().twistedBy(place);
-      return result / scale;
+      result /= scale;
+      return result;
     }
 
     std::vector<unsigned int>

@@ -209,6 +209,24 @@ TEST(PairingFoot, OfNormalsThatDoNotOpposeIsNone)
 
 
 
+TEST(PairingFoot, ForcesBeyondARimHaveNoMoment)
+{
+  const FacesOnly     body = test::cube(2);
+  const MasterSurface top(body, {5});
+  for (const double beyond : {0., .001, .004})
+    {
+      const Point<3> p(1 + beyond, .3, 1.01);
+      const auto     foot = top.foot(p, {vec(0, 0, -1)}, limits);
+      ASSERT_TRUE(foot);
+      Tensor<1, 3> acting;
+      for (const auto &[node, weight] : foot->masters)
+        acting += weight * Tensor<1, 3>(body.position(node));
+      EXPECT_LT((acting - vec(p[0], p[1], 1)).norm(), 1e-14);
+    }
+}
+
+
+
 TEST(PairingFoot, BesideTheRimIsNone)
 {
   const FacesOnly     body = test::cube(2);
