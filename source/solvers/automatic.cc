@@ -305,32 +305,19 @@ namespace conetact
                                const bool            thorough,
                                SolverReport         &report)
   {
-    const ContactSystem &system = *problem.system;
-    if (system.n_motions == 0)
+    if (problem.system->n_motions == 0)
       return false;
-    if (!eliminated || full != problem.system)
-      {
-        full = problem.system;
-        eliminated.emplace(full);
-      }
+    if (!eliminated || !eliminated->is_of(problem.system))
+      eliminated.emplace(problem.system);
     if (!eliminated->exists())
       return false;
-    const Index    n     = system.n_contact_unknowns();
-    ContactProblem stiff = problem;
-    stiff.system         = eliminated->system();
-    stiff.load           = eliminated->load(problem.load);
-    ContactState own     = state;
-    own.v                = state.v.head(n);
-    own.r                = state.r.head(n);
+    ContactState       own = eliminated->eliminate(state);
     Automatic          inner(options);
-    const SolverReport found = inner.solve_whole(stiff, own, thorough);
+    const SolverReport found =
+      inner.solve_whole(eliminated->eliminate(problem), own, thorough);
     count(report, found);
-    ContactState trial = state;
-    trial.v.head(n)    = own.v;
-    trial.r.head(n)    = own.r;
-    trial.r.tail(system.n_motions) =
-      eliminated->motions(problem.load, own.v, own.r);
-    report.solver = found.solver;
+    ContactState trial = eliminated->expand(problem, own);
+    report.solver      = found.solver;
     if (!polish(problem, trial, report))
       return false;
     state = trial;

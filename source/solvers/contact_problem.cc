@@ -71,9 +71,6 @@ namespace conetact
       return residual;
     }
 
-    /** Over the reaction: slips times stiffness beyond this are as good. */
-    constexpr double longest_slip = 1e4;
-
     /** Residual of the contact law, as forces; that of motions is balance. */
     VectorXd
     law_residual(const ContactProblem &problem,
@@ -93,8 +90,7 @@ namespace conetact
           const SmallVector r    = state.r.segment(first, nt + 1);
           SmallVector       v    = closest.segment(first, nt + 1);
           const double      slip = v.head(nt).norm(), gap = v(nt);
-          // the law holds with any factor; far slips would round reactions
-          double factor = rho(first);
+          double            factor = rho(first);
           if (factor * slip > longest_slip * r.norm() && r.norm() > 0)
             factor = longest_slip * r.norm() / slip;
           v(nt) += mu * slip;

@@ -54,8 +54,8 @@ namespace conetact
       write(const ContactProblem &problem, ContactState &state);
 
       SolverOptions                        options;
-      std::shared_ptr<const ContactSystem> system, full;
-      std::optional<StiffnessForm>         eliminated; ///< motions of `full`
+      std::shared_ptr<const ContactSystem> system;
+      std::optional<StiffnessForm>         eliminated; ///< of one with motions
       std::vector<LocalCoulomb>            local;
       Eigen::SparseMatrix<double>          sparse; ///< empty if the matrix is
                                                    ///< not
@@ -185,31 +185,17 @@ namespace conetact
     GaussSeidel::solve_without_motions(const ContactProblem &problem,
                                        ContactState         &state)
     {
-      if (!eliminated || full != problem.system)
-        {
-          full = problem.system;
-          eliminated.emplace(full);
-        }
-      const Eigen::Index n = full->n_contact_unknowns(), k = full->n_motions;
+      if (!eliminated || !eliminated->is_of(problem.system))
+        eliminated.emplace(problem.system);
       if (!eliminated->exists())
         {
           SolverReport report;
           report.reason = "contacts depend on each other";
           return report;
         }
-      ContactProblem stiff = problem;
-      stiff.system         = eliminated->system();
-      stiff.load           = eliminated->load(problem.load);
-      ContactState own     = state;
-      own.v                = state.v.head(n);
-      own.r                = state.r.head(n);
-      const auto report    = solve(stiff, own);
-      state.node           = own.node;
-      state.v              = Eigen::VectorXd::Zero(n + k);
-      state.r              = state.v;
-      state.v.head(n)      = own.v;
-      state.r.head(n)      = own.r;
-      state.r.tail(k)      = eliminated->motions(problem.load, own.v, own.r);
+      ContactState own    = eliminated->eliminate(state);
+      const auto   report = solve(eliminated->eliminate(problem), own);
+      state               = eliminated->expand(problem, own);
       return report;
     }
 

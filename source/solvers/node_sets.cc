@@ -153,10 +153,9 @@ namespace conetact
     SmallVector
     near_reaction(SmallVector v, const SmallVector &r)
     {
-      constexpr double most  = 1e4;
-      const Index      nt    = v.size() - 1;
-      const double     slip  = v.head(nt).norm();
-      const double     limit = most * r.norm();
+      const Index  nt    = v.size() - 1;
+      const double slip  = v.head(nt).norm();
+      const double limit = longest_slip * r.norm();
       if (slip > limit && limit > 0)
         v.head(nt) *= limit / slip;
       return v;

@@ -104,4 +104,34 @@ namespace conetact
                         .cwiseQuotient(stiffness);
     return a;
   }
+
+  ContactProblem
+  StiffnessForm::eliminate(const ContactProblem &problem) const
+  {
+    ContactProblem result = problem;
+    result.system         = stiff;
+    result.load           = load(problem.load);
+    return result;
+  }
+
+  ContactState
+  StiffnessForm::eliminate(const ContactState &state) const
+  {
+    const Index  n      = dual->n_contact_unknowns();
+    ContactState result = state;
+    result.v            = state.v.head(n);
+    result.r            = state.r.head(n);
+    return result;
+  }
+
+  ContactState
+  StiffnessForm::expand(const ContactProblem &problem, ContactState end) const
+  {
+    const Index    n = dual->n_contact_unknowns(), k = dual->n_motions;
+    const VectorXd a = motions(problem.load, end.v, end.r);
+    end.v.conservativeResizeLike(VectorXd::Zero(n + k));
+    end.r.conservativeResize(n + k);
+    end.r.tail(k) = a;
+    return end;
+  }
 } // namespace conetact

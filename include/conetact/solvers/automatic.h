@@ -83,8 +83,7 @@ namespace conetact
     ActiveSet                     active_set;
     std::optional<LinearRelation> relation;
     /** Stiffness form of the system solved last, if it was needed. */
-    std::shared_ptr<const ContactSystem> full;
-    std::optional<StiffnessForm>         eliminated;
+    std::optional<StiffnessForm> eliminated;
   };
 
   std::unique_ptr<ContactSolver>

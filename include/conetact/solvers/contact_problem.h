@@ -165,6 +165,12 @@ namespace conetact
    */
   constexpr double position_rounding = 16 * 2.2e-16;
 
+  /**
+   * Slips times stiffness over the reaction: the law holds with any factor, and
+   * what is beyond this would only round reactions.
+   */
+  constexpr double longest_slip = 1e4;
+
   /** Entries of x as far as they exceed what is allowed, one for one. */
   Eigen::VectorXd
   without_rounding(const Eigen::VectorXd &x, const Eigen::VectorXd &allowed);

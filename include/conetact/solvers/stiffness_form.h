@@ -29,6 +29,12 @@ namespace conetact
     {
       return stiff;
     }
+    /** Whether it was made of this system. */
+    bool
+    is_of(const std::shared_ptr<const ContactSystem> &given) const
+    {
+      return dual == given;
+    }
     /** False if W is not positive definite. */
     bool
     exists() const
@@ -43,6 +49,15 @@ namespace conetact
     motions(const Eigen::VectorXd &given,
             const Eigen::VectorXd &v,
             const Eigen::VectorXd &r) const;
+
+    /** An increment without its motions, and where it starts. */
+    ContactProblem
+    eliminate(const ContactProblem &problem) const;
+    ContactState
+    eliminate(const ContactState &state) const;
+    /** The end of the increment with its motions, from the one without. */
+    ContactState
+    expand(const ContactProblem &problem, ContactState end) const;
 
   private:
     void
