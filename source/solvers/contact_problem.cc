@@ -16,6 +16,13 @@ namespace conetact
     using Eigen::Index;
     using Eigen::VectorXd;
 
+    /**
+     * Weight of the residual over the data alone: at a tolerance of 1e-10 they
+     * may be violated by 1e-6 of themselves. Where no solution exists, forces
+     * run away and would hide any violation.
+     */
+    constexpr double runaway = 1e-4;
+
     /** A stiffness of each node that turns displacements into forces. */
     VectorXd
     reference_stiffness(const ContactSystem &system)
@@ -52,6 +59,23 @@ namespace conetact
              (problem.load.head(n).cwiseAbs() +
               system.matrix.topRightCorner(n, k).cwiseAbs() *
                 state.r.tail(k).cwiseAbs());
+    }
+
+    /** Displacements among the data, entry by entry as far as known. */
+    VectorXd
+    displacements_given(const ContactProblem &problem)
+    {
+      const ContactSystem &system = *problem.system;
+      const Index          n      = system.n_contact_unknowns();
+      VectorXd             given  = VectorXd::Zero(n);
+      if (system.form == Form::compliance)
+        given = problem.load.head(n).cwiseAbs();
+      else if (problem.offset.size() > 0)
+        given = problem.offset.cwiseAbs();
+      for (Index i = 0; i < problem.gap.size(); ++i)
+        given(system.normal(i)) =
+          std::max(given(system.normal(i)), problem.gap(i));
+      return given;
     }
 
     /** Residual of the linear relation, as forces. */
@@ -158,8 +182,15 @@ namespace conetact
       return 0;
     const double load =
       stiff ? problem.load.norm() : problem.load.tail(system.n_motions).norm();
-    const double result =
-      error / std::max({state.r.head(n).norm(), load, problem.reference_force});
+    const double scale =
+      std::max({state.r.head(n).norm(), load, problem.reference_force});
+    const double data =
+      std::max({load,
+                problem.reference_force,
+                rho.cwiseProduct(displacements_given(problem)).norm()});
+    double result = error / scale;
+    if (data > 0)
+      result = std::max(result, runaway * error / data);
     return std::isfinite(result) ? result :
                                    std::numeric_limits<double>::infinity();
   }

@@ -187,8 +187,10 @@ namespace conetact
    * or the residual of the linear relation over the same scale, whichever is
    * larger; in compliance form the balance b takes the place of f. P_C projects
    * on the friction cones. Only forces make the scale: displacements grow with
-   * the error where nothing holds a body. What is less than the rounding of
-   * the positions that a displacement is the difference of is no error.
+   * the error where nothing holds a body. Reactions do where no solution
+   * exists: the error over the data alone (loads, and given displacements times
+   * @f$\rho@f$) counts 1e-4 of itself at least. What is less than the rounding
+   * of the positions that a displacement is the difference of is no error.
    */
   double
   contact_residual(const ContactProblem &problem, const ContactState &state);

@@ -196,6 +196,30 @@ TEST(Automatic, NoEquilibriumIsAReport)
     << report.reason;
 }
 
+TEST(Automatic, ForcesThatRunAwayHideNothing)
+{
+  // Two rigid nodes wedged between walls that are closer than they are wide:
+  // the larger the force, the smaller beside it is what is violated.
+  auto system    = std::make_shared<ContactSystem>();
+  system->form   = Form::compliance;
+  system->first  = {0, 1, 2};
+  system->matrix = (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
+  system->mu     = Eigen::VectorXd::Zero(2);
+  ContactProblem problem;
+  problem.system = system;
+  problem.load   = Eigen::Vector2d(-1, .5);
+  problem.gap    = Eigen::VectorXd::Zero(2);
+  ContactState state;
+  state.v    = Eigen::Vector2d::Zero();
+  state.node = {NodeState::stick, NodeState::stick};
+  for (const double force : {1., 1e6, 1e12, 1e18})
+    {
+      state.r = Eigen::Vector2d(force, force);
+      EXPECT_GT(contact_residual(problem, state), 1e-6) << force;
+    }
+  EXPECT_FALSE(solve(problem, state).converged);
+}
+
 TEST(Automatic, LoadsFollowOneAnother)
 {
   // Pressed, pushed to slip, held, pulled off: a history of one node.
