@@ -4,7 +4,7 @@
 // conetact-fclib: solves contact problems in files of FCLib.
 
 #include "conetact/base/errors.h"
-#include "conetact/fclib/fclib_file.h"
+#include "conetact/exchange/fclib_file.h"
 #include "conetact/solvers/contact_solver.h"
 
 #include <chrono>

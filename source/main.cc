@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/application/adaptive_refinement.h"
-#include "conetact/application/analysis.h"
+#include "conetact/analysis/adaptive_refinement.h"
+#include "conetact/analysis/analysis.h"
+#include "conetact/analysis/cost.h"
 #include "conetact/application/command_line.h"
-#include "conetact/application/cost.h"
-#include "conetact/application/log.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/log.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 

@@ -9,21 +9,25 @@ import re
 import sys
 
 # from the ground up: each may include those before it that are named
-BELOW = {"base": (), "solvers": (), "structures": ("base",), "pairing": ("base", "structures"),
-         "output": ("base", "structures", "solvers"),
-         "contact": ("base", "structures", "pairing", "output", "solvers"),
+BELOW = {"base": (), "solvers": (), "load_path": ("solvers",), "bodies": ("base",),
+         "pairing": ("base", "bodies"), "backends": ("base", "solvers"),
+         "output": ("base", "bodies", "solvers"), "exchange": ("base", "solvers"),
+         "contact": ("base", "bodies", "pairing", "backends", "output", "solvers"),
          "verification": ("base", "output", "contact"),
-         "fclib": ("base", "solvers"),
-         "application": ("base", "structures", "pairing", "output", "contact", "verification", "solvers", "fclib")}
+         "application": ("base", "bodies", "pairing", "output", "contact", "solvers", "load_path"),
+         "analysis": ("base", "bodies", "pairing", "backends", "output", "contact", "verification",
+                      "solvers", "load_path", "application")}
 
 
 def includes(tree):
     """(room, name) of each pair of a header and its source, and those they include."""
     result = {}
-    for file in sorted([*tree.glob("source/*/*.cc"), *tree.glob("include/conetact/*/*.h")]):
-        own = (file.parent.name, file.stem)
-        found = re.findall(r'#include "conetact/(\w+)/(\w+)\.h"', file.read_text())
-        result.setdefault(own, set()).update(set(found) - {own})
+    for folder in (tree / "source", tree / "include/conetact"):
+        for file in sorted([*folder.glob("*/**/*.cc"), *folder.glob("*/**/*.h")]):
+            path = file.relative_to(folder)
+            own = (path.parts[0], str(path.with_suffix("")))
+            found = re.findall(r'#include "conetact/((\w+)/[\w/]+)\.h"', file.read_text())
+            result.setdefault(own, set()).update({(room, name) for name, room in found} - {own})
     return result
 
 
@@ -34,7 +38,7 @@ def main(tree):
             if room not in BELOW:
                 faults.append(f"{room} is not among the rooms of {__file__}")
             elif other != room and other not in BELOW[room]:
-                faults.append(f"{room}/{name} includes {other}/{header}, which is not below it")
+                faults.append(f"{name} includes {header}, which is not below it")
     print("\n".join(faults) or f"{len(graph)} files in {len(BELOW)} rooms")
     return bool(faults)
 

@@ -7,8 +7,8 @@
 # usage: check_solvers_pure.sh SOURCE_TREE
 cd "$1" || exit 1
 foreign=$(grep -nE '^[[:space:]]*#[[:space:]]*include' \
-  source/solvers/*.cc include/conetact/solvers/*.h |
-  grep -vE 'include[[:space:]]*("conetact/solvers/[^"]+"|<Eigen/[^>]+>|<lapacke\.h>|<cblas\.h>|<[a-z_]+>)')
+  {source,include/conetact}/{solvers,load_path}/*.{cc,h} 2>/dev/null |
+  grep -vE 'include[[:space:]]*("conetact/(solvers|load_path)/[^"]+"|<Eigen/[^>]+>|<lapacke\.h>|<cblas\.h>|<[a-z_]+>)')
 [ -z "$foreign" ] && exit
 echo "The solvers may not include:"
 echo "$foreign"

@@ -7,9 +7,9 @@
 // Prints CPU seconds (wall seconds with several threads). CHOLMOD factorises
 // the stiffness of the eliminated unknowns alone, in the same order.
 
+#include "conetact/backends/elimination_order.h"
+#include "conetact/backends/schur_solver.h"
 #include "conetact/base/process.h"
-#include "conetact/contact/elimination_order.h"
-#include "conetact/contact/schur_solver.h"
 
 #ifdef CONETACT_WITH_CHOLMOD
 #  include <cholmod.h>

@@ -8,8 +8,8 @@
 #include "conetact/application/solver_options.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/body_table.h"
 #include "conetact/output/problem_files.h"
-#include "conetact/structures/body_table.h"
 
 #include <algorithm>
 #include <fstream>

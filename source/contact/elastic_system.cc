@@ -3,7 +3,7 @@
 
 #include "conetact/contact/elastic_system.h"
 
-#include "conetact/structures/element_forces.h"
+#include "conetact/bodies/element_forces.h"
 
 #include <Eigen/QR>
 

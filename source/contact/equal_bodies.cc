@@ -3,7 +3,7 @@
 
 #include "conetact/contact/equal_bodies.h"
 
-#include "conetact/contact/free_motion.h"
+#include "conetact/backends/free_motion.h"
 
 #include <Eigen/SVD>
 

@@ -6,7 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #ifdef CONETACT_HAVE_FCLIB
-#  include "conetact/fclib/fclib_file.h"
+#  include "conetact/exchange/fclib_file.h"
 #endif
 
 #include <cstdio>

@@ -5,8 +5,8 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/actions.h"
 #include "conetact/pairing/master_surface.h"
-#include "conetact/structures/actions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef conetact_application_adaptive_settings_h
 #define conetact_application_adaptive_settings_h
 
-#include "conetact/structures/structure.h"
+#include "conetact/bodies/structure.h"
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -7,10 +7,10 @@
 #include "conetact/application/adaptive_settings.h"
 #include "conetact/application/command_line.h"
 #include "conetact/application/solver_options.h"
+#include "conetact/bodies/nodal_loads.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/pairing/obstacles.h"
 #include "conetact/solvers/contact_solver.h"
-#include "conetact/structures/nodal_loads.h"
 
 #include <deal.II/base/parameter_handler.h>
 

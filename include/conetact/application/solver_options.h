@@ -4,8 +4,8 @@
 #ifndef conetact_application_solver_options_h
 #define conetact_application_solver_options_h
 
+#include "conetact/load_path/load_path.h"
 #include "conetact/solvers/contact_solver.h"
-#include "conetact/solvers/load_path.h"
 
 #include <deal.II/base/parameter_handler.h>
 

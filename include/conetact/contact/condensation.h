@@ -4,10 +4,10 @@
 #ifndef conetact_contact_condensation_h
 #define conetact_contact_condensation_h
 
+#include "conetact/backends/extended_schur.h"
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_backend.h"
 #include "conetact/contact/elastic_system.h"
-#include "conetact/contact/extended_schur.h"
 #include "conetact/contact/working_set.h"
 
 #include <memory>

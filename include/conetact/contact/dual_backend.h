@@ -4,11 +4,11 @@
 #ifndef conetact_contact_dual_backend_h
 #define conetact_contact_dual_backend_h
 
+#include "conetact/backends/super_element.h"
 #include "conetact/contact/body_coordinates.h"
 #include "conetact/contact/elastic_backend.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
-#include "conetact/contact/super_element.h"
 
 #include <Eigen/SparseCore>
 

@@ -4,7 +4,7 @@
 #ifndef conetact_contact_elastic_backend_h
 #define conetact_contact_elastic_backend_h
 
-#include "conetact/contact/schur_solver.h"
+#include "conetact/backends/schur_solver.h"
 #include "conetact/contact/working_set.h"
 
 #include <Eigen/Core>

@@ -4,9 +4,9 @@
 #ifndef conetact_contact_node_rules_h
 #define conetact_contact_node_rules_h
 
+#include "conetact/bodies/actions.h"
+#include "conetact/bodies/structure.h"
 #include "conetact/pairing/contact_nodes.h"
-#include "conetact/structures/actions.h"
-#include "conetact/structures/structure.h"
 
 #include <string>
 #include <utility>

@@ -4,8 +4,8 @@
 #ifndef conetact_output_output_h
 #define conetact_output_output_h
 
+#include "conetact/bodies/structure.h"
 #include "conetact/solvers/contact_problem.h"
-#include "conetact/structures/structure.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -5,8 +5,8 @@
 #define conetact_pairing_contact_nodes_h
 
 #include "conetact/base/expression.h"
+#include "conetact/bodies/structure.h"
 #include "conetact/pairing/obstacles.h"
-#include "conetact/structures/structure.h"
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -4,8 +4,8 @@
 #ifndef conetact_pairing_face_net_h
 #define conetact_pairing_face_net_h
 
+#include "conetact/bodies/structure.h"
 #include "conetact/pairing/closest_point.h"
-#include "conetact/structures/structure.h"
 
 #include <vector>
 

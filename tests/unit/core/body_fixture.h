@@ -5,7 +5,7 @@
 #define conetact_tests_body_fixture_h
 
 #include "conetact/base/errors.h"
-#include "conetact/structures/body_table.h"
+#include "conetact/bodies/body_table.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

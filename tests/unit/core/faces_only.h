@@ -4,7 +4,7 @@
 #ifndef conetact_tests_faces_only_h
 #define conetact_tests_faces_only_h
 
-#include "conetact/structures/structure.h"
+#include "conetact/bodies/structure.h"
 
 #include <numeric>
 

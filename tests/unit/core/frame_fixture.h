@@ -4,7 +4,7 @@
 #ifndef conetact_tests_frame_fixture_h
 #define conetact_tests_frame_fixture_h
 
-#include "conetact/structures/frame.h"
+#include "conetact/bodies/frame/frame.h"
 
 #include <Eigen/Dense>
 

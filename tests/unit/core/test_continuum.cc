@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/structures/continuum.h"
+#include "conetact/bodies/continuum/continuum.h"
 
 #include <deal.II/grid/tria.h>
 

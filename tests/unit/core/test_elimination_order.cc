@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/elimination_order.h"
+#include "conetact/backends/elimination_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/extended_schur.h"
+#include "conetact/backends/extended_schur.h"
 
 #include <gtest/gtest.h>
 

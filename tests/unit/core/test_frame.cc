@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/structures/frame_diagrams.h"
+#include "conetact/bodies/frame/diagrams.h"
 
 #include "frame_fixture.h"
 

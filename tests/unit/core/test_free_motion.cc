@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/schur_solver.h"
+#include "conetact/backends/schur_solver.h"
 
 #include <gtest/gtest.h>
 

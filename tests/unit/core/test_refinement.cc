@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/application/adaptive_refinement.h"
+#include "conetact/analysis/adaptive_refinement.h"
 
 #include <gtest/gtest.h>
 

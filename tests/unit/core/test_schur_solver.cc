@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/backends/schur_solver.h"
 #include "conetact/base/process.h"
-#include "conetact/contact/schur_solver.h"
 
 #include <gtest/gtest.h>
 

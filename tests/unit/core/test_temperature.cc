@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/structures/continuum.h"
-#include "conetact/structures/continuum_graphics.h"
+#include "conetact/bodies/continuum/continuum.h"
+#include "conetact/bodies/continuum/graphics.h"
 
 #include <deal.II/grid/tria.h>
 

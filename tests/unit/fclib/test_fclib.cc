@@ -5,7 +5,7 @@
 // in every way the reader knows a sentence for.
 
 #include "conetact/base/errors.h"
-#include "conetact/fclib/fclib_file.h"
+#include "conetact/exchange/fclib_file.h"
 #include "conetact/solvers/contact_solver.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 // Condensed problems that a scene writes: the tool solves them to the reactions
 // that stand in reactions.csv.
 
-#include "conetact/fclib/fclib_file.h"
+#include "conetact/exchange/fclib_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

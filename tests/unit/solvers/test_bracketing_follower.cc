@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/solvers/load_path.h"
+#include "conetact/load_path/load_path.h"
 
 #include <gtest/gtest.h>
 

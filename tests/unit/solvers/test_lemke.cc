@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/solvers/lemke.h"
+#include "conetact/load_path/lemke.h"
 
 #include <gtest/gtest.h>
 

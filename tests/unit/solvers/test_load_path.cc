@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/load_path/load_path.h"
 #include "conetact/solvers/lcp.h"
-#include "conetact/solvers/load_path.h"
 
 #include <gtest/gtest.h>
 

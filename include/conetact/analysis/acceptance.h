@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_acceptance_h
+#define conetact_analysis_acceptance_h
+
+#include "conetact/analysis/pending_increment.h"
+#include "conetact/analysis/warnings.h"
+#include "conetact/application/scene.h"
+#include "conetact/base/log.h"
+#include "conetact/contact/contact_rows.h"
+#include "conetact/verification/energies.h"
+#include "conetact/verification/verification.h"
+
+#include <string>
+
+namespace conetact
+{
+  /**
+   * What the verification says of increments, and what goes to the tables of
+   * those it accepts.
+   */
+  class Acceptance
+  {
+  public:
+    Acceptance(const Scene &scene, const ContactModel &model, Log &log);
+
+    /** `w`: deformation of all dofs at the end of the increment. */
+    Finding
+    judge(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+
+    /**
+     * Completes the record of the increment, with its displacements where
+     * these are `drawn`. Returns why it is not accepted, empty where it is.
+     * Increments come in their order, each once.
+     */
+    std::string
+    complete(PendingIncrement      &increment,
+             const Finding         &finding,
+             const Eigen::VectorXd &w,
+             const bool             drawn);
+
+    /** Displacements of all dofs. */
+    Eigen::VectorXd
+    displacements(const PendingIncrement &increment,
+                  const Eigen::VectorXd  &w) const;
+
+    /** Stiffness of each contact node in a system of contact unknowns. */
+    void
+    set_stiffness(const ContactSystem &system, const WorkingSet &set);
+
+  private:
+    Claim
+    claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    std::string
+    wrong_gap(const PendingIncrement &increment,
+              const Finding          &finding,
+              const Eigen::VectorXd  &w,
+              const Eigen::VectorXd  &u) const;
+    Tensor<1, 3>
+    relative(const ContactNode     &node,
+             const Eigen::VectorXd &u,
+             const double           t) const;
+    std::string
+    wrong_at_supports(const PendingIncrement &increment,
+                      const Finding          &finding) const;
+    std::string
+    wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
+    void
+    add_resultants(IncrementRecord &record, const Finding &finding);
+    void
+    add_displacements(IncrementRecord       &record,
+                      const Eigen::VectorXd &u,
+                      const Eigen::VectorXd &w) const;
+
+    const Scene        &scene;
+    const ContactModel &model;
+    Verification        verification;
+    ContactRows         contact_rows;
+    Energies            energies;
+    Warnings            warnings;
+    double              largest_force = 0; ///< resultant so far
+  };
+} // namespace conetact
+
+#endif

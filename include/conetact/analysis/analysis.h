@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_analysis_h
+#define conetact_analysis_analysis_h
+
+#include "conetact/analysis/acceptance.h"
+#include "conetact/analysis/work.h"
+#include "conetact/application/scene.h"
+#include "conetact/base/log.h"
+#include "conetact/contact/contact_model.h"
+#include "conetact/contact/growing_set.h"
+#include "conetact/output/output.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * What all analyses of a scene share: its contact model, loads and history,
+   * the independent check that accepts or rejects, outputs.
+   */
+  class Analysis
+  {
+  public:
+    /** Throws InputError where a body is not held. */
+    Analysis(const Scene &scene, Log &log);
+    virtual ~Analysis() = default;
+
+    /** Sizes and what will be skipped, to the log. */
+    void
+    report();
+
+    /** Memory and time it will take, to the log; nothing is factorised. */
+    void
+    estimate() const;
+
+    /** Loads and supports at all times. Throws InputError. */
+    virtual void
+    check_history();
+
+    /**
+     * All that may find the scene wrong: its history, condensation. Throws
+     * InputError.
+     */
+    void
+    prepare();
+
+    /**
+     * Runs all increments; results go to `folder`, which must exist. Throws
+     * AnalysisError where an increment has no accepted result: those before
+     * it are on disk.
+     */
+    virtual void
+    run(const std::filesystem::path &folder, const bool quiet) = 0;
+
+    /** What was done so far. */
+    Work
+    work() const;
+
+    /** The last increment with its displacements, of adaptive scenes only. */
+    const IncrementRecord &
+    last_increment() const
+    {
+      return final_record;
+    }
+
+  protected:
+    /** Throws InputError where loads drive a body that nothing can hold. */
+    void
+    refuse_unbalanced(const Eigen::VectorXd &forces, const double t) const;
+    /** `n_increments` is 0 where it is not known beforehand. */
+    void
+    create_outputs(const std::filesystem::path &folder,
+                   const std::size_t            n_increments,
+                   const bool                   quiet);
+    /** Increments whose displacements are recovered together. */
+    std::size_t
+    most_at_once(const unsigned int n_finished) const;
+    /** Loads and prestress at the increment's time, and what they reduce to. */
+    void
+    apply_loads(PendingIncrement &increment);
+    void
+    complete(PendingIncrement      &increment,
+             const Finding         &finding,
+             const Eigen::VectorXd &w);
+    void
+    write(const std::vector<IncrementRecord> &finished);
+    /** "Increment 3 of 5", for messages. */
+    virtual std::string
+    name(const IncrementRecord &record) const = 0;
+    [[noreturn]] void
+    fail(const IncrementRecord &record, const std::string &why) const;
+
+    const Scene                         &scene;
+    Log                                 &log;
+    ContactModel                         model;
+    NodalLoads                           loads;
+    const Eigen::VectorXd                prestress; ///< all dofs [force]
+    ContactHistory                       history;
+    GrowingSet                           set;
+    Acceptance                           acceptance;
+    RunDescription                       description;
+    IncrementRecord                      final_record; ///< of adaptive scenes
+    std::vector<std::unique_ptr<Output>> outputs;
+    Work                                 done;
+  };
+
+  /** The analysis that the scene's Solver/Method asks for. */
+  std::unique_ptr<Analysis>
+  make_analysis(const Scene &scene, Log &log);
+} // namespace conetact
+
+#endif

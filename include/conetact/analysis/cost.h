@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_cost_h
+#define conetact_analysis_cost_h
+
+#include "conetact/contact/contact_model.h"
+
+#include <string>
+
+namespace conetact
+{
+  /** What an analysis will take, at most but for rounding. */
+  struct Cost
+  {
+    FactorEstimate factor;
+    double         stiffness_bytes = 0; ///< condensed, dense
+    double         memory_bytes    = 0; ///< of the process
+    double         seconds         = 0; ///< on this machine, within a factor 2
+  };
+
+  /**
+   * Orders and analyses the elastic system, but factorises nothing. What was
+   * done in this process so far counts, because a run does it, too; the rest
+   * follows from the rate of a dense product, measured for some milliseconds.
+   */
+  Cost
+  estimate_cost(const ContactModel &model,
+                const std::size_t   n_increments,
+                const std::size_t   n_drawings);
+
+  /** "12.3 MB". */
+  std::string
+  megabytes(const double bytes);
+
+  /** Of this process until now [bytes]. */
+  double
+  peak_memory();
+} // namespace conetact
+
+#endif

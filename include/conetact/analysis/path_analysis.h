@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_path_analysis_h
+#define conetact_analysis_path_analysis_h
+
+#include "conetact/analysis/analysis.h"
+#include "conetact/load_path/load_path.h"
+#include "conetact/output/event_table.h"
+#include "conetact/solvers/stiffness_form.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * The load-parameter path of a scene, [P]: what acts at t = 0 is applied
+   * first, then one stage up to each of the scene's times, in which the
+   * parameter is t. Each event and each end of a stage becomes a record like
+   * an increment's; changes of state and the outcome go to events.csv.
+   */
+  class PathAnalysis : public Analysis
+  {
+  public:
+    /** Throws InputError. */
+    PathAnalysis(const Scene &scene, Log &log);
+    void
+    check_history() override;
+    void
+    refuse_falling() const;
+    /** Throws AnalysisError where the path does not converge. */
+    void
+    run(const std::filesystem::path &folder, const bool quiet) override;
+
+  private:
+    /** Everything that acts at an end of a stage. */
+    struct Case
+    {
+      Eigen::VectorXd        forces, mechanical; ///< nodal, all dofs [force]
+      std::vector<Resultant> each_load;
+      LoadCase               load;
+      Eigen::VectorXd        relation; ///< load of the system, v = (u_t, g)
+      Eigen::VectorXd        f;        ///< total: K v = r + f with v = (u_t, g)
+    };
+    Case
+    case_at(const double t);
+    static Case
+    between(const Case &a, const Case &b, const double part);
+
+    /** In stiffness form, made when first asked for. */
+    const ContactSystem &
+    system();
+    std::unique_ptr<PathFollower>
+    make_follower(std::shared_ptr<const ContactSystem> system,
+                  const Eigen::VectorXd               &gap) const;
+    PathResult
+    follow(PathFollower &follower);
+    PathResult
+    apply_constant_loads(PathFollower &follower, const Case &constant);
+    void
+    record(const PathPoint &point, const Case &at, const double t);
+    void
+    take_primal(const Case       &at,
+                const PathPoint  &point,
+                PendingIncrement &pending);
+    Finding
+    judge(PendingIncrement &pending, Eigen::VectorXd &w);
+    Eigen::VectorXd
+    mechanism_displacements(const Eigen::VectorXd &velocity);
+    void
+    flush();
+    void
+    add_events(const PathPoint &point);
+    void
+    report_outcome(const PathResult &result);
+    void
+    write_mechanism(const Eigen::VectorXd &velocity, const double t);
+    void
+    remove_mechanism() const;
+    std::string
+    mechanism_file(const std::size_t body) const;
+    std::string
+    node_name(const Eigen::Index i) const;
+    std::string
+    name(const IncrementRecord &record) const override;
+
+    struct Waiting
+    {
+      PendingIncrement pending;
+      PathPoint        point;
+    };
+    Eigen::VectorXd              initial_gap; ///< of each contact node, signed
+    PathOptions                  options;
+    std::optional<StiffnessForm> stiffness;
+    std::vector<Waiting>         waiting;
+    PathPoint                    last; ///< of the path
+    std::optional<EventTable>    events;
+    std::filesystem::path        folder;
+    bool                         names_are_unique; ///< node numbers
+    bool                         constant_stage = false;
+    std::string                  on_the_way; ///< jumps and plateaus
+    unsigned int                 n_records = 0;
+  };
+} // namespace conetact
+
+#endif

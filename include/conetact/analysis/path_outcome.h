@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_path_outcome_h
+#define conetact_analysis_path_outcome_h
+
+#include "conetact/application/scene.h"
+#include "conetact/contact/mechanism.h"
+#include "conetact/load_path/load_path.h"
+
+#include <optional>
+#include <string>
+
+namespace conetact
+{
+  /** open, stick, slip+, slip- or slip. */
+  const char *
+  state_name(const PathState state);
+
+  /** How a path ended. */
+  struct PathEnd
+  {
+    PathResult               result;
+    std::optional<Mechanism> mechanism; ///< at a limit load
+    std::string on_the_way;       ///< " after a jump at p = 2", or nothing
+    bool        constant = false; ///< not all that acts at p = 0 was applied
+    double
+    parameter() const
+    {
+      return constant ? 0. : result.parameter;
+    }
+  };
+
+  /** The words of the last line of events.csv: "limit load: sliding". */
+  std::string
+  outcome_words(const PathEnd &end);
+
+  /** The same as a sentence that names loads and nodes. */
+  std::string
+  outcome_sentence(const PathEnd      &end,
+                   const ContactModel &model,
+                   const Scene        &scene);
+} // namespace conetact
+
+#endif

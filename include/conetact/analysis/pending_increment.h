@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_pending_increment_h
+#define conetact_analysis_pending_increment_h
+
+#include "conetact/contact/contact_model.h"
+#include "conetact/output/output.h"
+
+namespace conetact
+{
+  /** An increment whose displacements are still to be recovered. */
+  struct PendingIncrement
+  {
+    IncrementRecord record;
+    Eigen::VectorXd forces;     ///< nodal loads, all dofs
+    Eigen::VectorXd mechanical; ///< those without thermal ones
+    LoadCase        load;
+    ContactState    state;
+    Eigen::VectorXd contact; ///< displacements of contact unknowns
+    Eigen::VectorXd primal;  ///< as ElasticBackend::expand() takes it
+    Eigen::VectorXd motions; ///< amounts of the free motions
+    ContactHistory  before, after;
+    ContactState    end; ///< of the working set alone
+  };
+} // namespace conetact
+
+#endif

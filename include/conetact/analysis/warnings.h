@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_warnings_h
+#define conetact_analysis_warnings_h
+
+#include "conetact/base/log.h"
+#include "conetact/contact/contact_model.h"
+
+#include <set>
+#include <string>
+
+namespace conetact
+{
+  /**
+   * What the reader of a result must know, each said once: displacements that
+   * are not unique, and motions, rotations and strains for which small-strain
+   * theory is wrong.
+   */
+  class Warnings
+  {
+  public:
+    Warnings(const ContactModel &model, Log &log);
+
+    /**
+     * False where a motion exists that no closed contact, friction below its
+     * limit or support opposes: forces are determined, positions are not.
+     */
+    bool
+    is_determinate(const std::vector<NodeState> &states);
+    /** `amounts` of rigid motions, deformation w of all dofs. */
+    void
+    check_size(const Eigen::VectorXd &amounts, const Eigen::VectorXd &w);
+
+    /** Says the sentence the first time that one of this kind comes. */
+    void
+    once(const std::string &kind, const std::string &sentence);
+
+  private:
+    double
+    largest_strain(const unsigned int body, const Eigen::VectorXd &w) const;
+
+    const ContactModel   &model;
+    Log                  &log;
+    std::set<std::string> said;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_work_h
+#define conetact_analysis_work_h
+
+#include "conetact/backends/schur_solver.h"
+#include "conetact/output/output.h"
+#include "conetact/solvers/contact_problem.h"
+
+#include <string>
+
+namespace conetact
+{
+  /**
+   * What an analysis has done, in numbers that are the same on every machine:
+   * tests bound them in place of seconds.
+   */
+  struct Work
+  {
+    SchurWork    elastic;                  ///< with the elastic system
+    unsigned int contact_solves       = 0; ///< linear, or sweeps
+    unsigned int dense_factorizations = 0; ///< of contact unknowns
+    unsigned int load_integrations    = 0;
+    OutputWork   outputs;
+
+    void
+    add(const SolverReport &report);
+  };
+
+  /** "work: 1 factorisations of the elastic system, ...", in one line. */
+  std::string
+  describe(const Work &work);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_backends_super_element_h
+#define conetact_backends_super_element_h
+
+#include "conetact/backends/schur_solver.h"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * A body by itself, condensed to the unknowns it keeps (those of nodes that
+   * may touch), as an elastic answer to forces: its deformation is
+   * @f$ w = K^+ f @f$, free of rigid motions as the retained unknowns see them,
+   * @f$ B^T w_C = 0 @f$. With the Schur complement S of its stiffness on the
+   * retained unknowns and B an orthonormal basis of its free motions there,
+   * @f[ T = (S + \alpha B B^T)^{-1},\quad
+   *     P = T - T B (B^T T B)^{-1} B^T T ,\quad w_C = P f_C . @f]
+   * Forces that do not balance are answered as if motions were held by forces
+   * along B; whoever asks has balance as an equation of its own. P is explicit,
+   * so that the flexibility of any contact rows H costs a product, H P H^T.
+   * Stiffness may contain foundations. Serves all bodies equal to this one.
+   */
+  class SuperElement
+  {
+  public:
+    using Index = Eigen::Index;
+
+    /**
+     * `upper`: upper triangle of the stiffness, `node_of` its nodes as in
+     * SchurSolver; `retained` ascend; `motions`: columns of free motions in all
+     * unknowns, whose rows at retained unknowns must be independent. Throws
+     * SingularMatrix if a part of the body can move although the retained
+     * unknowns are fixed.
+     */
+    SuperElement(const Eigen::SparseMatrix<double> &upper,
+                 const std::vector<unsigned int>   &node_of,
+                 const std::vector<Index>          &retained,
+                 const Eigen::MatrixXd             &motions);
+
+    /** What its factorisation would take; nothing is factorised. */
+    static FactorEstimate
+    estimate(const Eigen::SparseMatrix<double> &upper,
+             const std::vector<unsigned int>   &node_of,
+             const std::vector<Index>          &retained);
+
+    const std::vector<Index> &
+    retained() const
+    {
+      return kept;
+    }
+    /** P, its inverse stiffness on the retained unknowns [length/force]. */
+    const Eigen::MatrixXd &
+    flexibility() const
+    {
+      return P;
+    }
+    /** Forces on all unknowns (columns), as the retained ones see them. */
+    Eigen::MatrixXd
+    reduce(const Eigen::MatrixXd &forces) const;
+    /** Deformation of all unknowns under forces on all unknowns (columns). */
+    Eigen::MatrixXd
+    deform(const Eigen::MatrixXd &forces) const;
+
+    const SchurSolver &
+    solver() const
+    {
+      return factor;
+    }
+
+  private:
+    Eigen::MatrixXd
+    to_solver(const Eigen::MatrixXd &x) const;
+
+    std::vector<Index>                       kept;
+    Eigen::PermutationMatrix<Eigen::Dynamic> place; ///< retained ones last
+    double                                   scale; ///< of stiffness
+    SchurSolver                              factor;
+    Eigen::MatrixXd                          P;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_base_log_h
+#define conetact_base_log_h
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace conetact
+{
+  /**
+   * What a run did, for people: lines go to log.txt (kept until its folder is
+   * known) and, unless quiet, the more important ones to standard output.
+   */
+  class Log
+  {
+  public:
+    /** `verbose`: notes go to standard output too. */
+    Log(const bool quiet, const bool verbose);
+
+    /** log.txt only. */
+    void
+    note(const std::string &line);
+    /** log.txt and standard output. */
+    void
+    say(const std::string &line);
+    /** A note with the seconds since the last time() or the start. */
+    void
+    time(const std::string &what);
+
+    /** From now on lines go to FOLDER/log.txt. Throws WriteError. */
+    void
+    open(const std::filesystem::path &folder);
+
+  private:
+    void
+    keep(const std::string &line);
+
+    using Clock = std::chrono::steady_clock;
+    const bool        quiet, verbose;
+    Clock::time_point last;
+    std::string       kept;
+    std::ofstream     file;
+  };
+} // namespace conetact
+
+#endif

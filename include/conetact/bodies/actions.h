@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_actions_h
+#define conetact_bodies_actions_h
+
+#include "conetact/bodies/loads.h"
+#include "conetact/bodies/supports.h"
+
+#include <cstddef>
+
+namespace conetact
+{
+  /** Index of a body by name. Throws InputError that names the entry. */
+  unsigned int
+  find_body(const std::string              &body,
+            const std::vector<std::string> &bodies,
+            const std::string              &entry);
+
+  /** The ids of an entry; each one must be a face's. Throws InputError. */
+  BoundaryIds
+  find_boundary(const std::string &ids,
+                const Structure   &structure,
+                const std::string &body,
+                const std::string &entry);
+
+  /**
+   * n expressions of an entry, separated by ';'; a single 0 stands for all.
+   * Throws InputError.
+   */
+  std::vector<Expression>
+  parse_components(const std::string &text,
+                   const std::size_t  n,
+                   const std::string &entry);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_continuum_cell_matrices_h
+#define conetact_bodies_continuum_cell_matrices_h
+
+#include "conetact/bodies/continuum/continuum_mesh.h"
+#include "conetact/bodies/continuum/elements.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Stiffness matrices of all cells of a mesh of one material. Cells that are
+   * translated copies of each other have the same: it is computed once, and
+   * kept. Matrices of single cells are kept as long as there is room.
+   */
+  template <int dim>
+  class CellMatrices
+  {
+  public:
+    using Element = ElementFormulation<dim>;
+
+    /**
+     * Mesh and formulation must live longer than this object; thickness 1 in
+     * 3D.
+     */
+    CellMatrices(const ContinuumMesh<dim> &of_mesh,
+                 const Element            &formulation,
+                 const double              thickness);
+
+    void
+    for_each(const ElementVisitor &visit) const;
+
+    /**
+     * f += K u, all dofs. What a cell's first node moves is taken out before
+     * its matrix acts: forces of cells that hardly strain keep their digits and
+     * their sum of zero, however far they move. Neighbours of one shape are
+     * multiplied together.
+     */
+    void
+    add_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const;
+
+    /** Cells that are no copies of each other. */
+    unsigned int
+    n_shapes() const
+    {
+      return static_cast<unsigned int>(shapes.size());
+    }
+
+  private:
+    /** A class of congruent cells. */
+    struct Shape
+    {
+      unsigned int first_cell;
+      unsigned int n_cells = 0;
+      int          matrix  = -1; ///< index, -1: not kept
+    };
+
+    const ContinuumMesh<dim>             &mesh;
+    const Element                        &element;
+    double                                thickness;
+    std::vector<Shape>                    shapes;
+    std::vector<unsigned int>             shape_of_cell;
+    std::vector<typename Element::Matrix> matrices;
+
+    /** A column for each cell, its vertices' values or forces. */
+    using Columns = Eigen::Matrix<double, Element::n_dofs, Eigen::Dynamic>;
+
+    void
+    find_shapes();
+    /** u of cells in a row, relative to that of their first vertices. */
+    Columns
+    strained(const unsigned int     first,
+             const unsigned int     end,
+             const Eigen::VectorXd &u) const;
+    void
+    keep_matrices();
+    typename Element::Matrix
+    compute(const unsigned int cell) const;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_continuum_continuum_h
+#define conetact_bodies_continuum_continuum_h
+
+#include "conetact/bodies/continuum/cell_matrices.h"
+#include "conetact/bodies/continuum/continuum_mesh.h"
+#include "conetact/bodies/continuum/elements.h"
+#include "conetact/bodies/continuum/material.h"
+#include "conetact/bodies/structure.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * A body of quadrilaterals (2D) or hexahedra (3D) with a displacement at each
+   * vertex, @f$K = \int B^T C B\,dx@f$. The dofs of node i are `dim * i + c`.
+   */
+  template <int dim>
+  class Continuum : public Structure
+  {
+  public:
+    /** Of a finished mesh, see make_mesh(), and a row of element_table(). */
+    Continuum(std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
+              const ElasticMaterial                           &elastic,
+              const ElementRow<dim> &row = element_table<dim>().front());
+    ~Continuum() override;
+
+    unsigned int
+    n_nodes() const override;
+    unsigned int
+    n_components() const override;
+    Point<3>
+    position(const unsigned int node) const override;
+    const std::vector<HangingNode> &
+    hanging_nodes() const override;
+
+    void
+    for_each_element(const ElementVisitor &visit) const override;
+    void
+    add_internal_forces(const Eigen::VectorXd &u,
+                        Eigen::VectorXd       &f) const override;
+
+    BoundaryIds
+    boundary_ids() const override;
+    /**
+     * Hanging nodes are no surface nodes: their share of area and normal goes
+     * to the nodes that they follow. Faces list them nevertheless.
+     */
+    Surface
+    surface(const BoundaryIds &ids) const override;
+
+    void
+    add_traction(const BoundaryIds  &ids,
+                 const SurfaceField &traction,
+                 Eigen::VectorXd    &f) const override;
+    void
+    add_body_force(const VectorField &force, Eigen::VectorXd &f) const override;
+    bool
+    add_point_force(const Point<3>     &point,
+                    const Tensor<1, 3> &force,
+                    Eigen::VectorXd    &f) const override;
+    void
+    visit_springs(const BoundaryIds        &ids,
+                  const SurfaceTensorField &stiffness,
+                  const ElementVisitor     &visit) const override;
+
+    /** The temperature is taken at the nodes and d-linear between them. */
+    bool
+    add_temperature(const ScalarField &change,
+                    Eigen::VectorXd   &f) const override;
+
+    using Structure::write_graphics;
+    void
+    write_graphics(const Eigen::VectorXd       &u,
+                   const Eigen::VectorXd       &w,
+                   const Actions               &actions,
+                   const double                 time,
+                   const std::filesystem::path &file) const override;
+    std::string
+    description() const override;
+    /** Cells that are translated copies of each other are congruent. */
+    MatrixCount
+    matrix_count() const override;
+    std::vector<double>
+    element_errors(const Eigen::VectorXd &u) const override;
+
+  private:
+    std::unique_ptr<dealii::Triangulation<dim, dim>> triangulation;
+    ContinuumMesh<dim>                               mesh;
+    ElasticMaterial                                  material;
+    double                                           thickness; ///< 1 in 3D
+    const char                                      *element_name;
+    std::unique_ptr<ElementFormulation<dim>>         element;
+    CellMatrices<dim>                                matrices;
+  };
+} // namespace conetact
+
+#endif

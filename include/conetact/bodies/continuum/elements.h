@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_continuum_elements_h
+#define conetact_bodies_continuum_elements_h
+
+#include "conetact/bodies/continuum/element_formulation.h"
+
+#include <memory>
+#include <vector>
+
+namespace conetact
+{
+  /** One row for each kind of element. */
+  template <int dim>
+  struct ElementRow
+  {
+    const char *name;
+    const char *description;
+    std::unique_ptr<ElementFormulation<dim>> (*create)(const ElasticMaterial &);
+  };
+  template <int dim>
+  const std::vector<ElementRow<dim>> &
+  element_table();
+} // namespace conetact
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_continuum_grid_sources_h
+#define conetact_bodies_continuum_grid_sources_h
+
+#include "conetact/bodies/continuum/mesh_parameters.h"
+
+#include <memory>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class Triangulation;
+}
+
+namespace conetact
+{
+  /**
+   * The coarse mesh of quadrilaterals or hexahedra, by a generator's name (with
+   * its curved geometry) or from a file. Throws InputError.
+   */
+  template <int dim>
+  std::unique_ptr<dealii::Triangulation<dim, dim>>
+  generate_or_read(const MeshParameters &parameters);
+} // namespace conetact
+
+#endif

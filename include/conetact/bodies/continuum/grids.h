@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_continuum_grids_h
+#define conetact_bodies_continuum_grids_h
+
+#include "conetact/bodies/continuum/mesh_parameters.h"
+
+#include <memory>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class Triangulation;
+}
+
+namespace conetact
+{
+  /**
+   * The finished mesh of quadrilaterals or hexahedra: generated or read,
+   * refined on its curved geometry, then scaled, rotated, moved and tagged.
+   * Its cells are straight-edged; hanging vertices lie on the straight edges
+   * and faces of their coarser neighbours. Throws InputError.
+   */
+  template <int dim>
+  std::unique_ptr<dealii::Triangulation<dim, dim>>
+  make_mesh(const MeshParameters &parameters);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_continuum_refinement_h
+#define conetact_bodies_continuum_refinement_h
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class Triangulation;
+}
+
+namespace conetact
+{
+  /**
+   * How far gradients of the displacements u jump between cells,
+   * @f$\eta_K^2 = \frac{h_K}{24} \int_{\partial K} |[\partial u /
+   * \partial n]|^2\,ds@f$ for each active cell [length^dim]: the estimator of
+   * Kelly, Gago, Zienkiewicz and Babuska (1983) without boundary terms. Dofs
+   * are those of a ContinuumMesh.
+   */
+  template <int dim>
+  std::vector<double>
+  squared_jumps(const dealii::Triangulation<dim, dim> &mesh,
+                const Eigen::VectorXd                 &u);
+} // namespace conetact
+
+#endif

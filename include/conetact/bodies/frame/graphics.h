@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_frame_graphics_h
+#define conetact_bodies_frame_graphics_h
+
+#include "conetact/bodies/frame/members.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace conetact
+{
+  /** Of the twelve dofs of a member, with and without a rigid motion. */
+  struct MemberMotion
+  {
+    Member::Vector displacement, deformation;
+  };
+
+  /**
+   * VTU of the undeformed members as lines, beams in eight pieces each, with
+   * `displacement` (3), `axial_force` (positive in tension), `axial_stress`
+   * (over the area), and in the members' local axes `shear_force` and `moment`
+   * in 2D, `shear_force_y`, `shear_force_z`, `torque`, `moment_y`, `moment_z`
+   * in 3D: what the part beyond a cut exerts on the part before it. Points are
+   * not shared by members. Forces are those of the deformation. The time is
+   * field data TIME. Throws WriteError.
+   */
+  void
+  write_frame(const std::vector<Member>       &members,
+              const std::vector<MemberMotion> &motions,
+              const std::vector<MemberLoad>   &loads,
+              const unsigned int               dim,
+              const double                     time,
+              const std::filesystem::path     &file);
+} // namespace conetact
+
+#endif

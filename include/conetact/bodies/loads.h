@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_loads_h
+#define conetact_bodies_loads_h
+
+#include "conetact/base/expression.h"
+#include "conetact/bodies/structure.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /** Forces on a body, a function of position and time. */
+  struct Load
+  {
+    enum class Kind
+    {
+      traction,    ///< [force/area] on boundary ids
+      pressure,    ///< [force/area] against the outward normal
+      body_force,  ///< [force/volume]
+      point_force, ///< [force] at a point of the body
+      nodal_force, ///< [force] at each node of boundary ids, with moments
+                   ///< where values follow
+      line_load,   ///< [force/length] on members of boundary ids
+      temperature  ///< change of temperature [K]
+    };
+    std::string             name;
+    unsigned int            body = 0; ///< index
+    Kind                    kind = Kind::traction;
+    BoundaryIds             ids;   ///< of kinds that have them
+    Point<3>                point; ///< point force
+    std::vector<Expression> value; ///< a component each, or one
+
+    bool
+    uses_time() const;
+    /** Whether it is nothing at all. */
+    bool
+    is_zero() const;
+
+    /** Adds the nodal forces at time t. */
+    void
+    add(const Structure &structure, const double t, Eigen::VectorXd &f) const;
+    /**
+     * The load at time t as write_graphics() takes it; none for nodal forces.
+     * It refers to this object.
+     */
+    std::optional<Action>
+    action(const double t) const;
+  };
+
+  /** Entries of `subsection Load NAME`; the handler stands inside it. */
+  void
+  declare_load(dealii::ParameterHandler &prm);
+  /**
+   * The parsed entries; `bodies` are the names and `structures` the bodies
+   * that boundary ids and points are checked against. Throws InputError.
+   */
+  Load
+  create_load(dealii::ParameterHandler             &prm,
+              const std::string                    &name,
+              const unsigned int                    dim,
+              const std::vector<std::string>       &bodies,
+              const std::vector<const Structure *> &structures);
+} // namespace conetact
+
+#endif

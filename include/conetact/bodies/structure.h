@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_structure_h
+#define conetact_bodies_structure_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace conetact
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  /** Boundary ids as scenes write them. */
+  using BoundaryIds = std::set<unsigned int>;
+
+  /** A node of a surface, in the scene's coordinates. */
+  struct SurfaceNode
+  {
+    unsigned int node; ///< its number in the body
+    Point<3>     position;
+    double       area; ///< integral of its shape function [length^2; 2D: times
+                       ///< thickness]
+    Tensor<1, 3> normal; ///< outward, unit length, mean over its faces
+    /**
+     * One outward normal of unit length for each smooth patch of faces that
+     * meet here: an edge of a block has two, a facet edge of a cylinder one.
+     */
+    std::vector<Tensor<1, 3>> normals;
+  };
+
+  /** Q1 face: nodes in deal.II's order (2: segment, 4: quadrilateral). */
+  struct SurfaceFace
+  {
+    std::vector<unsigned int> nodes;
+    Tensor<1, 3> normal; ///< outward, unit length, mean; two-sided: either
+  };
+
+  /**
+   * The normals of the smooth patches that vectors (normals of faces, times
+   * any weights) belong to: patches turn by more than 40 degrees where they
+   * meet. Ten facets round a circle are smooth, a chamfer of 45 degrees is
+   * not. A patch has the direction of the sum of its vectors.
+   */
+  std::vector<Tensor<1, 3>>
+  smooth_patches(const std::vector<Tensor<1, 3>> &face_normals);
+
+  /** Faces of some boundary ids and the nodes on them, sorted by number. */
+  struct Surface
+  {
+    std::vector<SurfaceNode> nodes;
+    std::vector<SurfaceFace> faces;
+    bool two_sided = false; ///< a line or sheet that may be touched on both
+  };
+
+  /** A node that hangs on a coarser cell: u = sum of weight * u(node). */
+  struct HangingNode
+  {
+    unsigned int                                 node;
+    std::vector<std::pair<unsigned int, double>> masters;
+  };
+
+  /**
+   * Elements that are refined in one mesh after the other, by their number in
+   * it.
+   */
+  using Refinements = std::vector<std::set<unsigned int>>;
+
+  /** A scalar field of position [units as its user says]. */
+  using ScalarField = std::function<double(const Point<3> &)>;
+  /** A vector field of position [units as its user says]. */
+  using VectorField = std::function<Tensor<1, 3>(const Point<3> &)>;
+  /** A vector field on a surface: of position and outward unit normal. */
+  using SurfaceField =
+    std::function<Tensor<1, 3>(const Point<3> &, const Tensor<1, 3> &)>;
+  /** A second-order field on a surface, such as a stiffness per area. */
+  using SurfaceTensorField =
+    std::function<Tensor<2, 3>(const Point<3> &, const Tensor<1, 3> &)>;
+
+  /**
+   * What acts inside a body at one time, as far as its stresses depend on more
+   * than its displacements: nodal forces alone do not tell.
+   */
+  struct Action
+  {
+    enum class Kind
+    {
+      traction,    ///< [force/area] on boundary ids
+      body_force,  ///< [force/volume]
+      line_load,   ///< [force/length] on the members of boundary ids
+      point_force, ///< [force] at a point
+      temperature  ///< change of temperature [K]
+    };
+    Kind         kind;
+    BoundaryIds  ids;         ///< traction, line load
+    Point<3>     point;       ///< point force
+    SurfaceField force;       ///< all but temperature
+    ScalarField  temperature; ///< temperature
+  };
+  using Actions = std::vector<Action>;
+
+  /**
+   * Called for each element with the `n` numbers of its dofs and its symmetric
+   * n x n stiffness [force/length]. The same pointer `matrix` may come again
+   * for congruent elements.
+   */
+  using ElementVisitor =
+    std::function<void(const std::vector<unsigned int> &dofs,
+                       const double                    *matrix)>;
+
+  /**
+   * A linear elastic body: sparse stiffness, load vectors, surfaces, its own
+   * drawing. Displacement component c of node i is dof
+   * `i * n_components() + c`; positions and vectors leave a body with three
+   * components (z = 0 in 2D), forces are those on the body's given thickness.
+   * Neither supports nor hanging nodes are eliminated here: vectors and
+   * elements are in all dofs of the body.
+   */
+  class Structure
+  {
+  public:
+    virtual ~Structure() = default;
+
+    virtual unsigned int
+    n_nodes() const = 0;
+    /** Dofs a node: the dimension, or more where nodes rotate. */
+    virtual unsigned int
+    n_components() const = 0;
+    unsigned int
+    n_dofs() const
+    {
+      return n_nodes() * n_components();
+    }
+
+    /** Undeformed position. */
+    virtual Point<3>
+    position(const unsigned int node) const = 0;
+
+    virtual const std::vector<HangingNode> &
+    hanging_nodes() const = 0;
+
+    /**
+     * False for a dof that no element touches, such as the rotation of a node
+     * where only hinges meet: it takes no part in equilibrium and stays zero.
+     */
+    virtual bool
+    has_dof(const unsigned int /*node*/, const unsigned int /*component*/) const
+    {
+      return true;
+    }
+    /** Whether it may have motions without strain other than rigid ones. */
+    virtual bool
+    may_be_mechanism() const
+    {
+      return false;
+    }
+    /** Why a node may move freely, as a hint to the user; empty: no idea. */
+    virtual std::string
+    weakness(const unsigned int /*node*/) const
+    {
+      return {};
+    }
+
+    /** All elements, in an order that is the same each time. */
+    virtual void
+    for_each_element(const ElementVisitor &visit) const = 0;
+    /**
+     * f += K u [force], such that a motion without strain costs no digits of
+     * the forces.
+     */
+    virtual void
+    add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const = 0;
+
+    /** For the log: congruent elements share a matrix. */
+    struct MatrixCount
+    {
+      unsigned int elements = 0, matrices = 0;
+    };
+    virtual MatrixCount
+    matrix_count() const
+    {
+      return {};
+    }
+
+    /**
+     * Estimated errors of the displacements u (all dofs), one for each element
+     * in their order: squares of their energy norms, up to a factor
+     * [force*length]. Empty if there is no mesh to refine.
+     */
+    virtual std::vector<double>
+    element_errors(const Eigen::VectorXd & /*u*/) const
+    {
+      return {};
+    }
+
+    /** Ids that some face has, for checks and messages. */
+    virtual BoundaryIds
+    boundary_ids() const = 0;
+    virtual Surface
+    surface(const BoundaryIds &ids) const = 0;
+
+    /** Adds the nodal forces of a traction [force/area] to f. */
+    virtual void
+    add_traction(const BoundaryIds  &ids,
+                 const SurfaceField &traction,
+                 Eigen::VectorXd    &f) const = 0;
+    /** Adds the nodal forces of a body force [force/volume] to f. */
+    virtual void
+    add_body_force(const VectorField &force, Eigen::VectorXd &f) const = 0;
+    /**
+     * Adds a force [force] at a point, distributed by the shape functions of
+     * the cell that holds it. False if no cell does.
+     */
+    virtual bool
+    add_point_force(const Point<3>     &point,
+                    const Tensor<1, 3> &force,
+                    Eigen::VectorXd    &f) const = 0;
+    /**
+     * Adds the nodal forces of a load per length [force/length] on the members
+     * of a frame. False if the boundary ids have no members.
+     */
+    virtual bool
+    add_line_load(const BoundaryIds & /*ids*/,
+                  const SurfaceField & /*load*/,
+                  Eigen::VectorXd & /*f*/) const
+    {
+      return false;
+    }
+    /**
+     * Adds the nodal forces of a change of temperature [K],
+     * @f$\int B^T C \varepsilon_T\,dx@f$. False if nothing expands.
+     */
+    virtual bool
+    add_temperature(const ScalarField & /*change*/,
+                    Eigen::VectorXd & /*f*/) const
+    {
+      return false;
+    }
+    /**
+     * Elements of a foundation on a surface: springs of stiffness
+     * [force/length/area] between the body and fixed ground.
+     */
+    virtual void
+    visit_springs(const BoundaryIds        &ids,
+                  const SurfaceTensorField &stiffness,
+                  const ElementVisitor     &visit) const = 0;
+
+    /**
+     * Writes the displacement u (all dofs) and the stresses or section forces
+     * of the deformation w, with `actions` at work, to a VTU file. w is u
+     * without a rigid motion, which would cost digits of the stresses. Throws
+     * WriteError.
+     */
+    virtual void
+    write_graphics(const Eigen::VectorXd       &u,
+                   const Eigen::VectorXd       &w,
+                   const Actions               &actions,
+                   const double                 time,
+                   const std::filesystem::path &file) const = 0;
+
+    /** The same of w = u with nothing at work inside the body. */
+    void
+    write_graphics(const Eigen::VectorXd       &u,
+                   const double                 time,
+                   const std::filesystem::path &file) const
+    {
+      write_graphics(u, u, {}, time, file);
+    }
+
+    /** For log and dry run: "2500 cells Q1, 2601 nodes". */
+    virtual std::string
+    description() const = 0;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/acceptance.h"
+
+#include "conetact/base/text.h"
+#include "conetact/pairing/true_gap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Over the spacing of nodes: beyond, a foot is on another face. */
+    constexpr double farthest_slide = 1;
+    /** The same: what is further off does not touch whatever its foot is. */
+    constexpr double nearby = .5;
+    /** The same: a support that pushes a node in by less is rounding. */
+    constexpr double least_depth = 1e-6;
+
+    /** Of the largest force so far: what is left of it is rounding. */
+    constexpr double noise = 64 * 2.2e-16;
+
+    /**
+     * The sum of all resultants over the largest of them; nothing where they
+     * are rounding of the largest `so far`.
+     */
+    double
+    balance_of(const IncrementRecord &record,
+               const double           reach,
+               double                &so_far)
+    {
+      Resultant  sum;
+      double     largest = 0;
+      const auto add     = [&](const Resultant &resultant) {
+        sum.force += resultant.force;
+        sum.moment += resultant.moment;
+        largest = std::max(largest, resultant.force.norm());
+      };
+      for (const Resultant &contact : record.contacts)
+        add(contact);
+      for (const Resultant &support : record.each_support)
+        add(support);
+      add(record.loads);
+      so_far = std::max(so_far, largest);
+      return largest > noise * so_far ?
+               std::max(sum.force.norm() / largest,
+                        sum.moment.norm() / (largest * reach)) :
+               0.;
+    }
+  } // namespace
+
+  Acceptance::Acceptance(const Scene &s, const ContactModel &m, Log &log)
+    : scene(s)
+    , model(m)
+    , verification(model.bodies,
+                   model.elastic,
+                   model.coordinates,
+                   model.motions,
+                   model.points,
+                   scene.solver.tolerance)
+    , contact_rows(model, scene.master_side)
+    , warnings(model, log)
+  {}
+
+  void
+  Acceptance::set_stiffness(const ContactSystem &system, const WorkingSet &set)
+  {
+    Eigen::VectorXd stiffness =
+      Eigen::VectorXd::Zero(model.points.layout().n_nodes());
+    for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const double mean =
+          system.matrix.diagonal()
+            .segment(system.first[static_cast<std::size_t>(i)],
+                     system.n_tangents(i) + 1)
+            .mean();
+        stiffness[set.nodes()[static_cast<std::size_t>(i)]] =
+          system.form == Form::stiffness ? mean :
+          mean > 0                       ? 1 / mean :
+                                           0;
+      }
+    // candidates outside the set carry nothing; their gaps are like others
+    const double largest = stiffness.size() > 0 ? stiffness.maxCoeff() : 0;
+    verification.set_stiffness(stiffness.unaryExpr(
+      [largest](const double k) { return k > 0 ? k : largest; }));
+  }
+
+  Claim
+  Acceptance::claim(const PendingIncrement &increment,
+                    const Eigen::VectorXd  &w) const
+  {
+    Claim claim;
+    claim.amounts = model.amounts(increment.load.placement, increment.motions);
+    claim.w       = w;
+    claim.r       = increment.state.r;
+    claim.states  = increment.state.node;
+    claim.loads   = increment.forces;
+    claim.mechanical  = increment.mechanical;
+    claim.t           = increment.record.time;
+    claim.whole       = increment.record.report.substeps <= 1;
+    claim.incremental = scene.path.method == PathSettings::Method::none ||
+                        scene.path.law == PathLaw::incremental;
+    return claim;
+  }
+
+  Finding
+  Acceptance::judge(const PendingIncrement &increment,
+                    const Eigen::VectorXd  &w) const
+  {
+    return verification.judge(claim(increment, w));
+  }
+
+  Eigen::VectorXd
+  Acceptance::displacements(const PendingIncrement &increment,
+                            const Eigen::VectorXd  &w) const
+  {
+    return model.motions.field(
+             model.amounts(increment.load.placement, increment.motions)) +
+           w;
+  }
+
+  std::string
+  Acceptance::wrong_gap(const PendingIncrement &increment,
+                        const Finding          &finding,
+                        const Eigen::VectorXd  &w,
+                        const Eigen::VectorXd  &u) const
+  {
+    std::vector<MovedNode> moved;
+    double                 indentation = 0;
+    const auto at = [&](const Eigen::VectorXd &x, const ContactNode &node) {
+      return model.displacement(x, node.body, node.node);
+    };
+    const ContactPoints &points = model.points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const ContactNode &node = *points[i].node;
+        if (node.obstacle == nullptr)
+          continue;
+        const auto n = points[i].first +
+                       static_cast<Eigen::Index>(points[i].dual.size()) - 1;
+        moved.push_back({&node,
+                         at(u, node),
+                         node.obstacle->displacement_at(increment.record.time),
+                         increment.state.node[i] == NodeState::open ?
+                           node.gap + finding.displacements[n] :
+                           0.});
+        if (increment.state.node[i] != NodeState::open)
+          indentation = std::max(indentation, std::abs(at(w, node) * node.n));
+      }
+    const auto worst = worst_gap_error(moved, indentation);
+    return worst ? to_sentence(*worst) : "";
+  }
+
+  /** Displacement of a node relative to what it may touch. */
+  Tensor<1, 3>
+  Acceptance::relative(const ContactNode     &node,
+                       const Eigen::VectorXd &u,
+                       const double           t) const
+  {
+    return relative_displacement(
+      node,
+      [&](const unsigned int body, const unsigned int i) {
+        return model.displacement(u, body, i);
+      },
+      t);
+  }
+
+  std::string
+  Acceptance::wrong_at_supports(const PendingIncrement &increment,
+                                const Finding          &finding) const
+  {
+    const auto       &nodes = model.bodies.contact_nodes;
+    std::vector<bool> has_rows(nodes.size(), false);
+    for (const ContactPoint &point : model.points)
+      has_rows[static_cast<std::size_t>(point.node - nodes.data())] = true;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        const ContactNode &node = nodes[i];
+        if (has_rows[i])
+          continue;
+        const double gap =
+          node.gap + relative(node, finding.u, increment.record.time) * node.n;
+        if (gap < -least_depth * node.spacing)
+          return "a support holds the contact node at " +
+                 to_text(node.position) + " of body '" +
+                 model.bodies.names[node.body] +
+                 "' along its contact normal and pushes it into what it may "
+                 "touch, by " +
+                 to_text(-gap) +
+                 ". Take the node out of the support or of the contact";
+      }
+    return "";
+  }
+
+  std::string
+  Acceptance::wrong_foot(const PendingIncrement &increment,
+                         const Finding          &finding) const
+  {
+    const ContactPoints &points = model.points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const ContactNode &node = *points[i].node;
+        const double       gap =
+          increment.state
+            .v[points[i].first +
+               static_cast<Eigen::Index>(points[i].dual.size()) - 1];
+        if (node.masters.empty() || gap > nearby * node.spacing)
+          continue;
+        Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
+        slid -= (slid * node.n) * node.n;
+        if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
+          return "the contact node at " + to_text(node.position) +
+                 " of body '" + model.bodies.names[node.body] +
+                 "' has slid by " + to_text(slid.norm()) +
+                 " along its master, whose faces it meets where the bodies "
+                 "were undeformed. Contacts of bodies are for slides of less "
+                 "than a cell (" +
+                 to_text(node.spacing) + "): use a smaller motion";
+      }
+    return "";
+  }
+
+  std::string
+  Acceptance::complete(PendingIncrement      &increment,
+                       const Finding         &finding,
+                       const Eigen::VectorXd &w,
+                       const bool             drawn)
+  {
+    IncrementRecord &record = increment.record;
+    add_resultants(record, finding);
+    if (!finding.why.empty())
+      return finding.why;
+    if (const std::string why = wrong_gap(increment, finding, w, finding.u);
+        !why.empty())
+      return why;
+    if (const std::string why = wrong_foot(increment, finding); !why.empty())
+      return why;
+    if (const std::string why = wrong_at_supports(increment, finding);
+        !why.empty())
+      return why;
+    const Claim accepted = claim(increment, w);
+    verification.accept(accepted, finding);
+    energies.add(model.points, accepted, finding, record);
+    record.rows        = contact_rows.rows(increment.state,
+                                    increment.contact,
+                                    finding.u,
+                                    record.time,
+                                    accepted.whole);
+    record.determinate = warnings.is_determinate(increment.state.node);
+    warnings.check_size(accepted.amounts, w);
+    if (drawn)
+      add_displacements(record, finding.u, w);
+    return "";
+  }
+
+  void
+  Acceptance::add_resultants(IncrementRecord &record, const Finding &finding)
+  {
+    const ExternalForces &external = finding.external;
+    record.equilibrium             = finding.equilibrium;
+    record.report.residual         = finding.residual;
+    record.contacts.assign(scene.contact_sides.size(), {});
+    for (std::size_t c = 0; c < external.contacts.size(); ++c)
+      {
+        record.contacts[c] = external.contacts[c];
+        if (scene.master_side[c] != c)
+          record.contacts[scene.master_side[c]] = external.masters[c];
+      }
+    record.each_support = external.supports;
+    record.supports     = {};
+    for (const Resultant &support : external.supports)
+      {
+        record.supports.force += support.force;
+        record.supports.moment += support.moment;
+      }
+    record.loads = external.loads;
+    double reach = 0;
+    record.body_balance.clear();
+    for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
+      {
+        record.body_balance.push_back(external.bodies[b].forces >
+                                          noise * largest_force ?
+                                        external.bodies[b].error() :
+                                        0.);
+        const Structure &structure = *model.bodies.structures[b];
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+          reach = std::max(reach, structure.position(i).norm());
+      }
+    record.balance = balance_of(record, reach, largest_force);
+    if (record.body_balance.size() == 1)
+      record.body_balance.clear();
+  }
+
+  void
+  Acceptance::add_displacements(IncrementRecord       &record,
+                                const Eigen::VectorXd &u,
+                                const Eigen::VectorXd &w) const
+  {
+    record.actions = scene.actions(record.time);
+    for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
+      {
+        const Eigen::Index n = scene.bodies.structures[b]->n_dofs();
+        record.displacements.push_back(
+          u.segment(model.coordinates.offset(b), n));
+        record.deformations.push_back(
+          w.segment(model.coordinates.offset(b), n));
+      }
+  }
+} // namespace conetact

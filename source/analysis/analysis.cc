@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/analysis.h"
+
+#include "conetact/analysis/cost.h"
+#include "conetact/analysis/increment_analysis.h"
+#include "conetact/analysis/path_analysis.h"
+#include "conetact/analysis/scene_report.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/output/problem_files.h"
+#include "conetact/output/progress.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  namespace
+  {
+    /**
+     * Bodies that face each other nowhere may be meant so, and are warned of;
+     * throws InputError for a contact that supports leave nothing of.
+     */
+    void
+    check_empty_contacts(const Scene        &scene,
+                         const ContactModel &model,
+                         Log                &log)
+    {
+      std::vector<bool> empty(scene.contact_names.size(), true);
+      for (const ContactPoint &point : model.points)
+        empty[point.node->contact] = false;
+      for (std::size_t c = 0; c < empty.size(); ++c)
+        if (empty[c] && scene.pairings[c].n_paired == 0)
+          log.say("warning: contact '" + scene.contact_names[c] +
+                  "': nothing touches, for no node faces the master within its "
+                  "Reach. Check Master boundary ids and the bodies' places.");
+        else if (empty[c])
+          throw InputError(
+            "Contact '" + scene.contact_names[c] +
+            "' has no node that may touch: supports hold all of them along its "
+            "normal. Take them out of the supports, or remove the contact.");
+    }
+  } // namespace
+
+  Analysis::Analysis(const Scene &s, Log &l)
+    : scene(s)
+    , log(l)
+    , model(scene.bodies, scene.times)
+    , loads(scene.nodal_loads())
+    , prestress(scene.prestress())
+    , history(model)
+    , set(model)
+    , acceptance(scene, model, l)
+  {
+    check_empty_contacts(scene, model, log);
+  }
+
+  void
+  Analysis::report()
+  {
+    if (scene.leave_out_far_nodes)
+      set.start([&](const double t) { return loads.at(t); }, scene.times);
+    report_sizes(scene, model, log);
+  }
+
+  void
+  Analysis::estimate() const
+  {
+    report_cost(scene, model, log);
+  }
+
+  void
+  Analysis::check_history()
+  {
+    for (const double t : scene.times)
+      {
+        const NodalLoads::Acting acting = loads.acting(t);
+        model.coordinates.prescribed(t);
+        refuse_unbalanced(acting.mechanical + model.elastic.ground_forces(t),
+                          t);
+      }
+    log.time("loads and supports at all times");
+    report_loads(loads, scene.bodies.dim, log);
+  }
+
+  void
+  Analysis::refuse_unbalanced(const Eigen::VectorXd &forces,
+                              const double           t) const
+  {
+    constexpr double      round_off = 1e-10;
+    const Eigen::MatrixXd unseen    = model.motions.unseen();
+    if (unseen.cols() == 0)
+      return;
+    const Eigen::VectorXd driven =
+      unseen.transpose() *
+      (model.motions.free().transpose() * model.motions.resultants(forces));
+    if (driven.norm() <= round_off * forces.lpNorm<1>())
+      return;
+    const RigidMotions::Motion motion =
+      model.motions.motion_of_free(unseen * driven);
+    throw InputError("Nothing holds body '" + scene.bodies.names[motion.body] +
+                     "' against moving " + describe(motion) +
+                     ": no support, and no contact with friction, but loads "
+                     "drive it at t = " +
+                     to_text(t) + ". Add a Support, or friction to a Contact.");
+  }
+
+  void
+  Analysis::prepare()
+  {
+    check_history();
+    log.time("condensation: order, factor and Schur complement, factor of " +
+             megabytes(model.condensation().factor_bytes()));
+    report_shared_bodies(scene.bodies,
+                         model.condensation().n_shared_bodies(),
+                         log);
+    if (!scene.fclib_increments.empty())
+      check_problem_is_writable(*model.condensation().system());
+  }
+
+  void
+  Analysis::create_outputs(const std::filesystem::path &folder,
+                           const std::size_t            n_increments,
+                           const bool                   quiet)
+  {
+    description.folder       = folder;
+    description.contacts     = scene.contact_sides;
+    description.bodies       = scene.bodies.names;
+    description.structures   = scene.bodies.structures;
+    description.supports     = scene.support_names;
+    description.loads        = scene.load_names;
+    description.dim          = scene.bodies.dim;
+    description.n_increments = static_cast<unsigned int>(n_increments);
+    description.end          = scene.times.empty() ? 0 : scene.times.back();
+    description.vtu_every    = scene.vtu_every;
+    for (const OutputRow &row : output_table())
+      outputs.push_back(row.create(description));
+    outputs.push_back(std::make_unique<Progress>(description, quiet));
+  }
+
+  std::size_t
+  Analysis::most_at_once(const unsigned int n_finished) const
+  {
+    // Recovering displacements of several increments in one solve is cheaper;
+    // large scenes write each increment sooner. Each batch rewrites the tables:
+    // as batches grow with a long history, all that is written does not grow
+    // with its square.
+    const Eigen::Index n = model.coordinates.n_unknowns();
+    return static_cast<std::size_t>(
+      std::clamp<Eigen::Index>(16000000 / std::max<Eigen::Index>(n, 1),
+                               1,
+                               std::max(16u, n_finished / 8)));
+  }
+
+  Work
+  Analysis::work() const
+  {
+    Work work              = done;
+    work.elastic           = model.work();
+    work.load_integrations = loads.n_integrations();
+    for (const auto &output : outputs)
+      {
+        work.outputs.drawings += output->work().drawings;
+        work.outputs.table_bytes += output->work().table_bytes;
+      }
+    return work;
+  }
+
+  void
+  Analysis::apply_loads(PendingIncrement &increment)
+  {
+    const double             t      = increment.record.time;
+    const NodalLoads::Acting acting = loads.acting(t);
+    increment.forces                = acting.forces + prestress;
+    increment.mechanical            = acting.mechanical + prestress;
+    for (const auto &[force, moment] : acting.each)
+      increment.record.each_load.push_back({force, moment});
+    increment.load = model.load_case(increment.mechanical, acting.thermal, t);
+  }
+
+  void
+  Analysis::complete(PendingIncrement      &increment,
+                     const Finding         &finding,
+                     const Eigen::VectorXd &w)
+  {
+    const unsigned int k     = increment.record.increment;
+    const bool         drawn = description.is_drawn(k) ||
+                       (scene.adaptive.cycles > 0 && k == scene.times.size());
+    if (const std::string why =
+          acceptance.complete(increment, finding, w, drawn);
+        !why.empty())
+      fail(increment.record, why);
+  }
+
+  void
+  Analysis::write(const std::vector<IncrementRecord> &finished)
+  {
+    if (finished.empty())
+      return;
+    log.time("contact, displacements and equilibrium of " +
+             std::to_string(finished.size()) + " increments");
+    for (const auto &output : outputs)
+      output->write(finished);
+    if (scene.adaptive.cycles > 0)
+      final_record = finished.back();
+    log.time("their tables and drawings");
+    for (const IncrementRecord &record : finished)
+      log.note(name(record) + ", " + record.report.solver + ": " +
+               std::to_string(record.report.iterations) +
+               " linear solves, residual " + to_text(record.report.residual) +
+               ", equilibrium " + to_text(record.equilibrium));
+  }
+
+  void
+  Analysis::fail(const IncrementRecord &record, const std::string &why) const
+  {
+    throw AnalysisError(
+      name(record) + " (t = " + to_text(record.time) + "): " + why + "." +
+      (record.increment > 1 ? " The increments before it are on disk." : ""));
+  }
+
+  std::unique_ptr<Analysis>
+  make_analysis(const Scene &scene, Log &log)
+  {
+    if (scene.path.method == PathSettings::Method::none)
+      return std::make_unique<IncrementAnalysis>(scene, log);
+    return std::make_unique<PathAnalysis>(scene, log);
+  }
+} // namespace conetact

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/cost.h"
+
+#include "conetact/base/text.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace conetact
+{
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    double
+    seconds_since(const Clock::time_point start)
+    {
+      return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
+    /** Floating-point operations a second of dense multiplication. */
+    double
+    dense_rate()
+    {
+      constexpr Eigen::Index n    = 320;
+      const Eigen::MatrixXd  a    = Eigen::MatrixXd::Constant(n, n, .5);
+      double                 best = 0;
+      Eigen::MatrixXd        product(n, n);
+      for (unsigned int i = 0; i < 4; ++i)
+        {
+          const Clock::time_point start = Clock::now();
+          product.noalias()             = a * a;
+          best = std::max(best, 2. * n * n * n / seconds_since(start));
+        }
+      return best;
+    }
+
+    /**
+     * Of the process so far [s]: CPU time, which others on the machine do not
+     * change.
+     */
+    double
+    cpu_seconds()
+    {
+      rusage usage;
+      getrusage(RUSAGE_SELF, &usage);
+      const auto seconds = [](const timeval &t) {
+        return static_cast<double>(t.tv_sec) +
+               1e-6 * static_cast<double>(t.tv_usec);
+      };
+      return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    }
+
+    // Measured on blocks of 16^3 to 40^3 cells, in units of dense products.
+    constexpr double sparse_over_dense = 1.6; // factorisation
+    constexpr double lu_over_dense     = 2;   // of contact unknowns
+    constexpr double lus_an_increment  = .15; // after the first
+    // Seconds for each dof: to recover and check an increment, to draw it.
+    constexpr double check_of_dof = 1e-6, drawing_of_dof = 1.5e-6;
+  } // namespace
+
+
+
+  Cost
+  estimate_cost(const ContactModel &model,
+                const std::size_t   n_increments,
+                const std::size_t   n_drawings)
+  {
+    const Coordinates &coordinates = model.coordinates;
+    const auto         n_contact =
+      static_cast<double>(model.working_set().layout().n_unknowns());
+    const auto n_dofs     = static_cast<double>(coordinates.n_dofs());
+    const auto increments = static_cast<double>(n_increments);
+    Cost       cost;
+    cost.factor          = model.estimate_factor();
+    cost.stiffness_bytes = 8 * n_contact * n_contact;
+    // and at most as much again for Newton's matrix
+    cost.memory_bytes =
+      peak_memory() + cost.factor.working_bytes + 2 * cost.stiffness_bytes;
+    const double lu_flops = 2. / 3. * std::pow(n_contact, 3) *
+                            (1 + lus_an_increment * (increments - 1));
+    cost.seconds =
+      cpu_seconds() +
+      (sparse_over_dense * cost.factor.flops + lu_over_dense * lu_flops) /
+        dense_rate() +
+      n_dofs * (check_of_dof * increments +
+                drawing_of_dof * static_cast<double>(n_drawings));
+    return cost;
+  }
+
+
+
+  std::string
+  megabytes(const double bytes)
+  {
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.4g MB", bytes / 1e6);
+    return text;
+  }
+
+
+
+  double
+  peak_memory()
+  {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024. * static_cast<double>(usage.ru_maxrss);
+  }
+} // namespace conetact

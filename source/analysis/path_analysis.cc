@@ -1,0 +1,549 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/path_analysis.h"
+
+#include "conetact/analysis/path_outcome.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/load_path/lemke.h"
+#include "conetact/output/csv.h"
+#include "conetact/output/graphics.h"
+
+#include <algorithm>
+#include <set>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Reactions below this part of the largest are those of open nodes. */
+    constexpr double noise = 1e-12;
+
+    /** Over the spacing of nodes: smaller gaps are closed. */
+    constexpr double touching = 1e-9;
+
+    bool
+    numbers_are_unique(const ContactPoints &points)
+    {
+      std::set<unsigned int> numbers;
+      for (const ContactPoint &point : points)
+        if (!numbers.insert(point.node->node).second)
+          return false;
+      return true;
+    }
+  } // namespace
+
+
+
+  PathAnalysis::PathAnalysis(const Scene &s, Log &l)
+    : Analysis(s, l)
+    , initial_gap(model.points.layout().n_nodes())
+    , names_are_unique(numbers_are_unique(model.points))
+  {
+    options.law       = scene.path.method == PathSettings::Method::lemke ?
+                          PathLaw::holonomic :
+                          scene.path.law;
+    options.tolerance = scene.solver.tolerance;
+    options.cohesion.resize(initial_gap.size());
+    Eigen::Index i = 0;
+    for (const ContactPoint &point : model.points)
+      {
+        initial_gap[i]        = point.node->gap;
+        options.cohesion[i++] = point.node->cohesion;
+      }
+    if (initial_gap.size() == 0)
+      throw InputError("Solver/Method: supports hold all contact nodes, or "
+                       "they face nothing, so that no contact state can "
+                       "change. Choose automatic.");
+  }
+
+
+
+  void
+  PathAnalysis::check_history()
+  {
+    scene.check_stages();
+    Analysis::check_history();
+    refuse_falling();
+  }
+
+
+
+  /* A path follows rates, and there is none at which a body falls. */
+  void
+  PathAnalysis::refuse_falling() const
+  {
+    if (model.motions.unresisted().cols() == 0)
+      return;
+    std::vector<bool> touches(scene.bodies.names.size(), false);
+    for (const ContactPoint &point : model.points)
+      if (const ContactNode &node = *point.node;
+          node.gap <= touching * node.spacing)
+        {
+          touches[node.body] = true;
+          if (!node.masters.empty())
+            touches[node.master] = true;
+        }
+    for (const unsigned int body : model.motions.body_of_free())
+      if (!touches[body])
+        throw InputError("Solver/Method: body '" + scene.bodies.names[body] +
+                         "' touches nothing at the start, so that it falls "
+                         "under the first load. A load path needs bodies that "
+                         "rest on their contacts: close the gap, add a "
+                         "Support, or choose automatic.");
+  }
+
+
+
+  const ContactSystem &
+  PathAnalysis::system()
+  {
+    if (!stiffness)
+      {
+        stiffness.emplace(model.condensation().system());
+        if (!stiffness->exists())
+          throw InputError(
+            "Solver/Method: a load path needs contacts that do not depend on "
+            "each other, but some contact nodes are held on both sides, or "
+            "slide along what supports hold. Take them out of a contact or a "
+            "support, or choose automatic.");
+      }
+    return *stiffness->system();
+  }
+
+
+
+  PathAnalysis::Case
+  PathAnalysis::case_at(const double t)
+  {
+    PendingIncrement pending{
+      {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+    pending.record.time = t;
+    apply_loads(pending);
+    Case result;
+    result.forces         = pending.forces;
+    result.mechanical     = pending.mechanical;
+    result.each_load      = pending.record.each_load;
+    result.load           = pending.load;
+    Eigen::VectorXd start = result.load.offset;
+    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
+      start[system().normal(i)] += initial_gap[i];
+    result.relation = result.load.f;
+    if (model.is_dual())
+      result.relation.head(start.size()) += start;
+    else
+      result.relation += multiply(system(), start);
+    result.f = stiffness->load(result.relation);
+    return result;
+  }
+
+
+
+  PathAnalysis::Case
+  PathAnalysis::between(const Case &a, const Case &b, const double part)
+  {
+    const auto mean = [&](const Eigen::VectorXd &x, const Eigen::VectorXd &y) {
+      return Eigen::VectorXd(x + part * (y - x));
+    };
+    Case result;
+    result.forces     = mean(a.forces, b.forces);
+    result.mechanical = mean(a.mechanical, b.mechanical);
+    for (std::size_t i = 0; i < a.each_load.size(); ++i)
+      {
+        const Resultant &x = a.each_load[i], &y = b.each_load[i];
+        result.each_load.push_back({x.force + part * (y.force - x.force),
+                                    x.moment + part * (y.moment - x.moment)});
+      }
+    result.load.prescribed = mean(a.load.prescribed, b.load.prescribed);
+    result.load.b          = mean(a.load.b, b.load.b);
+    result.load.f          = mean(a.load.f, b.load.f);
+    result.load.q          = mean(a.load.q, b.load.q);
+    result.load.offset     = mean(a.load.offset, b.load.offset);
+    result.load.placement  = mean(a.load.placement, b.load.placement);
+    result.relation        = mean(a.relation, b.relation);
+    result.f               = mean(a.f, b.f);
+    return result;
+  }
+
+
+
+  std::unique_ptr<PathFollower>
+  PathAnalysis::make_follower(std::shared_ptr<const ContactSystem> system,
+                              const Eigen::VectorXd               &gap) const
+  {
+    if (scene.path.method == PathSettings::Method::lemke)
+      {
+        LemkeOptions lemke;
+        lemke.weight = scene.path.weight;
+        lemke.log    = [this](const std::string &line) { log.note(line); };
+        return make_lemke_follower(system, options, lemke);
+      }
+    return scene.bodies.dim == 2 ?
+             make_event_follower(system, gap, options) :
+             make_bracketing_follower(system, gap, options);
+  }
+
+
+
+  void
+  PathAnalysis::run(const std::filesystem::path &f, const bool quiet)
+  {
+    folder = f;
+    remove_mechanism();
+    create_outputs(folder, 0, quiet);
+    events.emplace(folder);
+    system();
+    Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);
+    const auto      follower = make_follower(stiffness->system(), gap);
+    PathResult      result;
+    try
+      {
+        result = follow(*follower);
+        flush();
+      }
+    catch (const AnalysisError &)
+      {
+        events->finish(last.parameter, "not converged");
+        throw;
+      }
+    report_outcome(result);
+  }
+
+
+
+  PathResult
+  PathAnalysis::follow(PathFollower &follower)
+  {
+    Case       begin  = case_at(0);
+    double     start  = 0;
+    PathResult result = apply_constant_loads(follower, begin);
+    for (const double end : scene.times)
+      {
+        if (result.outcome != PathOutcome::target_reached &&
+            result.outcome != PathOutcome::no_further_change)
+          return result;
+        Case         next   = case_at(end);
+        const double length = end - start;
+        result              = follower.follow(
+          {begin.f, (next.f - begin.f) / length, start, end},
+          [&](const PathPoint &point) {
+            record(point,
+                   between(begin, next, (point.parameter - start) / length),
+                   point.parameter);
+          });
+        begin = std::move(next);
+        start = end;
+      }
+    return result;
+  }
+
+
+
+  /* From nothing: interferences are part of what is applied. */
+  PathResult
+  PathAnalysis::apply_constant_loads(PathFollower &follower,
+                                     const Case   &constant)
+  {
+    last.v = last.r = Eigen::VectorXd::Zero(system().n_unknowns());
+    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
+      last.v[system().normal(i)] = std::max(initial_gap[i], 0.);
+    const Eigen::VectorXd nothing = multiply(system(), last.v);
+
+    PathResult result;
+    result.outcome = PathOutcome::target_reached;
+    if (largest(constant.f - nothing) <= 1e-14 * largest(constant.f))
+      return result;
+    constant_stage    = true;
+    PathPoint reached = last;
+    result            = follower.follow(
+      {nothing, constant.f - nothing, 0, 1}, [&](const PathPoint &point) {
+        for (const PathChange &change : point.changes)
+          log.note(to_text(point.parameter) + " of the constant loads: node " +
+                   node_name(change.node) + " " + state_name(change.from) +
+                   " -> " + state_name(change.to));
+        reached = point;
+      });
+    if (result.outcome != PathOutcome::target_reached &&
+        result.outcome != PathOutcome::no_further_change)
+      {
+        last = reached;
+        return result;
+      }
+    reached.changes.clear();
+    constant_stage = false;
+    record(reached, constant, 0);
+    return result;
+  }
+
+
+
+  void
+  PathAnalysis::record(const PathPoint &point, const Case &at, const double t)
+  {
+    // Pivots of Lemke's method are those of the tightened problem.
+    if (scene.path.method == PathSettings::Method::lemke &&
+        !point.changes.empty())
+      return add_events(point);
+    // Nodes that touch before anything acts get their states at p = 0.
+    if (n_records == 0 && t == 0 && !point.changes.empty())
+      {
+        last = point;
+        return add_events(point);
+      }
+    PendingIncrement pending{{},
+                             at.forces,
+                             at.mechanical,
+                             at.load,
+                             {},
+                             {},
+                             {},
+                             {},
+                             history,
+                             history,
+                             {}};
+    IncrementRecord &record  = pending.record;
+    record.each_load         = at.each_load;
+    record.increment         = ++n_records;
+    record.time              = t;
+    record.report.converged  = true;
+    record.report.solver     = "load path";
+    record.report.iterations = 1;
+    pending.contact          = point.v;
+    pending.state.v          = point.v - last.v;
+    pending.state.r          = point.r;
+    const double zero        = noise * largest(point.r);
+    const double rest        = noise * largest(point.v);
+    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
+      {
+        const Eigen::Index k = system().normal(i);
+        const double       slip =
+          pending.state.v
+            .segment(system().first[static_cast<std::size_t>(i)],
+                     system().n_tangents(i))
+            .norm();
+        pending.state.v[k] = point.v[k];
+        pending.contact[k] -= initial_gap[i];
+        pending.state.node.push_back(point.r[k] <= zero ? NodeState::open :
+                                     slip > rest        ? NodeState::slip :
+                                                          NodeState::stick);
+        if (pending.state.node.back() == NodeState::open &&
+            options.cohesion[i] == 0) // but for rounding
+          pending.state.r
+            .segment(system().first[static_cast<std::size_t>(i)],
+                     system().n_tangents(i) + 1)
+            .setZero();
+      }
+    take_primal(at, point, pending);
+    waiting.push_back({std::move(pending), point});
+    last           = point;
+    last.parameter = t;
+    if (point.jump || point.plateau)
+      on_the_way += std::string(" after a ") +
+                    (point.jump ? "jump" : "plateau") + " at p = " + to_text(t);
+    if (waiting.size() >= most_at_once(n_records))
+      flush();
+  }
+
+
+
+  void
+  PathAnalysis::take_primal(const Case       &at,
+                            const PathPoint  &point,
+                            PendingIncrement &pending)
+  {
+    pending.motions = Eigen::VectorXd::Zero(model.motions.n_free());
+    if (!model.is_dual())
+      {
+        pending.primal = pending.contact - at.load.offset;
+        return;
+      }
+    pending.motions = stiffness->motions(at.relation, point.v, pending.state.r);
+    pending.primal.resize(point.r.size() + pending.motions.size());
+    pending.primal << pending.state.r, pending.motions;
+  }
+
+
+
+  /* Forces that the recovered displacements leave unbalanced strain the bodies
+     a little more, at the same reactions. */
+  Finding
+  PathAnalysis::judge(PendingIncrement &pending, Eigen::VectorXd &w)
+  {
+    Finding finding = acceptance.judge(pending, w);
+    for (unsigned int step = 0;
+         step < 2 && finding.equilibrium > .1 * scene.solver.tolerance;
+         ++step)
+      {
+        const Eigen::VectorXd refined =
+          w + model.condensation().correction(finding.unbalanced,
+                                              Eigen::VectorXd::Zero(
+                                                pending.primal.size()));
+        Finding found = acceptance.judge(pending, refined);
+        if (!(found.equilibrium < .5 * finding.equilibrium) ||
+            found.residual > std::max(finding.residual, scene.solver.tolerance))
+          break;
+        finding = std::move(found);
+        w       = refined;
+      }
+    return finding;
+  }
+
+
+
+  void
+  PathAnalysis::flush()
+  {
+    if (waiting.empty())
+      return;
+    std::vector<const LoadCase *> cases;
+    std::vector<Eigen::VectorXd>  primal;
+    for (const Waiting &w : waiting)
+      {
+        cases.push_back(&w.pending.load);
+        primal.push_back(w.pending.primal);
+      }
+    acceptance.set_stiffness(*model.condensation().system(),
+                             model.working_set());
+    const Eigen::MatrixXd        w = model.condensation().expand(cases, primal);
+    std::vector<IncrementRecord> finished;
+    const auto                   write_finished = [&] {
+      write(finished);
+      for (std::size_t i = 0; i < finished.size(); ++i)
+        add_events(waiting[i].point);
+      events->write();
+      waiting.clear();
+    };
+    try
+      {
+        for (std::size_t i = 0; i < waiting.size(); ++i)
+          {
+            PendingIncrement &pending = waiting[i].pending;
+            Eigen::VectorXd   wi      = w.col(static_cast<Eigen::Index>(i));
+            const Finding     finding = judge(pending, wi);
+            complete(pending, finding, wi);
+            finished.push_back(std::move(pending.record));
+          }
+      }
+    catch (const AnalysisError &)
+      {
+        write_finished();
+        throw;
+      }
+    write_finished();
+  }
+
+
+
+  void
+  PathAnalysis::add_events(const PathPoint &point)
+  {
+    std::vector<EventTable::Change> changes;
+    for (const PathChange &change : point.changes)
+      changes.push_back({node_name(change.node),
+                         state_name(change.from),
+                         state_name(change.to)});
+    if (!changes.empty())
+      events->add(point.parameter, changes);
+  }
+
+
+
+  void
+  PathAnalysis::report_outcome(const PathResult &result)
+  {
+    PathEnd end{result, {}, on_the_way, constant_stage};
+    if (result.outcome == PathOutcome::limit_load)
+      {
+        std::vector<bool> touching;
+        for (std::size_t i = 0; i < model.points.size(); ++i)
+          touching.push_back(last.state.empty() ||
+                             last.state[i] != PathState::open);
+        end.mechanism = name_mechanism(model, result.mechanism, touching);
+        write_mechanism(result.mechanism, end.parameter());
+      }
+    const std::string sentence = outcome_sentence(end, model, scene);
+    events->finish(end.parameter(), outcome_words(end));
+    if (result.outcome == PathOutcome::not_converged)
+      throw AnalysisError(sentence);
+    log.say(sentence);
+  }
+
+
+
+  /* A mechanism moves bodies without force: by their free motions where these
+     are known by themselves, and strains them nowhere. */
+  Eigen::VectorXd
+  PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
+  {
+    if (!model.is_dual())
+      return model.condensation().correction(
+        Eigen::VectorXd::Zero(model.coordinates.n_dofs()), velocity);
+    const Eigen::VectorXd a =
+      model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
+    return model.motions.field(model.motions.of_free(a));
+  }
+
+
+
+  void
+  PathAnalysis::write_mechanism(const Eigen::VectorXd &velocity, const double t)
+  {
+    Eigen::VectorXd u = mechanism_displacements(velocity);
+    if (const double size = largest(u); size > 0)
+      u /= size;
+    std::vector<std::pair<std::string, std::string>> blocks;
+    for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
+      {
+        const std::string body = safe_name(scene.bodies.names[b]);
+        blocks.emplace_back(body, mechanism_file(b));
+        scene.bodies.structures[b]->write_graphics(
+          u.segment(model.coordinates.offset(b),
+                    scene.bodies.structures[b]->n_dofs()),
+          t,
+          folder / blocks.back().second);
+      }
+    PvdFile(folder / "mechanism.pvd").add(t, blocks);
+  }
+
+
+
+  /* Files of an earlier run must not pass for those of this one. */
+  void
+  PathAnalysis::remove_mechanism() const
+  {
+    std::error_code ignored;
+    std::filesystem::remove(folder / "mechanism.pvd", ignored);
+    for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
+      std::filesystem::remove(folder / mechanism_file(b), ignored);
+  }
+
+
+
+  std::string
+  PathAnalysis::mechanism_file(const std::size_t body) const
+  {
+    return scene.bodies.names.size() == 1 ?
+             "mechanism.vtu" :
+             "mechanism-" + safe_name(scene.bodies.names[body]) + ".vtu";
+  }
+
+
+
+  std::string
+  PathAnalysis::node_name(const Eigen::Index i) const
+  {
+    const ContactNode &node   = *model.points[i].node;
+    const std::string  number = std::to_string(node.node);
+    return names_are_unique ? number :
+                              scene.contact_names[node.contact] + ":" + number;
+  }
+
+
+
+  std::string
+  PathAnalysis::name(const IncrementRecord &record) const
+  {
+    return "Point " + std::to_string(record.increment) + " of the path";
+  }
+} // namespace conetact

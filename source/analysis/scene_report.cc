@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/scene_report.h"
+
+#include "conetact/analysis/cost.h"
+#include "conetact/base/process.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    void
+    report_pairing(const std::string &name, const Pairing &found, Log &log)
+    {
+      const unsigned int n_free = found.n_nodes - found.n_paired;
+      std::string        text   = "Contact " + name + ": " +
+                         std::to_string(found.n_nodes) + " nodes, " +
+                         std::to_string(found.n_paired) + " paired";
+      if (found.n_paired > 0)
+        text += ", gaps from " + to_text(found.least_gap) + " to " +
+                to_text(found.largest_gap);
+      if (n_free > 0)
+        text += ", " + std::to_string(n_free) +
+                " face no master within reach and stay free";
+      log.note(text);
+    }
+  } // namespace
+
+  void
+  report_shared_bodies(const Bodies      &bodies,
+                       const unsigned int n_shared,
+                       Log               &log)
+  {
+    const auto n_at_rest =
+      std::count(bodies.at_rest.begin(), bodies.at_rest.end(), true);
+    if (n_shared > 0)
+      log.note("skipped: condensation of " + std::to_string(n_shared) + " of " +
+               std::to_string(bodies.names.size() -
+                              static_cast<std::size_t>(n_at_rest)) +
+               " bodies, equal to others");
+  }
+
+  void
+  report_sizes(const Scene &scene, const ContactModel &model, Log &log)
+  {
+    const Bodies &bodies = scene.bodies;
+    for (std::size_t b = 0; b < bodies.names.size(); ++b)
+      log.say("Body " + bodies.names[b] + ": " +
+              bodies.structures[b]->description());
+    for (std::size_t b = 0; b < bodies.names.size(); ++b)
+      if (bodies.is_at_rest(b))
+        log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +
+                 " dofs of body " + bodies.names[b] +
+                 ", which no load, support motion or contact reaches");
+    for (std::size_t b = 0; b < bodies.names.size(); ++b)
+      if (const auto [elements, matrices] =
+            bodies.structures[b]->matrix_count();
+          matrices < elements)
+        log.note("skipped: " + std::to_string(elements - matrices) + " of " +
+                 std::to_string(elements) + " cell matrices of body " +
+                 bodies.names[b] + ", congruent to others");
+    const ContactSystem &layout = model.points.layout();
+    log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
+            std::to_string(layout.n_unknowns()) + " unknowns of " +
+            std::to_string(model.coordinates.n_unknowns()) + ", " +
+            std::to_string(scene.times.size()) + " increments");
+    if (layout.n_nodes() == 0)
+      log.note("skipped: condensation, no node may touch anything");
+    else
+      {
+        const auto n =
+          static_cast<double>(model.working_set().layout().n_unknowns());
+        log.note("condensed stiffness: " + megabytes(8 * n * n));
+      }
+    if (!model.working_set().is_all())
+      log.note(
+        "working set: " + std::to_string(model.working_set().nodes().size()) +
+        " contact nodes are likely to touch, the others are condensed "
+        "when they do");
+    for (std::size_t c = 0; c < scene.pairings.size(); ++c)
+      report_pairing(scene.contact_names[c], scene.pairings[c], log);
+    Eigen::Index n_no_cone = 0;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      n_no_cone += layout.n_tangents(i) == 0;
+    if (n_no_cone > 0)
+      log.note("skipped: friction cones of " + std::to_string(n_no_cone) +
+               " contact nodes without friction or with held tangents");
+    if (model.points.n_held() > 0)
+      log.note("skipped: " + std::to_string(model.points.n_held()) +
+               " contact nodes whose normal is held by a support");
+    if (scene.path.method == PathSettings::Method::none &&
+        scene.n_drawings() < scene.times.size())
+      log.note("skipped: drawings of " +
+               std::to_string(scene.times.size() - scene.n_drawings()) +
+               " of " + std::to_string(scene.times.size()) + " increments");
+    if (model.motions.null_space().cols() > 0)
+      log.note(std::to_string(model.motions.null_space().cols()) +
+               " rigid motions are held by contact alone");
+  }
+
+
+
+  void
+  report_loads(const NodalLoads &loads, const unsigned int dim, Log &log)
+  {
+    for (const NodalLoads::Largest &load : loads.largest())
+      {
+        Tensor<1, 3> force, moment; // in the plane rotations are about z
+        for (unsigned int d = 0; d < dim; ++d)
+          force[d] = load.sums[d];
+        for (unsigned int d = dim; d < 6; ++d)
+          moment[dim == 2 ? (d == 2 ? 2 : 0) : d - dim] += load.sums[d];
+        log.note(
+          "Load " + load.name + ": resultant " + to_text(force) +
+          (moment.norm() > 0 ? ", nodal moments " + to_text(moment) : "") +
+          (load.is_constant ? " at all times" :
+                              " at t = " + to_text(load.time)) +
+          ", on " + std::to_string(load.n_nodes) + " nodes");
+      }
+  }
+
+
+
+  void
+  report_cost(const Scene &scene, const ContactModel &model, Log &log)
+  {
+    const Cost cost =
+      estimate_cost(model, scene.times.size(), scene.n_drawings());
+    report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
+    log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
+            ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
+            ", memory of " + megabytes(cost.memory_bytes) + " in all");
+    log.say("estimate: " + to_text(cost.factor.flops) +
+            " floating-point operations to factorise, " +
+            to_text(std::round(10 * cost.seconds) / 10) + " s in all");
+    if (cost.memory_bytes > machine_memory())
+      log.say("warning: this machine has " + megabytes(machine_memory()) +
+              " of memory only. Use a coarser mesh or fewer contact nodes.");
+  }
+
+
+  void
+  report_skips(const Scene      &scene,
+               ContactModel     &model,
+               const NodalLoads &loads,
+               const GrowingSet &set,
+               Log              &log)
+  {
+    const auto n_increments = static_cast<unsigned int>(scene.times.size());
+    const auto note         = [&log](const unsigned int n_done,
+                             const unsigned int n_all,
+                             const char        *what) {
+      if (n_done < n_all)
+        log.note("skipped: " + std::to_string(n_all - n_done) + " of " +
+                 std::to_string(n_all) + " " + what);
+    };
+    note(model.work().factorizations,
+         n_increments,
+         "factorisations, the stiffness stays the same");
+    note(model.condensation().n_reductions(),
+         n_increments,
+         "load cases, combinations of others or bodies carried along");
+    note(loads.n_integrations(),
+         loads.n_evaluations(),
+         "integrations of loads, known already");
+    const auto n_candidates =
+      static_cast<std::size_t>(model.working_set().n_candidates());
+    if (set.size_at_start() < n_candidates)
+      log.note("skipped: condensation of " +
+               std::to_string(n_candidates - set.size()) + " of " +
+               std::to_string(n_candidates) +
+               " contact nodes, working set of " +
+               std::to_string(set.size_at_start()) + " at the start and " +
+               std::to_string(set.size()) + " at the end, " +
+               std::to_string(set.n_extensions()) + " times larger");
+  }
+} // namespace conetact

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/warnings.h"
+
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+
+    constexpr double large_deformation = .1; ///< of the size of a body
+    constexpr double large_rotation    = .05;
+    constexpr double large_strain      = .1;
+  } // namespace
+
+  Warnings::Warnings(const ContactModel &m, Log &l)
+    : model(m)
+    , log(l)
+  {}
+
+  void
+  Warnings::once(const std::string &kind, const std::string &sentence)
+  {
+    if (said.insert(kind).second)
+      log.say("warning: " + sentence);
+  }
+
+  bool
+  Warnings::is_determinate(const std::vector<NodeState> &states)
+  {
+    const Eigen::MatrixXd G = model.motions.null_space();
+    if (G.cols() == 0)
+      return true;
+    const ContactSystem &layout = model.points.layout();
+    std::vector<Index>   opposing;
+    for (Index i = 0; i < layout.n_nodes(); ++i)
+      {
+        const NodeState state = states[static_cast<std::size_t>(i)];
+        if (state == NodeState::open)
+          continue;
+        opposing.push_back(layout.normal(i));
+        if (state == NodeState::stick)
+          for (Index k = 0; k < layout.n_tangents(i); ++k)
+            opposing.push_back(layout.first[static_cast<std::size_t>(i)] + k);
+      }
+    Eigen::MatrixXd rows = G(opposing, Eigen::all);
+    if (rows.rows() < rows.cols())
+      {
+        rows.conservativeResize(rows.cols(), rows.cols());
+        rows.bottomRows(rows.rows() - static_cast<Index>(opposing.size()))
+          .setZero();
+      }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
+    const double least = svd.singularValues().minCoeff();
+    if (least > 1e-9 * std::max(1., svd.singularValues().maxCoeff()))
+      return true;
+    const RigidMotions::Motion motion =
+      model.motions.motion(svd.matrixV().rightCols(1));
+    once("position",
+         "body '" + model.bodies.names[motion.body] + "' may move " +
+           describe(motion) + ", which nothing opposes: " +
+           (opposing.empty() ? "nothing presses it, and its position is not "
+                               "determined; " :
+                               "forces are determined, its position is not, "
+                               "and ") +
+           "the shortest motion is taken.");
+    return false;
+  }
+
+  double
+  Warnings::largest_strain(const unsigned int     body,
+                           const Eigen::VectorXd &w) const
+  {
+    const Structure   &structure = *model.bodies.structures[body];
+    const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
+    const Index        offset  = model.coordinates.offset(body);
+    double             largest = 0;
+    structure.for_each_element([&](const std::vector<unsigned int> &dofs,
+                                   const double *) {
+      const unsigned int a = dofs.front() / n_c;
+      for (const unsigned int dof : dofs)
+        if (const unsigned int b = dof / n_c; b != a)
+          {
+            double stretch = 0;
+            for (unsigned int c = 0; c < dim; ++c)
+              stretch +=
+                std::pow(w[offset + b * n_c + c] - w[offset + a * n_c + c], 2);
+            largest =
+              std::max(largest,
+                       std::sqrt(stretch) /
+                         structure.position(a).distance(structure.position(b)));
+          }
+    });
+    return largest;
+  }
+
+  void
+  Warnings::check_size(const Eigen::VectorXd &amounts, const Eigen::VectorXd &w)
+  {
+    for (unsigned int body = 0; body < model.bodies.names.size(); ++body)
+      {
+        const std::string name   = "body '" + model.bodies.names[body] + "' ";
+        const double      size   = 2 * model.motions.size(body);
+        const Index       offset = model.coordinates.offset(body);
+        const Index       n      = model.coordinates.offset(body + 1) - offset;
+        const double      most   = largest(w.segment(offset, n));
+        const std::string theory =
+          " Small-strain theory is wrong there: results are those of the "
+          "undeformed body.";
+        if (const double angle = model.motions.rotation(amounts, body);
+            angle > large_rotation)
+          once("rotation " + name,
+               name + "turns by " + to_text(angle) + " rad." + theory);
+        if (most > large_deformation * size)
+          once("deformation " + name,
+               name + "deforms by " + to_text(most) + ", " +
+                 to_text(most / size) + " of its size." + theory);
+        // cells may be small: only where the deformation allows for it
+        if (most > 1e-4 * size && said.count("strain " + name) == 0)
+          if (const double strain = largest_strain(body, w);
+              strain > large_strain)
+            once("strain " + name,
+                 name + "is strained by about " + to_text(strain) + "." +
+                   theory);
+      }
+  }
+} // namespace conetact

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/work.h"
+
+#include <cstdint>
+#include <utility>
+
+namespace conetact
+{
+  void
+  Work::add(const SolverReport &report)
+  {
+    contact_solves += report.iterations;
+    dense_factorizations += report.factorizations;
+  }
+
+
+
+  std::string
+  describe(const Work &work)
+  {
+    const std::pair<std::uint64_t, const char *> counts[] = {
+      {work.elastic.factorizations, "factorisations of the elastic system"},
+      {work.elastic.condensations, "condensations"},
+      {work.elastic.reductions, "reductions of loads"},
+      {work.elastic.expansions, "recoveries of displacements"},
+      {work.elastic.triangular_solves, "triangular solves"},
+      {work.contact_solves, "linear solves of contact"},
+      {work.dense_factorizations, "dense factorisations"},
+      {work.load_integrations, "integrations of loads"},
+      {work.outputs.drawings, "increments drawn"},
+      {work.outputs.table_bytes, "bytes of tables written"}};
+    std::string text;
+    for (const auto &[count, what] : counts)
+      text +=
+        (text.empty() ? "work: " : ", ") + std::to_string(count) + " " + what;
+    return text;
+  }
+} // namespace conetact

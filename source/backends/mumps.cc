@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/backends/mumps.h"
+
+#include "conetact/backends/schur_solver.h"
+#include "conetact/base/process.h"
+
+#include <new>
+#include <stdexcept>
+
+namespace conetact
+{
+  Mumps::Mumps()
+  {
+    data.sym          = 1; // positive definite
+    data.par          = 1; // this process works, too
+    data.comm_fortran = ProcessSession::require_mpi();
+    call(-1);
+    throw_errors();
+    control(1) = control(2) = control(3) = -1; // silent
+    control(4)                           = 0;
+    control(7)                           = 1;  // the order is given
+    control(8)                           = -1; // and the scaling
+    control(14)                          = 10; // spare workspace [%]
+    control(28)                          = 1;  // sequential analysis
+  }
+
+
+
+  Mumps::~Mumps()
+  {
+    if (ProcessSession::mpi_is_running())
+      call(-2);
+  }
+
+
+
+  void
+  Mumps::analyse()
+  {
+    call(1);
+    throw_errors();
+  }
+
+
+
+  void
+  Mumps::factorize()
+  {
+    const ManyThreads threads;
+    call(2);
+    while ((info(1) == -8 || info(1) == -9) && control(14) < 2000)
+      {
+        control(14) *= 3;
+        call(2);
+      }
+    throw_errors();
+    if (info(12) > 0) // negative pivots
+      throw SingularMatrix(std::nullopt);
+  }
+
+
+
+  void
+  Mumps::solve()
+  {
+    call(3);
+    throw_errors();
+  }
+
+
+
+  void
+  Mumps::call(const int job)
+  {
+    data.job = job;
+    dmumps_c(&data);
+  }
+
+
+
+  void
+  Mumps::throw_errors() const
+  {
+    const int error = info(1);
+    if (error == -5 || error == -7 || error == -13)
+      throw std::bad_alloc();
+    if (error == -10)
+      throw SingularMatrix(std::nullopt);
+    if (error < 0)
+      throw std::runtime_error("MUMPS gives up with its error " +
+                               std::to_string(error) + " (" +
+                               std::to_string(info(2)) + ").");
+  }
+} // namespace conetact

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/backends/super_element.h"
+
+#include "conetact/solvers/null_space.h"
+
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::MatrixXd;
+    using SparseMatrix = Eigen::SparseMatrix<double>;
+    using Places       = Eigen::PermutationMatrix<Eigen::Dynamic>;
+
+    Places
+    retained_last(const Index n, const std::vector<Index> &retained)
+    {
+      Places place(n);
+      place.indices().setConstant(-1);
+      auto next = static_cast<int>(n - static_cast<Index>(retained.size()));
+      for (const Index p : retained)
+        place.indices()[p] = next++;
+      next = 0;
+      for (int &p : place.indices())
+        if (p < 0)
+          p = next++;
+      return place;
+    }
+
+    SparseMatrix
+    sorted(const SparseMatrix &upper, const Places &place, const double scale)
+    {
+      SparseMatrix result(upper.rows(), upper.cols());
+      result.selfadjointView<Eigen::Upper>() =
+        upper.selfadjointView<Eigen::Upper>().twistedBy(place);
+      result /= scale;
+      return result;
+    }
+
+    std::vector<unsigned int>
+    sorted(const std::vector<unsigned int> &nodes, const Places &place)
+    {
+      std::vector<unsigned int> result(nodes.size());
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        result[static_cast<std::size_t>(
+          place.indices()[static_cast<Index>(i)])] = nodes[i];
+      return result;
+    }
+
+    /** A power of two, so that dividing by it rounds nothing. */
+    double
+    mean_diagonal(const SparseMatrix &upper)
+    {
+      const double mean =
+        upper.cols() > 0 ? upper.diagonal().sum() / double(upper.cols()) : 1.;
+      return mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1.;
+    }
+
+    /** P of a Schur complement S. Throws SingularMatrix. */
+    MatrixXd
+    inverse_without_motions(const MatrixXd &S, const MatrixXd &B)
+    {
+      if (S.rows() == 0)
+        return S;
+      const double         alpha = S.diagonal().mean();
+      const MatrixXd       held  = S + alpha * B * B.transpose();
+      Eigen::LLT<MatrixXd> cholesky(held);
+      if (cholesky.info() != Eigen::Success)
+        throw SingularMatrix({});
+      const MatrixXd T = cholesky.solve(MatrixXd::Identity(S.rows(), S.cols()));
+      if (B.cols() == 0)
+        return .5 * (T + T.transpose());
+      const MatrixXd TB = T * B;
+      MatrixXd P = T - TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
+      // once more on both sides: rounding of T is not free of motions
+      P -= B * (B.transpose() * P).eval();
+      P -= (P * B).eval() * B.transpose();
+      return .5 * (P + P.transpose());
+    }
+  } // namespace
+
+  SuperElement::SuperElement(const SparseMatrix              &upper,
+                             const std::vector<unsigned int> &node_of,
+                             const std::vector<Index>        &retained,
+                             const MatrixXd                  &motions)
+    : kept(retained)
+    , place(retained_last(upper.cols(), retained))
+    , scale(mean_diagonal(upper)) // MUMPS has thresholds that know no units
+    , factor(sorted(upper, place, scale),
+             static_cast<Index>(retained.size()),
+             sorted(node_of, place))
+  {
+    const MatrixXd S = factor.take_schur_complement();
+    P                = inverse_without_motions(
+          S, orthonormal_basis(motions(retained, Eigen::all))) /
+        scale;
+  }
+
+  FactorEstimate
+  SuperElement::estimate(const SparseMatrix              &upper,
+                         const std::vector<unsigned int> &node_of,
+                         const std::vector<Index>        &retained)
+  {
+    const Places place = retained_last(upper.cols(), retained);
+    return SchurSolver::estimate(sorted(upper, place, 1),
+                                 static_cast<Index>(retained.size()),
+                                 sorted(node_of, place));
+  }
+
+  MatrixXd
+  SuperElement::to_solver(const MatrixXd &x) const
+  {
+    return place * x;
+  }
+
+  MatrixXd
+  SuperElement::reduce(const MatrixXd &forces) const
+  {
+    return factor.reduce(to_solver(forces));
+  }
+
+  MatrixXd
+  SuperElement::deform(const MatrixXd &forces) const
+  {
+    const MatrixXd b = to_solver(forces);
+    const MatrixXd w = P * factor.reduce(b);
+    return place.transpose() * factor.expand(b / scale, w);
+  }
+} // namespace conetact

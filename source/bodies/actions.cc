@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/actions.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  unsigned int
+  find_body(const std::string              &body,
+            const std::vector<std::string> &bodies,
+            const std::string              &entry)
+  {
+    const auto found = std::find(bodies.begin(), bodies.end(), body);
+    if (found == bodies.end())
+      throw InputError(
+        entry + ": " +
+        (body.empty() ? "it is empty" : "there is no body '" + body + "'") +
+        ". Give one of: " + join(bodies) + ".");
+    return static_cast<unsigned int>(found - bodies.begin());
+  }
+
+  BoundaryIds
+  find_boundary(const std::string &text,
+                const Structure   &structure,
+                const std::string &body,
+                const std::string &entry)
+  {
+    const BoundaryIds ids   = to_ids(text, entry);
+    const BoundaryIds known = structure.boundary_ids();
+    for (const unsigned int id : ids)
+      if (known.count(id) == 0)
+        throw InputError(entry + ": no face of body '" + body + "' has id " +
+                         std::to_string(id) + ". It has: " + join(known) +
+                         "; more are tagged by Mesh/Boundary ids.");
+    return ids;
+  }
+
+  std::vector<Expression>
+  parse_components(const std::string &text,
+                   const std::size_t  n,
+                   const std::string &entry)
+  {
+    std::vector<Expression> expressions = parse_expressions(text, entry);
+    if (expressions.size() == 1 && expressions[0].is_zero())
+      while (expressions.size() < n)
+        expressions.push_back(Expression("0", entry));
+    if (expressions.size() != n)
+      throw InputError(entry + ": '" + text + "' has " +
+                       std::to_string(expressions.size()) +
+                       (expressions.size() == 1 ? " expression. Give " :
+                                                  " expressions. Give ") +
+                       std::to_string(n) + ", separated by ';'.");
+    return expressions;
+  }
+} // namespace conetact

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/body_table.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/continuum/continuum.h"
+#include "conetact/bodies/continuum/grids.h"
+#include "conetact/bodies/frame/frame.h"
+#include "conetact/bodies/frame/parameters.h"
+
+#include <deal.II/grid/tria.h>
+
+namespace conetact
+{
+  using dealii::ParameterHandler;
+  namespace Patterns = dealii::Patterns;
+
+  namespace
+  {
+    /** "continuum|frame" and a list with descriptions for the manual. */
+    template <class Row>
+    std::pair<std::string, std::string>
+    choices(const std::vector<Row> &table)
+    {
+      std::pair<std::string, std::string> result;
+      for (const Row &row : table)
+        {
+          const bool first = result.first.empty();
+          result.first += (first ? "" : "|") + std::string(row.name);
+          result.second += (first ? "" : "; ") + std::string(row.name) + ": " +
+                           row.description;
+        }
+      return result;
+    }
+
+    template <class Row>
+    const Row &
+    find_row(const std::vector<Row> &table, const std::string &name)
+    {
+      for (const Row &row : table)
+        if (row.name == name)
+          return row;
+      throw InputError("There is no '" + name + "'."); // a pattern forbids it
+    }
+
+
+
+    void
+    declare_continuum(ParameterHandler &prm)
+    {
+      const auto elements = choices(element_table<2>());
+      prm.declare_entry("Element",
+                        element_table<2>().front().name,
+                        Patterns::Selection(elements.first),
+                        "Kind of elements. " + elements.second + ". [-]");
+      declare_mesh(prm);
+      declare_material(prm);
+    }
+
+    /** So that what a kind of body does not read is not passed over. */
+    void
+    expect_unset(ParameterHandler                &prm,
+                 const std::vector<const char *> &entries,
+                 const std::string               &section,
+                 const std::string               &body)
+    {
+      prm.enter_subsection(section);
+      for (const char *entry : entries)
+        if (!trim(prm.get(entry)).empty())
+          throw InputError(body + ", " + section + "/" + entry +
+                           ": it is not for bodies of this Kind. Remove it, "
+                           "or change Kind.");
+      prm.leave_subsection();
+    }
+
+    template <int dim>
+    std::unique_ptr<Structure>
+    make_continuum(const MeshParameters  &mesh,
+                   const ElasticMaterial &material,
+                   const std::string     &element)
+    {
+      return std::make_unique<Continuum<dim>>(make_mesh<dim>(mesh),
+                                              material,
+                                              find_row(element_table<dim>(),
+                                                       element));
+    }
+
+    std::unique_ptr<Structure>
+    create_continuum(ParameterHandler            &prm,
+                     const unsigned int           dim,
+                     const std::filesystem::path &folder,
+                     const std::string           &name,
+                     const Refinements           &refinements)
+    {
+      const std::string body = "Body '" + name + "'";
+      expect_unset(prm, {"Generator", "File", "Nodes"}, "Frame", body);
+      const std::string     element  = prm.get("Element");
+      const ElasticMaterial material = parse_material(prm, body);
+      MeshParameters        mesh     = parse_mesh(prm, dim, folder, body);
+      mesh.refinements               = refinements;
+      switch (dim)
+        {
+          case 2:
+            return make_continuum<2>(mesh, material, element);
+          case 3:
+            return make_continuum<3>(mesh, material, element);
+          default:
+            throw InputError("Dimension: " + std::to_string(dim) +
+                             " is neither 2 nor 3.");
+        }
+    }
+
+    std::unique_ptr<Structure>
+    create_frame(ParameterHandler            &prm,
+                 const unsigned int           dim,
+                 const std::filesystem::path &folder,
+                 const std::string           &name,
+                 const Refinements & /*refinements*/)
+    {
+      const std::string body = "Body '" + name + "'";
+      expect_unset(prm, {"Generator", "File", "Boundary ids"}, "Mesh", body);
+      return std::make_unique<Frame>(parse_frame(prm, dim, folder, body));
+    }
+  } // namespace
+
+  const std::vector<BodyRow> &
+  body_table()
+  {
+    static const std::vector<BodyRow> table = {
+      {"continuum",
+       "linear elastic solid on a mesh of quadrilaterals or hexahedra",
+       &declare_continuum,
+       &create_continuum},
+      {"frame",
+       "bars and beams between nodes, with Sections and subsection Frame",
+       &declare_frame,
+       &create_frame}};
+    return table;
+  }
+
+  void
+  declare_body(ParameterHandler &prm)
+  {
+    const auto kinds = choices(body_table());
+    prm.declare_entry("Kind",
+                      body_table().front().name,
+                      Patterns::Selection(kinds.first),
+                      "Kind of body. " + kinds.second + ". [-]");
+    for (const BodyRow &row : body_table())
+      row.declare(prm);
+  }
+
+  std::unique_ptr<Structure>
+  create_body(ParameterHandler            &prm,
+              const unsigned int           dim,
+              const std::filesystem::path &folder,
+              const std::string           &name,
+              const Refinements           &refinements)
+  {
+    return find_row(body_table(), prm.get("Kind"))
+      .create(prm, dim, folder, name, refinements);
+  }
+} // namespace conetact

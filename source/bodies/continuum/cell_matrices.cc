@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/continuum/cell_matrices.h"
+
+#include "conetact/bodies/continuum/exact_sums.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Bytes of matrices that belong to one cell only and are kept. */
+    constexpr std::size_t room_for_single_cells = 256u << 20;
+
+    /** Congruent cells that are multiplied together; they fit into the cache.
+     */
+    constexpr unsigned int cells_at_once = 64;
+
+    /** Vertices relative to the first one, and how exactly they are known. */
+    template <int dim>
+    struct Outline
+    {
+      std::array<double, dim *((1 << dim) - 1)> x;
+      double                                    tolerance;
+
+      explicit Outline(const std::array<Point<dim>, (1 << dim)> &vertices)
+      {
+        double size = 0, distance = 0;
+        for (unsigned int i = 0; i < x.size(); ++i)
+          {
+            x[i]     = vertices[1 + i / dim][i % dim] - vertices[0][i % dim];
+            size     = std::max(size, std::abs(x[i]));
+            distance = std::max(distance, std::abs(vertices[0][i % dim]));
+          }
+        // round-off of the coordinates themselves
+        tolerance =
+          1e-12 * size + 8 * std::numeric_limits<double>::epsilon() * distance;
+      }
+
+      /** A number that is (nearly) equal for congruent cells only. */
+      double
+      key() const
+      {
+        double key = 0;
+        for (unsigned int i = 0; i < x.size(); ++i)
+          key += x[i] * std::cos(1. + 3. * i);
+        return key;
+      }
+
+      bool
+      equals(const Outline &other) const
+      {
+        for (unsigned int i = 0; i < x.size(); ++i)
+          if (!(std::abs(x[i] - other.x[i]) <= tolerance))
+            return false;
+        return true;
+      }
+    };
+  } // namespace
+
+  template <int dim>
+  CellMatrices<dim>::CellMatrices(const ContinuumMesh<dim> &of_mesh,
+                                  const Element            &formulation,
+                                  const double              body_thickness)
+    : mesh(of_mesh)
+    , element(formulation)
+    , thickness(body_thickness)
+  {
+    find_shapes();
+    keep_matrices();
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::find_shapes()
+  {
+    std::vector<Outline<dim>>           known;
+    std::multimap<double, unsigned int> by_key;
+    shape_of_cell.reserve(mesh.cells.size());
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      {
+        const Outline<dim> outline(mesh.vertices(mesh.cells[cell]));
+        unsigned int       shape = cell > 0 ? shape_of_cell.back() : 0;
+        if (known.empty() || !outline.equals(known[shape]))
+          {
+            const double key   = outline.key();
+            const double range = outline.tolerance * outline.x.size();
+            const auto   end   = by_key.upper_bound(key + range);
+            const auto   found =
+              std::find_if(by_key.lower_bound(key - range),
+                           end,
+                           [&](const auto &entry) {
+                             return outline.equals(known[entry.second]);
+                           });
+            shape = found != end ? found->second : n_shapes();
+            if (found == end)
+              {
+                known.push_back(outline);
+                shapes.push_back({cell});
+                by_key.emplace(key, shape);
+              }
+          }
+        shape_of_cell.push_back(shape);
+        ++shapes[shape].n_cells;
+      }
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::keep_matrices()
+  {
+    std::size_t room = room_for_single_cells / sizeof(typename Element::Matrix);
+    for (Shape &shape : shapes)
+      if (shape.n_cells > 1 || room > 0)
+        {
+          room -= shape.n_cells == 1;
+          shape.matrix = static_cast<int>(matrices.size());
+          matrices.push_back(compute(shape.first_cell));
+        }
+  }
+
+  template <int dim>
+  typename ElementFormulation<dim>::Matrix
+  CellMatrices<dim>::compute(const unsigned int cell) const
+  {
+    typename Element::Matrix k =
+      thickness * element.stiffness(mesh.vertices(mesh.cells[cell]));
+    make_sums_exact(k, dim);
+    return k;
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::for_each(const ElementVisitor &visit) const
+  {
+    std::vector<unsigned int> dofs(Element::n_dofs);
+    typename Element::Matrix  single;
+    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+      {
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          dofs[i] = dim * mesh.cells[cell][i / dim] + i % dim;
+        const int matrix = shapes[shape_of_cell[cell]].matrix;
+        if (matrix < 0)
+          single = compute(cell);
+        visit(dofs,
+              matrix < 0 ? single.data() :
+                           matrices[static_cast<std::size_t>(matrix)].data());
+      }
+  }
+
+  template <int dim>
+  typename CellMatrices<dim>::Columns
+  CellMatrices<dim>::strained(const unsigned int     first,
+                              const unsigned int     end,
+                              const Eigen::VectorXd &u) const
+  {
+    Columns result(Element::n_dofs, end - first);
+    for (unsigned int cell = first; cell < end; ++cell)
+      {
+        const auto                         &nodes = mesh.cells[cell];
+        const Eigen::Matrix<double, dim, 1> base =
+          u.template segment<dim>(dim * nodes[0]);
+        for (int v = 0; v < Element::n_vertices; ++v)
+          result.template block<dim, 1>(dim * v, cell - first) =
+            u.template segment<dim>(dim * nodes[v]) - base;
+      }
+    return result;
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::add_forces(const Eigen::VectorXd &u,
+                                Eigen::VectorXd       &f) const
+  {
+    const auto n_cells = static_cast<unsigned int>(mesh.cells.size());
+    Columns    forces;
+    for (unsigned int first = 0, end = 0; first < n_cells; first = end)
+      {
+        const unsigned int shape = shape_of_cell[first];
+        const unsigned int limit = std::min(n_cells, first + cells_at_once);
+        for (end = first + 1; end < limit && shape_of_cell[end] == shape;)
+          ++end;
+        const int kept = shapes[shape].matrix;
+        forces.noalias() =
+          (kept < 0 ? compute(first) :
+                      matrices[static_cast<std::size_t>(kept)]) *
+          strained(first, end, u);
+        for (unsigned int cell = first; cell < end; ++cell)
+          for (int v = 0; v < Element::n_vertices; ++v)
+            f.template segment<dim>(dim * mesh.cells[cell][v]) +=
+              forces.template block<dim, 1>(dim * v, cell - first);
+      }
+  }
+
+  template class CellMatrices<2>;
+  template class CellMatrices<3>;
+} // namespace conetact

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/continuum/exact_sums.h"
+
+#include <cmath>
+#include <limits>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+
+    /** Whole numbers below this power of two are exact. */
+    constexpr int bits = std::numeric_limits<double>::digits;
+
+    /** Sum over the nodes but j of k's blocks in column j, entry (c, d). */
+    double
+    sum_of_others(const Eigen::Ref<Eigen::MatrixXd> &k,
+                  const Index                        dim,
+                  const Index                        j,
+                  const Index                        c,
+                  const Index                        d)
+    {
+      double sum = 0;
+      for (Index i = 0; i < k.rows(); i += dim)
+        if (i != j)
+          sum += k(i + c, j + d);
+      return sum;
+    }
+  } // namespace
+
+  void
+  make_sums_exact(Eigen::Ref<Eigen::MatrixXd> k, const int dim)
+  {
+    const double largest = k.cwiseAbs().maxCoeff();
+    if (!(largest > 0))
+      return;
+    const int exponent = std::ilogb(largest) + 1 + dim - bits;
+    k                  = k.unaryExpr(
+      [&](const double x) { return std::nearbyint(std::ldexp(x, -exponent)); });
+
+    // blocks on the diagonal will be symmetric: off the diagonal, what is not
+    // adds up to zero at each node
+    for (Index j = dim; j < k.cols(); j += dim)
+      for (Index c = 0; c < dim; ++c)
+        for (Index d = c + 1; d < dim; ++d)
+          {
+            k(c, j + d) -=
+              sum_of_others(k, dim, j, c, d) - sum_of_others(k, dim, j, d, c);
+            k(j + d, c) = k(c, j + d);
+          }
+    for (Index j = 0; j < k.cols(); j += dim)
+      for (Index c = 0; c < dim; ++c)
+        for (Index d = 0; d < dim; ++d)
+          k(j + c, j + d) = -sum_of_others(k, dim, j, c, d);
+    k = k.unaryExpr([&](const double x) { return std::ldexp(x, exponent); });
+  }
+} // namespace conetact

@@ -1,0 +1,448 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/continuum/generator_arguments.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/process.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <set>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Lengths whose cube is still a number, and its inverse. */
+    constexpr double largest_length = 1e90;
+
+    /** Of a mesh and of the body that is made of it, at least [bytes]. */
+    double
+    bytes_of_cell(const unsigned int dim)
+    {
+      return dim == 2 ? 400 : 1200;
+    }
+
+    using Numbers = std::vector<std::vector<double>>; ///< of each argument
+
+    /** How a generator's arguments are read, and how many cells it makes. */
+    struct GeneratorRow
+    {
+      const char *name;
+      /**
+       * A letter for each argument: x any number, r a positive one, z one that
+       * is not negative, n number of cells, d the same with 0 for a default, i
+       * id, p point, b true or false; lists: c of `dim` numbers of cells, C of
+       * 2 dim of them (0 allowed), s cells or steps, S corners of a simplex, V
+       * of a cell.
+       */
+      const char *kinds;
+      int         smaller, larger; ///< arguments that must differ; -1: none
+      double (*n_cells)(const Numbers &a, const unsigned int dim);
+    };
+
+    double
+    few(const Numbers &, const unsigned int)
+    {
+      return 100;
+    }
+
+    /** Cells around a ring if no number is given: as wide as it is thick. */
+    double
+    around(const double given, const double inner, const double outer)
+    {
+      return given > 0 ? given :
+                         std::ceil(M_PI * (outer + inner) / (outer - inner));
+    }
+
+    double
+    product(const std::vector<double> &factors)
+    {
+      double n = 1;
+      for (const double factor : factors)
+        n *= factor;
+      return n;
+    }
+
+    const std::vector<GeneratorRow> &
+    generator_table()
+    {
+      using A                                      = const Numbers &;
+      using D                                      = const unsigned int;
+      static const std::vector<GeneratorRow> table = {
+        {"hyper_cube", "xxb", 0, 1, few},
+        {"subdivided_hyper_cube",
+         "nxxb",
+         1,
+         2,
+         [](A a, D dim) { return std::pow(a[0][0], dim); }},
+        {"hyper_rectangle", "ppb", -1, -1, few},
+        {"subdivided_hyper_rectangle",
+         "sppb",
+         -1,
+         -1,
+         [](A a, D) { return product(a[0]); }},
+        {"cheese",
+         "c",
+         -1,
+         -1,
+         [](A a, D) {
+           double n = 1;
+           for (const double holes : a[0])
+             n *= 2 * holes + 1;
+           return n;
+         }},
+        {"general_cell", "Vb", -1, -1, few},
+        {"hyper_cross",
+         "Cb",
+         -1,
+         -1,
+         [](A a, D) {
+           double n = 1;
+           for (const double arm : a[0])
+             n += arm;
+           return n;
+         }},
+        {"simplex", "S", -1, -1, few},
+        {"plate_with_a_hole",
+         "rrzzzzpiirnb",
+         0,
+         1,
+         [](A a, D dim) {
+           const auto pads = [&](const std::size_t i, const std::size_t k) {
+             return 4 + (a[i][0] + a[k][0]) / a[1][0];
+           };
+           return pads(2, 3) * pads(4, 5) * (dim == 3 ? a[10][0] : 1);
+         }},
+        {"channel_with_cylinder",
+         "rnzb",
+         -1,
+         -1,
+         [](A a, D dim) { return (dim == 3 ? 40 : 8) * (50 + a[1][0]); }},
+        {"enclosed_hyper_cube", "xxrb", 0, 1, few},
+        {"hyper_ball", "prb", -1, -1, few},
+        {"quarter_hyper_ball", "pr", -1, -1, few},
+        {"half_hyper_ball", "pr", -1, -1, few},
+        {"cylinder", "rr", -1, -1, few},
+        {"truncated_cone",
+         "rrr",
+         -1,
+         -1,
+         [](A a, D) { return 1 + a[2][0] / std::max(a[0][0], a[1][0]); }},
+        {"hyper_L", "xxb", 0, 1, few},
+        {"hyper_cube_slit", "xxb", 0, 1, few},
+        {"hyper_shell",
+         "prrdb",
+         1,
+         2,
+         [](A a, D dim) {
+           return dim == 3 ? std::max(100., a[3][0]) :
+                             around(a[3][0], a[1][0], a[2][0]);
+         }},
+        {"half_hyper_shell",
+         "pzrdb",
+         1,
+         2,
+         [](A a, D) { return around(a[3][0], a[1][0], a[2][0]); }},
+        {"quarter_hyper_shell",
+         "pzrdb",
+         1,
+         2,
+         [](A a, D) { return around(a[3][0], a[1][0], a[2][0]); }},
+        {"cylinder_shell",
+         "rrrdd",
+         1,
+         2,
+         [](A a, D) {
+           const double ring   = around(a[3][0], a[1][0], a[2][0]);
+           const double length = M_PI * (a[1][0] + a[2][0]) / ring;
+           return ring * (a[4][0] > 0 ? a[4][0] : 1 + a[0][0] / length);
+         }},
+        {"hyper_cube_with_cylindrical_hole",
+         "rrrnb",
+         0,
+         1,
+         [](A a, D dim) { return 8 * (dim == 3 ? a[3][0] : 1); }},
+        {"concentric_hyper_shells",
+         "prrnzdb",
+         1,
+         2,
+         [](A a, D dim) {
+           return a[3][0] * (dim == 3 ? std::max(100., a[5][0]) :
+                                        around(a[5][0], a[1][0], a[2][0]));
+         }},
+        {"moebius", "nxrr", 3, 2, [](A a, D) { return a[0][0]; }},
+        {"torus", "rrnr", 1, 0, [](A a, D) { return 5 * a[2][0]; }}};
+      return table;
+    }
+
+    /** What is wrong with an argument and what to do, as a sentence. */
+    [[noreturn]] void
+    refuse(const MeshParameters &mesh,
+           const std::string    &text,
+           const std::string    &fault)
+    {
+      throw InputError(mesh.where + "Arguments: '" + text + "' " + fault);
+    }
+
+    /** A number, if it is nothing but a number. */
+    std::optional<double>
+    read_number(const std::string &text)
+    {
+      char        *end    = nullptr;
+      const double number = std::strtod(text.c_str(), &end);
+      if (text.empty() || *end != 0)
+        return {};
+      return number;
+    }
+
+    /** Whole numbers as deal.II reads them: 10, but not 1e1. */
+    bool
+    is_whole(const std::string &text)
+    {
+      return !text.empty() && text.size() < 10 &&
+             text.find_first_not_of("0123456789") == std::string::npos;
+    }
+
+    std::vector<std::string>
+    parts_of(std::string argument)
+    {
+      std::replace(argument.begin(), argument.end(), ';', ',');
+      return split(argument, ',');
+    }
+
+    /** Those that are no numbers are left to deal.II to refuse. */
+    std::vector<double>
+    finite_numbers(const MeshParameters &mesh, const std::string &argument)
+    {
+      std::vector<double> numbers;
+      for (const std::string &part : parts_of(argument))
+        if (const auto number = read_number(part))
+          {
+            if (!(std::abs(*number) <= largest_length))
+              refuse(mesh,
+                     part,
+                     "is too large or not a number. Give finite numbers.");
+            numbers.push_back(*number);
+          }
+      return numbers;
+    }
+
+    std::vector<double>
+    whole_numbers(const MeshParameters &mesh,
+                  const std::string    &argument,
+                  const unsigned int    least)
+    {
+      std::vector<double> numbers;
+      for (const std::string &part : parts_of(argument))
+        {
+          if (!is_whole(part) || std::stoul(part) < least)
+            refuse(mesh,
+                   part,
+                   "is not a number of cells. Give whole numbers from " +
+                     std::to_string(least) + " to 999999999.");
+          numbers.push_back(static_cast<double>(std::stoul(part)));
+        }
+      return numbers;
+    }
+
+    void
+    check_count(const MeshParameters &mesh,
+                const std::string    &argument,
+                const std::size_t     found,
+                const std::size_t     wanted,
+                const char           *what)
+    {
+      if (found != wanted)
+        refuse(mesh,
+               argument,
+               "has " + std::to_string(found) + ' ' + what + ". " +
+                 mesh.generator + " takes " + std::to_string(wanted) + '.');
+    }
+
+    /** Numbers of cells, or the lengths of all cells of each direction. */
+    std::vector<double>
+    cells_or_steps(const MeshParameters &mesh,
+                   const std::string    &argument,
+                   const unsigned int    dim)
+    {
+      if (argument.find(';') == std::string::npos)
+        {
+          const auto cells = whole_numbers(mesh, argument, 1);
+          check_count(mesh, argument, cells.size(), dim, "numbers of cells");
+          return cells;
+        }
+      const auto lists = split(argument, ';');
+      check_count(mesh, argument, lists.size(), dim, "lists of steps");
+      std::vector<double> cells;
+      for (const std::string &list : lists)
+        {
+          const auto steps = finite_numbers(mesh, list);
+          if (steps.empty() ||
+              *std::min_element(steps.begin(), steps.end()) <= 0)
+            refuse(mesh, list, "are not steps. Give lengths above 0.");
+          cells.push_back(static_cast<double>(steps.size()));
+        }
+      return cells;
+    }
+
+    std::vector<double>
+    one_number(const MeshParameters &mesh,
+               const std::string    &argument,
+               const char            kind)
+    {
+      const auto numbers = finite_numbers(mesh, argument);
+      if (numbers.size() == 1 && kind != 'x' &&
+          (numbers[0] < 0 || (kind == 'r' && numbers[0] < 1 / largest_length)))
+        refuse(mesh,
+               argument,
+               kind == 'r' ? "is not positive. Give a number above 0." :
+                             "is negative. Give a number from 0 on.");
+      return numbers;
+    }
+
+    std::vector<double>
+    points(const MeshParameters &mesh,
+           const std::string    &argument,
+           const std::size_t     n)
+    {
+      check_count(mesh, argument, split(argument, ';').size(), n, "points");
+      return finite_numbers(mesh, argument);
+    }
+
+    std::vector<double>
+    read_argument(const MeshParameters &mesh,
+                  const std::string    &argument,
+                  const char            kind,
+                  const unsigned int    dim)
+    {
+      std::vector<double> numbers;
+      switch (kind)
+        {
+          case 'n':
+            return whole_numbers(mesh, argument, 1);
+          case 'd':
+          case 'i':
+            return whole_numbers(mesh, argument, 0);
+          case 'c':
+            numbers = whole_numbers(mesh, argument, 1);
+            check_count(mesh, argument, numbers.size(), dim, "numbers");
+            return numbers;
+          case 'C':
+            numbers = whole_numbers(mesh, argument, 0);
+            check_count(mesh, argument, numbers.size(), 2 * dim, "numbers");
+            return numbers;
+          case 's':
+            return cells_or_steps(mesh, argument, dim);
+          case 'S':
+            return points(mesh, argument, dim + 1);
+          case 'V':
+            return points(mesh, argument, 1u << dim);
+          case 'p':
+          case 'b':
+            return finite_numbers(mesh, argument);
+          default:
+            return one_number(mesh, argument, kind);
+        }
+    }
+
+    /** Those that can be made of hexahedra around a hollow sphere. */
+    void
+    check_shell(const GeneratorRow   &row,
+                const MeshParameters &mesh,
+                const Numbers        &a)
+    {
+      const std::string name = row.name;
+      const auto        n    = [&](const std::size_t i) {
+        return static_cast<unsigned int>(a[i][0]);
+      };
+      std::set<unsigned int> allowed;
+      unsigned int           given = 0;
+      if (name == "half_hyper_shell")
+        allowed = {0, 5}, given = n(3);
+      else if (name == "quarter_hyper_shell")
+        allowed = {0, 3}, given = n(3);
+      else if (name == "hyper_shell" || name == "concentric_hyper_shells")
+        {
+          allowed = {0, 6, 12, 24, 48, 96, 192, 384, 768, 1536, 3072};
+          given   = n(name == "hyper_shell" ? 3 : 5);
+        }
+      if (!allowed.empty() && allowed.count(given) == 0)
+        refuse(mesh,
+               std::to_string(given),
+               "cells do not make a " + name + " in 3D. Give one of " +
+                 join(allowed) + '.');
+    }
+
+    bool
+    is_complete(const Numbers &a, const std::string &kinds)
+    {
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].empty() && kinds[i] != 'b')
+          return false;
+      return true;
+    }
+
+    void
+    check_row(const GeneratorRow             &row,
+              const MeshParameters           &mesh,
+              const std::vector<std::string> &arguments,
+              const unsigned int              dim)
+    {
+      const std::string kinds = row.kinds;
+      if (arguments.size() != kinds.size())
+        return; // deal.II says how many there should be
+      Numbers a;
+      for (std::size_t i = 0; i < kinds.size(); ++i)
+        a.push_back(read_argument(mesh, arguments[i], kinds[i], dim));
+      if (!is_complete(a, kinds))
+        return; // words instead of numbers
+      if (row.smaller >= 0)
+        {
+          const auto i = static_cast<std::size_t>(row.smaller);
+          const auto k = static_cast<std::size_t>(row.larger);
+          if (!(a[i][0] < a[k][0]))
+            refuse(mesh,
+                   arguments[i],
+                   "is not smaller than '" + arguments[k] + "', as " +
+                     mesh.generator + " wants it. Change one of them.");
+        }
+      if (dim == 3)
+        check_shell(row, mesh, a);
+      check_mesh_size(mesh, dim, row.n_cells(a, dim), "Arguments");
+    }
+  } // namespace
+
+  void
+  check_generator_arguments(const MeshParameters &parameters,
+                            const unsigned int    dim)
+  {
+    const std::vector<std::string> arguments = split(parameters.arguments, ':');
+    for (const std::string &argument : arguments)
+      finite_numbers(parameters, argument);
+    for (const GeneratorRow &row : generator_table())
+      if (row.name == parameters.generator)
+        check_row(row, parameters, arguments, dim);
+  }
+
+  void
+  check_mesh_size(const MeshParameters &parameters,
+                  const unsigned int    dim,
+                  const double          n_cells,
+                  const std::string    &entry)
+  {
+    const double bytes = n_cells * bytes_of_cell(dim);
+    // numbers of cells are 32 bits wide
+    if (bytes > machine_memory() || !(n_cells < 2e9))
+      throw InputError(parameters.where + entry + ": a mesh of " +
+                       to_text(n_cells) + " cells takes at least " +
+                       to_text(std::ceil(bytes / 1e6)) + " MB, and there are " +
+                       to_text(std::floor(machine_memory() / 1e6)) +
+                       ". Make it coarser.");
+  }
+} // namespace conetact

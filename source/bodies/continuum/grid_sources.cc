@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/continuum/grid_sources.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/continuum/generator_arguments.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+namespace conetact
+{
+  using dealii::GridIn;
+  using dealii::Triangulation;
+
+  namespace
+  {
+    template <int dim>
+    const char *
+    cell_name()
+    {
+      return dim == 2 ? "quadrilaterals" : "hexahedra";
+    }
+
+    void
+    erase_all(std::string &text, const std::string &part)
+    {
+      for (auto at = text.find(part); at != std::string::npos;
+           at      = text.find(part))
+        text.erase(at, part.size());
+    }
+
+    /** What deal.II has to say: one line, without banner and bounds. */
+    std::string
+    message_of(const std::exception &error)
+    {
+      const auto *deal = dynamic_cast<const dealii::ExceptionBase *>(&error);
+      if (deal == nullptr)
+        return one_line(error.what());
+      if (dynamic_cast<const dealii::ExcIO *>(deal) != nullptr)
+        return "it ends early, or holds something else";
+      std::ostringstream text;
+      deal->print_info(text);
+      std::string message = one_line(text.str());
+      for (const char *bounds : {" -MAX_DOUBLE...MAX_DOUBLE (inclusive)",
+                                 " of length 0...4294967295 (inclusive)"})
+        erase_all(message, bounds);
+      for (char &c : message) // a binary file is quoted as it is
+        if (static_cast<unsigned char>(c) < 32 ||
+            static_cast<unsigned char>(c) > 126)
+          c = '?';
+      return message.size() > 300 ? message.substr(0, 300) + "..." : message;
+    }
+
+    /** The end of a sentence: how many arguments, or what deal.II has to say.
+     */
+    std::string
+    reason(const std::string &message)
+    {
+      const std::string tuple = "does not match the pattern \"[Tuple of <";
+      const auto        at    = message.find(tuple);
+      if (at == std::string::npos)
+        return ". (" + message + ")";
+      const std::string count = message.substr(at + tuple.size());
+      return " (there are " + count.substr(0, count.find('>')) +
+             "; points and lists have ',' between their components).";
+    }
+
+    template <int dim>
+    void
+    generate(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    {
+      check_generator_arguments(parameters, dim);
+      try
+        {
+          dealii::GridGenerator::generate_from_name_and_arguments(
+            mesh, parameters.generator, parameters.arguments);
+        }
+      catch (const std::exception &error)
+        {
+          const std::string message = message_of(error);
+          if (message.find("not implemented") != std::string::npos)
+            throw InputError(
+              parameters.where + "Generator: there is no mesh generator '" +
+              parameters.generator + "' in " + std::to_string(dim) +
+              "D. Use a function name of deal.II's GridGenerator such as " +
+              "hyper_rectangle.");
+          throw InputError(parameters.where + "Arguments: '" +
+                           parameters.arguments + "' does not suit " +
+                           parameters.generator + " in " + std::to_string(dim) +
+                           "D. Give all its arguments, separated by ':'" +
+                           reason(message));
+        }
+    }
+
+    std::string
+    lower_case(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](const char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      });
+      return text;
+    }
+
+    /** By extension; Abaqus shares .inp with UCD but starts with a keyword. */
+    GridIn<2>::Format
+    format_of(const std::filesystem::path &file,
+              std::istream                &stream,
+              const std::string           &where)
+    {
+      std::string extension = lower_case(file.extension().string());
+      extension.erase(0, 1);
+      if (extension == "inp" && (stream >> std::ws).peek() == '*')
+        return GridIn<2>::abaqus;
+      for (const char *known : {"msh",
+                                "vtk",
+                                "vtu",
+                                "unv",
+                                "inp",
+                                "ucd",
+                                "xda",
+                                "dbmesh",
+                                "dat",
+                                "tecplot"})
+        if (extension == known)
+          return GridIn<2>::parse_format(extension);
+      throw InputError(where + "'" + file.string() +
+                       "' is of no known mesh format. Use .msh, .vtk, .vtu, " +
+                       ".unv, .inp, .ucd, .xda, .dbmesh or .dat.");
+    }
+
+    std::ifstream
+    open_mesh(const std::filesystem::path &file, const std::string &where)
+    {
+      std::error_code error;
+      if (!std::filesystem::exists(file, error))
+        throw InputError(where + "there is no file '" + file.string() +
+                         "'. Give a path relative to the scene's folder.");
+      if (!std::filesystem::is_regular_file(file, error))
+        throw InputError(where + "'" + file.string() +
+                         "' is not a file. Name a mesh file.");
+      if (std::filesystem::file_size(file, error) == 0)
+        throw InputError(where + "'" + file.string() +
+                         "' is empty. Write the mesh again.");
+      std::ifstream stream(file);
+      if (!stream)
+        throw InputError(where + "'" + file.string() +
+                         "' cannot be opened. Check its permissions.");
+      return stream;
+    }
+
+    /** Gmsh's binary files share the extension of its text files. */
+    void
+    refuse_binary(std::istream &stream, const std::string &file)
+    {
+      std::string line;
+      std::getline(stream, line);
+      double version = 0;
+      int    binary  = 0;
+      if (trim(line) == "$MeshFormat" && stream >> version >> binary && binary)
+        throw InputError(file +
+                         " is a binary Gmsh file. Save it as ASCII (in " +
+                         "Gmsh 'Mesh.Binary = 0;').");
+    }
+
+    /** GridIn would wait for the rest of a Gmsh file for ever. */
+    void
+    check_gmsh_sections(std::istream &stream, const std::string &file)
+    {
+      std::string line, open;
+      bool        elements = false;
+      while (std::getline(stream, line))
+        if (line[0] == '$')
+          {
+            line = lower_case(trim(line));
+            if (open.empty())
+              open = line.substr(1);
+            else if (line == "$end" + open)
+              {
+                elements = elements || open == "elements" || open == "elm";
+                open.clear();
+              }
+          }
+      if (!open.empty() || !elements)
+        throw InputError(file + " is no whole Gmsh mesh: " +
+                         (open.empty() ?
+                            "it has no elements" :
+                            "its section '" + open + "' does not end") +
+                         ". Write it again.");
+    }
+
+    void
+    check_gmsh(std::istream &stream, const std::string &file)
+    {
+      refuse_binary(stream, file);
+      stream.clear();
+      stream.seekg(0);
+      check_gmsh_sections(stream, file);
+      stream.clear();
+      stream.seekg(0);
+    }
+
+    template <int dim>
+    void
+    read(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    {
+      const std::string where  = parameters.where + "File: ";
+      std::ifstream     stream = open_mesh(parameters.file, where);
+      const auto        format = static_cast<typename GridIn<dim>::Format>(
+        format_of(parameters.file, stream, where));
+      if (format == GridIn<dim>::msh)
+        check_gmsh(stream, where + "'" + parameters.file.string() + "'");
+      try
+        {
+          GridIn<dim>(mesh).read(stream, format);
+        }
+      catch (const std::exception &error)
+        {
+          throw InputError(where + "'" + parameters.file.string() +
+                           "' cannot be read as a mesh of " + cell_name<dim>() +
+                           ". Check that it is whole and " + "of dimension " +
+                           std::to_string(dim) + ". (" + message_of(error) +
+                           ")");
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    refuse_simplices(const Triangulation<dim> &mesh,
+                     const MeshParameters     &parameters)
+    {
+      const std::string where =
+        parameters.where + (parameters.file.empty() ? "Generator: " : "File: ");
+      if (mesh.n_active_cells() == 0)
+        throw InputError(where + "the mesh has no cells. Check the arguments.");
+      if (!mesh.all_reference_cells_are_hyper_cube())
+        throw InputError(
+          where + "the mesh has cells that are not " + cell_name<dim>() +
+          " (triangles, tetrahedra, ...). Use a mesh of " + cell_name<dim>() +
+          " only (in Gmsh: 'Mesh.RecombineAll = 1; " +
+          "Mesh.SubdivisionAlgorithm = " + std::to_string(dim - 1) + ";').");
+    }
+
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<Triangulation<dim>>
+  generate_or_read(const MeshParameters &parameters)
+  {
+    auto mesh = std::make_unique<Triangulation<dim>>();
+    if (parameters.file.empty())
+      generate(*mesh, parameters);
+    else
+      read(*mesh, parameters);
+    refuse_simplices(*mesh, parameters);
+    return mesh;
+  }
+
+  template std::unique_ptr<Triangulation<2>>
+  generate_or_read<2>(const MeshParameters &);
+  template std::unique_ptr<Triangulation<3>>
+  generate_or_read<3>(const MeshParameters &);
+} // namespace conetact

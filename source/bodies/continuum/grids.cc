@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/continuum/grids.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/continuum/continuum_mesh.h"
+#include "conetact/bodies/continuum/generator_arguments.h"
+#include "conetact/bodies/continuum/grid_sources.h"
+#include "conetact/bodies/continuum/local_refinement.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/manifold.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  using dealii::GeometryInfo;
+  using dealii::Point;
+  using dealii::Tensor;
+  using dealii::Triangulation;
+
+  namespace
+  {
+    /**
+     * Refinement puts hanging vertices onto a curved shape, but the d-linear
+     * coarser neighbour has them on its straight edges. There they must lie,
+     * or not even rigid motions would be free of strain.
+     */
+    template <int dim>
+    void
+    straighten_hanging_vertices(Triangulation<dim> &mesh)
+    {
+      for (unsigned int level = 0; level < mesh.n_levels(); ++level)
+        for (const auto &cell : mesh.active_cell_iterators_on_level(level))
+          {
+            for (unsigned int l = 0; l < cell->n_lines(); ++l)
+              if (cell->line(l)->has_children())
+                cell->line(l)->child(0)->vertex(1) = cell->line(l)->center();
+            if constexpr (dim == 3)
+              for (const unsigned int f : cell->face_indices())
+                if (cell->face(f)->has_children())
+                  cell->face(f)->child(0)->vertex(3) = cell->face(f)->center();
+          }
+    }
+
+    template <int dim>
+    void
+    place(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    {
+      std::vector<bool> done(mesh.n_vertices(), false);
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          if (!done[cell->vertex_index(v)])
+            {
+              const Point<3> p = parameters.to_scene(to_space(cell->vertex(v)));
+              for (unsigned int d = 0; d < dim; ++d)
+                cell->vertex(v)[d] = p[d];
+              done[cell->vertex_index(v)] = true;
+            }
+      // the curved geometry has not moved along
+      mesh.set_all_manifold_ids(dealii::numbers::flat_manifold_id);
+      mesh.reset_all_manifolds();
+    }
+
+    template <int dim>
+    void
+    refuse_distorted(const Triangulation<dim> &mesh,
+                     const MeshParameters     &parameters)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
+          Point<dim>             vertices[n];
+          Tensor<0, dim>         volumes[n];
+          for (unsigned int v = 0; v < n; ++v)
+            vertices[v] = cell->vertex(v);
+          GeometryInfo<dim>::alternating_form_at_vertices(vertices, volumes);
+
+          const double limit = 1e-12 * std::pow(cell->diameter(), dim);
+          for (unsigned int v = 0; v < n; ++v)
+            if (!(volumes[v] > limit))
+              throw InputError(
+                parameters.where +
+                (parameters.file.empty() ? "Generator: " : "File: ") +
+                "the cell at " +
+                to_text(Tensor<1, 3>(to_space(cell->center()))) +
+                " is distorted: it is folded or flat at its corner " +
+                to_text(Tensor<1, 3>(to_space(vertices[v]))) +
+                ". Give convex cells, or check that the mesh has dimension " +
+                std::to_string(dim) + ".");
+        }
+    }
+
+    template <int dim>
+    void
+    tag(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    {
+      for (const BoundaryTag &tag : parameters.tags)
+        {
+          bool found = false;
+          for (const auto &face : mesh.active_face_iterators())
+            if (face->at_boundary() && tag.condition(parameters.to_scene(
+                                         to_space(face->center()))) != 0)
+              {
+                face->set_boundary_id(tag.id);
+                found = true;
+              }
+          if (!found)
+            throw InputError(parameters.where +
+                             "Boundary ids: no boundary face has a centre " +
+                             "with '" + tag.text + "' (id " +
+                             std::to_string(tag.id) +
+                             "). Check the condition against the mesh's " +
+                             "coordinates in the scene.");
+        }
+    }
+
+    template <int dim>
+    void
+    refine_globally(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    {
+      check_mesh_size(parameters,
+                      dim,
+                      std::ldexp(mesh.n_active_cells(),
+                                 static_cast<int>(
+                                   dim * parameters.global_refinements)),
+                      "Global refinements");
+      mesh.refine_global(parameters.global_refinements);
+    }
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<Triangulation<dim>>
+  make_mesh(const MeshParameters &parameters)
+  {
+    auto mesh = generate_or_read<dim>(parameters);
+    refine_globally(*mesh, parameters);
+    refine_locally(*mesh, parameters);
+    tag(*mesh, parameters);
+    refine_elements(*mesh, parameters.refinements);
+    straighten_hanging_vertices(*mesh);
+    place(*mesh, parameters);
+    refuse_distorted(*mesh, parameters);
+    return mesh;
+  }
+
+  template std::unique_ptr<Triangulation<2>>
+  make_mesh<2>(const MeshParameters &);
+  template std::unique_ptr<Triangulation<3>>
+  make_mesh<3>(const MeshParameters &);
+} // namespace conetact

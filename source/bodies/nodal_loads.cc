@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/nodal_loads.h"
+
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Nodal forces that are kept: 256 MB of them. */
+    constexpr Eigen::Index most_kept = 1 << 24;
+
+    /** Sums below this part of what they are sums of are rounding. */
+    constexpr double round_off = 1e-12;
+  } // namespace
+
+
+
+  namespace
+  {
+    /** Force and moment about the origin of nodal forces on a body. */
+    std::pair<Tensor<1, 3>, Tensor<1, 3>>
+    resultant(const Structure       &structure,
+              const unsigned int     dim,
+              const Eigen::VectorXd &f)
+    {
+      const unsigned int                    n = structure.n_components();
+      std::pair<Tensor<1, 3>, Tensor<1, 3>> sum;
+      for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+        {
+          const auto own = f.segment(i * static_cast<Eigen::Index>(n), n);
+          if (own.isZero(0))
+            continue;
+          Tensor<1, 3> force;
+          for (unsigned int c = 0; c < n; ++c)
+            if (c < dim)
+              force[c] = own[c];
+            else
+              sum.second[dim == 2 ? 2 : c - dim] += own[c];
+          sum.first += force;
+          sum.second +=
+            cross_product_3d(Tensor<1, 3>(structure.position(i)), force);
+        }
+      return sum;
+    }
+  } // namespace
+
+
+
+  NodalLoads::NodalLoads(const std::vector<Load>              &all_loads,
+                         const std::vector<const Structure *> &bodies,
+                         const unsigned int                    space)
+    : loads(all_loads)
+    , structures(bodies)
+    , dim(space)
+    , kept(loads.size())
+    , of_loads(loads.size())
+    , room(most_kept)
+  {
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      {
+        of_loads[i].name        = loads[i].name;
+        of_loads[i].is_constant = !loads[i].uses_time();
+      }
+  }
+
+
+
+  NodalLoads::Acting
+  NodalLoads::acting(const double t)
+  {
+    std::vector<Eigen::Index> begin(1, 0);
+    for (const Structure *structure : structures)
+      begin.push_back(begin.back() + structure->n_dofs());
+    Acting          all;
+    Eigen::VectorXd f;
+    all.forces.setZero(begin.back());
+    all.mechanical = all.forces;
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      {
+        const unsigned int body = loads[i].body;
+        f.setZero(structures[body]->n_dofs());
+        add(i, t, f);
+        all.forces.segment(begin[body], f.size()) += f;
+        if (loads[i].kind != Load::Kind::temperature)
+          all.mechanical.segment(begin[body], f.size()) += f;
+        all.each.push_back(resultant(*structures[body], dim, f));
+        if (loads[i].kind != Load::Kind::temperature)
+          continue;
+        if (all.thermal.size() == 0)
+          all.thermal.setZero(begin.back());
+        all.thermal.segment(begin[body], f.size()) += f;
+      }
+    return all;
+  }
+
+
+
+  void
+  NodalLoads::add(const std::size_t load, const double t, Eigen::VectorXd &f)
+  {
+    ++evaluations;
+    const double time  = loads[load].uses_time() ? t : 0;
+    const auto   found = kept[load].find(time);
+    if (found != kept[load].end())
+      {
+        f += found->second;
+        return;
+      }
+    loads[load].add(*structures[loads[load].body], t, f);
+    ++integrations;
+    note(load, t, f);
+    const Eigen::Index n = (f.array() != 0).count();
+    if (n > room)
+      return;
+    room -= n;
+    kept[load].emplace(time, f.sparseView());
+  }
+
+
+
+  void
+  NodalLoads::note(const std::size_t      load,
+                   const double           t,
+                   const Eigen::VectorXd &f)
+  {
+    Largest     &largest = of_loads[load];
+    const double size    = f.lpNorm<1>();
+    if (!(size > largest.size))
+      return;
+    const auto n =
+      static_cast<Eigen::Index>(structures[loads[load].body]->n_components());
+    const auto of_nodes  = f.reshaped(n, f.size() / n);
+    largest.time         = t;
+    largest.size         = size;
+    largest.sums.head(n) = of_nodes.rowwise().sum();
+    largest.n_nodes      = static_cast<unsigned int>(
+      (of_nodes.array() != 0).colwise().any().count());
+    for (double &sum : largest.sums)
+      if (std::abs(sum) <= round_off * size)
+        sum = 0;
+  }
+} // namespace conetact

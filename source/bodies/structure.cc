@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/structure.h"
+
+#include <numeric>
+
+namespace conetact
+{
+  std::vector<Tensor<1, 3>>
+  smooth_patches(const std::vector<Tensor<1, 3>> &face_normals)
+  {
+    constexpr double cosine_of_edge = .766; // of 40 degrees
+
+    const std::size_t        n = face_normals.size();
+    std::vector<std::size_t> patch(n);
+    std::iota(patch.begin(), patch.end(), std::size_t{0});
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (const Tensor<1, 3> &a = face_normals[i], &b = face_normals[j];
+            a * b > cosine_of_edge * a.norm() * b.norm())
+          {
+            // neighbours of neighbours belong to the same patch
+            const std::size_t other = patch[j], own = patch[i];
+            for (std::size_t &p : patch)
+              if (p == other)
+                p = own;
+          }
+    std::vector<Tensor<1, 3>> sums(n), normals;
+    for (std::size_t i = 0; i < n; ++i)
+      sums[patch[i]] += face_normals[i];
+    for (std::size_t i = 0; i < n; ++i)
+      if (const std::size_t p = patch[i]; sums[p].norm() > 0)
+        {
+          normals.push_back(sums[p] / sums[p].norm());
+          sums[p] = 0;
+        }
+    return normals;
+  }
+} // namespace conetact

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/supports.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/actions.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  namespace
+  {
+    Tensor<1, 3>
+    parse_direction(const std::string &text,
+                    const unsigned int dim,
+                    const std::string &entry)
+    {
+      const std::string axes = std::string("xyz").substr(0, dim);
+      const std::size_t axis = text.size() == 1 ? axes.find(text) : axes.npos;
+      Tensor<1, 3>      direction;
+      if (axis != axes.npos)
+        direction[static_cast<unsigned int>(axis)] = 1;
+      else if (!text.empty() && text.front() == '(')
+        direction = to_vector(text, dim, entry);
+      else
+        throw InputError(entry + ": '" + text + "' is not a direction. Give " +
+                         (dim == 2 ? "x, y, rz" : "x, y, z, rx, ry, rz") +
+                         ", vectors such as " +
+                         (dim == 2 ? "(1, 1)" : "(1, 1, 0)") +
+                         ", normal, or clamped.");
+      if (direction.norm() == 0)
+        throw InputError(entry + ": the direction " + text +
+                         " has no length. Give a vector other than zero.");
+      return direction / direction.norm();
+    }
+    /**
+     * The component of a rotation "rx", "ry" or "rz", or none: 2 in 2D; 3, 4,
+     * 5 in 3D.
+     */
+    std::optional<unsigned int>
+    rotation_component(const std::string &text, const unsigned int dim)
+    {
+      if (text == "rz")
+        return dim == 2 ? 2 : 5;
+      if (dim == 3 && (text == "rx" || text == "ry"))
+        return text == "rx" ? 3 : 4;
+      return {};
+    }
+
+    /** Words of the entry; empty and "clamped" stand for several. */
+    std::vector<std::string>
+    direction_words(const std::string &text,
+                    const unsigned int dim,
+                    const bool         rotates)
+    {
+      if (!text.empty() && text != "clamped")
+        return split(text, ',');
+      std::vector<std::string> words = {"x", "y"};
+      if (dim == 3)
+        words.push_back("z");
+      if (text == "clamped" && rotates && dim == 3)
+        words.insert(words.end(), {"rx", "ry"});
+      if (text == "clamped" && rotates)
+        words.push_back("rz");
+      return words;
+    }
+
+    /** Directions and rotations, each with its expression. */
+    void
+    parse_directions(const std::string &text,
+                     const std::string &displacement,
+                     const unsigned int dim,
+                     const Structure   &structure,
+                     const std::string &in,
+                     Support           &support)
+    {
+      const bool rotates = structure.n_components() > dim;
+      const auto words   = direction_words(text, dim, rotates);
+      auto       expressions =
+        parse_components(displacement, words.size(), in + "Displacement");
+      for (std::size_t i = 0; i < words.size(); ++i)
+        if (const auto component = rotation_component(words[i], dim))
+          {
+            if (!rotates)
+              throw InputError(in + "Directions: '" + words[i] +
+                               "' is a rotation, but nodes of the body do not "
+                               "rotate, it has no beams. Remove it.");
+            support.rotations.push_back(
+              {*component, std::move(expressions[i])});
+          }
+        else
+          {
+            support.directions.push_back(
+              parse_direction(words[i], dim, in + "Directions"));
+            support.displacement.push_back(std::move(expressions[i]));
+          }
+    }
+  } // namespace
+
+  std::vector<Support::Held>
+  Support::directions_at(const SurfaceNode &node) const
+  {
+    // a mean normal at an edge would leave the body free to slip out of it
+    std::vector<Held> held;
+    if (normal)
+      for (const Tensor<1, 3> &n : node.normals)
+        held.push_back({n, 0});
+    else
+      for (std::size_t e = 0; e < directions.size(); ++e)
+        held.push_back({directions[e], e});
+    return held;
+  }
+
+  bool
+  Support::is_still() const
+  {
+    return std::all_of(displacement.begin(),
+                       displacement.end(),
+                       [](const Expression &u) { return u.is_zero(); }) &&
+           std::all_of(rotations.begin(),
+                       rotations.end(),
+                       [](const Rotation &r) { return r.angle.is_zero(); });
+  }
+
+  Tensor<2, 3>
+  Support::spring(const Point<3> &p, const Tensor<1, 3> &outward_normal) const
+  {
+    Tensor<2, 3> result;
+    for (const Tensor<1, 3> &direction :
+         normal ? std::vector<Tensor<1, 3>>{outward_normal} : directions)
+      result += outer_product(direction, direction);
+    const double k = (*stiffness)(p);
+    if (k < 0)
+      throw InputError("Support '" + name + "', Stiffness: it is " +
+                       to_text(k) + " at " + to_text(p) +
+                       ". Give a value of 0 or more.");
+    return k * result;
+  }
+
+  void
+  declare_support(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry("Body", "", Anything(), "Name of the body it holds.");
+    prm.declare_entry("Boundary ids",
+                      "",
+                      Anything(),
+                      "Boundary ids of the body, separated by commas.");
+    prm.declare_entry(
+      "Directions",
+      "",
+      Anything(),
+      "What is held: components (x, y, z), the outward 'normal' of each node "
+      "(on an edge where faces turn by more than 40 degrees, the normal of "
+      "each), or any vectors such as (1, 1): rollers on a rotated body; rotations of "
+      "nodes of beams (2D: rz; 3D: rx, ry, rz). Separated by commas. Empty: "
+      "all components; 'clamped': all components and rotations.");
+    prm.declare_entry(
+      "Displacement",
+      "0",
+      Anything(),
+      "Prescribed displacement along each direction, a function of x, y, z, t "
+      "each, separated by ';'. A single 0 holds all. [length; rad]");
+    prm.declare_entry(
+      "Stiffness",
+      "",
+      Anything(),
+      "Empty: the displacement is prescribed exactly. Else springs per area "
+      "along each direction, a function of x, y, z: an elastic foundation, "
+      "whose far end moves by Displacement. [force/length/area]");
+  }
+
+  Support
+  create_support(dealii::ParameterHandler             &prm,
+                 const std::string                    &name,
+                 const unsigned int                    dim,
+                 const std::vector<std::string>       &bodies,
+                 const std::vector<const Structure *> &structures)
+  {
+    const std::string in = "Support '" + name + "', ";
+    Support           support;
+    support.name    = name;
+    support.body    = find_body(prm.get("Body"), bodies, in + "Body");
+    support.ids     = find_boundary(prm.get("Boundary ids"),
+                                *structures[support.body],
+                                bodies[support.body],
+                                in + "Boundary ids");
+    support.surface = structures[support.body]->surface(support.ids);
+
+    const std::string directions   = prm.get("Directions");
+    support.normal                 = directions == "normal";
+    const std::string displacement = prm.get("Displacement");
+    if (support.normal)
+      support.displacement =
+        parse_components(displacement, 1, in + "Displacement");
+    else
+      parse_directions(
+        directions, displacement, dim, *structures[support.body], in, support);
+    if (const std::string stiffness = prm.get("Stiffness"); !stiffness.empty())
+      {
+        support.stiffness.emplace(stiffness, in + "Stiffness");
+        if (support.stiffness->uses_time())
+          throw InputError(in + "Stiffness: '" + stiffness +
+                           "' depends on t. Springs stay the same: use x, y, "
+                           "z only.");
+        if (!support.rotations.empty())
+          throw InputError(in + "Stiffness: springs do not hold rotations. "
+                                "Hold them by a support of their own.");
+      }
+    return support;
+  }
+} // namespace conetact

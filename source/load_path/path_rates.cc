@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/load_path/path_rates.h"
+
+#include "conetact/solvers/lcp.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::MatrixXd;
+    using Eigen::VectorXd;
+    using Eigen::VectorXi;
+
+    constexpr int max_active_set_steps = 25;
+
+    /** One rate problem, with everything it needs. */
+    class RateProblem
+    {
+    public:
+      RateProblem(const PathSystem    &s,
+                  const CriticalNodes &c,
+                  const VectorXd      &f)
+        : system(s)
+        , critical(c)
+        , load_rate(f)
+      {}
+
+      Rates
+      solve(const Scheme &guess) const;
+
+    private:
+      bool
+      active_set(const Scheme &guess, const bool held, Rates &rates) const;
+      bool
+      corrected(const Rates &rates, Scheme &next) const;
+      void
+      correct(const Index  i,
+              const Rates &rates,
+              const double v_limit,
+              const double r_limit,
+              NodeScheme  &node) const;
+      bool
+      lemke(const Scheme &guess, Scheme &result) const;
+
+      const PathSystem    &system;
+      const CriticalNodes &critical;
+      const VectorXd      &load_rate;
+    };
+
+
+
+    void
+    RateProblem::correct(const Index  i,
+                         const Rates &rates,
+                         const double v_limit,
+                         const double r_limit,
+                         NodeScheme  &s) const
+    {
+      const auto         node = static_cast<std::size_t>(i);
+      const CriticalNode c    = critical[node];
+      const Index        n = system.normal[node], t = system.tangent[node];
+      const double       r_n = rates.r(n);
+      if (c.normal && s.closed && r_n < -r_limit)
+        s.closed = false;
+      else if (c.normal && !s.closed && rates.v(n) < -v_limit)
+        {
+          s.closed = true;
+          if (c.plus && c.minus)
+            s.slip = 0;
+        }
+      else if (t >= 0 && !system.is_free(i, s.closed))
+        {
+          const double bound = system.mu(i) * r_n, r_t = rates.r(t);
+          if (s.slip != 0)
+            {
+              if ((s.slip > 0 ? c.plus : c.minus) &&
+                  s.slip * rates.v(t) < -v_limit)
+                s.slip = 0;
+            }
+          else if (c.plus && bound + r_t < -r_limit)
+            s.slip = 1;
+          else if (c.minus && bound - r_t < -r_limit)
+            s.slip = -1;
+        }
+    }
+
+
+
+    /** The scheme with all violations turned over; false: there are none. */
+    bool
+    RateProblem::corrected(const Rates &rates, Scheme &next) const
+    {
+      const double v_limit = rate_tolerance * largest(rates.v);
+      const double r_limit =
+        rate_tolerance * std::max(largest(rates.r), largest(load_rate));
+      next = rates.scheme;
+      for (std::size_t i = 0; i < next.size(); ++i)
+        if (critical[i].any())
+          correct(static_cast<Index>(i), rates, v_limit, r_limit, next[i]);
+      return !(next == rates.scheme);
+    }
+
+
+
+    bool
+    RateProblem::active_set(const Scheme &guess,
+                            const bool    held,
+                            Rates        &rates) const
+    {
+      std::vector<Scheme> visited;
+      Scheme              next = guess;
+      for (int k = 0; k < max_active_set_steps; ++k)
+        {
+          if (std::find(visited.begin(), visited.end(), next) != visited.end())
+            return false;
+          visited.push_back(next);
+          rates.scheme = next;
+          rates.factor = SchemeFactor(system, next, held);
+          if (!rates.factor.regular())
+            return false;
+          rates.factor.rates(load_rate, rates.v, rates.r);
+          if (!corrected(rates, next))
+            return true;
+        }
+      return false;
+    }
+
+
+
+    /**
+     * The rate problem as a linear complementarity problem in the rates of all
+     * critical gaps and slips; rigid motions are held softly.
+     */
+    bool
+    RateProblem::lemke(const Scheme &guess, Scheme &result) const
+    {
+      struct Pair
+      {
+        std::size_t node;
+        int         side; ///< 0: gap, else slip
+        Index       column;
+      };
+      std::vector<Pair>  pairs;
+      std::vector<Index> columns;
+      result = guess;
+      for (std::size_t i = 0; i < guess.size(); ++i)
+        {
+          const CriticalNode c = critical[i];
+          if (c.normal)
+            {
+              result[i].closed = true;
+              pairs.push_back({i, 0, static_cast<Index>(columns.size())});
+              columns.push_back(system.normal[i]);
+            }
+          if (system.tangent[i] < 0 || !(c.plus || c.minus) ||
+              system.is_free(static_cast<Index>(i), result[i].closed))
+            continue;
+          result[i].slip = 0;
+          for (const int side : {1, -1})
+            if (side > 0 ? c.plus : c.minus)
+              pairs.push_back({i, side, static_cast<Index>(columns.size())});
+          columns.push_back(system.tangent[i]);
+        }
+
+      const SchemeFactor base(system, result, true);
+      if (!base.regular())
+        return false;
+      VectorXd v, r;
+      MatrixXd V, R;
+      base.rates(load_rate, v, r);
+      base.responses(columns, V, R);
+      const auto n = static_cast<Index>(pairs.size());
+      MatrixXd   M(n, n);
+      VectorXd   q(n), cover(n), z;
+      VectorXi   rank(n);
+      for (Index a = 0; a < n; ++a)
+        {
+          const Pair  &p  = pairs[static_cast<std::size_t>(a)];
+          const auto   i  = static_cast<Index>(p.node);
+          const Index  rn = system.normal[p.node], rt = system.tangent[p.node];
+          const double mu        = system.mu(i);
+          Eigen::RowVectorXd row = R.row(rn);
+          q(a)                   = r(rn);
+          if (p.side != 0)
+            {
+              row  = mu * row + p.side * R.row(rt);
+              q(a) = mu * q(a) + p.side * r(rt);
+            }
+          for (Index b = 0; b < n; ++b)
+            {
+              const Pair &pb = pairs[static_cast<std::size_t>(b)];
+              M(a, b)        = row(pb.column) * (pb.side < 0 ? -1 : 1);
+            }
+          cover(a) = p.side == 0 ? 1 : mu + 1;
+          rank(a)  = p.side == 0 ? 0 : 1;
+        }
+      if (!solve_lcp(M, q, cover, rank, z))
+        return false;
+      for (Index a = 0; a < n; ++a)
+        {
+          const Pair &p = pairs[static_cast<std::size_t>(a)];
+          if (z(a) > 0 && p.side == 0)
+            result[p.node].closed = false;
+          else if (z(a) > 0)
+            result[p.node].slip = p.side;
+        }
+      return true;
+    }
+
+
+
+    Rates
+    RateProblem::solve(const Scheme &guess) const
+    {
+      Rates rates;
+      rates.outcome = RateOutcome::found;
+      if (active_set(guess, false, rates))
+        return rates;
+
+      Scheme     start;
+      const bool found =
+        active_set(guess, true, rates) ||
+        (lemke(guess, start) && active_set(start, true, rates));
+      if (!found)
+        {
+          rates.outcome = RateOutcome::none;
+          return rates;
+        }
+      if (system.null_space.cols() == 0)
+        return rates;
+      Rates exact;
+      exact.outcome = RateOutcome::found;
+      if (active_set(rates.scheme, false, exact))
+        return exact;
+      if (rates.factor.is_driven(load_rate, rates.v))
+        {
+          rates.outcome = RateOutcome::mechanism;
+          rates.v       = rates.factor.motion(rates.v);
+          rates.v /= largest(rates.v);
+          rates.r.setZero();
+        }
+      return rates;
+    }
+  } // namespace
+
+
+
+  Rates
+  solve_rate_problem(const PathSystem      &system,
+                     const Scheme          &scheme,
+                     const CriticalNodes   &critical,
+                     const Eigen::VectorXd &load_rate)
+  {
+    return RateProblem(system, critical, load_rate).solve(scheme);
+  }
+} // namespace conetact
