@@ -136,6 +136,7 @@ namespace
     log.time("bodies, obstacles, contacts");
     const std::unique_ptr<Analysis> analysis = make_analysis(scene, log);
     log.time("contact nodes and supports");
+    analysis->choose_working_set();
     analysis->report();
     if (line.dry_run)
       {

@@ -57,10 +57,15 @@ namespace conetact
   }
 
   void
-  Analysis::report()
+  Analysis::choose_working_set()
   {
     if (scene.leave_out_far_nodes)
       set.start([&](const double t) { return loads.at(t); }, scene.times);
+  }
+
+  void
+  Analysis::report() const
+  {
     report_sizes(scene, model, log);
   }
 
@@ -179,7 +184,7 @@ namespace conetact
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
   }
 
-  void
+  std::string
   Analysis::complete(PendingIncrement      &increment,
                      const Finding         &finding,
                      const Eigen::VectorXd &w)
@@ -187,10 +192,7 @@ namespace conetact
     const unsigned int k     = increment.record.increment;
     const bool         drawn = description.is_drawn(k) ||
                        (scene.adaptive.cycles > 0 && k == scene.times.size());
-    if (const std::string why =
-          acceptance.complete(increment, finding, w, drawn);
-        !why.empty())
-      fail(increment.record, why);
+    return acceptance.complete(increment, finding, w, drawn);
   }
 
   void
@@ -212,12 +214,12 @@ namespace conetact
                ", equilibrium " + to_text(record.equilibrium));
   }
 
-  void
-  Analysis::fail(const IncrementRecord &record, const std::string &why) const
+  std::string
+  Analysis::failed(const IncrementRecord &record, const std::string &why) const
   {
-    throw AnalysisError(
-      name(record) + " (t = " + to_text(record.time) + "): " + why + "." +
-      (record.increment > 1 ? " The increments before it are on disk." : ""));
+    return name(record) + " (t = " + to_text(record.time) + "): " + why + "." +
+           (record.increment > 1 ? " The increments before it are on disk." :
+                                   "");
   }
 
   std::unique_ptr<Analysis>

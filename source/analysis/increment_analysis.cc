@@ -10,7 +10,6 @@
 #include "conetact/contact/refusal.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace conetact
 {
@@ -31,28 +30,31 @@ namespace conetact
   void
   IncrementAnalysis::run(const std::filesystem::path &folder, const bool quiet)
   {
+    using Outcome = Step::Outcome;
     create_outputs(folder, scene.times.size(), quiet);
-    std::vector<PendingIncrement> batch;
-    for (unsigned int k = 1; k <= scene.times.size();)
+    for (unsigned int next = 1; next <= scene.times.size();)
       {
-        try
+        std::vector<PendingIncrement> batch;
+        const Step                    solved = solve_batch(next, batch);
+        Step                          step   = finish(batch);
+        if (step.outcome == Outcome::accepted)
+          step = solved;
+        next = step.next;
+        switch (step.outcome)
           {
-            batch.push_back(solve(k));
-            ++k;
+            case Outcome::accepted:
+              break;
+            case Outcome::corrected:
+              correcting = true;
+              break;
+            case Outcome::needs_more_nodes:
+              extend_set(step.gaps);
+              first_unsure = next - 1;
+              break;
+            case Outcome::failed:
+              if (!condense_all())
+                throw AnalysisError(step.why);
           }
-        catch (const AnalysisError &)
-          {
-            // unless an increment before it is corrected: then once more
-            if (const unsigned int next = finish(batch); next < k)
-              k = next;
-            else if (!condense_all())
-              throw;
-          }
-        const bool full =
-          batch.size() >=
-          batch_size(k - 1 - static_cast<unsigned int>(batch.size()));
-        if (!batch.empty() && (full || k > scene.times.size()))
-          k = finish(batch);
       }
     report_skips(scene, model, loads, set, log);
   }
@@ -69,50 +71,80 @@ namespace conetact
              std::clamp<std::size_t>(n_finished - first_unsure, 1, most);
   }
 
+  IncrementAnalysis::Step
+  IncrementAnalysis::solve_batch(const unsigned int             first,
+                                 std::vector<PendingIncrement> &batch)
+  {
+    const std::size_t size = batch_size(first - 1);
+    unsigned int      k    = first;
+    for (; k <= scene.times.size() && batch.size() < size; ++k)
+      {
+        batch.push_back(start(k));
+        const std::string why = solve_contact(batch.back(), history.start());
+        if (!why.empty())
+          {
+            const std::string failure = failed(batch.back().record, why);
+            batch.pop_back();
+            return {Step::Outcome::failed, k, failure, {}};
+          }
+      }
+    return {Step::Outcome::accepted, k, {}, {}};
+  }
+
   PendingIncrement
-  IncrementAnalysis::solve(const unsigned int k)
+  IncrementAnalysis::start(const unsigned int k)
   {
     PendingIncrement increment{
       {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     apply_loads(increment);
-    increment.record.report = solve_contact(increment, history.start());
     return increment;
   }
 
-  SolverReport
+  std::string
   IncrementAnalysis::solve_contact(PendingIncrement   &increment,
                                    const ContactState &guess)
   {
-    ContactState &state = increment.end;
-    state               = guess;
-    SolverReport report;
+    ContactState &state  = increment.end;
+    SolverReport &report = increment.record.report;
+    state                = guess;
+    report               = {};
     if (state.v.size() == 0)
       {
         report.converged  = true;
         report.solver     = "linear";
         increment.motions = history.free_motions();
-        return report;
+        return "";
       }
     const ContactProblem problem = history.problem(increment.load);
-    check_existence(problem, increment);
+    if (const std::string why = no_equilibrium(problem, increment);
+        !why.empty())
+      return why;
     report = solver->solve(problem, state);
     done.add(report);
-    if (problem.system->form == Form::stiffness)
-      state.u = elastic_part(problem, state);
     if (!report.converged)
-      fail(increment.record,
-           report.reason.empty() ?
-             "the residual is " + to_text(report.residual) :
-             report.reason);
+      return report.reason.empty() ?
+               "the residual is " + to_text(report.residual) :
+               report.reason;
     // nor were candidates that are left out
     if (report.substeps > 1 && !model.working_set().is_all())
-      fail(increment.record, "it was solved in parts");
+      return "it was solved in parts";
+    take_result(increment, problem);
+    return "";
+  }
+
+  void
+  IncrementAnalysis::take_result(PendingIncrement     &increment,
+                                 const ContactProblem &problem)
+  {
+    ContactState &state = increment.end;
+    if (problem.system->form == Form::stiffness)
+      state.u = elastic_part(problem, state);
     if (scene.fclib_increments.count(increment.record.increment) > 0)
       increment.record.condensed = std::make_shared<const CondensedIncrement>(
         CondensedIncrement{problem,
-                           report.substeps == 1 ?
+                           increment.record.report.substeps == 1 ?
                              std::optional<ContactState>(state) :
                              std::nullopt});
     increment.record.errors = kanno_errors(problem, state);
@@ -122,15 +154,14 @@ namespace conetact
     increment.primal  = history.primal();
     increment.motions = history.free_motions();
     increment.after   = history;
-    return report;
   }
 
-  void
-  IncrementAnalysis::check_existence(const ContactProblem   &problem,
-                                     const PendingIncrement &increment)
+  std::string
+  IncrementAnalysis::no_equilibrium(const ContactProblem   &problem,
+                                    const PendingIncrement &increment)
   {
     if (problem.system->null_space.cols() == 0)
-      return;
+      return "";
     if (!existence)
       existence = std::make_unique<ExistenceCheck>(make_existence_check(model));
     // at the start of the increment the reactions balance the load on the null
@@ -140,16 +171,14 @@ namespace conetact
                        -increment.before.start().r.head(
                          problem.system->n_contact_unknowns()),
                        history.largest_force());
-    if (!result.admissible)
-      fail(increment.record,
-           "no equilibrium exists, " + describe(result, model));
+    return result.admissible ?
+             "" :
+             "no equilibrium exists, " + describe(result, model);
   }
 
-  unsigned int
-  IncrementAnalysis::finish(std::vector<PendingIncrement> &batch)
+  Eigen::MatrixXd
+  IncrementAnalysis::deformations(const std::vector<PendingIncrement> &batch)
   {
-    if (batch.empty())
-      return std::numeric_limits<unsigned int>::max();
     std::vector<const LoadCase *> cases;
     std::vector<Eigen::VectorXd>  primal;
     for (const PendingIncrement &increment : batch)
@@ -159,43 +188,36 @@ namespace conetact
       }
     acceptance.set_stiffness(*model.condensation().system(),
                              model.working_set());
-    const Eigen::MatrixXd        w = model.condensation().expand(cases, primal);
+    return model.condensation().expand(cases, primal);
+  }
+
+  IncrementAnalysis::Step
+  IncrementAnalysis::finish(std::vector<PendingIncrement> &batch)
+  {
+    using Outcome = Step::Outcome;
+    if (batch.empty())
+      return {};
+    const Eigen::MatrixXd        w       = deformations(batch);
     const std::size_t            n_right = recover_all(batch, w);
     std::vector<IncrementRecord> finished;
-    std::vector<PendingIncrement> all = std::move(batch);
-    batch.clear();
-    for (std::size_t i = 0; i < n_right; ++i)
+    Step                         step;
+    for (std::size_t i = 0; i < n_right && step.outcome == Outcome::accepted;
+         ++i)
       {
-        bool corrected = false;
-        try
-          {
-            corrected = check(all[i], w.col(static_cast<Eigen::Index>(i)));
-          }
-        catch (const AnalysisError &)
-          {
-            write(finished);
-            history = all[i].before;
-            if (!condense_all())
-              throw;
-            return all[i].record.increment;
-          }
-        finished.push_back(std::move(all[i].record));
-        history = all[i].after;
-        if (corrected)
-          {
-            correcting = true;
-            write(finished);
-            return finished.back().increment + 1;
-            // those after it started from what was not exact
-          }
+        step = check(batch[i], w.col(static_cast<Eigen::Index>(i)));
+        const bool has_failed = step.outcome == Outcome::failed;
+        history               = has_failed ? batch[i].before : batch[i].after;
+        if (!has_failed)
+          finished.push_back(std::move(batch[i].record));
       }
     write(finished);
-    if (n_right == all.size())
-      return finished.back().increment + 1;
-    history = all[n_right].before;
-    extend_set(all[n_right].after.gaps());
-    first_unsure = all[n_right].record.increment - 1;
-    return all[n_right].record.increment;
+    if (step.outcome != Outcome::accepted || n_right == batch.size())
+      return step;
+    history = batch[n_right].before;
+    return {Outcome::needs_more_nodes,
+            batch[n_right].record.increment,
+            {},
+            batch[n_right].after.gaps()};
   }
 
   void
@@ -247,43 +269,42 @@ namespace conetact
     return true;
   }
 
-  bool
+  IncrementAnalysis::Step
   IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
   {
     constexpr unsigned int most_steps = 4;
-    const ContactHistory   latest     = history;
     Finding                finding    = acceptance.judge(increment, w);
     bool                   corrected  = false;
     for (unsigned int step = 0;
          step < most_steps && error_of(finding) > .1 * scene.solver.tolerance;
          ++step)
       {
-        PendingIncrement better = increment;
-        Eigen::VectorXd  refined;
-        try
-          {
-            refined = correct(better, w, finding);
-          }
-        catch (const AnalysisError &)
-          {
-            break; // the result at hand is judged as it is
-          }
-        Finding found = acceptance.judge(better, refined);
+        PendingIncrement better  = increment;
+        const auto       refined = correct(better, w, finding);
+        if (!refined)
+          break; // the result at hand is judged as it is
+        Finding found = acceptance.judge(better, *refined);
         if (!(error_of(found) < .5 * error_of(finding)))
           break;
         increment = std::move(better);
         finding   = std::move(found);
-        w         = refined;
+        w         = *refined;
         corrected = true;
       }
-    history = latest;
     if (corrected)
       recover(increment, w);
-    complete(increment, finding, w);
-    return corrected;
+    const unsigned int k   = increment.record.increment;
+    const std::string  why = complete(increment, finding, w);
+    if (!why.empty())
+      return {Step::Outcome::failed, k, failed(increment.record, why), {}};
+    // those after it started from what was not exact
+    return {corrected ? Step::Outcome::corrected : Step::Outcome::accepted,
+            k + 1,
+            {},
+            {}};
   }
 
-  Eigen::VectorXd
+  std::optional<Eigen::VectorXd>
   IncrementAnalysis::correct(PendingIncrement      &increment,
                              const Eigen::VectorXd &w,
                              const Finding         &finding)
@@ -306,7 +327,8 @@ namespace conetact
     history.linearise_at(increment.motions);
     const unsigned int    before = increment.record.report.iterations;
     const Eigen::VectorXd old    = increment.primal;
-    increment.record.report      = solve_contact(increment, guess);
+    if (!solve_contact(increment, guess).empty())
+      return {};
     increment.record.report.iterations += before;
     return w + elastic.correction(finding.unbalanced, increment.primal - old);
   }

@@ -204,7 +204,7 @@ namespace conetact
       }
     catch (const AnalysisError &)
       {
-        events->finish(last.parameter, "not converged");
+        events->finish(last.parameter, "not converged"); // whole, as it is
         throw;
       }
     report_outcome(result);
@@ -407,30 +407,25 @@ namespace conetact
                              model.working_set());
     const Eigen::MatrixXd        w = model.condensation().expand(cases, primal);
     std::vector<IncrementRecord> finished;
-    const auto                   write_finished = [&] {
-      write(finished);
-      for (std::size_t i = 0; i < finished.size(); ++i)
-        add_events(waiting[i].point);
-      events->write();
-      waiting.clear();
-    };
-    try
+    std::string                  failure;
+    for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
       {
-        for (std::size_t i = 0; i < waiting.size(); ++i)
-          {
-            PendingIncrement &pending = waiting[i].pending;
-            Eigen::VectorXd   wi      = w.col(static_cast<Eigen::Index>(i));
-            const Finding     finding = judge(pending, wi);
-            complete(pending, finding, wi);
-            finished.push_back(std::move(pending.record));
-          }
+        PendingIncrement &pending = waiting[i].pending;
+        Eigen::VectorXd   wi      = w.col(static_cast<Eigen::Index>(i));
+        const Finding     finding = judge(pending, wi);
+        const std::string why     = complete(pending, finding, wi);
+        if (why.empty())
+          finished.push_back(std::move(pending.record));
+        else
+          failure = failed(pending.record, why);
       }
-    catch (const AnalysisError &)
-      {
-        write_finished();
-        throw;
-      }
-    write_finished();
+    write(finished);
+    for (std::size_t i = 0; i < finished.size(); ++i)
+      add_events(waiting[i].point);
+    events->write();
+    waiting.clear();
+    if (!failure.empty())
+      throw AnalysisError(failure);
   }
 
 

@@ -58,6 +58,10 @@ namespace conetact
                  " dofs of body " + bodies.names[b] +
                  ", which no load, support motion or contact reaches");
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
+      if (const std::string caution = bodies.structures[b]->caution();
+          !caution.empty())
+        log.say("warning: body '" + bodies.names[b] + "': " + caution);
+    for (std::size_t b = 0; b < bodies.names.size(); ++b)
       if (const auto [elements, matrices] =
             bodies.structures[b]->matrix_count();
           matrices < elements)

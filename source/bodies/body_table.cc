@@ -19,6 +19,8 @@ namespace conetact
 
   namespace
   {
+    const std::string automatic = "automatic"; ///< element that suits the cells
+
     /** "continuum|frame" and a list with descriptions for the manual. */
     template <class Row>
     std::pair<std::string, std::string>
@@ -52,9 +54,17 @@ namespace conetact
     {
       const auto elements = choices(element_table<2>());
       prm.declare_entry("Element",
-                        element_table<2>().front().name,
-                        Patterns::Selection(elements.first),
-                        "Kind of elements. " + elements.second + ". [-]");
+                        automatic,
+                        Patterns::Selection(automatic + ("|" + elements.first)),
+                        "Kind of elements. automatic: " +
+                          std::string(default_element<2>(false).name) +
+                          " on quadrilaterals and hexahedra, " +
+                          default_element<2>(true).name +
+                          " on triangles and tetrahedra; " + elements.second +
+                          ". On a mesh of quadrilaterals or hexahedra " +
+                          default_element<2>(true).name +
+                          " divides each into 8 triangles or 24 tetrahedra. "
+                          "[-]");
       declare_mesh(prm);
       declare_material(prm);
     }
@@ -77,14 +87,23 @@ namespace conetact
 
     template <int dim>
     std::unique_ptr<Structure>
-    make_continuum(const MeshParameters  &mesh,
+    make_continuum(MeshParameters        &mesh,
                    const ElasticMaterial &material,
                    const std::string     &element)
     {
-      return std::make_unique<Continuum<dim>>(make_mesh<dim>(mesh),
+      const ElementRow<dim> *row = element == automatic ?
+                                     nullptr :
+                                     &find_row(element_table<dim>(), element);
+      if (row != nullptr)
+        mesh.cells = row->is_simplex ? MeshParameters::Cells::simplices :
+                                       MeshParameters::Cells::hypercubes;
+      auto triangulation = make_mesh<dim>(mesh);
+      if (row == nullptr)
+        row = &default_element<dim>(
+          !triangulation->all_reference_cells_are_hyper_cube());
+      return std::make_unique<Continuum<dim>>(std::move(triangulation),
                                               material,
-                                              find_row(element_table<dim>(),
-                                                       element));
+                                              *row);
     }
 
     std::unique_ptr<Structure>
@@ -130,7 +149,7 @@ namespace conetact
   {
     static const std::vector<BodyRow> table = {
       {"continuum",
-       "linear elastic solid on a mesh of quadrilaterals or hexahedra",
+       "linear elastic solid on a mesh of quadrilaterals, hexahedra, triangles or tetrahedra",
        &declare_continuum,
        &create_continuum},
       {"frame",

@@ -20,11 +20,13 @@ namespace conetact
       return sum;
     }
 
-    /** Tangent vectors of a bilinear face. */
+    /** Tangent vectors of a triangle or a bilinear face. */
     std::array<Tensor<1, 3>, 2>
     face_tangents(const std::vector<Point<3>> &x,
                   const std::array<double, 2> &at)
     {
+      if (x.size() == 3)
+        return {{x[1] - x[0], x[2] - x[0]}};
       const auto [a, b] = at;
       return {{(1 - b) * (x[1] - x[0]) + b * (x[3] - x[2]),
                (1 - a) * (x[2] - x[0]) + a * (x[3] - x[1])}};
@@ -37,15 +39,22 @@ namespace conetact
       return std::clamp((p - x) * along / along.norm_square(), 0., 1.);
     }
 
-    /** The nearest point of the four edges, which are straight. */
+    /** The nearest point of the edges, which are straight. */
     std::array<double, 2>
     closest_on_edges(const std::vector<Point<3>> &x, const Point<3> &p)
     {
-      const std::array<std::array<double, 2>, 4> candidates = {
-        {{{0, closest_on_segment(x[0], x[2], p)}},
-         {{1, closest_on_segment(x[1], x[3], p)}},
-         {{closest_on_segment(x[0], x[1], p), 0}},
-         {{closest_on_segment(x[2], x[3], p), 1}}}};
+      const auto on_edge = [&](const std::size_t i, const std::size_t j) {
+        return closest_on_segment(x[i], x[j], p);
+      };
+      std::vector<std::array<double, 2>> candidates = {{{0, on_edge(0, 2)}},
+                                                       {{on_edge(0, 1), 0}}};
+      if (x.size() == 3)
+        candidates.push_back({{1 - on_edge(1, 2), on_edge(1, 2)}});
+      else
+        {
+          candidates.push_back({{1, on_edge(1, 3)}});
+          candidates.push_back({{on_edge(2, 3), 1}});
+        }
       const auto distance = [&](const std::array<double, 2> &at) {
         return (Tensor<1, 3>(p) - image(x, at)).norm_square();
       };
@@ -54,6 +63,20 @@ namespace conetact
                                [&](const auto &a, const auto &b) {
                                  return distance(a) < distance(b);
                                });
+    }
+
+    /** The foot in a triangle's plane; its centre if it is outside. */
+    std::array<double, 2>
+    closest_inside_triangle(const std::vector<Point<3>> &x, const Point<3> &p)
+    {
+      const Tensor<1, 3> e = x[1] - x[0], f = x[2] - x[0], d = p - x[0];
+      const double       ee = e * e, ef = e * f, ff = f * f;
+      const double       det = ee * ff - ef * ef;
+      const double       a   = ((e * d) * ff - (f * d) * ef) / det;
+      const double       b   = ((f * d) * ee - (e * d) * ef) / det;
+      if (a >= 0 && b >= 0 && a + b <= 1)
+        return {{a, b}};
+      return {{1. / 3, 1. / 3}};
     }
 
     /**
@@ -117,6 +140,8 @@ namespace conetact
     const auto [a, b] = at;
     if (n_corners == 2)
       return {1 - a, a};
+    if (n_corners == 3)
+      return {1 - a - b, a, b};
     return {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
   }
 
@@ -149,7 +174,9 @@ namespace conetact
       return result({{closest_on_segment(corners[0], corners[1], p), 0}});
     // the distance has few minima: one inside, or those of the edges
     const ClosestPoint on_edge = result(closest_on_edges(corners, p));
-    const ClosestPoint inside  = result(closest_inside(corners, p));
+    const ClosestPoint inside =
+      result(corners.size() == 3 ? closest_inside_triangle(corners, p) :
+                                   closest_inside(corners, p));
     return on_edge.distance <= inside.distance ? on_edge : inside;
   }
 

@@ -155,6 +155,9 @@ namespace conetact
                                  .distance(body.position(face.nodes[j])));
           };
           edge(0, 1);
+          if (face.nodes.size() == 3)
+            for (const std::size_t i : {0, 1})
+              edge(i, 2);
           if (face.nodes.size() == 4)
             for (const auto &[i, j] : {std::pair(0, 2), {1, 3}, {2, 3}})
               edge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));

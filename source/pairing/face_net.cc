@@ -17,10 +17,32 @@ namespace conetact
     /** Misses below this part of a face's size are round-off. */
     constexpr double round_off = 1e-8;
 
-    /** Corners of the edges a = 0, a = 1, b = 0, b = 1, and of those opposite.
+    using EdgeCorners = std::array<unsigned int, 4>;
+
+    /**
+     * Corners of an edge and those opposite: of a quadrilateral's edges a = 0,
+     * a = 1, b = 0, b = 1; of a triangle's a = 0, b = 0, a + b = 1.
      */
-    constexpr std::array<std::array<unsigned int, 4>, 4> edge_corners = {
-      {{{0, 2, 1, 3}}, {{1, 3, 0, 2}}, {{0, 1, 2, 3}}, {{2, 3, 0, 1}}}};
+    const EdgeCorners &
+    edge_corners(const std::size_t n_corners, const std::size_t edge)
+    {
+      static constexpr std::array<EdgeCorners, 4> of_quadrilateral = {
+        {{{0, 2, 1, 3}}, {{1, 3, 0, 2}}, {{0, 1, 2, 3}}, {{2, 3, 0, 1}}}};
+      static constexpr std::array<EdgeCorners, 3> of_triangle = {
+        {{{0, 2, 1, 1}}, {{0, 1, 2, 2}}, {{1, 2, 0, 0}}}};
+      return n_corners == 3 ? of_triangle[edge] : of_quadrilateral[edge];
+    }
+
+    /** How far a point of a face is from one of its edges, over its size. */
+    double
+    distance_to_edge(const std::size_t            n_corners,
+                     const std::array<double, 2> &at,
+                     const std::size_t            edge)
+    {
+      if (n_corners == 3)
+        return edge == 2 ? 1 - at[0] - at[1] : at[edge];
+      return edge % 2 == 0 ? at[edge / 2] : 1 - at[edge / 2];
+    }
 
     using Nodes = std::vector<unsigned int>;
 
@@ -30,8 +52,8 @@ namespace conetact
     {
       if (face.nodes.size() == 2)
         return {face.nodes[edge]};
-      Nodes nodes = {face.nodes[edge_corners[edge][0]],
-                     face.nodes[edge_corners[edge][1]]};
+      const auto &c     = edge_corners(face.nodes.size(), edge);
+      Nodes       nodes = {face.nodes[c[0]], face.nodes[c[1]]};
       std::sort(nodes.begin(), nodes.end());
       return nodes;
     }
@@ -44,7 +66,7 @@ namespace conetact
         across = x[edge] - x[1 - edge];
       else
         {
-          const auto  &c     = edge_corners[edge];
+          const auto  &c     = edge_corners(x.size(), edge);
           Tensor<1, 3> along = x[c[1]] - x[c[0]];
           along /= along.norm();
           across = (x[c[0]] - x[c[2]]) + (x[c[1]] - x[c[3]]);
@@ -56,7 +78,7 @@ namespace conetact
     double
     edge_length(const FaceNet::Face &face, const std::size_t edge)
     {
-      const auto &c = edge_corners[edge];
+      const auto &c = edge_corners(face.corners.size(), edge);
       return face.corners[c[0]].distance(face.corners[c[1]]);
     }
 
@@ -74,14 +96,13 @@ namespace conetact
         }
       for (const Point<3> &corner : face.corners)
         face.radius = std::max(face.radius, face.centre.distance(corner));
-      const std::size_t n_edges = face.nodes.size() == 2 ? 2 : 4;
-      for (std::size_t e = 0; e < n_edges; ++e)
+      for (std::size_t e = 0; e < face.nodes.size(); ++e)
         {
           face.edges.push_back({across_edge(face.corners, e), {}});
-          if (n_edges == 4)
+          if (face.nodes.size() > 2)
             face.size = std::max(face.size, edge_length(face, e));
         }
-      if (n_edges == 2)
+      if (face.nodes.size() == 2)
         face.size = 2 * face.radius;
       return face;
     }
@@ -220,8 +241,7 @@ namespace conetact
   {
     std::vector<std::size_t> edges;
     for (std::size_t e = 0; e < faces[at.face].edges.size(); ++e)
-      if (const double beyond = e % 2 == 0 ? at.at[e / 2] : 1 - at.at[e / 2];
-          beyond <= round_off)
+      if (distance_to_edge(faces[at.face].nodes.size(), at.at, e) <= round_off)
         edges.push_back(e);
     return edges;
   }

@@ -76,8 +76,11 @@ namespace conetact
       const auto   is_near = [&](const double a) {
         return a >= -allowed && a <= 1 + allowed;
       };
-      return along && is_near((*along)[0]) && is_near((*along)[1]) ? *along :
-                                                                     closest;
+      if (!along || !is_near((*along)[0]) || !is_near((*along)[1]))
+        return closest;
+      const bool is_triangle = face.corners.size() == 3;
+      return is_triangle && !is_near((*along)[0] + (*along)[1]) ? closest :
+                                                                  *along;
     }
 
     bool

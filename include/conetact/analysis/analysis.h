@@ -29,9 +29,13 @@ namespace conetact
     Analysis(const Scene &scene, Log &log);
     virtual ~Analysis() = default;
 
+    /** The contact nodes that are condensed to begin with. */
+    void
+    choose_working_set();
+
     /** Sizes and what will be skipped, to the log. */
     void
-    report();
+    report() const;
 
     /** Memory and time it will take, to the log; nothing is factorised. */
     void
@@ -82,7 +86,8 @@ namespace conetact
     /** Loads and prestress at the increment's time, and what they reduce to. */
     void
     apply_loads(PendingIncrement &increment);
-    void
+    /** Its record. Returns why it is not accepted; empty: it is. */
+    std::string
     complete(PendingIncrement      &increment,
              const Finding         &finding,
              const Eigen::VectorXd &w);
@@ -91,8 +96,9 @@ namespace conetact
     /** "Increment 3 of 5", for messages. */
     virtual std::string
     name(const IncrementRecord &record) const = 0;
-    [[noreturn]] void
-    fail(const IncrementRecord &record, const std::string &why) const;
+    /** Why there is no result, as a sentence. */
+    std::string
+    failed(const IncrementRecord &record, const std::string &why) const;
 
     const Scene                         &scene;
     Log                                 &log;

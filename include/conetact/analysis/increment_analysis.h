@@ -9,6 +9,7 @@
 #include "conetact/solvers/existence.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,17 +29,42 @@ namespace conetact
     run(const std::filesystem::path &folder, const bool quiet) override;
 
   private:
+    /** What came of increments, and which one is next. */
+    struct Step
+    {
+      enum class Outcome
+      {
+        accepted,
+        corrected,        ///< accepted; those after it are to be solved anew
+        needs_more_nodes, ///< outside of the working set
+        failed
+      };
+      Outcome         outcome = Outcome::accepted;
+      unsigned int    next    = 1;
+      std::string     why;  ///< it failed, a sentence
+      Eigen::VectorXd gaps; ///< of all candidates, some negative [length]
+    };
+
     std::size_t
     batch_size(const unsigned int n_finished) const;
-    void
-    check_existence(const ContactProblem   &problem,
-                    const PendingIncrement &increment);
+    /** Solves increments from `first` on, up to one that fails. */
+    Step
+    solve_batch(const unsigned int first, std::vector<PendingIncrement> &batch);
     PendingIncrement
-    solve(const unsigned int k);
-    SolverReport
+    start(const unsigned int k);
+    /** Returns why there is no result; empty: there is. */
+    std::string
     solve_contact(PendingIncrement &increment, const ContactState &guess);
-    unsigned int
+    std::string
+    no_equilibrium(const ContactProblem   &problem,
+                   const PendingIncrement &increment);
+    void
+    take_result(PendingIncrement &increment, const ContactProblem &problem);
+    /** Recovers displacements, checks and writes. */
+    Step
     finish(std::vector<PendingIncrement> &batch);
+    Eigen::MatrixXd
+    deformations(const std::vector<PendingIncrement> &batch);
     void
     recover(PendingIncrement &increment, const Eigen::VectorXd &w) const;
     std::size_t
@@ -48,9 +74,10 @@ namespace conetact
     extend_set(const Eigen::VectorXd &gaps);
     bool
     condense_all();
-    bool
+    Step
     check(PendingIncrement &increment, Eigen::VectorXd w);
-    Eigen::VectorXd
+    /** The deformation once more, better; none: no contact solution there. */
+    std::optional<Eigen::VectorXd>
     correct(PendingIncrement      &increment,
             const Eigen::VectorXd &w,
             const Finding         &finding);

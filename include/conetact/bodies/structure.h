@@ -39,7 +39,7 @@ namespace conetact
     std::vector<Tensor<1, 3>> normals;
   };
 
-  /** Q1 face: nodes in deal.II's order (2: segment, 4: quadrilateral). */
+  /** Nodes in deal.II's order (segment, triangle, or 4: quadrilateral). */
   struct SurfaceFace
   {
     std::vector<unsigned int> nodes;
@@ -275,6 +275,13 @@ namespace conetact
                    const std::filesystem::path &file) const
     {
       write_graphics(u, u, {}, time, file);
+    }
+
+    /** What a user must know of its results, a sentence; empty: nothing. */
+    virtual std::string
+    caution() const
+    {
+      return {};
     }
 
     /** For log and dry run: "2500 cells Q1, 2601 nodes". */

@@ -17,12 +17,12 @@ namespace conetact
   using dealii::Tensor;
 
   /**
-   * The point of a Q1 face, a segment or a bilinear quadrilateral, that is
-   * nearest to p. Corners are in deal.II's order.
+   * The point of a face, a segment, a triangle or a bilinear quadrilateral,
+   * that is nearest to p. Corners are in deal.II's order.
    */
   struct ClosestPoint
   {
-    std::array<double, 2> at{{0, 0}}; ///< in [0,1]^(dim-1)
+    std::array<double, 2> at{{0, 0}}; ///< in the unit square or triangle
     Point<3>              point;
     double                distance = 0; ///< from p [length]
   };
@@ -39,7 +39,7 @@ namespace conetact
               const Tensor<1, 3>          &normal,
               const std::array<double, 2> &near);
 
-  /** Q1 shape functions of the corners at a point of the face. */
+  /** Linear or bilinear shape functions of the corners at a point. */
   std::vector<double>
   shape_values(const std::size_t n_corners, const std::array<double, 2> &at);
 

@@ -34,7 +34,7 @@ namespace conetact
     {
       std::vector<unsigned int> nodes;
       std::vector<Point<3>>     corners;
-      std::vector<Edge>         edges;   ///< a = 0, a = 1, b = 0, b = 1
+      std::vector<Edge>         edges;   ///< as many as corners
       Tensor<1, 3>              outward; ///< mean unit normal
       Point<3>                  centre;
       double radius = 0; ///< of a ball about the centre that holds it [length]

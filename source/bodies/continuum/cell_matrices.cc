@@ -25,10 +25,11 @@ namespace conetact
     template <int dim>
     struct Outline
     {
-      std::array<double, dim *((1 << dim) - 1)> x;
-      double                                    tolerance;
+      std::vector<double> x;
+      double              tolerance;
 
-      explicit Outline(const std::array<Point<dim>, (1 << dim)> &vertices)
+      explicit Outline(const std::vector<Point<dim>> &vertices)
+        : x(dim * (vertices.size() - 1))
       {
         double size = 0, distance = 0;
         for (unsigned int i = 0; i < x.size(); ++i)
@@ -48,7 +49,7 @@ namespace conetact
       {
         double key = 0;
         for (unsigned int i = 0; i < x.size(); ++i)
-          key += x[i] * std::cos(1. + 3. * i);
+          key += x[i] * std::cos(1. + 3. * static_cast<double>(i));
         return key;
       }
 
@@ -81,17 +82,18 @@ namespace conetact
   {
     std::vector<Outline<dim>>           known;
     std::multimap<double, unsigned int> by_key;
-    shape_of_cell.reserve(mesh.cells.size());
-    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+    shape_of_cell.reserve(mesh.n_cells());
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       {
-        const Outline<dim> outline(mesh.vertices(mesh.cells[cell]));
+        const Outline<dim> outline(mesh.vertices(cell));
         unsigned int       shape = cell > 0 ? shape_of_cell.back() : 0;
         if (known.empty() || !outline.equals(known[shape]))
           {
-            const double key   = outline.key();
-            const double range = outline.tolerance * outline.x.size();
-            const auto   end   = by_key.upper_bound(key + range);
-            const auto   found =
+            const double key = outline.key();
+            const double range =
+              outline.tolerance * static_cast<double>(outline.x.size());
+            const auto end = by_key.upper_bound(key + range);
+            const auto found =
               std::find_if(by_key.lower_bound(key - range),
                            end,
                            [&](const auto &entry) {
@@ -129,7 +131,7 @@ namespace conetact
   CellMatrices<dim>::compute(const unsigned int cell) const
   {
     typename Element::Matrix k =
-      thickness * element.stiffness(mesh.vertices(mesh.cells[cell]));
+      thickness * element.stiffness(mesh.vertices(cell));
     make_sums_exact(k, dim);
     return k;
   }
@@ -138,12 +140,13 @@ namespace conetact
   void
   CellMatrices<dim>::for_each(const ElementVisitor &visit) const
   {
-    std::vector<unsigned int> dofs(Element::n_dofs);
+    std::vector<unsigned int> dofs(dim * mesh.n_cell_nodes);
     typename Element::Matrix  single;
-    for (unsigned int cell = 0; cell < mesh.cells.size(); ++cell)
+    for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       {
+        const auto nodes = mesh.cell(cell);
         for (unsigned int i = 0; i < dofs.size(); ++i)
-          dofs[i] = dim * mesh.cells[cell][i / dim] + i % dim;
+          dofs[i] = dim * nodes[i / dim] + i % dim;
         const int matrix = shapes[shape_of_cell[cell]].matrix;
         if (matrix < 0)
           single = compute(cell);
@@ -159,13 +162,13 @@ namespace conetact
                               const unsigned int     end,
                               const Eigen::VectorXd &u) const
   {
-    Columns result(Element::n_dofs, end - first);
+    Columns result(dim * mesh.n_cell_nodes, end - first);
     for (unsigned int cell = first; cell < end; ++cell)
       {
-        const auto                         &nodes = mesh.cells[cell];
+        const auto                          nodes = mesh.cell(cell);
         const Eigen::Matrix<double, dim, 1> base =
           u.template segment<dim>(dim * nodes[0]);
-        for (int v = 0; v < Element::n_vertices; ++v)
+        for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
           result.template block<dim, 1>(dim * v, cell - first) =
             u.template segment<dim>(dim * nodes[v]) - base;
       }
@@ -177,8 +180,8 @@ namespace conetact
   CellMatrices<dim>::add_forces(const Eigen::VectorXd &u,
                                 Eigen::VectorXd       &f) const
   {
-    const auto n_cells = static_cast<unsigned int>(mesh.cells.size());
-    Columns    forces;
+    const unsigned int n_cells = mesh.n_cells();
+    Columns            forces;
     for (unsigned int first = 0, end = 0; first < n_cells; first = end)
       {
         const unsigned int shape = shape_of_cell[first];
@@ -191,8 +194,8 @@ namespace conetact
                       matrices[static_cast<std::size_t>(kept)]) *
           strained(first, end, u);
         for (unsigned int cell = first; cell < end; ++cell)
-          for (int v = 0; v < Element::n_vertices; ++v)
-            f.template segment<dim>(dim * mesh.cells[cell][v]) +=
+          for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
+            f.template segment<dim>(dim * mesh.cell(cell)[v]) +=
               forces.template block<dim, 1>(dim * v, cell - first);
       }
   }

@@ -3,35 +3,41 @@
 
 #include "conetact/bodies/continuum/continuum.h"
 
+#include "conetact/bodies/continuum/discretization.h"
 #include "conetact/bodies/continuum/graphics.h"
-#include "conetact/bodies/continuum/quadrature.h"
 #include "conetact/bodies/continuum/refinement.h"
 
 #include <deal.II/base/geometry_info.h>
-#include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/tria.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <map>
 
 namespace conetact
 {
+  using namespace dealii;
+
   namespace
   {
     /** How far outside its cell, in cell sizes, a point may be by round-off. */
     constexpr double point_tolerance = 1e-6;
 
-    /** f += N^T value, in the dofs of these nodes. */
-    template <int dim, class Nodes, class Shape>
-    void
-    distribute(const Nodes        &nodes,
-               const Shape        &shape,
-               const Tensor<1, 3> &value,
-               Eigen::VectorXd    &f)
+    template <int dim>
+    ContinuumMesh<dim>
+    plain(const Discretization<dim> &body)
     {
-      for (unsigned int v = 0; v < nodes.size(); ++v)
-        for (unsigned int c = 0; c < dim; ++c)
-          f[dim * nodes[v] + c] += shape[v] * value[c];
+      ContinuumMesh<dim> mesh;
+      mesh.nodes.resize(body.dof_handler.n_dofs() / dim);
+      mesh.n_cell_nodes = body.fe.dofs_per_cell / dim;
+      mesh.hanging      = body.hanging_nodes();
+      for (const auto &cell : body.dof_handler.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const unsigned int node = cell->vertex_dof_index(v, 0) / dim;
+            mesh.nodes_of_cells.push_back(node);
+            mesh.nodes[node] = cell->vertex(v);
+          }
+      return mesh;
     }
 
     template <int dim>
@@ -44,46 +50,72 @@ namespace conetact
       return values;
     }
 
-    /** Calls back for each face that has one of the ids. */
+    /**
+     * Calls back with each boundary face that has one of the ids, and the
+     * FEFaceValues there.
+     */
     template <int dim, class Visitor>
     void
-    for_each_face(const ContinuumMesh<dim> &mesh,
-                  const BoundaryIds        &ids,
-                  const Visitor            &visit)
+    for_each_face(const Discretization<dim> &body,
+                  const BoundaryIds         &ids,
+                  const Visitor             &visit)
     {
-      for (const auto &face : mesh.faces)
+      FEFaceValues<dim> values(body.mapping,
+                               body.fe,
+                               body.face_quadrature,
+                               update_values | update_quadrature_points |
+                                 update_normal_vectors | update_JxW_values);
+      for (const auto &face : body.boundary_faces)
         if (ids.count(face.id) > 0)
-          visit(face);
+          {
+            values.reinit(face.cell, face.number);
+            visit(face, values);
+          }
+    }
+
+    /** How far a point of the unit cell's space is outside of the cell. */
+    template <int dim>
+    double
+    distance_to_unit_cell(const Point<dim> &p, const bool simplex)
+    {
+      if (!simplex)
+        return GeometryInfo<dim>::distance_to_unit_cell(p);
+      double distance = -1, sum = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          distance = std::max(distance, -p[d]);
+          sum += p[d];
+        }
+      return std::max({distance, sum - 1, 0.});
     }
 
     /**
-     * The nearest active cell, by its index, and where the point lies in it;
-     * the number of cells if the point is in none. A plain loop: GridTools'
-     * search is slow for points outside and sets up maps each time.
+     * The nearest active cell and where the point lies in it; the end if the
+     * point is in none. A plain loop: GridTools' search is slow for points
+     * outside and sets up maps each time.
      */
     template <int dim>
-    std::pair<unsigned int, Point<dim>>
-    locate(const dealii::Triangulation<dim> &triangulation, const Point<dim> &p)
+    std::pair<typename Discretization<dim>::CellIterator, Point<dim>>
+    locate(const Discretization<dim> &body, const Point<dim> &p)
     {
-      const auto &mapping = dealii::StaticMappingQ1<dim>::mapping;
-      std::pair<unsigned int, Point<dim>> found(triangulation.n_active_cells(),
-                                                Point<dim>());
-      double                              nearest = point_tolerance;
-      for (const auto &cell : triangulation.active_cell_iterators())
+      std::pair<typename Discretization<dim>::CellIterator, Point<dim>> found(
+        body.dof_handler.end(), Point<dim>());
+      double nearest = point_tolerance;
+      for (const auto &cell : body.dof_handler.active_cell_iterators())
         if (cell->bounding_box().point_inside(p, point_tolerance))
           try
             {
               const Point<dim> unit =
-                mapping.transform_real_to_unit_cell(cell, p);
+                body.mapping.transform_real_to_unit_cell(cell, p);
               const double distance =
-                dealii::GeometryInfo<dim>::distance_to_unit_cell(unit);
+                distance_to_unit_cell(unit, body.has_simplices());
               if (distance < nearest)
                 {
                   nearest = distance;
-                  found   = {cell->active_cell_index(), unit};
+                  found   = {cell, unit};
                 }
             }
-          catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
+          catch (const typename Mapping<dim>::ExcTransformationFailed &)
             {} // far outside a distorted cell
       return found;
     }
@@ -117,8 +149,9 @@ namespace conetact
     std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
     const ElasticMaterial                           &elastic,
     const ElementRow<dim>                           &row)
-    : triangulation(std::move(finished_mesh))
-    , mesh(*triangulation)
+    : discretization(
+        std::make_unique<Discretization<dim>>(std::move(finished_mesh)))
+    , mesh(plain(*discretization))
     , material(elastic)
     , thickness(dim == 2 ? material.thickness : 1)
     , element_name(row.name)
@@ -179,7 +212,7 @@ namespace conetact
   Continuum<dim>::boundary_ids() const
   {
     BoundaryIds ids;
-    for (const auto &face : mesh.faces)
+    for (const auto &face : discretization->boundary_faces)
       ids.insert(face.id);
     return ids;
   }
@@ -190,23 +223,25 @@ namespace conetact
   {
     Surface                             surface;
     std::map<unsigned int, SurfaceNode> nodes;
-    for_each_face(mesh, ids, [&](const auto &face) {
-      std::array<Tensor<1, 3>, ContinuumMesh<dim>::n_face_nodes> shares;
-      Tensor<1, 3>                                               mean;
-      for (const auto &q : gauss_points(mesh, face))
+    for_each_face(*discretization, ids, [&](const auto &face, const auto &fe) {
+      const auto               &numbers = face.nodes;
+      std::vector<Tensor<1, 3>> shares(numbers.size());
+      Tensor<1, 3>              mean;
+      for (const unsigned int q : fe.quadrature_point_indices())
         {
-          mean += q.weight * q.normal;
-          for (unsigned int v = 0; v < face.nodes.size(); ++v)
+          const Tensor<1, 3> normal = to_space(fe.normal_vector(q));
+          mean += fe.JxW(q) * normal;
+          for (unsigned int v = 0; v < numbers.size(); ++v)
             {
-              const double part = thickness * q.weight * q.shape[v];
-              nodes[face.nodes[v]].area += part;
-              shares[v] += part * q.normal;
+              const double part =
+                thickness * fe.JxW(q) * fe.shape_value(face.shapes[v], q);
+              nodes[numbers[v]].area += part;
+              shares[v] += part * normal;
             }
         }
-      surface.faces.push_back(
-        {{face.nodes.begin(), face.nodes.end()}, mean / mean.norm()});
-      for (unsigned int v = 0; v < face.nodes.size(); ++v)
-        nodes[face.nodes[v]].normals.push_back(shares[v]);
+      surface.faces.push_back({numbers, mean / mean.norm()});
+      for (unsigned int v = 0; v < numbers.size(); ++v)
+        nodes[numbers[v]].normals.push_back(shares[v]);
     });
     give_to_masters(mesh.hanging, nodes);
     for (auto &[number, node] : nodes)
@@ -232,12 +267,17 @@ namespace conetact
                                const SurfaceField &traction,
                                Eigen::VectorXd    &f) const
   {
-    for_each_face(mesh, ids, [&](const auto &face) {
-      for (const auto &q : gauss_points(mesh, face))
-        distribute<dim>(face.nodes,
-                        q.shape,
-                        thickness * q.weight * traction(q.position, q.normal),
-                        f);
+    for_each_face(*discretization, ids, [&](const auto &face, const auto &fe) {
+      for (const unsigned int q : fe.quadrature_point_indices())
+        discretization->distribute(
+          face.nodes,
+          [&](const unsigned int v) {
+            return fe.shape_value(face.shapes[v], q);
+          },
+          thickness * fe.JxW(q) *
+            traction(to_space(fe.quadrature_point(q)),
+                     to_space(fe.normal_vector(q))),
+          f);
     });
   }
 
@@ -246,12 +286,24 @@ namespace conetact
   Continuum<dim>::add_body_force(const VectorField &force,
                                  Eigen::VectorXd   &f) const
   {
-    for (const auto &cell : mesh.cells)
-      for (const auto &q : gauss_points(mesh, cell))
-        distribute<dim>(cell,
-                        q.shape,
-                        thickness * q.weight * force(q.position),
-                        f);
+    const Discretization<dim> &body = *discretization;
+    FEValues<dim>              fe(body.mapping,
+                     body.fe,
+                     body.quadrature,
+                     update_values | update_quadrature_points |
+                       update_JxW_values);
+    for (const auto &cell : body.dof_handler.active_cell_iterators())
+      {
+        fe.reinit(cell);
+        for (const unsigned int q : fe.quadrature_point_indices())
+          body.distribute(
+            mesh.cell(cell->active_cell_index()),
+            [&](const unsigned int v) {
+              return fe.shape_value(body.fe.component_to_system_index(0, v), q);
+            },
+            thickness * fe.JxW(q) * force(to_space(fe.quadrature_point(q))),
+            f);
+      }
   }
 
   template <int dim>
@@ -265,14 +317,17 @@ namespace conetact
       p[d] = point[d];
     if (point.distance(to_space(p)) > 0) // off the plane of a 2D body
       return false;
-    const auto [cell, unit] = locate(*triangulation, p);
-    if (cell == triangulation->n_active_cells())
+    const Discretization<dim> &body = *discretization;
+    const auto [cell, unit]         = locate(body, p);
+    if (cell == body.dof_handler.end())
       return false;
-
-    std::array<double, ContinuumMesh<dim>::n_cell_nodes> shape;
-    for (unsigned int v = 0; v < shape.size(); ++v)
-      shape[v] = dealii::GeometryInfo<dim>::d_linear_shape_function(unit, v);
-    distribute<dim>(mesh.cells[cell], shape, force, f);
+    body.distribute(
+      mesh.cell(cell->active_cell_index()),
+      [&, at = unit](const unsigned int v) {
+        return body.fe.shape_value(body.fe.component_to_system_index(0, v), at);
+      },
+      force,
+      f);
     return true;
   }
 
@@ -282,23 +337,27 @@ namespace conetact
                                 const SurfaceTensorField &stiffness,
                                 const ElementVisitor     &visit) const
   {
-    constexpr unsigned int n = dim * ContinuumMesh<dim>::n_face_nodes;
-    for_each_face(mesh, ids, [&](const auto &face) {
-      Eigen::Matrix<double, n, n> k = Eigen::Matrix<double, n, n>::Zero();
-      for (const auto &q : gauss_points(mesh, face))
+    for_each_face(*discretization, ids, [&](const auto &face, const auto &fe) {
+      const auto      n = dim * static_cast<unsigned int>(face.nodes.size());
+      Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
+      for (const unsigned int q : fe.quadrature_point_indices())
         {
-          const Tensor<2, 3> s =
-            thickness * q.weight * stiffness(q.position, q.normal);
+          const Tensor<2, 3> s = thickness * fe.JxW(q) *
+                                 stiffness(to_space(fe.quadrature_point(q)),
+                                           to_space(fe.normal_vector(q)));
+          const auto shape = [&](const unsigned int i) {
+            return fe.shape_value(face.shapes[i / dim], q);
+          };
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j <= i; ++j)
-              k(i, j) +=
-                q.shape[i / dim] * q.shape[j / dim] * s[i % dim][j % dim];
+              k(i, j) += shape(i) * shape(j) * s[i % dim][j % dim];
         }
       k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
 
-      std::vector<unsigned int> dofs(n);
-      for (unsigned int i = 0; i < n; ++i)
-        dofs[i] = dim * face.nodes[i / dim] + i % dim;
+      std::vector<unsigned int> dofs;
+      for (const unsigned int node : face.nodes)
+        for (unsigned int c = 0; c < dim; ++c)
+          dofs.push_back(dim * node + c);
       visit(dofs, k.data());
     });
   }
@@ -313,14 +372,16 @@ namespace conetact
     using Element                  = ElementFormulation<dim>;
     const Eigen::VectorXd unit     = material.thermal_strain(dim);
     const Eigen::VectorXd at_nodes = nodal_values(mesh, change);
-    for (const auto &cell : mesh.cells)
+    const unsigned int    n        = mesh.n_cell_nodes;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       {
-        typename Element::Strains strains;
-        for (int v = 0; v < Element::n_vertices; ++v)
+        const auto                cell = mesh.cell(c);
+        typename Element::Strains strains(Element::n_strains, n);
+        for (unsigned int v = 0; v < n; ++v)
           strains.col(v) = at_nodes[cell[v]] * unit;
         const typename Element::Displacements forces =
-          thickness * element->forces(mesh.vertices(cell), strains);
-        for (int i = 0; i < Element::n_dofs; ++i)
+          thickness * element->forces(mesh.vertices(c), strains);
+        for (unsigned int i = 0; i < dim * n; ++i)
           f[dim * cell[i / dim] + i % dim] += forces[i];
       }
     return material.expansion != 0;
@@ -344,9 +405,21 @@ namespace conetact
 
   template <int dim>
   std::string
+  Continuum<dim>::caution() const
+  {
+    if (!discretization->has_simplices())
+      return {};
+    const std::string cells = dim == 2 ? "triangles" : "tetrahedra";
+    return "linear " + cells + " are too stiff in bending and lock near nu = " +
+           "0.5. Refine until results stay the same, or use " +
+           (dim == 2 ? "quadrilaterals." : "hexahedra.");
+  }
+
+  template <int dim>
+  std::string
   Continuum<dim>::description() const
   {
-    std::string text = std::to_string(mesh.cells.size()) + " cells " +
+    std::string text = std::to_string(mesh.n_cells()) + " cells " +
                        element_name + ", " + std::to_string(n_nodes()) +
                        " nodes";
     if (!mesh.hanging.empty())
@@ -358,14 +431,16 @@ namespace conetact
   Structure::MatrixCount
   Continuum<dim>::matrix_count() const
   {
-    return {static_cast<unsigned int>(mesh.cells.size()), matrices.n_shapes()};
+    return {mesh.n_cells(), matrices.n_shapes()};
   }
 
   template <int dim>
   std::vector<double>
   Continuum<dim>::element_errors(const Eigen::VectorXd &u) const
   {
-    std::vector<double> errors = squared_jumps(*triangulation, u);
+    if (discretization->has_simplices()) // no mesh that could be refined
+      return {};
+    std::vector<double> errors = squared_jumps(*discretization, u);
     for (double &error : errors)
       error *= thickness * material.young_modulus;
     return errors;

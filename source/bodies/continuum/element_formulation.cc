@@ -12,8 +12,8 @@ namespace conetact
   using dealii::Tensor;
 
   template <int dim>
-  ElementFormulation<dim>::ElementFormulation(const ElasticMaterial &material)
-    : c(material.elasticity(dim))
+  DLinearElement<dim>::DLinearElement(const ElasticMaterial &material)
+    : Base(material)
   {
     const dealii::QGauss<dim> gauss(2);
     points       = gauss.get_points();
@@ -33,9 +33,9 @@ namespace conetact
   }
 
   template <int dim>
-  typename ElementFormulation<dim>::template Gradients<
-    ElementFormulation<dim>::n_vertices>
-  ElementFormulation<dim>::unit_gradients(const dealii::Point<dim> &p)
+  typename DLinearElement<dim>::template Gradients<
+    DLinearElement<dim>::n_vertices>
+  DLinearElement<dim>::unit_gradients(const dealii::Point<dim> &p)
   {
     Gradients<n_vertices> gradients;
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -45,8 +45,8 @@ namespace conetact
 
   template <int dim>
   Tensor<2, dim>
-  ElementFormulation<dim>::jacobian(const Vertices              &vertices,
-                                    const Gradients<n_vertices> &unit)
+  DLinearElement<dim>::jacobian(const Vertices              &vertices,
+                                const Gradients<n_vertices> &unit)
   {
     Tensor<2, dim> j;
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -55,9 +55,9 @@ namespace conetact
   }
 
   template <int dim>
-  typename ElementFormulation<dim>::StrainField
-  ElementFormulation<dim>::d_linear(const Vertices &vertices,
-                                    const bool      with_vertices) const
+  typename DLinearElement<dim>::StrainField
+  DLinearElement<dim>::d_linear(const Vertices &vertices,
+                                const bool      with_vertices) const
   {
     StrainField field;
     const auto  add = [&](const Gradients<n_vertices> &unit,
@@ -80,17 +80,18 @@ namespace conetact
   }
 
   template <int dim>
-  typename ElementFormulation<dim>::Matrix
-  ElementFormulation<dim>::stiffness(const Vertices &vertices) const
+  typename DLinearElement<dim>::Matrix
+  DLinearElement<dim>::stiffness(const Vertices &vertices) const
   {
     StrainField b = d_linear(vertices, false);
     improve(vertices, b);
-    Matrix k = Matrix::Zero();
+    Eigen::Matrix<double, n_dofs, n_dofs> k =
+      Eigen::Matrix<double, n_dofs, n_dofs>::Zero();
     for (std::size_t q = 0; q < b.weights.size(); ++q)
       {
         const Eigen::Matrix<double, n_strains, n_dofs> of_dofs = b.at_points[q];
         const Eigen::Matrix<double, n_strains, n_dofs> stress =
-          (b.weights[q] * c).lazyProduct(of_dofs);
+          (b.weights[q] * this->c).lazyProduct(of_dofs);
         k += of_dofs.transpose().lazyProduct(stress);
       }
     k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
@@ -98,25 +99,25 @@ namespace conetact
   }
 
   template <int dim>
-  typename ElementFormulation<dim>::Displacements
-  ElementFormulation<dim>::forces(const Vertices &vertices,
-                                  const Strains  &initial) const
+  typename DLinearElement<dim>::Displacements
+  DLinearElement<dim>::forces(const Vertices &vertices,
+                              const Strains  &initial) const
   {
     StrainField b = d_linear(vertices, false);
     improve(vertices, b);
-    Displacements f = Displacements::Zero();
+    Displacements f = Displacements::Zero(n_dofs);
     for (std::size_t q = 0; q < b.weights.size(); ++q)
       f += b.at_points[q].transpose() *
            (b.weights[q] *
-            (c * (initial * shapes.col(static_cast<Eigen::Index>(q)))));
+            (this->c * (initial * shapes.col(static_cast<Eigen::Index>(q)))));
     return f;
   }
 
   template <int dim>
-  typename ElementFormulation<dim>::Strains
-  ElementFormulation<dim>::stresses(const Vertices      &vertices,
-                                    const Displacements &u,
-                                    const Strains       &initial) const
+  typename DLinearElement<dim>::Strains
+  DLinearElement<dim>::stresses(const Vertices      &vertices,
+                                const Displacements &u,
+                                const Strains       &initial) const
   {
     StrainField strains = d_linear(vertices, true);
     for (std::size_t i = 0; i < n_vertices; ++i)
@@ -128,12 +129,66 @@ namespace conetact
           (strains.at_vertices[i] * u - initial.col(column)).eval();
       }
     improve(vertices, strains);
-    Strains result;
+    Strains result(n_strains, n_vertices);
     for (std::size_t v = 0; v < n_vertices; ++v)
-      result.col(static_cast<Eigen::Index>(v)) = c * strains.at_vertices[v];
+      result.col(static_cast<Eigen::Index>(v)) =
+        this->c * strains.at_vertices[v];
     return result;
   }
 
-  template class ElementFormulation<2>;
-  template class ElementFormulation<3>;
+
+
+  template <int dim>
+  typename LinearElement<dim>::StrainOfCell
+  LinearElement<dim>::strain(const Vertices &vertices) const
+  {
+    Tensor<2, dim> edges; // columns, from the first vertex
+    for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int v = 0; v < dim; ++v)
+        edges[d][v] = vertices[v + 1][d] - vertices[0][d];
+    const Tensor<2, dim> inverse = invert(edges);
+
+    typename Base::template Gradients<n_vertices> gradients;
+    for (unsigned int v = 0; v < dim; ++v)
+      {
+        gradients[v + 1] = inverse[v];
+        gradients[0] -= inverse[v];
+      }
+    return {this->template strain_matrix<n_vertices>(gradients),
+            determinant(edges) / (dim == 2 ? 2 : 6)};
+  }
+
+  template <int dim>
+  typename LinearElement<dim>::Matrix
+  LinearElement<dim>::stiffness(const Vertices &vertices) const
+  {
+    const auto [b, volume] = strain(vertices);
+    Matrix k               = b.transpose() * (volume * this->c) * b;
+    k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
+    return k;
+  }
+
+  template <int dim>
+  typename LinearElement<dim>::Displacements
+  LinearElement<dim>::forces(const Vertices &vertices,
+                             const Strains  &initial) const
+  {
+    const auto [b, volume] = strain(vertices); // the mean is what counts
+    return b.transpose() * (volume * this->c * initial.rowwise().mean());
+  }
+
+  template <int dim>
+  typename LinearElement<dim>::Strains
+  LinearElement<dim>::stresses(const Vertices      &vertices,
+                               const Displacements &u,
+                               const Strains       &initial) const
+  {
+    const Eigen::Matrix<double, n_strains, 1> uniform = strain(vertices).b * u;
+    return this->c * (uniform.replicate(1, n_vertices) - initial);
+  }
+
+  template class DLinearElement<2>;
+  template class DLinearElement<3>;
+  template class LinearElement<2>;
+  template class LinearElement<3>;
 } // namespace conetact

@@ -5,6 +5,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+
 namespace conetact
 {
   using dealii::Point;
@@ -19,13 +21,13 @@ namespace conetact
      * along z takes its third of the change.
      */
     template <int dim>
-    class BBar : public ElementFormulation<dim>
+    class BBar : public DLinearElement<dim>
     {
     public:
-      using ElementFormulation<dim>::ElementFormulation;
+      using DLinearElement<dim>::DLinearElement;
 
     private:
-      using Base = ElementFormulation<dim>;
+      using Base = DLinearElement<dim>;
       using typename Base::Columns;
       using typename Base::StrainField;
       using typename Base::Vertices;
@@ -63,13 +65,13 @@ namespace conetact
      * Engrg. 10 (1976) 1211-1219).
      */
     template <int dim>
-    class IncompatibleModes : public ElementFormulation<dim>
+    class IncompatibleModes : public DLinearElement<dim>
     {
     public:
-      using ElementFormulation<dim>::ElementFormulation;
+      using DLinearElement<dim>::DLinearElement;
 
     private:
-      using Base = ElementFormulation<dim>;
+      using Base = DLinearElement<dim>;
       using typename Base::Columns;
       using typename Base::StrainField;
       using typename Base::Vertices;
@@ -144,7 +146,7 @@ namespace conetact
       // nothing locks where the thickness is free to change
       const bool is_free =
         dim == 2 && material.plane == ElasticMaterial::Plane::stress;
-      return is_free ? create<dim, ElementFormulation>(material) :
+      return is_free ? create<dim, DLinearElement>(material) :
                        create<dim, BBar>(material);
     }
   } // namespace
@@ -155,18 +157,41 @@ namespace conetact
   {
     static const std::vector<ElementRow<dim>> table = {
       {"Q1",
+       false,
        "bi- or trilinear displacements, full integration; too stiff in bending "
        "and near nu = 0.5",
-       &create<dim, ElementFormulation>},
+       &create<dim, DLinearElement>},
       {"Q1 B-bar",
+       false,
        "Q1 with one dilatation a cell, the mean, for nu near 0.5 (in plane "
        "stress, where nothing locks, it is Q1)",
        &create_b_bar<dim>},
       {"Q1 incompatible modes",
+       false,
        "Q1 with internal modes, exact for bending of rectangular cells",
-       &create<dim, IncompatibleModes>}};
+       &create<dim, IncompatibleModes>},
+      {"P1",
+       true,
+       "linear displacements on triangles or tetrahedra, uniform strains; far "
+       "too stiff in bending, locks near nu = 0.5",
+       &create<dim, LinearElement>}};
     return table;
   }
+
+  template <int dim>
+  const ElementRow<dim> &
+  default_element(const bool simplices)
+  {
+    const auto &table = element_table<dim>();
+    return *std::find_if(table.begin(), table.end(), [&](const auto &row) {
+      return row.is_simplex == simplices;
+    });
+  }
+
+  template const ElementRow<2> &
+  default_element<2>(const bool);
+  template const ElementRow<3> &
+  default_element<3>(const bool);
 
   template const std::vector<ElementRow<2>> &
   element_table<2>();

@@ -87,6 +87,18 @@ namespace conetact
          -1,
          -1,
          [](A a, D) { return product(a[0]); }},
+        {"subdivided_hyper_cube_with_simplices",
+         "nxxb",
+         1,
+         2,
+         [](A a, D dim) {
+           return (dim == 2 ? 2 : 5) * std::pow(a[0][0], dim);
+         }},
+        {"subdivided_hyper_rectangle_with_simplices",
+         "cppb",
+         -1,
+         -1,
+         [](A a, D dim) { return (dim == 2 ? 2 : 5) * product(a[0]); }},
         {"cheese",
          "c",
          -1,

@@ -33,14 +33,14 @@ namespace conetact
       using Patch = dealii::DataOutBase::Patch<dim, 3>;
 
       NodalOutput(const ContinuumMesh<dim> &mesh, const NodalFields &fields)
-        : patches(mesh.cells.size())
+        : patches(mesh.n_cells())
       {
-        for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+        for (unsigned int c = 0; c < mesh.n_cells(); ++c)
           {
-            const auto &cell     = mesh.cells[c];
-            Patch      &patch    = patches[c];
+            const auto cell      = mesh.cell(c);
+            Patch     &patch     = patches[c];
             patch.patch_index    = c;
-            patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
+            patch.reference_cell = kind(mesh.n_cell_nodes);
             patch.data.reinit(n_fields, static_cast<unsigned int>(cell.size()));
             for (unsigned int v = 0; v < cell.size(); ++v)
               {
@@ -53,6 +53,14 @@ namespace conetact
 
     private:
       std::vector<Patch> patches;
+
+      static dealii::ReferenceCell
+      kind(const unsigned int n_nodes)
+      {
+        return n_nodes == dim + 1 ?
+                 dealii::ReferenceCells::get_simplex<dim>() :
+                 dealii::ReferenceCells::get_hypercube<dim>();
+      }
 
       const std::vector<Patch> &
       get_patches() const override
@@ -89,19 +97,22 @@ namespace conetact
       const Eigen::VectorXd thermal = material.thermal_strain(dim);
       const auto      n_nodes = static_cast<Eigen::Index>(mesh.nodes.size());
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Element::n_strains, n_nodes);
-      Eigen::VectorXd n_cells = Eigen::VectorXd::Zero(n_nodes);
-      for (const auto &cell : mesh.cells)
+      Eigen::VectorXd n_cells           = Eigen::VectorXd::Zero(n_nodes);
+      const unsigned int              n = mesh.n_cell_nodes;
+      typename Element::Displacements w_cell(dim * n);
+      typename Element::Strains       initial(Element::n_strains, n);
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
         {
-          typename Element::Displacements w_cell;
-          for (int v = 0; v < Element::n_vertices; ++v)
-            w_cell.template segment<dim>(dim * v) =
-              w.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
-          typename Element::Strains initial;
-          for (int v = 0; v < Element::n_vertices; ++v)
-            initial.col(v) = temperature[cell[v]] * thermal;
+          const auto cell = mesh.cell(c);
+          for (unsigned int v = 0; v < n; ++v)
+            {
+              w_cell.template segment<dim>(dim * v) =
+                w.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
+              initial.col(v) = temperature[cell[v]] * thermal;
+            }
           const typename Element::Strains stresses =
-            element.stresses(mesh.vertices(cell), w_cell, initial);
-          for (int v = 0; v < Element::n_vertices; ++v)
+            element.stresses(mesh.vertices(c), w_cell, initial);
+          for (unsigned int v = 0; v < n; ++v)
             {
               sum.col(cell[v]) += stresses.col(v);
               n_cells[cell[v]] += 1;

@@ -7,14 +7,17 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/continuum/generator_arguments.h"
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <sstream>
+#include <tuple>
 
 namespace conetact
 {
@@ -24,9 +27,11 @@ namespace conetact
   namespace
   {
     template <int dim>
-    const char *
-    cell_name()
+    std::string
+    cell_name(const bool simplices)
     {
+      if (simplices)
+        return dim == 2 ? "triangles" : "tetrahedra";
       return dim == 2 ? "quadrilaterals" : "hexahedra";
     }
 
@@ -74,6 +79,76 @@ namespace conetact
              "; points and lists have ',' between their components).";
     }
 
+    /** "3, 2 : 0, 0 : 1, 1 : true" as what a function takes. */
+    template <class... Types>
+    std::tuple<Types...>
+    read_arguments(const std::string &text)
+    {
+      std::tuple<Types...> arguments;
+      dealii::Patterns::Tools::to_value(text, arguments);
+      return arguments;
+    }
+
+    /** Ids 0, 1 at the ends along x, then 2, 3 along y, 4, 5 along z. */
+    template <int dim>
+    void
+    color_sides(Triangulation<dim>       &mesh,
+                const dealii::Point<dim> &lower,
+                const dealii::Point<dim> &upper)
+    {
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          for (unsigned int d = 0; d < dim; ++d)
+            if (const double along =
+                  (face->center()[d] - lower[d]) / (upper[d] - lower[d]);
+                std::abs(along - .5) > .5 - 1e-9)
+              face->set_boundary_id(2 * d + (along > .5));
+    }
+
+    /**
+     * Blocks of triangles and tetrahedra, which deal.II neither knows by name
+     * nor colours.
+     */
+    template <int dim>
+    bool
+    generate_simplices(Triangulation<dim>   &mesh,
+                       const MeshParameters &parameters)
+    {
+      using dealii::Point;
+      std::vector<unsigned int> cells(dim);
+      Point<dim>                lower, upper;
+      bool                      colorize = false;
+      if (parameters.generator == "subdivided_hyper_cube_with_simplices")
+        {
+          const auto [n, left, right, color] =
+            read_arguments<unsigned int, double, double, bool>(
+              parameters.arguments);
+          std::fill(cells.begin(), cells.end(), n);
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              lower[d] = left;
+              upper[d] = right;
+            }
+          colorize = color;
+        }
+      else if (parameters.generator ==
+               "subdivided_hyper_rectangle_with_simplices")
+        std::tie(cells, lower, upper, colorize) =
+          read_arguments<std::vector<unsigned int>,
+                         Point<dim>,
+                         Point<dim>,
+                         bool>(parameters.arguments);
+      else
+        return false;
+      dealii::GridGenerator::subdivided_hyper_rectangle_with_simplices(mesh,
+                                                                       cells,
+                                                                       lower,
+                                                                       upper);
+      if (colorize)
+        color_sides(mesh, lower, upper);
+      return true;
+    }
+
     template <int dim>
     void
     generate(Triangulation<dim> &mesh, const MeshParameters &parameters)
@@ -81,8 +156,9 @@ namespace conetact
       check_generator_arguments(parameters, dim);
       try
         {
-          dealii::GridGenerator::generate_from_name_and_arguments(
-            mesh, parameters.generator, parameters.arguments);
+          if (!generate_simplices(mesh, parameters))
+            dealii::GridGenerator::generate_from_name_and_arguments(
+              mesh, parameters.generator, parameters.arguments);
         }
       catch (const std::exception &error)
         {
@@ -224,33 +300,63 @@ namespace conetact
         }
       catch (const std::exception &error)
         {
-          throw InputError(where + "'" + parameters.file.string() +
-                           "' cannot be read as a mesh of " + cell_name<dim>() +
-                           ". Check that it is whole and " + "of dimension " +
-                           std::to_string(dim) + ". (" + message_of(error) +
-                           ")");
+          throw InputError(
+            where + "'" + parameters.file.string() +
+            "' cannot be read as a mesh of " + cell_name<dim>(false) + " or " +
+            cell_name<dim>(true) + ". Check that it is whole and " +
+            "of dimension " + std::to_string(dim) + ". (" + message_of(error) +
+            ")");
         }
     }
 
 
 
+    /** Each quadrilateral into 8 triangles, each hexahedron 24 tetrahedra. */
     template <int dim>
-    void
-    refuse_simplices(const Triangulation<dim> &mesh,
-                     const MeshParameters     &parameters)
+    std::unique_ptr<Triangulation<dim>>
+    divide_into_simplices(const Triangulation<dim> &mesh,
+                          const MeshParameters     &parameters)
     {
-      const std::string where =
-        parameters.where + (parameters.file.empty() ? "Generator: " : "File: ");
-      if (mesh.n_active_cells() == 0)
-        throw InputError(where + "the mesh has no cells. Check the arguments.");
-      if (!mesh.all_reference_cells_are_hyper_cube())
-        throw InputError(
-          where + "the mesh has cells that are not " + cell_name<dim>() +
-          " (triangles, tetrahedra, ...). Use a mesh of " + cell_name<dim>() +
-          " only (in Gmsh: 'Mesh.RecombineAll = 1; " +
-          "Mesh.SubdivisionAlgorithm = " + std::to_string(dim - 1) + ";').");
+      check_mesh_size(parameters,
+                      dim,
+                      (dim == 2 ? 8. : 24.) * mesh.n_active_cells(),
+                      "Element");
+      auto result = std::make_unique<Triangulation<dim>>();
+      dealii::GridGenerator::convert_hypercube_to_simplex_mesh(mesh, *result);
+      for (const auto id : mesh.get_manifold_ids())
+        if (id != dealii::numbers::flat_manifold_id)
+          result->set_manifold(id, mesh.get_manifold(id));
+      return result;
     }
 
+    /** The cells that elements ask for, all of one kind. */
+    template <int dim>
+    void
+    settle_cells(std::unique_ptr<Triangulation<dim>> &mesh,
+                 const MeshParameters                &parameters)
+    {
+      using Cells = MeshParameters::Cells;
+      const std::string where =
+        parameters.where + (parameters.file.empty() ? "Generator: " : "File: ");
+      if (mesh->n_active_cells() == 0)
+        throw InputError(where + "the mesh has no cells. Check the arguments.");
+      const bool simplices  = mesh->all_reference_cells_are_simplex();
+      const bool hypercubes = mesh->all_reference_cells_are_hyper_cube();
+      if (!simplices && !hypercubes)
+        throw InputError(where + "the mesh has cells of several kinds, or " +
+                         "wedges or pyramids. Use a mesh of " +
+                         cell_name<dim>(false) + " only or of " +
+                         cell_name<dim>(true) + " only.");
+      if (simplices && parameters.cells == Cells::hypercubes)
+        throw InputError(
+          where + "the mesh has " + cell_name<dim>(true) +
+          ", but Element is for " + cell_name<dim>(false) +
+          ". Set Element = P1 or automatic, or use a mesh of " +
+          cell_name<dim>(false) + " (in Gmsh: 'Mesh.RecombineAll = 1; " +
+          "Mesh.SubdivisionAlgorithm = " + std::to_string(dim - 1) + ";').");
+      if (hypercubes && parameters.cells == Cells::simplices)
+        mesh = divide_into_simplices(*mesh, parameters);
+    }
   } // namespace
 
   template <int dim>
@@ -262,7 +368,7 @@ namespace conetact
       generate(*mesh, parameters);
     else
       read(*mesh, parameters);
-    refuse_simplices(*mesh, parameters);
+    settle_cells(mesh, parameters);
     return mesh;
   }
 

@@ -67,6 +67,27 @@ namespace conetact
       mesh.reset_all_manifolds();
     }
 
+    /** Of the edges that leave each vertex; a simplex has one for all. */
+    template <int dim, class Cell>
+    std::vector<double>
+    volumes_at_vertices(const Cell &cell)
+    {
+      constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
+      Point<dim>             x[n];
+      for (const unsigned int v : cell.vertex_indices())
+        x[v] = cell.vertex(v);
+      if (cell.reference_cell().is_simplex())
+        {
+          Tensor<2, dim> edges;
+          for (unsigned int d = 0; d < dim; ++d)
+            edges[d] = x[d + 1] - x[0];
+          return {determinant(edges)};
+        }
+      Tensor<0, dim> volumes[n];
+      GeometryInfo<dim>::alternating_form_at_vertices(x, volumes);
+      return {volumes, volumes + n};
+    }
+
     template <int dim>
     void
     refuse_distorted(const Triangulation<dim> &mesh,
@@ -74,15 +95,9 @@ namespace conetact
     {
       for (const auto &cell : mesh.active_cell_iterators())
         {
-          constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
-          Point<dim>             vertices[n];
-          Tensor<0, dim>         volumes[n];
-          for (unsigned int v = 0; v < n; ++v)
-            vertices[v] = cell->vertex(v);
-          GeometryInfo<dim>::alternating_form_at_vertices(vertices, volumes);
-
-          const double limit = 1e-12 * std::pow(cell->diameter(), dim);
-          for (unsigned int v = 0; v < n; ++v)
+          const auto   volumes = volumes_at_vertices<dim>(*cell);
+          const double limit   = 1e-12 * std::pow(cell->diameter(), dim);
+          for (unsigned int v = 0; v < volumes.size(); ++v)
             if (!(volumes[v] > limit))
               throw InputError(
                 parameters.where +
@@ -90,7 +105,7 @@ namespace conetact
                 "the cell at " +
                 to_text(Tensor<1, 3>(to_space(cell->center()))) +
                 " is distorted: it is folded or flat at its corner " +
-                to_text(Tensor<1, 3>(to_space(vertices[v]))) +
+                to_text(Tensor<1, 3>(to_space(cell->vertex(v)))) +
                 ". Give convex cells, or check that the mesh has dimension " +
                 std::to_string(dim) + ".");
         }
@@ -120,6 +135,24 @@ namespace conetact
         }
     }
 
+    /** deal.II has no nodes that hang between triangles or tetrahedra. */
+    template <int dim>
+    void
+    refuse_local_refinement(const Triangulation<dim> &mesh,
+                            const MeshParameters     &parameters)
+    {
+      if (mesh.all_reference_cells_are_hyper_cube())
+        return;
+      for (const auto &[asked, entry] :
+           {std::pair(!parameters.boxes.empty(), "Refinement boxes"),
+            std::pair(!parameters.zones.empty(), "Refinement distance")})
+        if (asked)
+          throw InputError(parameters.where + entry + ": triangles and " +
+                           "tetrahedra are refined everywhere only. Use " +
+                           "Global refinements, or a mesh that is finer " +
+                           "where it matters.");
+    }
+
     template <int dim>
     void
     refine_globally(Triangulation<dim> &mesh, const MeshParameters &parameters)
@@ -140,10 +173,12 @@ namespace conetact
   {
     auto mesh = generate_or_read<dim>(parameters);
     refine_globally(*mesh, parameters);
+    refuse_local_refinement(*mesh, parameters);
     refine_locally(*mesh, parameters);
     tag(*mesh, parameters);
     refine_elements(*mesh, parameters.refinements);
-    straighten_hanging_vertices(*mesh);
+    if (mesh->has_hanging_nodes())
+      straighten_hanging_vertices(*mesh);
     place(*mesh, parameters);
     refuse_distorted(*mesh, parameters);
     return mesh;

@@ -36,13 +36,14 @@ namespace conetact
         "separated by ':'; the components of points and lists by ','. For "
         "subdivided_hyper_rectangle: '50, 50 : 0, 0 : 80, 80 : true' (cells "
         "a direction, two corners, boundary ids 0 to 3 for left, right, "
-        "bottom, top). [length]");
+        "bottom, top); subdivided_hyper_rectangle_with_simplices takes the "
+        "same. [length]");
       prm.declare_entry(
         "File",
         "",
         Patterns::Anything(),
-        "A file with a mesh of quadrilaterals (2D) or hexahedra (3D), "
-        "relative to the scene's folder. Known by extension: Gmsh (.msh, "
+        "A file with a mesh of quadrilaterals or of triangles (2D), of "
+        "hexahedra or of tetrahedra (3D), relative to the scene's folder. Known by extension: Gmsh (.msh, "
         "ASCII, versions 1, 2 and 4; physical groups of lines or surfaces "
         "become boundary ids), .vtk, .vtu, .unv, .inp (Abaqus and UCD), .ucd, "
         ".xda, .dbmesh, Tecplot's .dat. [length]");

@@ -349,7 +349,7 @@ TEST(MeshInput, FilesAreChecked)
            "a.msh",
            replaced(gmsh_2, "4 3 2 1 1 5 2 3 6", "4 2 2 1 1 5 2 3")),
     "Mesh/File",
-    "not quadrilaterals");
+    "several kinds");
   expect_refusal(refuse(2,
                         "a.msh",
                         replaced(gmsh_2, "6 1 1 0", "6 1.9 0.05 0")),

@@ -142,20 +142,22 @@ TEST(Temperature, StressOutOfThePlane)
   steel.poisson_ratio = nu;
   steel.expansion     = alpha;
   using Element       = ElementFormulation<2>;
-  Element::Vertices      vertices;
-  Element::Displacements u;
-  for (unsigned int v = 0; v < 4; ++v)
-    {
-      vertices[v] = dealii::GeometryInfo<2>::unit_cell_vertex(v);
-      u.segment<2>(2 * v) << .03 * vertices[v][0], .01 * vertices[v][1];
-    }
+  // the first three vertices of the unit square are those of the triangle
   const auto stresses = [&](const ElementRow<2> &row) -> Element::Strains {
+    const unsigned int     n = row.is_simplex ? 3 : 4;
+    Element::Vertices      vertices;
+    Element::Displacements u(2 * n);
+    for (unsigned int v = 0; v < n; ++v)
+      {
+        vertices.push_back(dealii::GeometryInfo<2>::unit_cell_vertex(v));
+        u.segment<2>(2 * v) << .03 * vertices[v][0], .01 * vertices[v][1];
+      }
     const Element::Strains heated =
-      change * steel.thermal_strain(2).replicate(1, 4);
+      change * steel.thermal_strain(2).replicate(1, n);
     return row.create(steel)->stresses(vertices, u, heated);
   };
   for (const auto &row : element_table<2>())
-    for (unsigned int v = 0; v < 4; ++v)
+    for (unsigned int v = 0; v < (row.is_simplex ? 3 : 4); ++v)
       {
         steel.plane             = ElasticMaterial::Plane::strain;
         const Eigen::Vector4d s = stresses(row).col(v);

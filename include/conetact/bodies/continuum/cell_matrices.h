@@ -66,7 +66,7 @@ namespace conetact
     std::vector<typename Element::Matrix> matrices;
 
     /** A column for each cell, its vertices' values or forces. */
-    using Columns = Eigen::Matrix<double, Element::n_dofs, Eigen::Dynamic>;
+    using Columns = Eigen::MatrixXd;
 
     void
     find_shapes();

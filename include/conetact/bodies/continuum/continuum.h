@@ -14,20 +14,29 @@
 #include <string>
 #include <vector>
 
+namespace dealii
+{
+  template <int dim, int spacedim>
+  class Triangulation;
+}
+
 namespace conetact
 {
+  template <int dim>
+  struct Discretization;
+
   /**
-   * A body of quadrilaterals (2D) or hexahedra (3D) with a displacement at each
-   * vertex, @f$K = \int B^T C B\,dx@f$. The dofs of node i are `dim * i + c`.
+   * A body of quadrilaterals or triangles (2D), hexahedra or tetrahedra (3D)
+   * with a displacement at each vertex, @f$K = \int B^T C B\,dx@f$.
    */
   template <int dim>
   class Continuum : public Structure
   {
   public:
-    /** Of a finished mesh, see make_mesh(), and a row of element_table(). */
+    /** Of a finished mesh, see make_mesh(), and a row for its cells. */
     Continuum(std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
               const ElasticMaterial                           &elastic,
-              const ElementRow<dim> &row = element_table<dim>().front());
+              const ElementRow<dim>                           &row);
     ~Continuum() override;
 
     unsigned int
@@ -69,7 +78,7 @@ namespace conetact
                   const SurfaceTensorField &stiffness,
                   const ElementVisitor     &visit) const override;
 
-    /** The temperature is taken at the nodes and d-linear between them. */
+    /** The temperature is taken at the nodes and linear between them. */
     bool
     add_temperature(const ScalarField &change,
                     Eigen::VectorXd   &f) const override;
@@ -81,6 +90,9 @@ namespace conetact
                    const Actions               &actions,
                    const double                 time,
                    const std::filesystem::path &file) const override;
+    /** Of triangles and tetrahedra: they lock. */
+    std::string
+    caution() const override;
     std::string
     description() const override;
     /** Cells that are translated copies of each other are congruent. */
@@ -90,13 +102,13 @@ namespace conetact
     element_errors(const Eigen::VectorXd &u) const override;
 
   private:
-    std::unique_ptr<dealii::Triangulation<dim, dim>> triangulation;
-    ContinuumMesh<dim>                               mesh;
-    ElasticMaterial                                  material;
-    double                                           thickness; ///< 1 in 3D
-    const char                                      *element_name;
-    std::unique_ptr<ElementFormulation<dim>>         element;
-    CellMatrices<dim>                                matrices;
+    std::unique_ptr<const Discretization<dim>> discretization;
+    ContinuumMesh<dim>                         mesh;
+    ElasticMaterial                            material;
+    double                                     thickness; ///< 1 in 3D
+    const char                                *element_name;
+    std::unique_ptr<ElementFormulation<dim>>   element;
+    CellMatrices<dim>                          matrices;
   };
 } // namespace conetact
 

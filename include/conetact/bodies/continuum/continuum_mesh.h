@@ -6,49 +6,42 @@
 
 #include "conetact/bodies/structure.h"
 
-#include <array>
-#include <vector>
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/point.h>
 
-namespace dealii
-{
-  template <int dim, int spacedim>
-  class Triangulation;
-}
+#include <vector>
 
 namespace conetact
 {
   /**
-   * A mesh as plain arrays: numbered nodes, cells, boundary faces, hanging
-   * nodes. Nodes are numbered like the dofs of deal.II's FE_Q(1).
+   * Nodes and cells of a mesh as plain arrays, for what runs over all of them
+   * often. All cells have the same number of nodes, in deal.II's order.
    */
   template <int dim>
   struct ContinuumMesh
   {
-    static constexpr unsigned int n_cell_nodes = 1u << dim;
-    static constexpr unsigned int n_face_nodes = 1u << (dim - 1);
-    using CellNodes = std::array<unsigned int, n_cell_nodes>;
-    using FaceNodes = std::array<unsigned int, n_face_nodes>;
+    std::vector<Point<dim>>   nodes;
+    unsigned int              n_cell_nodes = 0;
+    std::vector<unsigned int> nodes_of_cells; ///< one active cell by another
+    std::vector<HangingNode>  hanging;
 
-    struct Face
+    unsigned int
+    n_cells() const
     {
-      FaceNodes    nodes;
-      unsigned int id;     ///< boundary id
-      bool         inward; ///< direction of the normal by the nodes' order
-    };
-
-    std::vector<Point<dim>>  nodes;
-    std::vector<CellNodes>   cells; ///< in the order of active cells
-    std::vector<Face>        faces; ///< of the boundary
-    std::vector<HangingNode> hanging;
-
-    explicit ContinuumMesh(const dealii::Triangulation<dim, dim> &mesh);
-
-    std::array<Point<dim>, n_cell_nodes>
-    vertices(const CellNodes &cell) const
+      return static_cast<unsigned int>(nodes_of_cells.size()) / n_cell_nodes;
+    }
+    dealii::ArrayView<const unsigned int>
+    cell(const unsigned int number) const
     {
-      std::array<Point<dim>, n_cell_nodes> points;
-      for (unsigned int v = 0; v < n_cell_nodes; ++v)
-        points[v] = nodes[cell[v]];
+      return {&nodes_of_cells[std::size_t{number} * n_cell_nodes],
+              n_cell_nodes};
+    }
+    std::vector<Point<dim>>
+    vertices(const unsigned int number) const
+    {
+      std::vector<Point<dim>> points;
+      for (const unsigned int node : cell(number))
+        points.push_back(nodes[node]);
       return points;
     }
   };
@@ -62,6 +55,12 @@ namespace conetact
     for (unsigned int d = 0; d < dim; ++d)
       q[d] = p[d];
     return q;
+  }
+  template <int dim>
+  Tensor<1, 3>
+  to_space(const Tensor<1, dim> &v)
+  {
+    return to_space(Point<dim>(v));
   }
 } // namespace conetact
 

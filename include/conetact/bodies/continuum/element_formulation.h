@@ -17,71 +17,62 @@
 namespace conetact
 {
   /**
-   * How the strains @f$\bar B u@f$ of a cell with 2^dim vertices follow from
-   * the displacements of these vertices, and from them its stiffness
-   * @f$\int \bar B^T C \bar B\,dx@f$, by 2^dim Gauss points. Here
-   * @f$\bar B@f$ is that of d-linear displacements (Q1); derived elements
-   * improve it. Vertices come in deal.II's order, dof `dim * vertex +
-   * component`; strains and stresses as in ElasticMaterial::elasticity().
-   * Without the thickness of 2D bodies.
+   * How the strains @f$\bar B u@f$ of a cell follow from the displacements of
+   * its vertices, and from them its stiffness
+   * @f$\int \bar B^T C \bar B\,dx@f$. Vertices come in deal.II's order, dof
+   * `dim * vertex + component`; strains and stresses as in
+   * ElasticMaterial::elasticity(). Without the thickness of 2D bodies.
    */
   template <int dim>
   class ElementFormulation
   {
   public:
-    static constexpr int n_vertices = 1 << dim;
-    static constexpr int n_dofs     = dim * n_vertices;
-    static constexpr int n_strains  = 2 * dim;
+    static constexpr int most_vertices = 1 << dim;
+    static constexpr int most_dofs     = dim * most_vertices;
+    static constexpr int n_strains     = 2 * dim;
 
-    using Vertices      = std::array<dealii::Point<dim>, n_vertices>;
-    using Displacements = Eigen::Matrix<double, n_dofs, 1>;
-    using Matrix        = Eigen::Matrix<double, n_dofs, n_dofs>;
-    using Elasticity    = Eigen::Matrix<double, n_strains, n_strains>;
+    using Vertices = std::vector<dealii::Point<dim>>;
+    using Displacements =
+      Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_dofs, 1>;
+    using Matrix     = Eigen::Matrix<double,
+                                 Eigen::Dynamic,
+                                 Eigen::Dynamic,
+                                 Eigen::ColMajor,
+                                 most_dofs,
+                                 most_dofs>;
+    using Elasticity = Eigen::Matrix<double, n_strains, n_strains>;
     /** A column for each vertex. */
-    using Strains = Eigen::Matrix<double, n_strains, n_vertices>;
+    using Strains = Eigen::Matrix<double,
+                                  n_strains,
+                                  Eigen::Dynamic,
+                                  Eigen::ColMajor,
+                                  n_strains,
+                                  most_vertices>;
 
-    explicit ElementFormulation(const ElasticMaterial &material);
+    explicit ElementFormulation(const ElasticMaterial &material)
+      : c(material.elasticity(dim))
+    {}
     virtual ~ElementFormulation() = default;
 
     /** Exactly symmetric. */
-    Matrix
-    stiffness(const Vertices &vertices) const;
+    virtual Matrix
+    stiffness(const Vertices &vertices) const = 0;
     /**
      * Nodal forces @f$\int \bar B^T C \varepsilon_0\,dx@f$ that would cause
      * strains of themselves, such as those of a change of temperature, given
-     * at the vertices and d-linear between them.
+     * at the vertices and linear between them.
      */
-    Displacements
-    forces(const Vertices &vertices, const Strains &initial) const;
+    virtual Displacements
+    forces(const Vertices &vertices, const Strains &initial) const = 0;
     /** At the vertices, as this cell sees them, less those of `initial`. */
-    Strains
+    virtual Strains
     stresses(const Vertices      &vertices,
              const Displacements &u,
-             const Strains       &initial) const;
+             const Strains       &initial) const = 0;
 
   protected:
-    /** Columns of strains, one or one for each dof. */
-    using Columns =
-      Eigen::Matrix<double, n_strains, Eigen::Dynamic, 0, n_strains, n_dofs>;
-    /** Strains in a cell, those at vertices where they are asked for. */
-    struct StrainField
-    {
-      std::vector<Columns> at_points, at_vertices;
-      std::vector<double>  weights; ///< volumes of the Gauss points
-    };
     template <int n>
     using Gradients = std::array<dealii::Tensor<1, dim>, n>;
-
-    /** Turns strains of d-linear displacements into those of this element. */
-    virtual void
-    improve(const Vertices &, StrainField &) const
-    {}
-
-    /** @f$\partial x / \partial \xi@f$ at a point of the unit cell. */
-    static dealii::Tensor<2, dim>
-    jacobian(const Vertices &vertices, const Gradients<n_vertices> &unit);
-    static Gradients<n_vertices>
-    unit_gradients(const dealii::Point<dim> &p);
 
     /** Strains over the factors of n functions in each component. */
     template <int n>
@@ -106,7 +97,62 @@ namespace conetact
       return b;
     }
 
-    const Elasticity                c;
+    const Elasticity c;
+  };
+
+  /**
+   * Of quadrilaterals and hexahedra, with 2^dim Gauss points. Here
+   * @f$\bar B@f$ is that of d-linear displacements (Q1); derived elements
+   * improve it.
+   */
+  template <int dim>
+  class DLinearElement : public ElementFormulation<dim>
+  {
+  public:
+    using Base = ElementFormulation<dim>;
+    using typename Base::Displacements;
+    using typename Base::Matrix;
+    using typename Base::Strains;
+    using typename Base::Vertices;
+    static constexpr int n_vertices = Base::most_vertices;
+    static constexpr int n_dofs     = Base::most_dofs;
+    static constexpr int n_strains  = Base::n_strains;
+
+    explicit DLinearElement(const ElasticMaterial &material);
+
+    Matrix
+    stiffness(const Vertices &vertices) const override;
+    Displacements
+    forces(const Vertices &vertices, const Strains &initial) const override;
+    Strains
+    stresses(const Vertices      &vertices,
+             const Displacements &u,
+             const Strains       &initial) const override;
+
+  protected:
+    template <int n>
+    using Gradients = typename Base::template Gradients<n>;
+    /** Columns of strains, one or one for each dof. */
+    using Columns =
+      Eigen::Matrix<double, n_strains, Eigen::Dynamic, 0, n_strains, n_dofs>;
+    /** Strains in a cell, those at vertices where they are asked for. */
+    struct StrainField
+    {
+      std::vector<Columns> at_points, at_vertices;
+      std::vector<double>  weights; ///< volumes of the Gauss points
+    };
+
+    /** Turns strains of d-linear displacements into those of this element. */
+    virtual void
+    improve(const Vertices &, StrainField &) const
+    {}
+
+    /** @f$\partial x / \partial \xi@f$ at a point of the unit cell. */
+    static dealii::Tensor<2, dim>
+    jacobian(const Vertices &vertices, const Gradients<n_vertices> &unit);
+    static Gradients<n_vertices>
+    unit_gradients(const dealii::Point<dim> &p);
+
     std::vector<dealii::Point<dim>> points, corners; ///< of the unit cell
 
   private:
@@ -117,6 +163,40 @@ namespace conetact
     /** Of d-linear displacements, a column for each dof. */
     StrainField
     d_linear(const Vertices &vertices, const bool with_vertices) const;
+  };
+
+  /** Of triangles and tetrahedra: linear displacements, uniform strains. */
+  template <int dim>
+  class LinearElement : public ElementFormulation<dim>
+  {
+  public:
+    using Base = ElementFormulation<dim>;
+    using typename Base::Displacements;
+    using typename Base::Matrix;
+    using typename Base::Strains;
+    using typename Base::Vertices;
+    static constexpr int n_vertices = dim + 1;
+    static constexpr int n_dofs     = dim * n_vertices;
+    static constexpr int n_strains  = Base::n_strains;
+    using Base::Base;
+
+    Matrix
+    stiffness(const Vertices &vertices) const override;
+    Displacements
+    forces(const Vertices &vertices, const Strains &initial) const override;
+    Strains
+    stresses(const Vertices      &vertices,
+             const Displacements &u,
+             const Strains       &initial) const override;
+
+  private:
+    struct StrainOfCell
+    {
+      Eigen::Matrix<double, n_strains, n_dofs> b; ///< over the dofs
+      double                                   volume;
+    };
+    StrainOfCell
+    strain(const Vertices &vertices) const;
   };
 } // namespace conetact
 

@@ -16,12 +16,17 @@ namespace conetact
   struct ElementRow
   {
     const char *name;
+    bool        is_simplex; ///< of triangles and tetrahedra
     const char *description;
     std::unique_ptr<ElementFormulation<dim>> (*create)(const ElasticMaterial &);
   };
   template <int dim>
   const std::vector<ElementRow<dim>> &
   element_table();
+  /** The first row for such cells. */
+  template <int dim>
+  const ElementRow<dim> &
+  default_element(const bool simplices);
 } // namespace conetact
 
 #endif

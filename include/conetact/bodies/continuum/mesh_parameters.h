@@ -36,7 +36,15 @@ namespace conetact
       double                 distance; ///< of the scene [length]
       unsigned int           levels;
     };
+    /** What elements ask for; quadrilaterals can be made into triangles. */
+    enum class Cells
+    {
+      any,
+      hypercubes,
+      simplices
+    };
     std::string              where; ///< for messages: "Body 'block', Mesh/"
+    Cells                    cells = Cells::any;
     std::string              generator, arguments;
     std::filesystem::path    file; ///< empty: generated
     unsigned int             global_refinements = 0;

@@ -8,25 +8,21 @@
 
 #include <vector>
 
-namespace dealii
-{
-  template <int dim, int spacedim>
-  class Triangulation;
-}
 
 namespace conetact
 {
+  template <int dim>
+  struct Discretization;
+
   /**
    * How far gradients of the displacements u jump between cells,
    * @f$\eta_K^2 = \frac{h_K}{24} \int_{\partial K} |[\partial u /
    * \partial n]|^2\,ds@f$ for each active cell [length^dim]: the estimator of
-   * Kelly, Gago, Zienkiewicz and Babuska (1983) without boundary terms. Dofs
-   * are those of a ContinuumMesh.
+   * Kelly, Gago, Zienkiewicz and Babuska (1983) without boundary terms.
    */
   template <int dim>
   std::vector<double>
-  squared_jumps(const dealii::Triangulation<dim, dim> &mesh,
-                const Eigen::VectorXd                 &u);
+  squared_jumps(const Discretization<dim> &body, const Eigen::VectorXd &u);
 } // namespace conetact
 
 #endif

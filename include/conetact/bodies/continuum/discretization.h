@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_continuum_discretization_h
+#define conetact_bodies_continuum_discretization_h
+
+#include "conetact/bodies/structure.h"
+
+#include <deal.II/base/quadrature.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <memory>
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Linear displacements on a mesh of quadrilaterals or hexahedra (FE_Q) or of
+   * triangles or tetrahedra (FE_SimplexP): all dofs are at vertices, and dof
+   * `dim * i + c` is component c of node i.
+   */
+  template <int dim>
+  struct Discretization
+  {
+    using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+    struct BoundaryFace
+    {
+      CellIterator              cell;
+      unsigned int              number; ///< of the face in its cell
+      unsigned int              id;     ///< boundary id
+      std::vector<unsigned int> nodes;  ///< in deal.II's order
+      std::vector<unsigned int> shapes; ///< of the nodes, first component
+    };
+
+    /** Of a finished mesh, whose cells are all of one kind. */
+    explicit Discretization(
+      std::unique_ptr<dealii::Triangulation<dim>> finished_mesh);
+
+    bool
+    has_simplices() const
+    {
+      return !triangulation->all_reference_cells_are_hyper_cube();
+    }
+    /** Nodes that follow others; none of those hangs itself. */
+    std::vector<HangingNode>
+    hanging_nodes() const;
+
+    /** f += N^T value, at a point where the nodes have these shape values. */
+    template <class Nodes, class Shape>
+    static void
+    distribute(const Nodes        &nodes,
+               const Shape        &shape,
+               const Tensor<1, 3> &value,
+               Eigen::VectorXd    &f)
+    {
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        for (unsigned int c = 0; c < dim; ++c)
+          f[dim * nodes[v] + c] += shape(v) * value[c];
+    }
+
+    std::unique_ptr<dealii::Triangulation<dim>> triangulation;
+    const dealii::Mapping<dim>                 &mapping;
+    dealii::FESystem<dim>                       fe;
+    dealii::DoFHandler<dim>                     dof_handler;
+    dealii::AffineConstraints<double>           constraints; ///< hanging nodes
+    dealii::Quadrature<dim>                     quadrature;  ///< 2nd degree
+    dealii::Quadrature<dim - 1>                 face_quadrature; ///< 4th
+    std::vector<BoundaryFace>                   boundary_faces;
+
+  private:
+    void
+    find_boundary_faces();
+  };
+} // namespace conetact
+
+#endif
