@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/analysis/adaptive_refinement.h"
-#include "conetact/analysis/analysis.h"
 #include "conetact/analysis/cost.h"
+#include "conetact/analysis/make_analysis.h"
 #include "conetact/application/command_line.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"

@@ -4,11 +4,10 @@
 #include "conetact/analysis/analysis.h"
 
 #include "conetact/analysis/cost.h"
-#include "conetact/analysis/increment_analysis.h"
-#include "conetact/analysis/path_analysis.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/output/output_table.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/output/progress.h"
 
@@ -220,13 +219,5 @@ namespace conetact
     return name(record) + " (t = " + to_text(record.time) + "): " + why + "." +
            (record.increment > 1 ? " The increments before it are on disk." :
                                    "");
-  }
-
-  std::unique_ptr<Analysis>
-  make_analysis(const Scene &scene, Log &log)
-  {
-    if (scene.path.method == PathSettings::Method::none)
-      return std::make_unique<IncrementAnalysis>(scene, log);
-    return std::make_unique<PathAnalysis>(scene, log);
   }
 } // namespace conetact

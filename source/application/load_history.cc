@@ -4,6 +4,7 @@
 #include "conetact/application/load_history.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
 namespace conetact

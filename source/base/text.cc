@@ -3,13 +3,7 @@
 
 #include "conetact/base/text.h"
 
-#include "conetact/base/errors.h"
-#include "conetact/base/expression.h"
-
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 namespace conetact
@@ -90,79 +84,5 @@ namespace conetact
   {
     return "(" + to_text(vector[0]) + ", " + to_text(vector[1]) + ", " +
            to_text(vector[2]) + ")";
-  }
-
-  double
-  to_number(const std::string &text, const std::string &entry)
-  {
-    if (trim(text).empty())
-      throw InputError(entry + ": a number is missing. Give one.");
-    if (std::isnan(std::strtod(text.c_str(), nullptr)) ||
-        std::isinf(std::strtod(text.c_str(), nullptr)))
-      throw InputError(entry + ": '" + trim(text) +
-                       "' is not a finite number. Give one.");
-    const Expression expression(text, entry);
-    if (!expression.is_constant())
-      throw InputError(entry + ": '" + trim(text) +
-                       "' depends on position or time. Give a number.");
-    const double number = expression(dealii::Point<3>());
-    if (!std::isfinite(number))
-      throw InputError(entry + ": '" + trim(text) +
-                       "' is not a finite number. Give one.");
-    return number;
-  }
-
-  std::vector<double>
-  to_numbers(const std::string &text, const std::string &entry)
-  {
-    std::vector<double> numbers;
-    for (const std::string &part : split(text, ','))
-      numbers.push_back(to_number(part, entry));
-    return numbers;
-  }
-
-  dealii::Tensor<1, 3>
-  to_vector(const std::string &text,
-            const unsigned int dim,
-            const std::string &entry)
-  {
-    std::string inner = trim(text);
-    if (inner.size() > 1 && inner.front() == '(' && inner.back() == ')' &&
-        split(inner, ',').size() == 1)
-      inner = inner.substr(1, inner.size() - 2);
-    const std::vector<double> numbers = to_numbers(inner, entry);
-    if (numbers.empty())
-      throw InputError(entry + " is empty. Give " + std::to_string(dim) +
-                       " numbers, separated by commas.");
-    if (numbers.size() != dim)
-      throw InputError(entry + ": '" + trim(text) + "' has " +
-                       std::to_string(numbers.size()) + " components. Give " +
-                       std::to_string(dim) + " numbers, separated by commas.");
-    dealii::Tensor<1, 3> vector;
-    for (unsigned int d = 0; d < dim; ++d)
-      vector[d] = numbers[d];
-    return vector;
-  }
-
-  std::set<unsigned int>
-  to_ids(const std::string &text, const std::string &entry)
-  {
-    std::set<unsigned int> ids;
-    for (const std::string &part : split(text, ','))
-      {
-        const bool digits =
-          !part.empty() && part.size() < 10 &&
-          std::all_of(part.begin(), part.end(), [](const unsigned char c) {
-            return std::isdigit(c) != 0;
-          });
-        if (!digits)
-          throw InputError(entry + ": '" + part +
-                           "' is not a boundary id. Give whole numbers, " +
-                           "separated by commas.");
-        ids.insert(static_cast<unsigned int>(std::stoul(part)));
-      }
-    if (ids.empty())
-      throw InputError(entry + " is empty. Give at least one boundary id.");
-    return ids;
   }
 } // namespace conetact

@@ -4,8 +4,9 @@
 #include "conetact/bodies/loads.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
-#include "conetact/bodies/actions.h"
+#include "conetact/bodies/entries.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "conetact/bodies/placement.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
 #include <deal.II/base/numbers.h>

@@ -3,8 +3,6 @@
 
 #include "conetact/verification/external_forces.h"
 
-#include "conetact/verification/verification.h"
-
 #include <algorithm>
 
 namespace conetact

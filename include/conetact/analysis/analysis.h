@@ -113,10 +113,6 @@ namespace conetact
     std::vector<std::unique_ptr<Output>> outputs;
     Work                                 done;
   };
-
-  /** The analysis that the scene's Solver/Method asks for. */
-  std::unique_ptr<Analysis>
-  make_analysis(const Scene &scene, Log &log);
 } // namespace conetact
 
 #endif

@@ -40,27 +40,6 @@ namespace conetact
   /** "(1, 2, 3)" */
   std::string
   to_text(const dealii::Tensor<1, 3> &vector);
-
-  /**
-   * A finite number, or a constant expression such as 1/80 or sqrt(2). Throws
-   * InputError that names the entry.
-   */
-  double
-  to_number(const std::string &text, const std::string &entry);
-
-  /** Numbers separated by commas. */
-  std::vector<double>
-  to_numbers(const std::string &text, const std::string &entry);
-
-  /** `dim` numbers separated by commas, brackets allowed; z = 0 in 2D. */
-  dealii::Tensor<1, 3>
-  to_vector(const std::string &text,
-            const unsigned int dim,
-            const std::string &entry);
-
-  /** Non-negative whole numbers separated by commas; at least one. */
-  std::set<unsigned int>
-  to_ids(const std::string &text, const std::string &entry);
 } // namespace conetact
 
 #endif

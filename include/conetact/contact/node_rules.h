@@ -4,8 +4,9 @@
 #ifndef conetact_contact_node_rules_h
 #define conetact_contact_node_rules_h
 
-#include "conetact/bodies/actions.h"
+#include "conetact/bodies/loads.h"
 #include "conetact/bodies/structure.h"
+#include "conetact/bodies/supports.h"
 #include "conetact/pairing/contact_nodes.h"
 
 #include <string>

@@ -132,16 +132,6 @@ namespace conetact
       return {};
     }
   };
-
-  /** One row for each kind of output. */
-  struct OutputRow
-  {
-    const char *name;
-    const char *description;
-    std::unique_ptr<Output> (*create)(const RunDescription &);
-  };
-  const std::vector<OutputRow> &
-  output_table();
 } // namespace conetact
 
 #endif

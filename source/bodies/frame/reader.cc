@@ -4,6 +4,7 @@
 #include "conetact/bodies/frame/reader.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "conetact/bodies/frame/sections.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
 namespace conetact

@@ -6,7 +6,7 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/output/csv.h"
-#include "conetact/output/output.h"
+#include "conetact/output/output_table.h"
 #include "conetact/output/progress.h"
 
 #include <gtest/gtest.h>

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_bodies_actions_h
-#define conetact_bodies_actions_h
+#ifndef conetact_bodies_entries_h
+#define conetact_bodies_entries_h
 
-#include "conetact/bodies/loads.h"
-#include "conetact/bodies/supports.h"
+#include "conetact/base/expression.h"
+#include "conetact/bodies/structure.h"
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 namespace conetact
 {

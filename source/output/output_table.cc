@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/output/output.h"
+#include "conetact/output/output_table.h"
 
 #include "conetact/output/graphics.h"
 #include "conetact/output/problem_files.h"

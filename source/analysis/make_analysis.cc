@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/make_analysis.h"
+
+#include "conetact/analysis/increment_analysis.h"
+#include "conetact/analysis/path_analysis.h"
+
+namespace conetact
+{
+  std::unique_ptr<Analysis>
+  make_analysis(const Scene &scene, Log &log)
+  {
+    if (scene.path.method == PathSettings::Method::none)
+      return std::make_unique<IncrementAnalysis>(scene, log);
+    return std::make_unique<PathAnalysis>(scene, log);
+  }
+} // namespace conetact
