@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rooms stand on each other: a file includes its own room and rooms below.
+"""Rooms stand on each other: a file includes its own room and rooms below; files stand on each other, too.
 
-usage: check_rooms.py SOURCE_TREE"""
+usage: check_rooms.py SOURCE_TREE
+
+A header and its source count as one, so that a circle among them is two files of which none
+can be read, or used, without the other. The rows of a table (x_table.cc) know all kinds and
+nobody knows them: such a source counts by itself.
+"""
 import pathlib
 import re
 import sys
@@ -18,6 +23,16 @@ BELOW = {"base": (), "solvers": (), "load_path": ("solvers",), "bodies": ("base"
          "analysis": ("base", "bodies", "pairing", "backends", "output", "contact", "verification",
                       "solvers", "load_path", "application")}
 
+# Circles that are there, to be deleted here as they are mended; others are faults.
+CIRCLES = {frozenset(f"{room}/{name}" for name in names.split()) for room, names in (
+    ("analysis", "analysis increment_analysis path_analysis"),
+    ("backends", "free_motion mumps schur_solver"),
+    ("base", "expression text"),
+    ("bodies", "actions loads supports"),
+    ("output", "csv graphics increment_table output problem_files reaction_table tables"),
+    ("solvers", "active_set automatic contact_solver gauss_seidel redundant_contacts smoothing_iteration smoothing_newton"),
+    ("verification", "external_forces verification"))}
+
 
 def includes(tree):
     """(room, name) of each pair of a header and its source, and those they include."""
@@ -25,20 +40,61 @@ def includes(tree):
     for folder in (tree / "source", tree / "include/conetact"):
         for file in sorted([*folder.glob("*/**/*.cc"), *folder.glob("*/**/*.h")]):
             path = file.relative_to(folder)
-            own = (path.parts[0], str(path.with_suffix("")))
+            rows = file.name.endswith("_table.cc")
+            own = (path.parts[0], str(path if rows else path.with_suffix("")))
             found = re.findall(r'#include "conetact/((\w+)/[\w/]+)\.h"', file.read_text())
             result.setdefault(own, set()).update({(room, name) for name, room in found} - {own})
     return result
 
 
-def main(tree):
-    graph, faults = includes(pathlib.Path(tree)), []
+def circles(graph):
+    """Sets of more than one node of which each reaches all others, by Tarjan's algorithm."""
+    number, lowest, stack, found = {}, {}, [], []
+
+    def visit(node):
+        number[node] = lowest[node] = len(number)
+        stack.append(node)
+        for other in sorted(graph.get(node, ())):
+            if other not in number:
+                visit(other)
+            if other in stack:
+                lowest[node] = min(lowest[node], lowest[other])
+        if lowest[node] == number[node]:
+            at = stack.index(node)
+            found.append(frozenset(stack[at:]))
+            del stack[at:]
+
+    for node in sorted(graph):
+        if node not in number:
+            visit(node)
+    return {circle for circle in found if len(circle) > 1}
+
+
+def faults_of_rooms(graph):
     for (room, name), others in sorted(graph.items()):
         for other, header in sorted(others):
             if room not in BELOW:
-                faults.append(f"{room} is not among the rooms of {__file__}")
+                yield f"{room} is not among the rooms of {__file__}"
             elif other != room and other not in BELOW[room]:
-                faults.append(f"{name} includes {header}, which is not below it")
+                yield f"{name} includes {header}, which is not below it"
+
+
+def faults_of_circles(found):
+    """A circle may become smaller or fall apart; nothing else may come in."""
+    for circle in sorted(map(sorted, found)):
+        known = any(set(circle) <= names for names in CIRCLES)
+        print(f"{'circle' if known else 'new circle'}: {', '.join(circle)}")
+        if not known:
+            yield f"{', '.join(circle)} include each other: move what both need into a file below them"
+    for names in sorted(map(sorted, CIRCLES)):
+        if not any(circle <= set(names) for circle in found):
+            yield f"{', '.join(names)} are no circle any more: delete it in {__file__}"
+
+
+def main(tree):
+    graph = includes(pathlib.Path(tree))
+    found = {frozenset(name for _, name in circle) for circle in circles(graph)}
+    faults = [*faults_of_rooms(graph), *faults_of_circles(found)]
     print("\n".join(faults) or f"{len(graph)} files in {len(BELOW)} rooms")
     return bool(faults)
 
