@@ -5,9 +5,9 @@
 
 usage: check_rooms.py SOURCE_TREE
 
-A header and its source count as one, so that a circle among them is two files of which none
-can be read, or used, without the other. The rows of a table (x_table.cc) know all kinds and
-nobody knows them: such a source counts by itself.
+A header and its source count as one: of files in a circle none can be read, or used, without
+the others. The table of the kinds of x, x_table.cc, knows them all and nobody knows it: without
+a header of its own it stands by itself, outside of circles.
 """
 import pathlib
 import re
@@ -40,8 +40,7 @@ def includes(tree):
     for folder in (tree / "source", tree / "include/conetact"):
         for file in sorted([*folder.glob("*/**/*.cc"), *folder.glob("*/**/*.h")]):
             path = file.relative_to(folder)
-            rows = file.name.endswith("_table.cc")
-            own = (path.parts[0], str(path if rows else path.with_suffix("")))
+            own = (path.parts[0], str(path.with_suffix("")))
             found = re.findall(r'#include "conetact/((\w+)/[\w/]+)\.h"', file.read_text())
             result.setdefault(own, set()).update({(room, name) for name, room in found} - {own})
     return result

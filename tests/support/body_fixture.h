@@ -8,44 +8,15 @@
 #include "conetact/bodies/body_table.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
+
+#include "files.h"
 
 /** Bodies from the text of a scene, and sums over them. */
 namespace conetact::test
 {
-  /** A folder of this process, gone at its end. */
-  inline const std::filesystem::path &
-  folder()
-  {
-    static const struct Folder
-    {
-      std::filesystem::path path;
-      Folder()
-        : path(std::filesystem::path(testing::TempDir()) /
-               ("conetact-" + std::to_string(::getpid())))
-      {
-        std::filesystem::create_directories(path);
-      }
-      ~Folder()
-      {
-        std::filesystem::remove_all(path);
-      }
-    } folder;
-    return folder.path;
-  }
-
-  inline std::string
-  write_file(const std::string &name, const std::string &text)
-  {
-    std::ofstream(folder() / name) << text;
-    return name;
-  }
-
   /** Of "entry = value" separated by '|', the lines of a scene. */
   inline std::string
   lines(const std::string &entries)

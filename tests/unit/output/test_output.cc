@@ -19,6 +19,9 @@
 #include <limits>
 #include <sstream>
 
+#include "empty_structure.h"
+#include "files.h"
+
 using namespace conetact;
 namespace fs = std::filesystem;
 
@@ -26,20 +29,11 @@ namespace
 {
   using Rows = std::vector<std::vector<std::string>>;
 
-  std::string
-  read(const fs::path &file)
-  {
-    std::ifstream      in(file);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-
   Rows
   read_csv(const fs::path &file)
   {
     Rows               rows;
-    std::istringstream in(read(file));
+    std::istringstream in(test::read_file(file));
     for (std::string line; std::getline(in, line);)
       {
         rows.emplace_back();
@@ -61,7 +55,7 @@ namespace
   }
 
   // A body that draws its displacements as bare numbers, or fails to.
-  class Sketch : public Structure
+  class Sketch : public test::EmptyStructure
   {
   public:
     bool fails = false;
@@ -81,49 +75,6 @@ namespace
     {
       return {};
     }
-    const std::vector<HangingNode> &
-    hanging_nodes() const override
-    {
-      static const std::vector<HangingNode> none;
-      return none;
-    }
-    void
-    for_each_element(const ElementVisitor &) const override
-    {}
-    void
-    add_internal_forces(const Eigen::VectorXd &,
-                        Eigen::VectorXd &) const override
-    {}
-    BoundaryIds
-    boundary_ids() const override
-    {
-      return {};
-    }
-    Surface
-    surface(const BoundaryIds &) const override
-    {
-      return {};
-    }
-    void
-    add_traction(const BoundaryIds &,
-                 const SurfaceField &,
-                 Eigen::VectorXd &) const override
-    {}
-    void
-    add_body_force(const VectorField &, Eigen::VectorXd &) const override
-    {}
-    bool
-    add_point_force(const Point<3> &,
-                    const Tensor<1, 3> &,
-                    Eigen::VectorXd &) const override
-    {
-      return false;
-    }
-    void
-    visit_springs(const BoundaryIds &,
-                  const SurfaceTensorField &,
-                  const ElementVisitor &) const override
-    {}
     void
     write_graphics(const Eigen::VectorXd &u,
                    const Eigen::VectorXd &w,
@@ -134,11 +85,6 @@ namespace
       if (fails)
         throw WriteError("full");
       std::ofstream(file) << u.transpose() << " | " << w.transpose();
-    }
-    std::string
-    description() const override
-    {
-      return "";
     }
   };
 
@@ -241,40 +187,6 @@ namespace
 
 
 
-  std::string
-  number(const double x)
-  {
-    std::string text;
-    append_number(text, x);
-    return text;
-  }
-
-  TEST(Csv, NumbersAreThoseOfPrintf15g)
-  {
-    EXPECT_EQ(number(0.), "0");
-    EXPECT_EQ(number(-0.), "0");
-    EXPECT_EQ(number(3.), "3");
-    EXPECT_EQ(number(-.1), "-0.1");
-    EXPECT_EQ(number(1. / 3), "0.333333333333333");
-    for (const double x : {1e300, -2.5e-7, 123456789012345678., 5e-324, 1e15})
-      {
-        char expected[40];
-        std::snprintf(expected, sizeof(expected), "%.15g", x);
-        EXPECT_EQ(number(x), expected);
-      }
-  }
-
-  TEST(Csv, NoiseIsJudgedByTheLargest)
-  {
-    NoiseFloor floor;
-    floor.see(-100);
-    floor.see(1);
-    EXPECT_EQ(floor.clean(.9e-12), 0.);
-    EXPECT_EQ(floor.clean(-1.1e-12), -1.1e-12);
-  }
-
-
-
   TEST_F(OutputTest, ReactionColumnsAndRows)
   {
     run.contacts     = {"bottom"};
@@ -285,7 +197,7 @@ namespace
 
     const Rows rows = read_csv(run.folder / "reactions.csv");
     ASSERT_EQ(rows.size(), 5u);
-    EXPECT_EQ(read(run.folder / "reactions.csv")
+    EXPECT_EQ(test::read_file(run.folder / "reactions.csv")
                 .rfind("increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,"
                        "u_n,u_t1,u_t2,du_t1,du_t2,r_n,r_t1,r_t2,state,"
                        "pressure,traction_t1,traction_t2,area,foot_x,foot_y,"
@@ -369,12 +281,12 @@ namespace
           const auto table = create("tables");
           table->write({record(1)});
           const fs::path  file   = run.folder / (std::string(name) + ".csv");
-          const auto      before = read(file);
+          const auto      before = test::read_file(file);
           IncrementRecord r      = record(2);
           r.rows[0].u[1]         = bad;
           r.balance              = bad;
           EXPECT_THROW(table->write({r}), AnalysisError);
-          EXPECT_EQ(read(file), before);
+          EXPECT_EQ(test::read_file(file), before);
         }
   }
 
@@ -475,12 +387,12 @@ namespace
   {
     const auto table = create("tables");
     table->write({record(1)});
-    const std::string before = read(run.folder / "reactions.csv");
+    const std::string before = test::read_file(run.folder / "reactions.csv");
     {
       const FullDisk full(before.size());
       EXPECT_THROW(table->write({record(2)}), WriteError);
     }
-    EXPECT_EQ(read(run.folder / "reactions.csv"), before);
+    EXPECT_EQ(test::read_file(run.folder / "reactions.csv"), before);
     EXPECT_EQ(files(),
               (std::set<std::string>{"increments.csv", "reactions.csv"}));
   }
@@ -508,14 +420,15 @@ namespace
                                      "solution-my_block-0004.vtu",
                                      "solution.pvd"}));
     EXPECT_EQ(graphics->work().drawings, 2u);
-    EXPECT_EQ(read(run.folder / "solution-my_block-0002.vtu"),
+    EXPECT_EQ(test::read_file(run.folder / "solution-my_block-0002.vtu"),
               "0.25 0.25 | 0.25 0.25");
-    const std::string pvd = read(run.folder / "solution.pvd");
+    const std::string pvd = test::read_file(run.folder / "solution.pvd");
     EXPECT_NE(pvd.find("timestep=\"1\" group=\"\" part=\"0\" name=\"my_block\" "
                        "file=\"solution-my_block-0002.vtu\""),
               std::string::npos);
-    EXPECT_NE(read(run.folder / "contact.pvd").find("contact-0004.vtu"),
-              std::string::npos);
+    EXPECT_NE(
+      test::read_file(run.folder / "contact.pvd").find("contact-0004.vtu"),
+      std::string::npos);
   }
 
   TEST_F(OutputTest, StressesAreThoseOfTheDeformation)
@@ -524,7 +437,7 @@ namespace
     IncrementRecord r        = record(1);
     r.deformations           = {Eigen::VectorXd::Constant(2, 1e-3)};
     graphics->write({r});
-    EXPECT_EQ(read(run.folder / "solution-my_block-0001.vtu"),
+    EXPECT_EQ(test::read_file(run.folder / "solution-my_block-0001.vtu"),
               "0.25 0.25 | 0.001 0.001");
   }
 
@@ -557,7 +470,7 @@ namespace
     graphics->write({record(1)});
     body.fails = true;
     EXPECT_THROW(graphics->write({record(2)}), WriteError);
-    EXPECT_EQ(read(run.folder / "solution.pvd").find("0002"),
+    EXPECT_EQ(test::read_file(run.folder / "solution.pvd").find("0002"),
               std::string::npos);
     EXPECT_EQ(files(),
               (std::set<std::string>{"contact-0001.vtu",
@@ -570,7 +483,7 @@ namespace
   {
     const auto graphics = create("graphics");
     graphics->write({record(1)});
-    const std::string vtu = read(run.folder / "contact-0001.vtu");
+    const std::string vtu = test::read_file(run.folder / "contact-0001.vtu");
     for (const char *name : {"reaction",
                              "traction",
                              "slip",

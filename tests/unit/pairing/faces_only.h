@@ -4,9 +4,9 @@
 #ifndef conetact_tests_faces_only_h
 #define conetact_tests_faces_only_h
 
-#include "conetact/bodies/structure.h"
-
 #include <numeric>
+
+#include "empty_structure.h"
 
 namespace conetact::test
 {
@@ -14,7 +14,7 @@ namespace conetact::test
    * A body of which there is nothing but faces: nodes, and for each face its
    * nodes, turned outward, and its boundary id.
    */
-  class FacesOnly : public Structure
+  class FacesOnly : public EmptyStructure
   {
   public:
     struct Face
@@ -43,18 +43,6 @@ namespace conetact::test
     {
       return points[node];
     }
-    const std::vector<HangingNode> &
-    hanging_nodes() const override
-    {
-      return hanging;
-    }
-    void
-    for_each_element(const ElementVisitor &) const override
-    {}
-    void
-    add_internal_forces(const Eigen::VectorXd &,
-                        Eigen::VectorXd &) const override
-    {}
     BoundaryIds
     boundary_ids() const override
     {
@@ -74,40 +62,6 @@ namespace conetact::test
           result.faces.push_back({face.nodes, normal(face)});
       return result;
     }
-    void
-    add_traction(const BoundaryIds &,
-                 const SurfaceField &,
-                 Eigen::VectorXd &) const override
-    {}
-    void
-    add_body_force(const VectorField &, Eigen::VectorXd &) const override
-    {}
-    bool
-    add_point_force(const Point<3> &,
-                    const Tensor<1, 3> &,
-                    Eigen::VectorXd &) const override
-    {
-      return false;
-    }
-    void
-    visit_springs(const BoundaryIds &,
-                  const SurfaceTensorField &,
-                  const ElementVisitor &) const override
-    {}
-    void
-    write_graphics(const Eigen::VectorXd &,
-                   const Eigen::VectorXd &,
-                   const Actions &,
-                   const double,
-                   const std::filesystem::path &) const override
-    {}
-    std::string
-    description() const override
-    {
-      return "faces";
-    }
-
-    std::vector<HangingNode> hanging;
 
   private:
     Tensor<1, 3>
