@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rooms stand on each other: a file includes its own room and rooms below; files stand on each other, too.
+"""Rooms stand on each other: a file includes its own room and rooms below; files stand on each other, too; and
+tests stand below benchmarks.
 
 usage: check_rooms.py SOURCE_TREE
 
@@ -90,10 +91,23 @@ def faults_of_circles(found):
             yield f"{', '.join(names)} are no circle any more: delete it in {__file__}"
 
 
+def faults_of_scripts(tree):
+    """Tests import nothing of benchmarks, and these of tests nothing but `support`."""
+    files = {folder: sorted((tree / folder).rglob("*.py")) for folder in ("tests", "benchmarks")}
+    own = {"tests": {"tests", "laws", *(file.stem for file in (tree / "tests").glob("*.py"))},
+           "benchmarks": {"benchmarks", *(file.stem for file in files["benchmarks"])}}
+    for folder, other in (("tests", "benchmarks"), ("benchmarks", "tests")):
+        for file in files[folder]:
+            found = set(re.findall(r"^ *(?:import|from) (\w+)", file.read_text(), re.M))
+            for module in sorted(found & own[other] - own[folder]):
+                yield f"{file.relative_to(tree)} imports {module} of {other}: move what both need to tests/support"
+
+
 def main(tree):
-    graph = includes(pathlib.Path(tree))
+    tree = pathlib.Path(tree)
+    graph = includes(tree)
     found = {frozenset(name for _, name in circle) for circle in circles(graph)}
-    faults = [*faults_of_rooms(graph), *faults_of_circles(found)]
+    faults = [*faults_of_rooms(graph), *faults_of_circles(found), *faults_of_scripts(tree)]
     print("\n".join(faults) or f"{len(graph)} files in {len(BELOW)} rooms")
     return bool(faults)
 
