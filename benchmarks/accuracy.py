@@ -5,9 +5,9 @@
 
 usage: accuracy.py [--build FOLDER] [--results FOLDER] [--quick]
 
-Elements: the manufactured frictional cube of tests/manufactured.py, nearly
+Elements: the manufactured frictional cube of tests/support/manufactured.py, nearly
 incompressible, every node slipping; errors of stresses (energy norm) and of contact
-reactions. Meshes: partial slip of two bodies in space, tests/half_space.py, with
+reactions. Meshes: partial slip of two bodies in space, tests/support/half_space.py, with
 equal cells and with cells refined where they touch; errors of the shear stress.
 Solvers: the condensed problem of block-press-shear.prm, pressed and sheared in one
 increment, solved from nothing to many tolerances; Siconos beside, where installed.
@@ -21,13 +21,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measure import TOP, cpu_seconds, median_cpu_seconds, plain_ticks, table
+from measure import TOP, cpu_seconds, median_cpu_seconds, plain_ticks, table  # first: it knows the way to tests/support
+from support import half_space, manufactured
+from support.scenes import ELEMENTS, merge, write_scene
+from support.tables import Run
 
-sys.path[:0] = [str(TOP / "tests"), str(TOP / "benchmarks" / "siconos")]
+sys.path.append(str(TOP / "benchmarks" / "siconos"))
 import compare  # noqa: E402
-import half_space  # noqa: E402
-import manufactured  # noqa: E402
-from laws import ELEMENTS, Run, merge, write_scene  # noqa: E402
 
 POISSON = .4999
 METHODS = ("automatic", "smoothing", "active set", "gauss-seidel")

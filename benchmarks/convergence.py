@@ -5,23 +5,20 @@
 
 usage: convergence.py [--build FOLDER] [--results FOLDER] [--quick]
 
-The manufactured solution of tests/manufactured.py, full slip and then full stick;
+The manufactured solution of tests/support/manufactured.py, full slip and then full stick;
 Hertz's line and point contact and Cattaneo-Mindlin's partial slip, cut out of half
-spaces (tests/half_space.py). Relative errors; the last line of each table holds the
+spaces (tests/support/half_space.py). Relative errors; the last line of each table holds the
 orders observed between its two finest meshes. Writes convergence.png.
 """
 import argparse
 import os
 import shutil
-import sys
 from pathlib import Path
 
-from measure import TOP, plain_ticks, table
-
-sys.path.insert(0, str(TOP / "tests"))
-import half_space  # noqa: E402
-from exact_solutions import orders, solution_errors  # noqa: E402
-from laws import Laws  # noqa: E402
+from measure import TOP, plain_ticks, table  # first: it knows the way to tests/support
+from support import half_space
+from support.checks import Laws, orders
+from support.manufactured import solution_errors
 
 SIZES = {"manufactured": {2: (8, 16, 32, 64, 128), 3: (4, 8, 16)},
          "hertz": {2: (8, 16, 32, 64), 3: (4, 8, 16)},

@@ -14,10 +14,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measure import TOP, cpu_seconds, table
-
-sys.path.insert(0, str(TOP / "tests"))
-from laws import box, contact, floor, support, write_scene  # noqa: E402
+from measure import cpu_seconds, table  # first: it knows the way to tests/support
+from support.scenes import box, contact, floor, support, write_scene
 
 ANGLES = (0.0, 17.0, 45.0, 103.0)
 COLUMNS = ("scene", "factorisations", "condensation s", "over one block", "CPU s")

@@ -14,10 +14,10 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measure import TOP, table
-
-sys.path.append(str(TOP / "tests"))
-from laws import ELEMENTS, Run, cantilever, cook, deflection, write_scene  # noqa: E402
+from measure import TOP, table  # first: it knows the way to tests/support
+from support.bending import cantilever, cook, deflection
+from support.scenes import ELEMENTS, write_scene
+from support.tables import Run
 
 POISSON = (.3, .49, .4999)
 

@@ -1,11 +1,16 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""CPU seconds of processes, Markdown tables, axes: what the benchmarks share."""
+"""CPU seconds of processes, Markdown tables, axes: what the benchmarks share.
+
+Puts tests/ on the path, from where they import `support` and nothing else.
+"""
 import os
 import statistics
+import sys
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parent.parent
+sys.path.append(str(TOP / "tests"))
 
 
 def resources(command, output=os.devnull, folder=".", one_core=True):

@@ -4,16 +4,14 @@
 """Bodies that are used several times are factorised once, however they are turned and where they touch each other;
 results are those of each by itself.
 
-usage: check_equal_bodies.py PROGRAM [FAMILY...]
+usage: check_equal_bodies.py PROGRAM [FAMILY...]      (default: every family)
 """
-import math
-import re
-import shutil
-import subprocess
 import sys
 
-import laws as scenes
-from check_skips import demand_work, log_of
+from support import scenes
+from support.checks import run_families
+from support.logs import check_estimates, demand_work, dry_run, log_of
+from support.tables import Run
 
 TURNS = {2: (((0, 0, 1), 0.0), ((0, 0, 1), 37.3), ((0, 0, 1), -101.7)),
          3: (((0, 0, 1), 0.0), ((1, 2, 3), 23.7), ((-2, 1, .3), 131.1))}
@@ -34,7 +32,7 @@ def renamed(scene, number):
 
 def part_of(run, number):
     """The rows of one of the scenes."""
-    part = scenes.Run(run.folder)
+    part = Run(run.folder)
     part.rows = [row for row in part.rows if row["contact"].endswith(f" {number}")]
     return part
 
@@ -106,16 +104,10 @@ def without_equals(scene, names):
 
 def told_beforehand(laws, name, scene, run):
     """A dry run knows what is shared and what it takes."""
-    file = laws.folder / "dry.prm"
-    scenes.write_scene(scene, file)
-    text = subprocess.run([laws.program, file, "--dry-run"], cwd=laws.folder, capture_output=True, text=True,
-                          check=True).stdout
+    text = dry_run(laws, scene)
     skipped = [line for line in log_of(run).splitlines() if "bodies, equal to others" in line]
     laws.demand(f"{name}: a dry run says so, too", all(line.strip() in text for line in skipped))
-    for what, told, found in (("factor", r"factor of (\S+) MB, ", r"factor of (\S+) MB"),
-                              ("memory", r"memory of (\S+) MB", r"memory: (\S+) MB")):
-        ratio = float(re.search(told, text)[1]) / float(re.search(found, log_of(run))[1])
-        laws.check(f"{name}: {what} over that of the run, {ratio:.3g}", abs(math.log(ratio)), math.log(1.5))
+    check_estimates(laws, name, text, run, "factor", "memory")
 
 
 def stacked(laws):
@@ -133,7 +125,7 @@ def stacked(laws):
 def turned_stack(laws):
     """Equal blocks that are turned against each other, meshes that do not match."""
     for dim, cells, half in ((2, (14, 14), ()), (3, (6, 6, 6), (-.5, -.5))):
-        size, middle = (1.0,) * dim, half or (-.5,)
+        size = (1.0,) * dim
         down, side = "-0.01*min(t, 1)", "0.002*max(t - 1, 0)"
         scene = {"Dimension": dim, "Obstacle floor": scenes.floor(dim), "Time": {"End": 3, "Increments": 3},
                  "Output": {"VTU": 0}}
@@ -171,19 +163,7 @@ FAMILIES = {"turned": turned, "others": others, "stacked": stacked, "turned-stac
             "with-others": with_others}
 
 
-def main(program, *names):
-    failed = 0
-    for name in names or FAMILIES:
-        print(name)
-        laws = scenes.Laws(program)
-        try:
-            FAMILIES[name](laws)
-        except RuntimeError as error:
-            laws.demand(str(error).strip(), False)
-        shutil.rmtree(laws.folder)
-        failed += laws.failed
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]) if len(sys.argv) > 1 else __doc__)
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    sys.exit(run_families(FAMILIES, sys.argv[1], *(sys.argv[2:] or ["all"])))

@@ -5,32 +5,14 @@
 
 usage: check_skips.py PROGRAM
 """
-import math
 import re
-import shutil
 import subprocess
 import sys
 
-import laws as scenes
-
-
-def log_of(run):
-    return (run.folder / "log.txt").read_text()
-
-
-def work_of(run):
-    """Counts of the last line of a log by what they count."""
-    last = log_of(run).splitlines()[-1]
-    if not last.startswith("work: "):
-        raise RuntimeError(f"the log does not end with its work but with: {last}")
-    return {what: int(count) for count, what in re.findall(r"(\d+) ([^,]+)", last)}
-
-
-def demand_work(laws, name, run, expected):
-    found = work_of(run)
-    differ = {what: found.get(what) for what, count in expected.items() if found.get(what) != count}
-    laws.demand(f"{name}: " + ", ".join(f"{count} {what}" for what, count in expected.items())
-                + (f"; found {differ}" if differ else ""), not differ)
+from support import scenes
+from support.checks import run_families
+from support.logs import check_estimates, demand_work, dry_run, log_of, work_of
+from support.tables import REACTION
 
 
 def factor_once(laws):
@@ -152,7 +134,7 @@ def beside_each_other(block, names):
 
 
 def reactions(run, contact):
-    return [row[what] for row in run.rows if row["contact"] == contact for what in scenes.REACTION]
+    return [row[what] for row in run.rows if row["contact"] == contact for what in REACTION]
 
 
 def used_again(laws):
@@ -181,7 +163,7 @@ def used_again(laws):
                                max(abs(f - e) for f, e in zip(found, expected, strict=True)) / size, 1e-12)
 
 
-def dry_run(laws):
+def estimated(laws):
     """A dry run writes and factorises nothing; its estimates are those of the run."""
     for dim, cells, mu in ((2, (120, 120), .3), (3, (14, 14, 14), .3), (3, (14, 14, 14), 0.0)):
         scene = scenes.press_and_shear(dim, cells=cells, mu=mu)
@@ -189,26 +171,18 @@ def dry_run(laws):
         file = laws.folder / "dry.prm"
         scenes.write_scene(scene, file)
         before = sorted(laws.folder.iterdir())
-        text = subprocess.run([laws.program, file, "--dry-run"], cwd=laws.folder, capture_output=True, text=True,
-                              check=True).stdout
+        text = dry_run(laws, scene)
         laws.demand(f"{name}: writes nothing", sorted(laws.folder.iterdir()) == before)
         laws.demand(f"{name}: factorises nothing",
                     "work: 0 factorisations of the elastic system, 0 condensations" in text)
-        laws.demand(f"{name}: says what is skipped", f"skipped: drawings of 4 of 4" in text)
-        log = log_of(laws.run(scene))
-        for what, told, found in (("factor", r"factor of (\S+) MB, ", r"factor of (\S+) MB"),
-                                  ("condensed stiffness", r"condensed stiffness of (\S+) MB",
-                                   r"condensed stiffness: (\S+) MB"),
-                                  ("memory", r"memory of (\S+) MB", r"memory: (\S+) MB")):
-            ratio = float(re.search(told, text)[1]) / float(re.search(found, log)[1])
-            laws.check(f"{name}: {what} over that of the run, {ratio:.3g}", abs(math.log(ratio)), math.log(1.5))
+        laws.demand(f"{name}: says what is skipped", "skipped: drawings of 4 of 4" in text)
+        check_estimates(laws, name, text, laws.run(scene), "factor", "condensed stiffness", "memory")
         # columns of the factor have c_j entries: their squares are the operations
         entries = float(re.search(r"factor of (\S+) MB, ", text)[1]) * 1e6 / 8
         mean = entries**2 / int(re.search(r"unknowns of (\d+)", text)[1])
         flops = float(re.search(r"estimate: (\S+) floating", text)[1])
         laws.demand(f"{name}: {flops:.3g} operations, columns of equal length would take {mean:.3g}",
                     mean < flops < 5 * mean)
-
 
     scene = scenes.merge(scene, {"Load side": scenes.load("traction", "1/(t - 2) ; 0 ; 0", 0)})
     scenes.write_scene(scene, file)
@@ -235,20 +209,9 @@ def frictionless(laws):
 
 
 CHECKS = (factor_once, carried, loads_once, tables_once, drawn_only, paused, no_contact, at_rest, congruent, used_again,
-          dry_run, failed, frictionless)
-
-
-def main(program):
-    laws = scenes.Laws(program)
-    for check in CHECKS:
-        print(check.__name__)
-        try:
-            check(laws)
-        except RuntimeError as error:
-            laws.demand(str(error).strip(), False)
-    shutil.rmtree(laws.folder)
-    return 1 if laws.failed else 0
-
+          estimated, failed, frictionless)
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]) if len(sys.argv) == 2 else __doc__)
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sys.exit(run_families({check.__name__: check for check in CHECKS}, sys.argv[1], "all"))

@@ -9,11 +9,11 @@ One row a scene. Counts of the elastic system are exact on every machine; those
 of contact solves have room for one that rounds differently, a tenth or two.
 """
 import re
-import shutil
 import sys
 
-from check_skips import log_of, work_of
-from laws import SHIPPED, Laws
+from support.checks import run_families
+from support.logs import log_of, work_of
+from support.scenes import SHIPPED
 
 COUNTS = ("factorisations of the elastic system", "condensations", "reductions of loads", "recoveries of displacements",
           "triangular solves", "linear solves of contact", "dense factorisations")
@@ -47,13 +47,12 @@ def check(laws, scene, changes, counts, sizes):
         laws.check(what, float(re.search(pattern, log)[1]), bound)
 
 
-def main(program):
-    laws = Laws(program)
+def work(laws):
     for row in SCENES:
         check(laws, *row)
-    shutil.rmtree(laws.folder)
-    return 1 if laws.failed else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]) if len(sys.argv) == 2 else __doc__)
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sys.exit(run_families({"work": work}, sys.argv[1], "all"))

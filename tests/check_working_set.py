@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Contact nodes that are left out of the condensation leave no trace in the results.
 
-usage: check_working_set.py PROGRAM [FAMILY...]
+usage: check_working_set.py PROGRAM [FAMILY...]      (default: every family)
 
 Each scene runs with Solver/Working set = automatic and = all; reactions, gaps,
 slips and displacements agree to 1e-10. Counts of the log say that nodes were left out,
@@ -11,11 +11,11 @@ and how those that were missing came in.
 """
 import random
 import re
-import shutil
 import sys
 
-from check_skips import log_of, work_of
-from laws import Laws, box, contact, floor, load, merge, support
+from support.checks import run_families
+from support.logs import log_of, work_of
+from support.scenes import box, contact, load, merge, support
 
 
 def both(laws, what, scene, bound=1e-10):
@@ -155,19 +155,7 @@ FAMILIES = {"hertz": hertz, "travelling": travelling, "poor-guess": poor_guess, 
             "anywhere": anywhere}
 
 
-def main(program, *names):
-    failed = 0
-    for name in names or FAMILIES:
-        print(name)
-        laws = Laws(program)
-        try:
-            FAMILIES[name](laws)
-        except RuntimeError as error:
-            laws.demand(str(error).strip(), False)
-        failed += laws.failed
-        shutil.rmtree(laws.folder)
-    return 1 if failed else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]) if len(sys.argv) > 1 else __doc__)
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    sys.exit(run_families(FAMILIES, sys.argv[1], *(sys.argv[2:] or ["all"])))

@@ -17,12 +17,13 @@ from pathlib import Path
 import numpy as np
 
 TOP = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(TOP / "benchmarks" / "siconos"))
 try:
-    import siconos_solve
+    import h5py  # noqa: F401
+    import siconos.numerics  # noqa: F401
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
+from support import siconos_solve  # noqa: E402
 
 # scene, its arguments, solver of Siconos, tolerance it reaches
 CASES = (

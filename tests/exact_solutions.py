@@ -6,20 +6,16 @@
 usage: exact_solutions.py PROGRAM FAMILY...      (all: every family)
 
 compression: uniform stress with every node slipping, exact on any mesh;
-manufactured: smooth fields, full slip and then full stick (manufactured.py);
-hertz, partial-slip: line and point contact (half_space.py).
+manufactured: smooth fields, full slip and then full stick (support/manufactured.py);
+hertz, partial-slip: line and point contact (support/half_space.py).
 """
 import math
 import sys
 
-import half_space
-import manufactured
-from laws import SHIPPED, contact, distorted, floor, load, merge, run_families, support, tributary
-
-
-def orders(sizes, errors):
-    """Observed between the two finest meshes, one for each column of errors."""
-    return [math.log(a / b) / math.log(sizes[-1] / sizes[-2]) for a, b in zip(errors[-2], errors[-1])]
+from support import half_space, manufactured
+from support.checks import orders, run_families
+from support.meshes import distorted, tributary
+from support.scenes import SHIPPED, contact, floor, load, support
 
 
 def compression(laws):
@@ -58,26 +54,10 @@ def compression(laws):
                                          for row in run.rows) / c, 1e-11)
 
 
-def solution_errors(laws, dim, cells, poisson=.3, body=()):
-    """Errors of the manufactured solution at both times: displacement, energy, contact stresses."""
-    scene = merge(manufactured.scene(dim, cells, poisson), {"Body block": dict(body)})
-    run = laws.run(scene)
-    result = []
-    for time, state in ((1, "slip"), (2, "stick")):
-        solution = manufactured.Solution(dim, poisson, time)
-        file, = run.folder.glob(f"solution-*{time:04}.vtu")
-        rows = [row for row in run.rows if row["increment"] == time]
-        if any(row["state"] != state for row in rows):
-            laws.demand(f"{dim}D, {cells} cells: every node in {state}", False)
-        result += [*manufactured.errors(manufactured.read_displacement(file, dim, cells), solution)[:2],
-                   manufactured.pressure_error(rows, solution, cells)]
-    return result
-
-
 def manufactured_family(laws):
     # reactions over areas: 3/2 from below, for those at the edges are of first order
     for dim, sizes in ((2, (8, 16)), (3, (4, 8))):
-        errors = [solution_errors(laws, dim, n) for n in sizes]
+        errors = [manufactured.solution_errors(laws, dim, n) for n in sizes]
         names = [f"{what}, {state}" for state in ("slip", "stick") for what in ("displacement", "energy", "reactions")]
         for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (1.95, .97, 1.3) * 2):
             laws.check(f"{dim}D: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)

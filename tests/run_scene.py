@@ -11,6 +11,7 @@ numbers to a tolerance relative to the largest of their column, texts exactly,
 rows matched by increment, contact and place. How well and how fast a solver did
 is bounded instead. --refresh writes NAME.table/; --no-golden only runs the
 scene and checks the bounds. The head of a scene may say
+(of a scene that differs from a right one in a line or two, see run_errors.py)
   # expect error: exit=1 part of the message
   # compare: tolerance=1e-6 bound=1e-8     (defaults 1e-8 and 1e-10)
   # arguments: -s Section/Entry=value
@@ -134,6 +135,18 @@ def check_error(run, result, code, fragment):
     return faults
 
 
+def execute(program, work, file, arguments):
+    """Runs a scene in an empty folder: the process, the folder of its results, and what is wrong so far."""
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    result = work / "result"
+    run = subprocess.run([program, file, "-o", result, "--quiet", *arguments], cwd=work,
+                         stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    print(run.stdout + run.stderr, end="")
+    left = [p.name for p in work.iterdir() if p != result]
+    return run, result, [f"files beside the result: {left}"] if left else []
+
+
 def run_scene(program, folder, scene, mode):
     head = scene.read_text()
     expect = re.search(r"^# expect error: exit=(\d+) (.*\S)", head, re.M)
@@ -143,16 +156,9 @@ def run_scene(program, folder, scene, mode):
     if expect and mode == "--refresh":
         return []
 
-    work = folder / scene.stem
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
-    result, golden = work / "result", scene.with_suffix(".table")
+    golden = scene.with_suffix(".table")
     file = (scene.parent / other[1]).resolve() if other else scene
-    run = subprocess.run([program, file, "-o", result, "--quiet", *arguments], cwd=work,
-                         stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
-    print(run.stdout + run.stderr, end="")
-    left = [p.name for p in work.iterdir() if p != result]
-    faults = [f"files beside the result: {left}"] if left else []
+    run, result, faults = execute(program, folder / scene.stem, file, arguments)
     if expect:
         return faults + check_error(run, result, int(expect[1]), expect[2])
     if run.returncode != 0:

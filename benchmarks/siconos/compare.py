@@ -53,7 +53,7 @@ def installed(solvers):
 
 def theirs(file, solver, tolerance):
     """In a process of its own, for it may crash or not end."""
-    command = [sys.executable, Path(__file__).parent / "siconos_solve.py", file, solver, str(tolerance)]
+    command = [sys.executable, TOP / "tests/support/siconos_solve.py", file, solver, str(tolerance)]
     try:
         run = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT)
     except subprocess.TimeoutExpired:

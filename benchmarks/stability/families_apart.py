@@ -6,10 +6,11 @@ import random
 
 import numpy as np
 
-from laws import ELEMENTS, load, support
-from pictures import closest, face_normals, on_face, read_vtu, surface
+from support.scenes import ELEMENTS, load, support
+from support.tables import read
+from pictures import closest, face_normals, read_vtu, surface
 from static_cases import StaticCase
-from statics import Statement, Touch, place, read
+from statics import Statement, Touch, place
 
 REACH = 1.0  # of the smaller body: gaps are compared below it
 OPPOSING = (0.0, .1, .2, .35, .5, .6, .7072, .8, .87)  # -cosines of the angle that a surface may ask for

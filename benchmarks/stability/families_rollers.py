@@ -6,10 +6,11 @@ import random
 
 import numpy as np
 
-from laws import ELEMENTS, box, load, support
+from support.scenes import ELEMENTS, box, load, support
+from support.tables import read
 from pictures import read_vtu
 from static_cases import StaticCase
-from statics import Statement, read
+from statics import Statement
 
 
 def turn_of(rng, dim):

@@ -7,7 +7,8 @@ Each function makes the case of a number, the same one whenever it is asked.
 import math
 import random
 
-from laws import ELEMENTS, box, contact, floor, load, support
+from support.scenes import ELEMENTS, box, contact, floor, load, support
+from support.tables import read
 from static_cases import NO_EQUILIBRIUM, StaticCase
 from statics import ALL, Load, Statement, Touch
 
@@ -236,6 +237,5 @@ def balanced(number):
 
 def not_determinate(folder):
     """Where the table tells it: the position of such a block is not determined."""
-    from statics import read
     return [f"increment {row['increment']:g}: determinate = {row['determinate']}"
             for row in read(folder / "increments.csv") if row.get("determinate", "no") != "no"]

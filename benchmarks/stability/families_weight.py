@@ -4,7 +4,7 @@
 import math
 import random
 
-from laws import ELEMENTS, box, contact, load, support
+from support.scenes import ELEMENTS, box, contact, load, support
 from static_cases import NO_EQUILIBRIUM, StaticCase
 from statics import ALL, Load, Statement, Touch
 

@@ -27,7 +27,7 @@ import numpy as np
 
 from families import BLOCK, FAMILIES, INCLINED, SQUARE, block_cells
 from program import Case, Result, run
-from static_cases import header, line, run_static  # first: it knows the way to laws.py
+from static_cases import header, line, run_static  # first: it knows the way to tests/support
 from families_apart import no_touch
 from families_rollers import roller_box
 from families_statics import balanced, joints, stiff_on_soft

@@ -8,8 +8,8 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
-from laws import write_scene  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[2] / "tests"))
+from support.scenes import write_scene  # noqa: E402
 from statics import Statement, judge  # noqa: E402
 
 OUTCOMES = ("solved", "refused rightly", "WRONG", "refused wrongly", "crash")

@@ -8,14 +8,14 @@ with which friction. It computes sums of forces and moments of each body from th
 reactions.csv, looks at cones, signs, gaps and states of every row, and believes none of the
 columns in which the program judges itself.
 """
-import csv
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from support.tables import TEXTS, read
+
 SUMS = 1e-9  # of the sum of all magnitudes
 FORCES = 1e-8  # of the largest load of a body: cones and signs
-TEXTS = ("contact", "state", "solver", "determinate")
 ALL = {2: ("x", "y", "rz"), 3: ("x", "y", "z", "rx", "ry", "rz")}
 
 
@@ -48,12 +48,6 @@ class Statement:
     tolerance: float = 1e-10  # of the scene
     pressed: dict = field(default_factory=dict)  # contact: (direction, sum of its reactions along it at the end)
     silent: bool = False  # no reaction at all
-
-
-def read(file):
-    with open(file, newline="") as stream:
-        return [{name: value if name in TEXTS else float(value) for name, value in row.items()}
-                for row in csv.DictReader(stream)]
 
 
 def vector(row, name):

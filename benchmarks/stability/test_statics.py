@@ -19,7 +19,7 @@ import numpy as np
 
 from static_cases import write_scene
 from families_statics import Mats, pressed_block
-from laws import box, contact, floor, load
+from support.scenes import box, contact, floor, load
 from pictures import closest, face_normals, on_face, surface
 from statics import ALL, Load, Statement, Touch, judge
 

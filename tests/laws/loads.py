@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Loads against each other and against integrals in closed form."""
+import math
+
+from support.scenes import box, contact, floor, load, merge, support
+from support.vectors import cross
+
+
+def loads(laws):
+    thickness, n, p = .5, 8, 6.0
+    base = {"Dimension": 2, "Body block": box((n, 4), (2.0, 1.0)), "Obstacle floor": floor(2),
+            "Contact bottom": contact(mu=.3), "Support left": support(0, "x"), "Output": {"VTU": 0}}
+    base["Body block"]["Material"]["Thickness"] = thickness
+    share = [p * 2 / n * thickness * (.5 if i in (0, n) else 1) for i in range(n + 1)]
+    variants = {
+        "traction": {"Load a": load("traction", f"0 ; -{p}", 3)},
+        "pressure": {"Load a": load("pressure", p, 3)},
+        "two halves": {"Load a": load("pressure", .25 * p, 3), "Load b": load("traction", f"0 ; -{.75 * p}", 3)},
+        "point forces": {f"Load p{i}": load("point force", f"0 ; {-f!r}", Point=(2.0 * i / n, 1.0))
+                         for i, f in enumerate(share)},
+        "point forces between nodes": {f"Load p{i}": load("point force", f"0 ; {-p * 2 / n * thickness!r}",
+                                                          Point=(2.0 * (i + .5) / n, 1.0)) for i in range(n)}}
+    runs = {name: laws.run({**base, **entries}) for name, entries in variants.items()}
+    for name, run in runs.items():
+        laws.same(f"traction and {name}", runs["traction"], run, 1e-12)
+        row = run.increments[-1]
+        laws.check(f"{name}: resultant", math.dist((row["loads_f_x"], row["loads_f_y"], row["loads_m_z"]),
+                                                   (0, -2 * p * thickness, -2 * p * thickness)), 1e-11)
+
+    # integrals over [0, 2] x [0, 1] of (1 + y, -x): forces 3, -2; moment of x f_y - y f_x: -8/3 - 5/3
+    body = laws.run({**base, "Load weight": load("body force", "1 + y ; -x - 5"), "Load top": load("pressure", p, 3)})
+    row = body.increments[-1]
+    expected = (3 * thickness, (-2 - 10 - 2 * p) * thickness, (-8 / 3 - 10 - 5 / 3 - 2 * p) * thickness)
+    laws.check("2D body force: resultant", math.dist((row["loads_f_x"], row["loads_f_y"], row["loads_m_z"]), expected),
+               1e-11)
+    # a unit cube under (y, 0, -x): forces 1/2, 0, -1/2; moments (y f_z, z f_x - x f_z, -y f_x)
+    cube = {"Dimension": 3, "Body block": box((3, 3, 3), (1.0, 1.0, 1.0)), "Obstacle floor": floor(3),
+            "Contact bottom": contact(ids=4, mu=.3), "Support top": support(5, "x, y, z", "0 ; 0 ; -0.01"),
+            "Load weight": load("body force", "y ; 0 ; -x"), "Output": {"VTU": 0}}
+    row = laws.run(cube).increments[-1]
+    found = [row[f"loads_{kind}_{axis}"] for kind in "fm" for axis in "xyz"]
+    laws.check("3D body force: resultant", math.dist(found, (.5, 0, -.5, -.25, .25 + 1 / 3, -1 / 3)), 1e-12)
+    point = merge(cube, {"Load weight": None,
+                         "Load point": load("point force", "0.1 ; 0.2 ; -0.3", Point=(.35, .8, .55))})
+    row = laws.run(point).increments[-1]
+    found = [row[f"loads_{kind}_{axis}"] for kind in "fm" for axis in "xyz"]
+    force = (.1, .2, -.3)
+    laws.check("3D point force: resultant", math.dist(found, (*force, *cross((.35, .8, .55), force))), 1e-12)
+    push = merge(cube, {"Load weight": None, "Load side": load("pressure", "1 + z", 1)})
+    row = laws.run(push).increments[-1]
+    found = [row[f"loads_{kind}_{axis}"] for kind in "fm" for axis in "xyz"]
+    laws.check("3D pressure: resultant", math.dist(found, (-1.5, 0, 0, 0, -1 / 2 - 1 / 3, .75)), 1e-12)

@@ -1,0 +1,181 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Load paths: limit loads, the examples of [P], and increments that come to them."""
+import itertools
+import math
+from pathlib import Path
+
+from support.scenes import SHIPPED, contact, entries, floor, load, merge, pushed_block, support
+from support.tables import Events, read
+
+REFERENCE = Path(__file__).resolve().parents[1] / "reference"
+PATH = entries(Solver__Method="load path", Output__VTU=0)
+
+
+def posts(n, mu=.5):
+    """n equal posts of two bars each, held at their tops."""
+    nodes, members = [], []
+    for i in range(n):
+        nodes += [f"{3 * i + 1}: {2 * i}, 0", f"{3 * i + 2}: {2 * i}, 1", f"{3 * i + 3}: {2 * i + 1}, 1"]
+        members += [f"{3 * i + 1}-{3 * i + 2}: bar", f"{3 * i + 1}-{3 * i + 3}: bar"]
+    return {"Dimension": 2,
+            "Body posts": {"Kind": "frame", "Sections": "bar",
+                           "Frame": {"Nodes": " ; ".join(nodes), "Members": " ; ".join(members),
+                                     "Boundary ids": "1: y == 0 ; 2: y == 1"},
+                           "Section bar": {"Young modulus": 1000, "Area": .01}},
+            "Obstacle floor": floor(2), "Contact feet": contact("posts", 1, mu=mu),
+            "Support tops": {"Body": "posts", "Boundary ids": 2},
+            "Load weight": load("nodal force", "0 ; -1", 1, "posts"),
+            "Load push": load("nodal force", "t ; 0", 1, "posts"),
+            "Time": {"Times": 2}, "Solver": {"Method": "load path"}, "Output": {"VTU": 0}}
+
+
+def path_prestress(laws):
+    """A prestress is a pair of forces, for every method, and balances."""
+    for method in ("automatic", "load path"):
+        scene = merge(posts(3), {"Load push": None, "Contact feet": {"Prestress": 2}, "Solver": {"Method": method}})
+        run = laws.run(scene)
+        laws.check(f"{method}: reactions carry the weight and the prestress",
+                   max(abs(row["r_n"] - 3) for row in run.last()), 1e-12)
+    pile = entries(Contact_left__Prestress=1, Contact_right__Prestress=1)
+    a = laws.run(SHIPPED / "sheet-pile.prm", "-s", "Output/VTU=0", *pile)
+    laws.check("sheet pile: loads of the prestress cancel", abs(a.increments[-1]["loads_f_y"]), 1e-9)
+
+
+def path_limits(laws):
+    """A block slides at p = mu or tips at p = 1/h, whatever mesh, law and place of the push."""
+    for cells, law in itertools.product(((2, 1), (7, 3), (16, 8)), ("incremental", "holonomic")):
+        for height, mu in ((.3, .5), (.61, .8), (.9, 1.5), (1.0, 1.01)):
+            run = laws.run(pushed_block(2, height, mu, cells=cells, **{"Solver": {"Law": law}}))
+            events = Events(run.folder)
+            kind = "sliding" if mu < 1 / height else "tipping"
+            laws.check(f"{cells} cells, {law}, h = {height}, mu = {mu}: limit load",
+                       abs(events.parameter / min(mu, 1 / height) - 1), 1e-9)
+            laws.demand(f"  {events.words}", events.words == f"limit load: {kind}")
+            laws.demand("  mechanism.vtu", (run.folder / "mechanism.vtu").exists())
+
+
+def path_bar(laws):
+    """[P] Example 2: the nodes slip one by one from the end, p_j = f q h (j + 1/2) / F."""
+    bar = entries(Load_weight__Value="0 ; -3975", Load_pull__Value="243750*t ; 0", Time__End=1.3,
+                  Time__Increments=1)
+    for n in (5, 10, 20, 40, 80, 160):
+        length = 260 / (n - 1)
+        run = laws.run(SHIPPED / "bar-on-rigid-base.prm", *PATH, *bar,
+                       "-s", f"Body bar/Frame/Arguments=0, 0 : 260, 0 : {n - 1}")
+        events = Events(run.folder)
+        exact = [.3 * 3975 * length * (j + .5) / 243750 for j in range(n - 1)]
+        laws.demand(f"bar of {n} nodes: {len(events.at)} events, {events.words}",
+                    len(events.at) == n - 1 and all(len(nodes) == 1 for nodes in events.nodes))
+        laws.check("  their loads", max(abs(p / q - 1) for p, q in zip(events.at, exact)), 1e-12)
+    run = laws.run(SHIPPED / "bar-pull-release.prm", *PATH)
+    events = Events(run.folder)
+    step = .3 * 3975 * 260 / 9 / 243750
+    exact = [step * (j + .5) for j in range(7)] + [1] + [1 + 2 * step * (j + .5) for j in range(4)]
+    laws.demand(f"pulled and released: {len(events.at)} events", len(events.at) == len(exact))
+    laws.check("  their loads", max(abs(p - q) for p, q in zip(events.at, exact)), 1e-12)
+
+
+def path_beam(laws):
+    """[P] Example 1: with the tightening weight the left support opens at p = 32/3."""
+    beam = entries(Time__End=100, Contact_supports__Prestress=1, Contact_supports__Cohesion=.4)
+    run = laws.run(SHIPPED / "beam-three-supports.prm", *PATH, *beam, *entries(Solver__Law="holonomic"))
+    events = Events(run.folder)
+    laws.demand(f"beam: events {events.nodes}, {events.words}",
+                events.nodes[0] == [("0", "stick", "open")] and events.words == "no further change")
+    laws.check("  first event", abs(events.at[0] * 3 / 32 - 1), 1e-12)
+
+
+    run = laws.run(SHIPPED / "beam-three-supports.prm", "-s", "Solver/Method=lemke", "-s", "Load force/Value=0 ; -t",
+                   *entries(Time__End=100, Time__Increments=1))
+    log = (run.folder / "log.txt").read_text()
+    laws.demand("  Lemke's method: p = 32/3 where xn1 leaves, then a ray",
+                "step 1: p = 10.6666666666667, xn1 leaves" in log and "no further change" in log)
+    last = run.last()
+    laws.check("  z_n1 = x_n2 = x_n3 = p / 2",
+               max(abs(v - 50) for v in (last[0]["gap"], last[1]["r_n"], last[2]["r_n"])), 1e-9)
+
+
+def path_sheet_pile(laws):
+    """[P] Example 3: homogeneous, so that loads of events are proportional to the prestress."""
+    expected = [row["force_N"] for row in read(REFERENCE / "popov-3-events.csv")]
+    for force in (1, 100):
+        run = laws.run(SHIPPED / "sheet-pile.prm", *PATH, *entries(
+            Solver__Law="holonomic", Load_push__Value="t ; 0", Time__End=3000 * force,
+            Contact_left__Prestress=force, Contact_right__Prestress=force,
+            Contact_left__Cohesion=.6 * force, Contact_right__Cohesion=.6 * force))
+        events = Events(run.folder)
+        laws.demand(f"sheet pile, prestress {force}: {len(events.at)} events, {events.words}",
+                    len(events.at) == 68 and events.words == "no further change")
+        laws.check("  their loads", max(abs(p / (force * q) - 1) for p, q in zip(events.at, expected)), 1e-9)
+
+
+def path_alike(laws):
+    """Nodes that are alike change together."""
+    run = laws.run(posts(40))
+    events = Events(run.folder)
+    laws.demand(f"40 posts that are alike: {len(events.at)} event of {len(events.nodes[0])} nodes",
+                len(events.at) == 1 and len(events.nodes[0]) == 40)
+    down = pushed_block(2, .5, .2, **{
+        "Load push": None, "Support top": support(3, "x, y", "0 ; -0.01*t"), "Time": {"Times": 1}})
+    run = laws.run(down)
+    places = {int(row["node"]): row["x"] for row in run.last()}
+    other = {"slip+": "slip-", "slip-": "slip+"}
+    symmetric = all({(round(2 - places[int(n)], 9), other.get(a, a), other.get(b, b)) for n, a, b in nodes}
+                    == {(round(places[int(n)], 9), a, b) for n, a, b in nodes}
+                    for nodes in Events(run.folder).nodes)
+    laws.demand("a symmetric structure keeps symmetric states", symmetric)
+
+
+def path_increments(laws):
+    """Increments of the SOCLCP come to the path; where nothing reverses one increment is the path."""
+    bar = (SHIPPED / "bar-on-rigid-base.prm", "-s", "Output/VTU=0")
+    pull = entries(Load_weight__Value="0 ; -3975", Load_pull__Value="243750*t ; 0", Time__End=1, Time__Increments=1)
+    path, one = laws.run(*bar, *PATH, *pull), laws.run(*bar, *pull)
+    size = path.largest("u_t1")
+    laws.check("bar, one increment against the path", max(
+        abs(a["u_t1"] - b["u_t1"]) for a, b in zip(path.last(), one.last())) / size, 1e-10)
+    moved = ("-s", "Support top/Displacement=-0.2*max(t - 1, 0) ; -0.35*t",
+             "-s", "Contact bottom/Friction coefficient=0.2", "-s", "Output/VTU=0")
+    file = SHIPPED / "inclined-obstacle.prm"
+    path = laws.run(file, *moved, *PATH, "-s", "Time/Times=1, 2").last()
+    errors = []
+    for n in (4, 16, 64):
+        rows = laws.run(file, *moved, "-s", f"Time/Stages=1 : {n}, 2 : {n}").last()
+        errors.append(max(abs(a[c] - b[c]) for a, b in zip(path, rows) for c in ("r_n", "r_t1")))
+    for coarse, fine in zip(errors, errors[1:]):
+        laws.check("where slip reverses, differences to the path with a fourth of the increment", fine / coarse, .5)
+
+
+def path_in_space(laws):
+    for degrees in (0, 17, 45, 110):
+        angle = math.radians(degrees)
+        run = laws.run(pushed_block(3, .2, .5, angle))
+        events = Events(run.folder)
+        laws.check(f"block pushed low at {degrees} degrees: limit load", abs(events.parameter - .5), 1e-6)
+        laws.demand("  it slides: " + events.words, events.words == "limit load: sliding")
+        run = laws.run(pushed_block(3, .9, 2.0, angle))
+        events = Events(run.folder)
+        limit = 1 / (.9 * max(abs(math.cos(angle)), abs(math.sin(angle))))
+        laws.check(f"block pushed high at {degrees} degrees: limit load", abs(events.parameter / limit - 1), 1e-6)
+        laws.demand("  it tips: " + events.words, events.words == "limit load: tipping")
+        laws.admissible("  records", run, lambda row: 2.0)
+    for mu in (.7, 1.2):
+        run = laws.run(SHIPPED / "double-layer-grid-04.prm", "-s", "Solver/Method=load path", "-s", "Time/End=3",
+                       "-s", "Load thrust/Value=4e-4/6*t ; 2e-4/6*t ; -4e-4/6", "-s", "Output/VTU=0",
+                       "-s", f"Contact feet/Friction coefficient={mu}")
+        events = Events(run.folder)
+        laws.check(f"grid, mu = {mu}: side over vertical load at the limit",
+                   abs(events.parameter * math.sqrt(5) / 2 - mu), 1e-6)
+        laws.demand("  it slides: " + events.words, events.words == "limit load: sliding")
+
+
+def path(laws):
+    path_prestress(laws)
+    path_limits(laws)
+    path_bar(laws)
+    path_beam(laws)
+    path_sheet_pile(laws)
+    path_alike(laws)
+    path_increments(laws)
+    path_in_space(laws)

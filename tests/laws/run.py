@@ -1,0 +1,31 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Laws that results must obey, whatever the scene.
+
+usage: tests/laws/run.py PROGRAM FAMILY...      (all: every family)
+
+Each family, a function of the files beside this one, writes small scenes into a temporary
+folder, runs them, and checks numbers of reactions.csv and increments.csv: against each
+other (a rotated scene gives rotated reactions), or against closed forms. Every check prints
+what was found and its bound. With CONETACT_KEEP=1 the folders stay.
+"""
+import sys
+from pathlib import Path
+
+sys.path[0] = str(Path(__file__).resolve().parents[1])
+from laws import (balance, bodies, corners, elements, friction, hertz, kill, loads, obstacles, pairs,  # noqa: E402
+                  patch, path, refinement, supports, threads, transformations)
+from support.checks import run_families  # noqa: E402
+
+FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, "rotation": transformations.rotation_family,
+            "mirror": transformations.mirror, "units": transformations.units, "patch": patch.patch,
+            "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
+            "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
+            "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
+            "hertz": hertz.hertz, "path": path.path}
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    sys.exit(run_families(FAMILIES, *sys.argv[1:]))

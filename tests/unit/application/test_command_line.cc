@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/command_line.h"
+
+#include <getopt.h>
+#include <gtest/gtest.h>
+
+#include "sentence.h"
+
+using namespace conetact;
+
+namespace
+{
+  CommandLine
+  parse(std::vector<std::string> words)
+  {
+    words.insert(words.begin(), "conetact");
+    std::vector<char *> argv;
+    for (std::string &word : words)
+      argv.push_back(word.data());
+    optind = 0; // getopt begins anew
+    return parse_command_line(static_cast<int>(argv.size()), argv.data());
+  }
+
+  std::string
+  refused(const std::vector<std::string> &words)
+  {
+    return test::sentence_of([&] { parse(words); });
+  }
+} // namespace
+
+
+
+TEST(CommandLine, AllOptions)
+{
+  const CommandLine line = parse({"-s",
+                                  "A/B=1",
+                                  "scene.prm",
+                                  "--set=C=2",
+                                  "-o",
+                                  "there",
+                                  "--dry-run",
+                                  "-q",
+                                  "--parameters"});
+  EXPECT_EQ(line.scene, "scene.prm");
+  EXPECT_EQ(line.folder, "there");
+  EXPECT_EQ(line.overrides, (std::vector<std::string>{"A/B=1", "C=2"}));
+  EXPECT_TRUE(line.dry_run && line.quiet && line.print_parameters);
+  EXPECT_EQ(line.answer, "");
+}
+
+
+
+TEST(CommandLine, DefaultsAndAnswers)
+{
+  const CommandLine line = parse({"a b.prm"});
+  EXPECT_EQ(line.scene, "a b.prm");
+  EXPECT_TRUE(line.folder.empty() && line.overrides.empty());
+  EXPECT_FALSE(line.dry_run || line.quiet || line.print_parameters);
+  EXPECT_TRUE(test::starts(parse({"--version"}).answer, "conetact "));
+  EXPECT_TRUE(test::starts(parse({"-h"}).answer, "usage: conetact "));
+}
+
+
+
+TEST(CommandLine, Refusals)
+{
+  EXPECT_TRUE(test::starts(refused({}), "No scene file is given."));
+  EXPECT_TRUE(test::starts(refused({"a", "b"}), "More than one scene file"));
+  EXPECT_TRUE(test::starts(refused({"a", "-o"}), "Option -o needs a value."));
+  EXPECT_TRUE(test::starts(refused({"a", "-o", ""}), "Option -o: the folder"));
+  EXPECT_TRUE(test::starts(refused({"--loud", "a"}), "Option --loud is not"));
+}

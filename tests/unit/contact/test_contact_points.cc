@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/contact_points.h"
+
+#include "scene_fixture.h"
+
+using namespace conetact;
+using test::expect_near;
+using test::vector;
+
+TEST(ContactPoints, TangentsFirstTheNormalLast)
+{
+  const auto scene = test::make_scene(
+    test::triangle_on_floor("set Supports = top\n",
+                            test::held_top(),
+                            "|Friction coefficient = 0.1 + 0.1*x"));
+  const NodeRules     rules(scene->bodies, {1});
+  const ContactPoints points(scene->bodies, rules, {1});
+  ASSERT_EQ(points.size(), 2);
+  EXPECT_EQ(points.layout().first, (std::vector<Eigen::Index>{0, 2, 4}));
+  EXPECT_NEAR(points.layout().mu[1], .3, 1e-15);
+  EXPECT_FALSE(points.share_nodes());
+  EXPECT_FALSE(points.have_prescribed_slip());
+  for (const ContactPoint &point : points)
+    {
+      ASSERT_EQ(point.directions.size(), 2);
+      expect_near(point.directions[0], vector(1, 0)); // t1 = (n_y, -n_x)
+      expect_near(point.directions[1], vector(0, 1));
+      expect_near(point.dual[1], vector(0, 1));
+    }
+}
+
+
+
+TEST(ContactPoints, WithoutFrictionTheNormalIsAll)
+{
+  const auto scene = test::make_scene(
+    test::triangle_on_floor("set Supports = top\n", test::held_top()));
+  const NodeRules     rules(scene->bodies, {1});
+  const ContactPoints points(scene->bodies, rules, {1});
+  EXPECT_EQ(points.layout().first, (std::vector<Eigen::Index>{0, 1, 2}));
+  ASSERT_EQ(points[std::size_t(0)].frictionless.size(), 1);
+  expect_near(points[std::size_t(0)].frictionless[0], vector(1, 0));
+}
+
+
+
+TEST(ContactPoints, AHeldNormalHasNoPoint)
+{
+  const std::string roller =
+    "Body = frame|Boundary ids = 1|Directions = y|Displacement = 0";
+  const auto scene = test::make_scene(
+    "set Dimension = 2\nset Bodies = frame\nset Obstacles = floor, wall\n"
+    "set Contacts = feet, side\nset Supports = roller\n" +
+    test::triangle() +
+    test::section("Obstacle floor", "Shape = half space|Normal = 0, 1") +
+    test::section("Obstacle wall", "Shape = half space|Normal = 1, 0") +
+    test::section("Contact feet",
+                  "Body = frame|Boundary ids = 1|Obstacle = floor") +
+    test::section("Contact side",
+                  "Body = frame|Boundary ids = 1|Obstacle = wall|"
+                  "Friction coefficient = 0.2") +
+    test::section("Support roller", roller));
+  const NodeRules     rules(scene->bodies, {1});
+  const ContactPoints points(scene->bodies, rules, {1});
+  EXPECT_EQ(points.n_held(), 2); // of the floor
+  ASSERT_EQ(points.size(), 2);   // of the wall
+  // and the roller holds their tangent: the normal is left
+  EXPECT_EQ(points.layout().first, (std::vector<Eigen::Index>{0, 1, 2}));
+  expect_near(points[std::size_t(0)].directions[0], vector(1, 0));
+}
+
+
+
+TEST(ContactPoints, ComponentsAreRelativeToWhatMoves)
+{
+  const auto scene = test::make_scene(
+    "set Dimension = 2\nset Bodies = frame\nset Obstacles = floor\n"
+    "set Contacts = feet\nset Supports = top\n" +
+    test::triangle() +
+    test::section("Obstacle floor",
+                  "Shape = half space|Normal = 0, 1|"
+                  "Displacement = 0.1*t ; -0.2*t") +
+    test::section("Contact feet",
+                  "Body = frame|Boundary ids = 1|Obstacle = floor|"
+                  "Friction coefficient = 0.2") +
+    test::held_top());
+  const NodeRules     rules(scene->bodies, {1});
+  const ContactPoints points(scene->bodies, rules, {1});
+  const auto          at = [](const unsigned int, const unsigned int node) {
+    return node == 0 ? vector(1, 2) : vector(0, 0);
+  };
+  const Eigen::VectorXd v = points.components(at, 2);
+  EXPECT_LE((v - Eigen::Vector4d(1 - .2, 2 + .4, -.2, .4)).norm(), 1e-15);
+}
+
+
+
+// |(F_1/mu_1, F_2/mu_2)| = F_n is a circular cone in the scaled unknowns
+TEST(ContactPoints, AnEllipticConeBecomesACircularOne)
+{
+  const auto scene = test::make_scene(
+    "set Dimension = 3\nset Bodies = frame\nset Obstacles = floor\n"
+    "set Contacts = feet\nset Supports = top\nsubsection Body frame\n"
+    "set Kind = frame\nset Sections = bar\n" +
+    test::section("Frame",
+                  "Nodes = 1: 0, 0, 0 : 1 ; 2: 2, 0, 0 : 1 ; 3: 0, 2, 0 : 1 ; "
+                  "4: 1, 1, 1 : 2|Members = 1-2-3-1-4: bar ; 2-4-3: bar") +
+    test::section("Section bar", "Young modulus = 1000|Area = 0.1") + "end\n" +
+    test::section("Obstacle floor", "Shape = half space|Normal = 0, 0, 1") +
+    test::section("Contact feet",
+                  "Body = frame|Boundary ids = 1|Obstacle = floor|"
+                  "Friction coefficient = 0.4|Second friction coefficient = "
+                  "0.1|Friction angle = 30") +
+    test::section("Support top",
+                  "Body = frame|Boundary ids = 2|Directions = x, y, z"));
+  const NodeRules     rules(scene->bodies, {1});
+  const ContactPoints points(scene->bodies, rules, {1});
+  const ContactPoint &point = points[std::size_t(0)];
+  ASSERT_EQ(point.directions.size(), 3);
+  for (const Tensor<1, 3> &friction :
+       {.4 * point.node->axis_1, .1 * point.node->axis_2})
+    {
+      const Tensor<1, 3> force = point.node->n + friction;
+      const double       r_1   = force * point.directions[0],
+                   r_2         = force * point.directions[1],
+                   r_n         = force * point.directions[2];
+      EXPECT_NEAR(std::hypot(r_1, r_2), point.mu * r_n, 1e-15);
+    }
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int k = 0; k < 3; ++k)
+      EXPECT_NEAR(point.dual[i] * point.directions[k], i == k, 1e-15);
+}

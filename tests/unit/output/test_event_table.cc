@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/errors.h"
+#include "conetact/output/event_table.h"
+
+#include "files.h"
+
+using namespace conetact;
+
+namespace
+{
+  std::string
+  content()
+  {
+    return test::read_file(test::folder() / "events.csv");
+  }
+} // namespace
+
+
+
+TEST(EventTable, NodesThatChangeTogetherShareANumber)
+{
+  EventTable table(test::folder());
+  EXPECT_EQ(content(), "event,parameter,node,from,to\n");
+  table.add(.5, {{"0", "stick", "slip+"}, {"4", "stick", "open"}});
+  table.add(1. / 3, {{"0", "slip+", "stick"}});
+  EXPECT_EQ(content(), "event,parameter,node,from,to\n"); // until write()
+  table.write();
+  const std::string events = "event,parameter,node,from,to\n"
+                             "1,0.5,0,stick,slip+\n1,0.5,4,stick,open\n"
+                             "2,0.333333333333333,0,slip+,stick\n";
+  EXPECT_EQ(content(), events);
+  table.finish(2, "limit load: sliding");
+  EXPECT_EQ(content(), events + "outcome,2,,,limit load: sliding\n");
+}
+
+
+
+TEST(EventTable, AParameterThatIsNotFinite)
+{
+  EventTable table(test::folder());
+  EXPECT_THROW(table.add(std::nan(""), {{"0", "stick", "open"}}),
+               AnalysisError);
+}
