@@ -109,7 +109,10 @@ namespace conetact
     // nor were candidates that are left out
     if (report.substeps > 1 && !model.working_set().is_all())
       fail(increment.record, "it was solved in parts");
-    if (scene.fclib_increments.count(increment.record.increment) > 0)
+    const unsigned int number = increment.record.increment;
+    if (scene.fclib_increments.count(number) +
+          scene.text_increments.count(number) >
+        0)
       increment.record.condensed = std::make_shared<const CondensedIncrement>(
         CondensedIncrement{problem,
                            report.substeps == 1 ?

@@ -31,7 +31,7 @@ namespace conetact
     using Index = Eigen::Index;
     using Array = Eigen::VectorXd;
 
-    /** Starts from a state, or in published form from zero. */
+    /** Starts from a state. */
     SmoothingIteration(const LinearRelation   &relation,
                        const SmoothingOptions &options,
                        const ContactState     &start);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/output/output.h"
-
 #include "conetact/output/graphics.h"
+#include "conetact/output/output.h"
 #include "conetact/output/problem_files.h"
+#include "conetact/output/problem_texts.h"
 #include "conetact/output/tables.h"
 
 namespace conetact
@@ -34,6 +34,10 @@ namespace conetact
       {"problems",
        "problem-0001.hdf5: condensed problems of chosen increments for FCLib",
        create<ProblemFiles>},
+      {"problem texts",
+       "problem-0001.txt: condensed problems of chosen increments as plain "
+       "text",
+       create<ProblemTexts>},
       {"graphics",
        "solution.pvd, contact.pvd and VTU files of bodies and contact nodes",
        create<Graphics>}};
