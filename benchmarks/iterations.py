@@ -3,62 +3,60 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Iterations (linear solves) of the paper's examples, as a Markdown table.
 
-usage: iterations.py [PROGRAM]
+usage: iterations.py [BUILD]
 
 [K] Tables 2 and 4 beside the published, unscaled smoothing method with two sets of
-parameters, A and B, fitted to them (the paper does not print its own); the scaled
-form; and the default method. err1 and err2 are those of the default method.
+parameters, A and B, fitted to them (the paper does not print its own), run by
+conetact-reproductions on the problems of the default method; the scaled form; and
+the default method. err1 and err2 are those of the default method.
 """
 import csv
+import re
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parent.parent
-PUBLISHED = ["Solver/Method=smoothing", "Solver/Scaling=none", "Solver/Tolerance=1e-8",
-             "Solver/Smoothing/kappa=1", "Solver/Smoothing/kappahat=1", "Solver/Smoothing/rho=0.5",
-             "Solver/Smoothing/sigma=1e-4"]
-
-
-def smoothing(eta, etabar, m0, beta0):
-    return PUBLISHED + [f"Solver/Smoothing/eta={eta}", f"Solver/Smoothing/etabar={etabar}",
-                        f"Solver/Smoothing/m0={m0}", f"Solver/Smoothing/eps0={m0}", f"Solver/Smoothing/beta0={beta0}"]
-
-
-METHODS = {"A": smoothing(.9, .5, 1e-3, 1), "B": smoothing(.5, .1, .1, 100),
-           "scaled": ["Solver/Method=smoothing"], "automatic": []}
+METHODS = {"scaled": ["Solver/Method=smoothing"], "automatic": []}
 PAPER = {"double-layer-grid-04": [10], "double-layer-grid-07": [13], "double-layer-grid-10": [11],
          "double-layer-grid-12": [10], "double-layer-grid-unloading": [8, 7, 7, 7, 9, 13],
          "square-greco": None, "inclined-obstacle": None}
 
 
-def increments(program, scene, changes):
+def increments(build, scene, changes):
+    """Rows of increments.csv, and linear solves of the published method with each set on the problems of these."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, TOP / f"parameter-files/{scene}.prm", "-o", folder, "--quiet", "-s", "Output/VTU=0"]
+        command = [build / "conetact", TOP / f"parameter-files/{scene}.prm", "-o", folder, "--quiet", "-s", "Output/VTU=0"]
         for change in changes:
             command += ["-s", change]
         subprocess.run(command, capture_output=True, check=False)
         table = Path(folder) / "increments.csv"
-        return list(csv.DictReader(table.open())) if table.exists() else []
+        rows = list(csv.DictReader(table.open())) if table.exists() else []
+        problems = sorted(Path(folder).glob("problem-*.txt"))
+        text = problems and subprocess.run([build / "conetact-reproductions", "smoothing", *problems],
+                                           capture_output=True, text=True).stdout
+    return rows, {name: [int(n) for n in re.findall(rf"^{name} +(\d+) ", text or "", re.M)] for name in "AB"}
 
 
-def counts(rows, expected):
-    numbers = [int(row["iterations"]) for row in rows]
+def counts(numbers, expected):
     if len(numbers) < expected:
         return f"stopped after {len(numbers)} of {expected}"
     return " ".join(map(str, numbers)) if len(numbers) < 10 else f"{sum(numbers)} in {len(numbers)}"
 
 
-def main(program=TOP / "build/conetact"):
+def main(build=TOP / "build"):
+    build = Path(build)
     print("| scene | paper | A | B | scaled | automatic | err1 | err2 |")
     print("|---|---|---|---|---|---|---|---|")
     for scene, paper in PAPER.items():
-        runs = {name: increments(program, scene, changes) for name, changes in METHODS.items()}
+        _, published = increments(build, scene, ["Output/Text increments=all"])
+        runs = {name: increments(build, scene, changes)[0] for name, changes in METHODS.items()}
         last = runs["automatic"]
         worst = ["%.0e" % max((abs(float(row[e])) for row in last), default=float("nan")) for e in ("err1", "err2")]
+        numbers = [*published.values(), *([int(row["iterations"]) for row in rows] for rows in runs.values())]
         print("|", " | ".join([scene, " ".join(map(str, paper)) if paper else "-",
-                               *(counts(rows, len(last)) for rows in runs.values()), *worst]), "|")
+                               *(counts(n, len(last)) for n in numbers), *worst]), "|")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ cmake --install "$2" --prefix "$folder/prefix" >"$folder/log" || { cat "$folder/
 cmake -S "$1/examples/contact_by_hand" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$folder/prefix" >"$folder/log" || { cat "$folder/log"; exit 1; }
 cmake --build "$folder/build" >"$folder/log" || { cat "$folder/log"; exit 1; }
+"$folder/prefix/bin/conetact-reproductions" --help >"$folder/log" || { cat "$folder/log"; exit 1; }
 found=$("$folder/build/contact-by-hand")
 echo "$found"
 # springs carry what the floor does not: r_n = 10 - 0, 10 - 100 * 0.02; r_t = -2, -0.3 * 8

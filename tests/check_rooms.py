@@ -15,7 +15,8 @@ import re
 import sys
 
 # from the ground up: each may include those before it that are named
-BELOW = {"base": (), "solvers": (), "load_path": ("solvers",), "bodies": ("base",),
+BELOW = {"base": (), "solvers": (), "load_path": ("solvers",),
+         "reproductions": ("solvers", "load_path"), "bodies": ("base",),
          "pairing": ("base", "bodies"), "backends": ("base", "solvers"),
          "output": ("base", "bodies", "solvers"), "exchange": ("base", "solvers"),
          "contact": ("base", "bodies", "pairing", "backends", "output", "solvers"),

@@ -98,11 +98,11 @@ namespace conetact
     claim.r       = increment.state.r;
     claim.states  = increment.state.node;
     claim.loads   = increment.forces;
-    claim.mechanical  = increment.mechanical;
-    claim.t           = increment.record.time;
-    claim.whole       = increment.record.report.substeps <= 1;
-    claim.incremental = scene.path.method == PathSettings::Method::none ||
-                        scene.path.law == PathLaw::incremental;
+    claim.mechanical = increment.mechanical;
+    claim.t          = increment.record.time;
+    claim.whole      = increment.record.report.substeps <= 1;
+    claim.incremental =
+      !scene.path.follows || scene.path.law == PathLaw::incremental;
     return claim;
   }
 

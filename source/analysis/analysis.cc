@@ -128,16 +128,19 @@ namespace conetact
                            const std::size_t            n_increments,
                            const bool                   quiet)
   {
-    description.folder       = folder;
-    description.contacts     = scene.contact_sides;
-    description.bodies       = scene.bodies.names;
-    description.structures   = scene.bodies.structures;
-    description.supports     = scene.support_names;
-    description.loads        = scene.load_names;
-    description.dim          = scene.bodies.dim;
-    description.n_increments = static_cast<unsigned int>(n_increments);
-    description.end          = scene.times.empty() ? 0 : scene.times.back();
-    description.vtu_every    = scene.vtu_every;
+    description.folder           = folder;
+    description.contacts         = scene.contact_sides;
+    description.bodies           = scene.bodies.names;
+    description.structures       = scene.bodies.structures;
+    description.supports         = scene.support_names;
+    description.loads            = scene.load_names;
+    description.dim              = scene.bodies.dim;
+    description.n_increments     = static_cast<unsigned int>(n_increments);
+    description.end              = scene.times.empty() ? 0 : scene.times.back();
+    description.vtu_every        = scene.vtu_every;
+    description.fclib_increments = scene.fclib_increments;
+    if (!scene.path.follows) // whose stages are no increments
+      description.text_increments = scene.text_increments;
     for (const OutputRow &row : output_table())
       outputs.push_back(row.create(description));
     outputs.push_back(std::make_unique<Progress>(description, quiet));

@@ -141,7 +141,10 @@ namespace conetact
     ContactState &state = increment.end;
     if (problem.system->form == Form::stiffness)
       state.u = elastic_part(problem, state);
-    if (scene.fclib_increments.count(increment.record.increment) > 0)
+    const unsigned int number = increment.record.increment;
+    if (scene.fclib_increments.count(number) +
+          scene.text_increments.count(number) >
+        0)
       increment.record.condensed = std::make_shared<const CondensedIncrement>(
         CondensedIncrement{problem,
                            increment.record.report.substeps == 1 ?

@@ -11,7 +11,7 @@ namespace conetact
   std::unique_ptr<Analysis>
   make_analysis(const Scene &scene, Log &log)
   {
-    if (scene.path.method == PathSettings::Method::none)
+    if (!scene.path.follows)
       return std::make_unique<IncrementAnalysis>(scene, log);
     return std::make_unique<PathAnalysis>(scene, log);
   }

@@ -6,9 +6,9 @@
 #include "conetact/analysis/path_outcome.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
-#include "conetact/load_path/lemke.h"
 #include "conetact/output/csv.h"
 #include "conetact/output/graphics.h"
+#include "conetact/output/problem_texts.h"
 
 #include <algorithm>
 #include <set>
@@ -22,6 +22,13 @@ namespace conetact
 
     /** Over the spacing of nodes: smaller gaps are closed. */
     constexpr double touching = 1e-9;
+
+    /** Rounding of the loads f. */
+    bool
+    is_nothing(const Eigen::VectorXd &x, const Eigen::VectorXd &f)
+    {
+      return largest(x) <= 1e-14 * largest(f);
+    }
 
     bool
     numbers_are_unique(const ContactPoints &points)
@@ -41,9 +48,7 @@ namespace conetact
     , initial_gap(model.points.layout().n_nodes())
     , names_are_unique(numbers_are_unique(model.points))
   {
-    options.law       = scene.path.method == PathSettings::Method::lemke ?
-                          PathLaw::holonomic :
-                          scene.path.law;
+    options.law       = scene.path.law;
     options.tolerance = scene.solver.tolerance;
     options.cohesion.resize(initial_gap.size());
     Eigen::Index i = 0;
@@ -172,13 +177,6 @@ namespace conetact
   PathAnalysis::make_follower(std::shared_ptr<const ContactSystem> system,
                               const Eigen::VectorXd               &gap) const
   {
-    if (scene.path.method == PathSettings::Method::lemke)
-      {
-        LemkeOptions lemke;
-        lemke.weight = scene.path.weight;
-        lemke.log    = [this](const std::string &line) { log.note(line); };
-        return make_lemke_follower(system, options, lemke);
-      }
     return scene.bodies.dim == 2 ?
              make_event_follower(system, gap, options) :
              make_bracketing_follower(system, gap, options);
@@ -194,6 +192,7 @@ namespace conetact
     create_outputs(folder, 0, quiet);
     events.emplace(folder);
     system();
+    write_problem_texts();
     Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);
     const auto      follower = make_follower(stiffness->system(), gap);
     PathResult      result;
@@ -208,6 +207,42 @@ namespace conetact
         throw;
       }
     report_outcome(result);
+  }
+
+
+
+  /* All of them before the first is followed: they stand alone. */
+  void
+  PathAnalysis::write_problem_texts()
+  {
+    if (scene.text_increments.empty())
+      return;
+    StoredProblem stored;
+    stored.problem.system = stiffness->system();
+    stored.problem.gap    = initial_gap.cwiseMax(0.);
+    if (largest(options.cohesion) > 0)
+      stored.cohesion = options.cohesion;
+    const auto write = [&](const unsigned int     number,
+                           const Eigen::VectorXd &from,
+                           const Eigen::VectorXd &to) {
+      stored.problem.load = from;
+      stored.rate         = (to - from) / (stored.end - stored.begin);
+      write_problem_text(folder, number, stored);
+    };
+    Eigen::VectorXd f = case_at(0).f;
+    if (const Eigen::VectorXd nothing = multiply(system(), unloaded());
+        !is_nothing(f - nothing, f))
+      write(0, nothing, f);
+    stored.end = 0;
+    for (unsigned int k = 1; k <= scene.times.size(); ++k)
+      {
+        stored.begin               = stored.end;
+        stored.end                 = scene.times[k - 1];
+        const Eigen::VectorXd next = case_at(stored.end).f;
+        if (scene.text_increments.count(k) > 0)
+          write(k, f, next);
+        f = next;
+      }
   }
 
 
@@ -240,19 +275,30 @@ namespace conetact
 
 
 
+  /* Displacements before anything acts. */
+  Eigen::VectorXd
+  PathAnalysis::unloaded()
+  {
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(system().n_unknowns());
+    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
+      v[system().normal(i)] = std::max(initial_gap[i], 0.);
+    return v;
+  }
+
+
+
   /* From nothing: interferences are part of what is applied. */
   PathResult
   PathAnalysis::apply_constant_loads(PathFollower &follower,
                                      const Case   &constant)
   {
-    last.v = last.r = Eigen::VectorXd::Zero(system().n_unknowns());
-    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
-      last.v[system().normal(i)] = std::max(initial_gap[i], 0.);
+    last.v                        = unloaded();
+    last.r                        = Eigen::VectorXd::Zero(last.v.size());
     const Eigen::VectorXd nothing = multiply(system(), last.v);
 
     PathResult result;
     result.outcome = PathOutcome::target_reached;
-    if (largest(constant.f - nothing) <= 1e-14 * largest(constant.f))
+    if (is_nothing(constant.f - nothing, constant.f))
       return result;
     constant_stage    = true;
     PathPoint reached = last;
@@ -281,10 +327,6 @@ namespace conetact
   void
   PathAnalysis::record(const PathPoint &point, const Case &at, const double t)
   {
-    // Pivots of Lemke's method are those of the tightened problem.
-    if (scene.path.method == PathSettings::Method::lemke &&
-        !point.changes.empty())
-      return add_events(point);
     // Nodes that touch before anything acts get their states at p = 0.
     if (n_records == 0 && t == 0 && !point.changes.empty())
       {

@@ -97,8 +97,7 @@ namespace conetact
     if (model.points.n_held() > 0)
       log.note("skipped: " + std::to_string(model.points.n_held()) +
                " contact nodes whose normal is held by a support");
-    if (scene.path.method == PathSettings::Method::none &&
-        scene.n_drawings() < scene.times.size())
+    if (!scene.path.follows && scene.n_drawings() < scene.times.size())
       log.note("skipped: drawings of " +
                std::to_string(scene.times.size() - scene.n_drawings()) +
                " of " + std::to_string(scene.times.size()) + " increments");

@@ -167,7 +167,8 @@ namespace conetact
                       "are likely to touch, where that saves much; as soon as "
                       "another one would penetrate it joins them, so that the "
                       "result is that of all. all: all from the start, as "
-                      "with FCLib increments and the load path.");
+                      "where condensed problems are written, and for the load "
+                      "path.");
     prm.leave_subsection();
     prm.enter_subsection("Output");
     prm.declare_entry("VTU",
@@ -182,6 +183,15 @@ namespace conetact
                       "(numbers from 1 on separated by commas, or all) with "
                       "its solution as problem-0001.hdf5, ..., local problems "
                       "of FCLib; empty: none.");
+    prm.declare_entry("Text increments",
+                      "",
+                      dealii::Patterns::Anything(),
+                      "Write the condensed problem of these increments "
+                      "(numbers from 1 on separated by commas, or all) as "
+                      "plain text, problem-0001.txt, ..., in the units of the "
+                      "scene, for conetact-reproductions or a script; of a "
+                      "load path: of these stages, with its constant loads "
+                      "as problem-0000.txt; empty: none.");
     prm.leave_subsection();
   }
 
@@ -193,19 +203,24 @@ namespace conetact
     times = create_times(prm);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
-    solver              = create_solver_options(prm);
-    path                = create_path_settings(prm);
-    threads             = static_cast<unsigned int>(prm.get_integer("Threads"));
-    leave_out_far_nodes = prm.get("Working set") == "automatic" &&
-                          path.method == PathSettings::Method::none;
+    solver  = create_solver_options(prm);
+    path    = create_path_settings(prm);
+    threads = static_cast<unsigned int>(prm.get_integer("Threads"));
+    leave_out_far_nodes =
+      prm.get("Working set") == "automatic" && !path.follows;
     prm.leave_subsection();
     prm.enter_subsection("Output");
     vtu_every = static_cast<unsigned int>(prm.get_integer("VTU"));
-    fclib_increments =
-      parse_problem_increments(prm.get("FCLib increments"),
-                               static_cast<unsigned int>(times.size()));
+    const auto increments_of = [&](const std::string &entry) {
+      return parse_problem_increments(prm.get(entry),
+                                      static_cast<unsigned int>(times.size()),
+                                      "Output, " + entry);
+    };
+    fclib_increments = increments_of("FCLib increments");
+    text_increments  = increments_of("Text increments");
+    check_fclib_is_there(fclib_increments);
     prm.leave_subsection();
-    leave_out_far_nodes &= fclib_increments.empty();
+    leave_out_far_nodes &= fclib_increments.empty() && text_increments.empty();
   }
 
   void

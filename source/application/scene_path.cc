@@ -61,20 +61,19 @@ namespace conetact
   void
   Scene::check_path() const
   {
-    if (adaptive.cycles > 0 && path.method != PathSettings::Method::none)
+    if (adaptive.cycles > 0 && path.follows)
       throw InputError("Adaptive refinement: the Solver/Method of this scene "
                        "follows a path on one mesh. Set it to 0, or choose "
                        "another method.");
-    const bool is_path = path.method == PathSettings::Method::events;
     const bool cohesive =
       std::any_of(bodies.contact_nodes.begin(),
                   bodies.contact_nodes.end(),
                   [](const ContactNode &node) { return node.cohesion > 0; });
-    if (cohesive && !(is_path && bodies.dim == 2))
+    if (cohesive && !(path.follows && bodies.dim == 2))
       throw InputError(
         "Contact, Cohesion: only Solver/Method = load path in 2D knows "
         "cohesion. Leave it 0, or choose that method.");
-    if (path.method == PathSettings::Method::none)
+    if (!path.follows)
       {
         if (path.law == PathLaw::holonomic)
           throw InputError("Solver/Law: the holonomic law is one of "
@@ -82,9 +81,6 @@ namespace conetact
                            "Law = incremental.");
         return;
       }
-    if (bodies.dim == 3 && !is_path)
-      throw InputError("Solver/Method: lemke is for 2D, where friction has two "
-                       "directions. Choose load path.");
     if (bodies.dim == 3 && path.law == PathLaw::holonomic)
       throw InputError("Solver/Law: the holonomic law is for 2D. Choose "
                        "incremental.");

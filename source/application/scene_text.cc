@@ -233,15 +233,59 @@ namespace conetact
       return "Give what fits the pattern " + pattern + ".";
     }
 
+    /** An entry, or one of its values, that is not of this program any more. */
+    struct MovedEntry
+    {
+      const char *section, *name;
+      const char *value; ///< empty: any
+      const char *text;  ///< where it is, what to do
+    };
+    const MovedEntry moved_entries[] = {
+      {"Solver",
+       "Method",
+       "lemke",
+       "Lemke's method of [P] is in conetact-reproductions: choose load path "
+       "with Output/Text increments = all, then run 'conetact-reproductions "
+       "lemke' on the problem files."},
+      {"Solver",
+       "Tightening weight",
+       "",
+       "Lemke's method of [P] is in conetact-reproductions, whose option "
+       "--weight this is. Remove the entry."},
+      {"Solver",
+       "Scaling",
+       "",
+       "smoothing is always free of units; the published form of [K] is in "
+       "conetact-reproductions: remove the entry, set Output/Text increments = "
+       "all and run 'conetact-reproductions smoothing' on the problem files."}};
+
+    std::string
+    value_of(const Line &line)
+    {
+      const auto equals = line.text.find('=');
+      return equals == line.text.npos ? "" : trim(line.text.substr(equals + 1));
+    }
+
+    /** Where a moved entry is; empty for all others. */
+    std::string
+    moved(const Line &line)
+    {
+      for (const MovedEntry &entry : moved_entries)
+        if (line.kind == Line::Kind::set &&
+            line.path == std::vector<std::string>{entry.section} &&
+            line.name == entry.name &&
+            (*entry.value == 0 || value_of(line) == entry.value))
+          return std::string(entry.section) + '/' + entry.name + ": " +
+                 entry.text;
+      return {};
+    }
+
     /** The value and the pattern that it does not match, of deal.II's text. */
     std::string
     mismatch(const std::string &message, const Line &line)
     {
       const std::string pattern = "does not match the given pattern:";
-      const auto        equals  = line.text.find('=');
-      const std::string value =
-        equals == line.text.npos ? "" : trim(line.text.substr(equals + 1));
-      return line.name + in_section(line.path) + ": '" + value +
+      return line.name + in_section(line.path) + ": '" + value_of(line) +
              "' is not possible. " +
              request(message.substr(message.find(pattern) + pattern.size()));
     }
@@ -249,6 +293,8 @@ namespace conetact
     std::string
     sentence(const Handler &prm, const Line &line, const std::string &message)
     {
+      if (const std::string elsewhere = moved(line); !elsewhere.empty())
+        return elsewhere;
       if (message.find("does not match the given pattern") != message.npos)
         return mismatch(message, line);
       if (message.find("no such subsection") != message.npos ||

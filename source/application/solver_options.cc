@@ -34,31 +34,10 @@ namespace conetact
       {"eps0", &SmoothingOptions::eps0, 1e300, "First regularisation."},
       {"beta0", &SmoothingOptions::beta0, 1e300, "First bound beta."}};
 
-    struct PathRow
-    {
-      const char          *name;
-      PathSettings::Method method;
-      const char          *description;
-    };
-    const std::vector<PathRow> path_table = {
-      {"load path",
-       PathSettings::Method::events,
-       "follows the load through every change of contact state, one stage up "
-       "to each of Times; finds limit loads (events.csv)"},
-      {"lemke",
-       PathSettings::Method::lemke,
-       "the method of [P] with its table of pivots in log.txt, for "
-       "reproduction only (2D)"}};
-
-    /** Whether the methods are followers of paths, which need no solver. */
-    PathSettings::Method
-    path_method(const std::string &name)
-    {
-      for (const PathRow &row : path_table)
-        if (name == row.name)
-          return row.method;
-      return PathSettings::Method::none;
-    }
+    const std::string load_path = "load path";
+    const std::string load_path_text =
+      "follows the load through every change of contact state, one stage up "
+      "to each of Times; finds limit loads (events.csv)";
 
     std::string
     full_text(const double value)
@@ -80,11 +59,8 @@ namespace conetact
         methods.push_back(row.name);
         lines.push_back(std::string(row.name) + ": " + row.description);
       }
-    for (const PathRow &row : path_table)
-      {
-        methods.push_back(row.name);
-        lines.push_back(std::string(row.name) + ": " + row.description);
-      }
+    methods.push_back(load_path);
+    lines.push_back(load_path + ": " + load_path_text);
     prm.declare_entry("Method",
                       defaults.method,
                       Selection(join(methods, "|")),
@@ -94,12 +70,6 @@ namespace conetact
                       Double(1e-15, 1),
                       "Largest accepted residual of contact and of "
                       "equilibrium, both free of units. [-]");
-    prm.declare_entry("Scaling",
-                      "automatic",
-                      Selection("automatic|none"),
-                      "smoothing: automatic makes the problem free of units, "
-                      "none is the published form, whose iterations depend on "
-                      "the units of the scene.");
     prm.declare_entry("Law",
                       "incremental",
                       Selection("incremental|holonomic"),
@@ -107,12 +77,6 @@ namespace conetact
                       "as it happens, Coulomb's law as in the other methods; "
                       "holonomic: the total displacement since the start, the "
                       "law of [P] (2D).");
-    prm.declare_entry("Tightening weight",
-                      "1",
-                      Double(1e-300),
-                      "lemke: the artificial compression Fc of all contact "
-                      "nodes; a prestress Fc and a cohesion (1 - mu) Fc. "
-                      "[force]");
     prm.enter_subsection("Smoothing");
     for (const SmoothingRow &row : smoothing_table)
       prm.declare_entry(row.name,
@@ -131,10 +95,9 @@ namespace conetact
   {
     SolverOptions options;
     options.may_be_rigid = false;
-    if (path_method(prm.get("Method")) == PathSettings::Method::none)
+    if (prm.get("Method") != load_path)
       options.method = prm.get("Method");
-    options.tolerance        = prm.get_double("Tolerance");
-    options.smoothing.scaled = prm.get("Scaling") == "automatic";
+    options.tolerance = prm.get_double("Tolerance");
     prm.enter_subsection("Smoothing");
     for (const SmoothingRow &row : smoothing_table)
       options.smoothing.*row.member = prm.get_double(row.name);
@@ -148,10 +111,9 @@ namespace conetact
   create_path_settings(dealii::ParameterHandler &prm)
   {
     PathSettings settings;
-    settings.method = path_method(prm.get("Method"));
+    settings.follows = prm.get("Method") == load_path;
     settings.law =
       prm.get("Law") == "holonomic" ? PathLaw::holonomic : PathLaw::incremental;
-    settings.weight = prm.get_double("Tightening weight");
     return settings;
   }
 } // namespace conetact

@@ -5,6 +5,7 @@
 
 #include "conetact/output/graphics.h"
 #include "conetact/output/problem_files.h"
+#include "conetact/output/problem_texts.h"
 #include "conetact/output/tables.h"
 
 namespace conetact
@@ -34,6 +35,10 @@ namespace conetact
       {"problems",
        "problem-0001.hdf5: condensed problems of chosen increments for FCLib",
        create<ProblemFiles>},
+      {"problem texts",
+       "problem-0001.txt: condensed problems of chosen increments as plain "
+       "text",
+       create<ProblemTexts>},
       {"graphics",
        "solution.pvd, contact.pvd and VTU files of bodies and contact nodes",
        create<Graphics>}};

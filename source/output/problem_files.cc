@@ -20,22 +20,23 @@ namespace conetact
 
     const std::string entry = "Output, FCLib increments";
 
+    bool
+    is_problem_file(const fs::path &file, const std::string &ending)
+    {
+      return std::regex_match(file.filename().string(),
+                              std::regex("problem-[0-9]{4,}\\." + ending));
+    }
+
     [[noreturn]] void
     refuse(const std::string &why)
     {
       throw InputError(entry + ": " + why + " Leave the entry empty.");
     }
 
-    [[maybe_unused]] std::string
-    file_name(const unsigned int increment)
-    {
-      char name[32];
-      std::snprintf(name, sizeof(name), "problem-%04u.hdf5", increment);
-      return name;
-    }
-
     unsigned int
-    parse_increment(const std::string &text, const unsigned int n)
+    parse_increment(const std::string &text,
+                    const unsigned int n,
+                    const std::string &entry)
     {
       if (!std::regex_match(text, std::regex("[0-9]{1,9}")))
         throw InputError(entry + ": '" + text +
@@ -53,12 +54,9 @@ namespace conetact
 
   ProblemFiles::ProblemFiles(const RunDescription &description)
     : folder(description.folder)
+    , increments(description.fclib_increments)
   {
-    const std::regex pattern("problem-[0-9]{4,}\\.hdf5");
-    std::error_code  error;
-    for (const auto &file : fs::directory_iterator(folder, error))
-      if (std::regex_match(file.path().filename().string(), pattern))
-        fs::remove(file.path(), error);
+    remove_problem_files(folder, "hdf5");
   }
 
 
@@ -67,7 +65,7 @@ namespace conetact
   ProblemFiles::write(const std::vector<IncrementRecord> &finished)
   {
     for (const IncrementRecord &record : finished)
-      if (record.condensed)
+      if (record.condensed && increments.count(record.increment) > 0)
         write_problem(record);
   }
 
@@ -82,11 +80,12 @@ namespace conetact
       "increment " + std::to_string(record.increment);
     try
       {
-        write_fclib(condensed.problem,
-                    (folder / file_name(record.increment)).string(),
-                    condensed.solution ? &*condensed.solution : nullptr,
-                    nullptr,
-                    "Conetact, " + increment);
+        write_fclib(
+          condensed.problem,
+          (folder / problem_file_name(record.increment, "hdf5")).string(),
+          condensed.solution ? &*condensed.solution : nullptr,
+          nullptr,
+          "Conetact, " + increment);
       }
     catch (const InputError &error)
       {
@@ -97,8 +96,32 @@ namespace conetact
 
 
 
+  std::string
+  problem_file_name(const unsigned int number, const std::string &ending)
+  {
+    char name[32];
+    std::snprintf(name, sizeof(name), "problem-%04u.", number);
+    return name + ending;
+  }
+
+
+
+  void
+  remove_problem_files(const std::filesystem::path &folder,
+                       const std::string           &ending)
+  {
+    std::error_code error;
+    for (const auto &file : fs::directory_iterator(folder, error))
+      if (is_problem_file(file.path(), ending))
+        fs::remove(file.path(), error);
+  }
+
+
+
   std::set<unsigned int>
-  parse_problem_increments(const std::string &text, const unsigned int n)
+  parse_problem_increments(const std::string &text,
+                           const unsigned int n,
+                           const std::string &entry)
   {
     std::set<unsigned int> increments;
     if (trim(text) == "all")
@@ -106,13 +129,21 @@ namespace conetact
         increments.insert(k);
     else
       for (const std::string &part : split(text, ','))
-        increments.insert(parse_increment(part, n));
+        increments.insert(parse_increment(part, n, entry));
+    return increments;
+  }
+
+
+
+  void
+  check_fclib_is_there(
+    [[maybe_unused]] const std::set<unsigned int> &increments)
+  {
 #ifndef CONETACT_HAVE_FCLIB
     if (!increments.empty())
       refuse("this program was built without FCLib (Debian: libfclib-dev, "
              "libhdf5-dev).");
 #endif
-    return increments;
   }
 
 

@@ -146,7 +146,6 @@ namespace conetact
     relation->set_load(problem);
 
     SmoothingOptions smoothing = options.smoothing;
-    smoothing.scaled           = true;
     smoothing.stop             = options.stop;
     smoothing.m0 = smoothing.eps0 = m0;
     SmoothingIteration iteration(*relation, smoothing, state);

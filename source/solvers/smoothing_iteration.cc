@@ -42,13 +42,8 @@ namespace conetact
         relation.multiply_add(-relation.offset(), load);
         x.p += relation.offset();
       }
-    x.lambda = Array::Zero(system.n_nodes());
-    x.y      = Array::Zero(system.n_nodes());
-    if (!options.scaled)
-      {
-        x.p.setZero();
-        x.d.setZero();
-      }
+    x.lambda       = Array::Zero(system.n_nodes());
+    x.y            = Array::Zero(system.n_nodes());
     const Array &v = displacements(x);
     const Array &r = reactions(x);
     for (Index i = 0; i < system.n_nodes(); ++i)
@@ -224,8 +219,7 @@ namespace conetact
   {
     // lambda is undetermined at open nodes: its pivot vanishes with m and eps,
     // and a step along it would blow up.
-    const double             freeze = options.scaled ? 1e-8 : 0.;
-    const SmallVector        xc     = cone_displacement(x, i);
+    const SmallVector        xc = cone_displacement(x, i);
     const SmoothedProjection projected =
       smoothed_projection(xc - cone_reaction(x, i), m);
     Cone cone;
@@ -233,7 +227,7 @@ namespace conetact
     cone.C      = projected.complement;
     cone.D      = projected.derivative;
     cone.pivot  = cone.C(0, 0) + eps * cone.D(0, 0);
-    cone.frozen = cone.pivot < freeze;
+    cone.frozen = cone.pivot < options.frozen_pivot;
     return cone;
   }
 
@@ -334,9 +328,8 @@ namespace conetact
     append_balance(relation, x.d, laws);
     for (NodeLaw &law : laws)
       law.p += eps * law.d;
-    // The published form has no scale in which a part of it could be small.
-    const double precision = options.scaled ? 1e-5 : 0;
-    if (!newton.solve(relation, laws, residual.relation, precision, delta.p))
+    if (!newton.solve(
+          relation, laws, residual.relation, options.precision, delta.p))
       return false;
     ++iterations;
     delta.d = residual.relation + eps * delta.p;
@@ -404,8 +397,8 @@ namespace conetact
     m    = std::min({options.kappa * h * h, options.m0 * power, bar});
     eps  = std::min(options.kappa * h * h, options.eps0 * power);
     beta = options.beta0 * std::pow(options.eta, k);
-    m    = std::max(m, options.scaled ? 1e-14 : 1e-16);
-    eps  = std::max(eps, options.scaled ? 1e-13 : 0.);
+    m    = std::max(m, options.smallest_m);
+    eps  = std::max(eps, options.smallest_eps);
   }
 
 

@@ -16,13 +16,13 @@ namespace conetact
   SmoothingNewton::solve(const ContactProblem &problem, ContactState &state)
   {
     if (!relation || !relation->is(problem.system))
-      relation.emplace(problem.system, options.smoothing.scaled);
+      relation.emplace(problem.system);
     relation->set_load(problem);
 
     SmoothingOptions smoothing = options.smoothing;
     smoothing.stop             = options.stop;
     SmoothingIteration iteration(*relation, smoothing, state);
-    // The residual of the scaled form is relative to the largest load, which
+    // The residual of the iteration is relative to the largest load, which
     // may be smaller than the reactions: the check below is what counts.
     iteration.advance(options.tolerance);
     SolverReport report;
@@ -49,8 +49,7 @@ namespace conetact
     SolverReport polish;
     if (state.v.allFinite() && state.r.allFinite())
       polish = active_set.polish(problem, exact);
-    if (options.smoothing.scaled)
-      report.iterations += polish.iterations;
+    report.iterations += polish.iterations;
     report.factorizations += polish.factorizations;
     if (polish.converged)
       state = exact;

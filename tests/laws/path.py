@@ -86,16 +86,6 @@ def path_beam(laws):
     laws.check("  first event", abs(events.at[0] * 3 / 32 - 1), 1e-12)
 
 
-    run = laws.run(SHIPPED / "beam-three-supports.prm", "-s", "Solver/Method=lemke", "-s", "Load force/Value=0 ; -t",
-                   *entries(Time__End=100, Time__Increments=1))
-    log = (run.folder / "log.txt").read_text()
-    laws.demand("  Lemke's method: p = 32/3 where xn1 leaves, then a ray",
-                "step 1: p = 10.6666666666667, xn1 leaves" in log and "no further change" in log)
-    last = run.last()
-    laws.check("  z_n1 = x_n2 = x_n3 = p / 2",
-               max(abs(v - 50) for v in (last[0]["gap"], last[1]["r_n"], last[2]["r_n"])), 1e-9)
-
-
 def path_sheet_pile(laws):
     """[P] Example 3: homogeneous, so that loads of events are proportional to the prestress."""
     expected = [row["force_N"] for row in read(REFERENCE / "popov-3-events.csv")]

@@ -55,6 +55,11 @@ namespace conetact
     std::unique_ptr<PathFollower>
     make_follower(std::shared_ptr<const ContactSystem> system,
                   const Eigen::VectorXd               &gap) const;
+    /** What Output/Text increments asks for. */
+    void
+    write_problem_texts();
+    Eigen::VectorXd
+    unloaded();
     PathResult
     follow(PathFollower &follower);
     PathResult

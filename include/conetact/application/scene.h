@@ -94,10 +94,12 @@ namespace conetact
     {
       vtu_every = 0;
       fclib_increments.clear();
+      text_increments.clear();
     }
     unsigned int           threads             = 1;
     bool                   leave_out_far_nodes = true; ///< working set
     std::set<unsigned int> fclib_increments; ///< with a file of their own
+    std::set<unsigned int> text_increments;  ///< or stages of a load path
 
   private:
     void

@@ -14,15 +14,8 @@ namespace conetact
   /** How a load parameter is followed instead of increments. */
   struct PathSettings
   {
-    enum class Method
-    {
-      none, ///< increments, with SolverOptions::method
-      events,
-      lemke
-    };
-    Method  method = Method::none;
-    PathLaw law    = PathLaw::incremental;
-    double  weight = 1; ///< of Lemke's method, tightening [force]
+    bool    follows = false; ///< else increments, with SolverOptions::method
+    PathLaw law     = PathLaw::incremental;
   };
 
   /** Entries of `subsection Solver`. */

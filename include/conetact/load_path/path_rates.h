@@ -8,15 +8,6 @@
 
 #include <vector>
 
-/**
- * The rate problem at a point of a load path: which way do all nodes go that
- * may go either way? For rates (v', r') of displacements and reactions,
- * @f[ K v' = r' + f', \quad
- *     0 \le g' \perp r_n' \ge 0, \quad
- *     0 \le s u_t' \perp \mu r_n' + s r_t' \ge 0 @f]
- * at critical nodes, each of these where it is critical, while the other nodes
- * keep their state.
- */
 namespace conetact
 {
   /** What is undecided at a node. */
@@ -50,6 +41,14 @@ namespace conetact
   };
 
   /**
+   * The rate problem at a point of a load path: which way do all nodes go that
+   * may go either way? For rates (v', r') of displacements and reactions,
+   * @f[ K v' = r' + f', \quad
+   *     0 \le g' \perp r_n' \ge 0, \quad
+   *     0 \le s u_t' \perp \mu r_n' + s r_t' \ge 0 @f]
+   * at critical nodes, each of these where it is critical, while the other
+   * nodes keep their state.
+   *
    * Decides all critical nodes. From `scheme`, the guess, a few steps of an
    * active set method are tried first, then Lemke's method.
    */

@@ -8,17 +8,17 @@
 
 #include <vector>
 
-/**
- * Working schemes of a 2D contact problem and the linear systems they stand
- * for. With the states of all nodes fixed, contact is linear,
- * @f[ K v = r + f, \quad
- *     r_n = 0 \text{ or } g = 0, \quad
- *     r_t = -s (\mu r_n + c) \text{ or } u_t = const , @f]
- * and only the gaps of open nodes and the tangential displacements of slipping
- * ones are unknown.
- */
 namespace conetact
 {
+  /**
+   * Working schemes of a 2D contact problem and the linear systems they stand
+   * for. With the states of all nodes fixed, contact is linear,
+   * @f[ K v = r + f, \quad
+   *     r_n = 0 \text{ or } g = 0, \quad
+   *     r_t = -s (\mu r_n + c) \text{ or } u_t = const , @f]
+   * and only the gaps of open nodes and the tangential displacements of
+   * slipping ones are unknown.
+   */
   struct NodeScheme
   {
     bool closed = false; ///< g = 0, else r_n = 0

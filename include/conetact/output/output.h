@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,9 @@ namespace conetact
     unsigned int                   n_increments = 0; ///< 0: not known yet
     double                         end          = 0; ///< time of the last one
     unsigned int                   vtu_every    = 1; ///< 0: never
+
+    /** Increments whose condensed problem is written. */
+    std::set<unsigned int> fclib_increments, text_increments;
 
     bool
     is_drawn(const unsigned int increment) const

@@ -31,15 +31,31 @@ namespace conetact
     void
     write_problem(const IncrementRecord &record);
 
-    const std::filesystem::path folder;
+    const std::filesystem::path  folder;
+    const std::set<unsigned int> increments;
   };
+
+  /** `problem-0001.ending` */
+  std::string
+  problem_file_name(const unsigned int number, const std::string &ending);
+
+  /** Those of an earlier run. */
+  void
+  remove_problem_files(const std::filesystem::path &folder,
+                       const std::string           &ending);
 
   /**
    * Increments to be written, of 1, ..., n: numbers separated by commas, all,
-   * or none. Throws InputError, also where the program was built without FCLib.
+   * or none. Throws InputError that names the entry.
    */
   std::set<unsigned int>
-  parse_problem_increments(const std::string &text, const unsigned int n);
+  parse_problem_increments(const std::string &text,
+                           const unsigned int n,
+                           const std::string &entry);
+
+  /** Throws InputError where the program was built without FCLib. */
+  void
+  check_fclib_is_there(const std::set<unsigned int> &increments);
 
   /**
    * Throws InputError where the problem has no place in the format: floating

@@ -11,17 +11,17 @@
 
 #include <optional>
 
-/**
- * Semismooth Newton method of Alart and Curnier (see NodeSets) with full steps,
- * from the states of the last increment, or from where the load leads if it
- * goes on as before (see Predictor). A load that has not changed takes no step.
- * In 2D a step is exact as soon as the states are; in 3D the direction of slip
- * converges quadratically. Where state
- * sets come again the step is cut to what reduces the residual, and where that
- * does not help either the report says so. The zeros of the result are exact.
- */
 namespace conetact
 {
+  /**
+   * Semismooth Newton method of Alart and Curnier (see NodeSets) with full
+   * steps, from the states of the last increment, or from where the load leads
+   * if it goes on as before (see Predictor). A load that has not changed takes
+   * no step. In 2D a step is exact as soon as the states are; in 3D the
+   * direction of slip converges quadratically. Where state sets come again the
+   * step is cut to what reduces the residual, and where that does not help
+   * either the report says so. The zeros of the result are exact.
+   */
   class ActiveSet : public ContactSolver
   {
   public:

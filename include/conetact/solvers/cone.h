@@ -6,15 +6,6 @@
 
 #include <Eigen/Dense>
 
-/**
- * Algebra of the cones of friction, without units. The second-order cone
- * @f$\{z = (z_0, z_1): z_0 \ge |z_1|\}@f$ has its axis first and dimension 1
- * (a half line), 2 or 3; @f$z = \lambda_1 u_1 + \lambda_2 u_2@f$ is its
- * spectral decomposition, and the smoothed projection replaces
- * @f$\max(\lambda, 0)@f$ by @f$(\sqrt{\lambda^2 + 4 m^2} + \lambda) / 2@f$
- * (Chen-Harker-Kanzow-Smale). Hayashi, Yamashita and Fukushima, SIAM J. Optim.
- * 15 (2005) 593-615, section 2.
- */
 namespace conetact
 {
   /** Vectors and matrices of one node live on the stack. */
@@ -22,7 +13,17 @@ namespace conetact
   using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
-  /** Spectral decomposition: values l1 <= l2 and their vectors. */
+  /**
+   * Spectral decomposition: values l1 <= l2 and their vectors.
+   *
+   * Algebra of the cones of friction, without units. The second-order cone
+   * @f$\{z = (z_0, z_1): z_0 \ge |z_1|\}@f$ has its axis first and dimension 1
+   * (a half line), 2 or 3; @f$z = \lambda_1 u_1 + \lambda_2 u_2@f$ is its
+   * spectral decomposition, and the smoothed projection replaces
+   * @f$\max(\lambda, 0)@f$ by @f$(\sqrt{\lambda^2 + 4 m^2} + \lambda) / 2@f$
+   * (Chen-Harker-Kanzow-Smale). Hayashi, Yamashita and Fukushima, SIAM J.
+   * Optim. 15 (2005) 593-615, section 2.
+   */
   struct Spectrum
   {
     double      l1 = 0, l2 = 0;

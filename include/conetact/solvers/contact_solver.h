@@ -15,13 +15,11 @@ namespace conetact
 {
   /**
    * Parameters of the smoothing and regularisation method, Hayashi,
-   * Yamashita, Fukushima, SIAM J. Optim. 15 (2005) 593-615. The
-   * defaults are those of the scaled form; with `scaled = false` the published
-   * form is used, whose iteration counts depend on the units.
+   * Yamashita, Fukushima, SIAM J. Optim. 15 (2005) 593-615. The defaults are
+   * for numbers without units.
    */
   struct SmoothingOptions
   {
-    bool   scaled         = true;
     double rho            = .5;   ///< step reduction of the line search
     double sigma          = 1e-4; ///< sufficient decrease of the line search
     double kappa          = 1e-2; ///< bound of (m, eps) by the residual squared
@@ -32,6 +30,15 @@ namespace conetact
     double eps0           = 1e-2; ///< first regularisation
     double beta0          = 1e3;  ///< first bound on the residual
     int    max_iterations = 300;  ///< linear solves before giving up
+
+    /** Of linear systems, relative; 0: all of them are solved directly. */
+    double precision = 1e-5;
+
+    // bounds that rounding sets
+    double smallest_m   = 1e-14;
+    double smallest_eps = 1e-13;
+    double frozen_pivot = 1e-8; ///< lambda of an open node stays below it
+
     std::function<bool()> stop = {}; ///< see SolverOptions
   };
 

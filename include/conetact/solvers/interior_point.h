@@ -10,27 +10,28 @@
 
 #include <vector>
 
-/**
- * Primal-dual interior point method for redundant contacts: where W is singular
- * the reactions are not unique, states cannot be read off them, and active sets
- * cycle. Interior points go to the middle of the set of solutions, and every
- * matrix on the way is regular whatever the rank of W.
- *
- * With @f$x = (\mu r_n, r_t)@f$ and
- * @f$z = (g/\mu + |\Delta u_t|, \Delta u_t)@f$ the law says that x and z are
- * complementary in the second-order cone (de Saxcé and Feng, Math. Comput.
- * Modelling 28 (1998) 225-245), and the relation is
- * @f$z - |z_t| e_n = \hat W x + \hat q@f$. Newton's method on the relation and
- * on @f$x \circ z = \sigma m e@f$, scaled after Nesterov and Todd, with the
- * predictor and corrector of Mehrotra, has the matrix
- * @f$\hat W + (I - e_n \tau^T) P@f$ with P the scaling and
- * @f$\tau = z_t/|z_t|@f$, sparse if W is (Acary, Armand, Nguyen, Shpakovych:
- * Second-order cone programming for frictional contact mechanics using interior
- * point algorithm, Optim. Methods Softw. 39 (2024)). Without @f$\tau@f$ the
- * term |z_t| lags a step behind: slower, sometimes more robust.
- */
 namespace conetact
 {
+  /**
+   * Primal-dual interior point method for redundant contacts: where W is
+   * singular the reactions are not unique, states cannot be read off them, and
+   * active sets cycle. Interior points go to the middle of the set of
+   * solutions, and every matrix on the way is regular whatever the rank of W.
+   *
+   * With @f$x = (\mu r_n, r_t)@f$ and
+   * @f$z = (g/\mu + |\Delta u_t|, \Delta u_t)@f$ the law says that x and z are
+   * complementary in the second-order cone (de Saxcé and Feng, Math. Comput.
+   * Modelling 28 (1998) 225-245), and the relation is
+   * @f$z - |z_t| e_n = \hat W x + \hat q@f$. Newton's method on the relation
+   * and on @f$x \circ z = \sigma m e@f$, scaled after Nesterov and Todd, with
+   * the predictor and corrector of Mehrotra, has the matrix
+   * @f$\hat W + (I - e_n \tau^T) P@f$ with P the scaling and
+   * @f$\tau = z_t/|z_t|@f$, sparse if W is (Acary, Armand, Nguyen, Shpakovych:
+   * Second-order cone programming for frictional contact mechanics using
+   * interior point algorithm, Optim. Methods Softw. 39 (2024)). Without
+   * @f$\tau@f$ the term |z_t| lags a step behind: slower, sometimes more
+   * robust.
+   */
   class InteriorPoint
   {
   public:

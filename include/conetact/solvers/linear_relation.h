@@ -6,21 +6,21 @@
 
 #include "conetact/solvers/contact_problem.h"
 
-/**
- * Both forms of a ContactProblem as one linear relation without units,
- * @f[ d = M p + l, @f]
- * in which p is the elastic displacement u and d the reaction (stiffness form),
- * or p the reaction and d the displacement v, with the motions and their
- * imbalance behind them (compliance form). Node by node, displacements are
- * divided by @f$\alpha/\sqrt{c_i}@f$ and reactions by @f$\alpha\sqrt{c_i}@f$,
- * where
- * @f$c_i = tr K_{ii} / dim@f$ is the stiffness of node i and @f$\alpha@f$ makes
- * the largest load 1. Tangents and normal of a node are scaled alike, so the
- * law of friction keeps its form; every diagonal block of M has mean 1. Motions
- * are scaled so that their columns of M have norm 1.
- */
 namespace conetact
 {
+  /**
+   * Both forms of a ContactProblem as one linear relation without units,
+   * @f[ d = M p + l, @f]
+   * in which p is the elastic displacement u and d the reaction (stiffness
+   * form), or p the reaction and d the displacement v, with the motions and
+   * their imbalance behind them (compliance form). Node by node, displacements
+   * are divided by @f$\alpha/\sqrt{c_i}@f$ and reactions by
+   * @f$\alpha\sqrt{c_i}@f$, where @f$c_i = tr K_{ii} / dim@f$ is the stiffness
+   * of node i and @f$\alpha@f$ makes the largest load 1. Tangents and normal of
+   * a node are scaled alike, so the law of friction keeps its form; every
+   * diagonal block of M has mean 1. Motions are scaled so that their columns of
+   * M have norm 1.
+   */
   class LinearRelation
   {
   public:

@@ -10,15 +10,6 @@
 
 #include <vector>
 
-/**
- * The linear algebra of one Newton step of any contact solver. A solver says
- * what its linearised law is, node by node,
- * @f[ P_i \delta p_i + D_i \delta d_i = h_i, @f]
- * and the relation @f$\delta d = M \delta p + \rho@f$ does the rest:
- * @f$(P + D M) \delta p = h - D \rho@f$. Rows with D = 0 that say what one
- * unknown is (closed gaps, stuck slips, open reactions) are eliminated, so only
- * the small rest is factorised. Without units (see LinearRelation).
- */
 namespace conetact
 {
   /** Linearised law of one node; sizes are those of the node. */
@@ -28,6 +19,15 @@ namespace conetact
     SmallVector h;
   };
 
+  /**
+   * The linear algebra of one Newton step of any contact solver. A solver says
+   * what its linearised law is, node by node,
+   * @f[ P_i \delta p_i + D_i \delta d_i = h_i, @f]
+   * and the relation @f$\delta d = M \delta p + \rho@f$ does the rest:
+   * @f$(P + D M) \delta p = h - D \rho@f$. Rows with D = 0 that say what one
+   * unknown is (closed gaps, stuck slips, open reactions) are eliminated, so
+   * only the small rest is factorised. Without units (see LinearRelation).
+   */
   class NewtonSystem
   {
   public:

@@ -9,16 +9,16 @@
 #include <string>
 #include <vector>
 
-/**
- * What the nodes are taken for in a step of the active set method, read off
- * @f$z = r - v@f$ in the scaled variables of LinearRelation: open where
- * @f$z_n \le 0@f$, stick where @f$|z_t| \le \mu z_n@f$, else slip along z_t
- * with @f$r_t = \mu z_n z_t/|z_t|@f$ (Alart and Curnier, Comput. Methods Appl.
- * Mech. Engrg. 92 (1991) 353-375), and the law linearised there. Points are
- * (p, d) as in LinearRelation.
- */
 namespace conetact
 {
+  /**
+   * What the nodes are taken for in a step of the active set method, read off
+   * @f$z = r - v@f$ in the scaled variables of LinearRelation: open where
+   * @f$z_n \le 0@f$, stick where @f$|z_t| \le \mu z_n@f$, else slip along z_t
+   * with @f$r_t = \mu z_n z_t/|z_t|@f$ (Alart and Curnier, Comput. Methods
+   * Appl. Mech. Engrg. 92 (1991) 353-375), and the law linearised there. Points
+   * are (p, d) as in LinearRelation.
+   */
   struct NodeSet
   {
     NodeState   state = NodeState::open;

@@ -8,15 +8,15 @@
 
 #include <optional>
 
-/**
- * Where an increment may end: if its load changes as that of the increment
- * before, @f$\Delta f = s\,\Delta f_{last}@f$ but for a tenth of it, then
- * displacements and reactions may do so too. Only a first guess of states and
- * directions of slip: what a solver makes of it is judged like any other
- * result.
- */
 namespace conetact
 {
+  /**
+   * Where an increment may end: if its load changes as that of the increment
+   * before, @f$\Delta f = s\,\Delta f_{last}@f$ but for a tenth of it, then
+   * displacements and reactions may do so too. Only a first guess of states and
+   * directions of slip: what a solver makes of it is judged like any other
+   * result.
+   */
   class Predictor
   {
   public:

@@ -8,18 +8,18 @@
 
 #include <vector>
 
-/**
- * Solves the large systems of a Newton iteration, A x = b, by GMRES in single
- * precision (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869);
- * Newton makes up for the lost digits. The preconditioner is the diagonal, and
- * once that is too slow the LU factors of an **earlier** matrix of the
- * iteration; a new factorisation is made only where the old one has become too
- * bad. Matrices of one iteration differ in size: each unknown has a number, and
- * numbers that the old matrix had not are preconditioned by their diagonal
- * entry.
- */
 namespace conetact
 {
+  /**
+   * Solves the large systems of a Newton iteration, A x = b, by GMRES in single
+   * precision (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869);
+   * Newton makes up for the lost digits. The preconditioner is the diagonal,
+   * and once that is too slow the LU factors of an **earlier** matrix of the
+   * iteration; a new factorisation is made only where the old one has become
+   * too bad. Matrices of one iteration differ in size: each unknown has a
+   * number, and numbers that the old matrix had not are preconditioned by their
+   * diagonal entry.
+   */
   class ReusedFactor
   {
   public:

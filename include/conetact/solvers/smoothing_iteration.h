@@ -10,27 +10,28 @@
 
 #include <vector>
 
-/**
- * Smoothing and regularisation method for the second-order cone
- * complementarity form of friction, [K] (17): for each node
- * @f$x = (\lambda, \Delta u_t, g)@f$ and @f$y = (\mu r_n, r_t, r_n)@f$ are
- * complementary in (second-order cone) x (half line),
- * @f$x - P(x - y) = 0@f$. P is smoothed by m, the linear relation regularised
- * by eps, and both follow the residual to zero (Hayashi, Yamashita, Fukushima,
- * SIAM J. Optim. 15 (2005) 593-615, algorithm 4.1). @f$\lambda@f$ and
- * @f$\mu r_n@f$ are eliminated node by node, so a step solves for the
- * displacements (or reactions) only. Nodes with mu = 0 have no cone.
- */
 namespace conetact
 {
-  /** The iteration itself, which can be stopped and continued. */
+  /**
+   * Smoothing and regularisation method for the second-order cone
+   * complementarity form of friction, [K] (17): for each node
+   * @f$x = (\lambda, \Delta u_t, g)@f$ and @f$y = (\mu r_n, r_t, r_n)@f$ are
+   * complementary in (second-order cone) x (half line), @f$x - P(x - y) = 0@f$.
+   * P is smoothed by m, the linear relation regularised by eps, and both follow
+   * the residual to zero (Hayashi, Yamashita, Fukushima, SIAM J. Optim. 15
+   * (2005) 593-615, algorithm 4.1). @f$\lambda@f$ and @f$\mu r_n@f$ are
+   * eliminated node by node, so a step solves for the displacements (or
+   * reactions) only. Nodes with mu = 0 have no cone.
+   *
+   * The iteration itself, which can be stopped and continued.
+   */
   class SmoothingIteration
   {
   public:
     using Index = Eigen::Index;
     using Array = Eigen::VectorXd;
 
-    /** Starts from a state, or in published form from zero. */
+    /** Starts from a state. */
     SmoothingIteration(const LinearRelation   &relation,
                        const SmoothingOptions &options,
                        const ContactState     &start);

@@ -10,17 +10,13 @@
 
 #include <optional>
 
-/**
- * The smoothing method ([K] (17), see SmoothingIteration) as a solver. The
- * scaled form iterates on the numbers of LinearRelation and ends with an active
- * set step that makes zeros exact. The published form iterates on the numbers
- * of the problem from x = y = 0 until the norm of its natural residual is below
- * the tolerance, in the units of the problem: its iteration counts depend on
- * them. There the report counts the method's own linear solves only, without
- * the final active set step, to be compared with the tables of [K].
- */
 namespace conetact
 {
+  /**
+   * The smoothing method ([K] (17), see SmoothingIteration) as a solver: it
+   * iterates on the numbers of LinearRelation, so that its counts are the same
+   * in all units, and ends with an active set step that makes zeros exact.
+   */
   class SmoothingNewton : public ContactSolver
   {
   public:

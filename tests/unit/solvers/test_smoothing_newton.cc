@@ -63,24 +63,6 @@ TEST(Smoothing, DoesNotDependOnUnits)
       }
 }
 
-TEST(Smoothing, PublishedFormStopsOnItsOwnTolerance)
-{
-  SolverOptions options;
-  options.tolerance   = 1e-8;
-  SmoothingOptions &s = options.smoothing;
-  s.scaled            = false;
-  s.kappa             = 1;
-  s.eta               = .9;
-  s.m0 = s.eps0              = 1e-3;
-  s.beta0                    = 1;
-  const RandomProblem random = random_problem({});
-  ContactState        state;
-  const SolverReport  report = solve(random.problem, state, options);
-  EXPECT_TRUE(report.converged) << report.reason;
-  EXPECT_LT(report.iterations, 40u);
-  EXPECT_LT(contact_residual(random.problem, state), 1e-7);
-}
-
 TEST(Smoothing, GivesUpInWords)
 {
   // Nothing holds the body, and the load pulls it away.

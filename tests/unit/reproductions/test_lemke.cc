@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/load_path/lemke.h"
+#include "conetact/reproductions/lemke.h"
 
 #include <gtest/gtest.h>
 

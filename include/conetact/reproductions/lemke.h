@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_load_path_lemke_h
-#define conetact_load_path_lemke_h
+#ifndef conetact_reproductions_lemke_h
+#define conetact_reproductions_lemke_h
 
 #include "conetact/load_path/load_path.h"
 

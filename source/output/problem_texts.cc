@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/output/problem_texts.h"
+
+#include "conetact/base/atomic_file.h"
+#include "conetact/output/problem_files.h"
+
+namespace conetact
+{
+  ProblemTexts::ProblemTexts(const RunDescription &description)
+    : folder(description.folder)
+    , increments(description.text_increments)
+  {
+    remove_problem_files(folder, "txt");
+  }
+
+
+
+  void
+  ProblemTexts::write(const std::vector<IncrementRecord> &finished)
+  {
+    for (const IncrementRecord &record : finished)
+      if (record.condensed && increments.count(record.increment) > 0)
+        {
+          StoredProblem stored;
+          stored.problem = record.condensed->problem;
+          write_problem_text(folder, record.increment, stored);
+        }
+  }
+
+
+
+  void
+  write_problem_text(const std::filesystem::path &folder,
+                     const unsigned int           number,
+                     const StoredProblem         &stored)
+  {
+    write_atomically(folder / problem_file_name(number, "txt"),
+                     to_problem_text(stored));
+  }
+} // namespace conetact

@@ -1,0 +1,437 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The examples of doc/extending.md: each class and each row as it would stand
+// in its table, made and used through the row. The page shows what stands
+// between the marks [...].
+
+#include "conetact/base/atomic_file.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/body_table.h"
+#include "conetact/bodies/continuum/continuum.h"
+#include "conetact/output/output.h"
+#include "conetact/pairing/obstacles.h"
+#include "conetact/solvers/contact_solver.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/tria.h>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace conetact;
+
+namespace
+{
+  //! [obstacle]
+  /** A ramp: flat up to its edge, then it climbs with a slope. 2D. */
+  class Ramp : public ObstacleShape
+  {
+  public:
+    Ramp(const double e, const double s)
+      : edge(e)
+      , slope(s)
+    {}
+    Closest
+    closest(const Point<3> &p, const double /*spacing*/) const override
+    {
+      if (p[0] <= edge)
+        return {p[1], Tensor<1, 3>({0, 1, 0})};
+      Tensor<1, 3> n({-slope, 1, 0});
+      n /= n.norm();
+      return {(p - Point<3>(edge, 0, 0)) * n, n};
+    }
+    static void
+    declare(dealii::ParameterHandler &prm)
+    {
+      prm.declare_entry("Edge",
+                        "0",
+                        dealii::Patterns::Double(),
+                        "ramp: where it begins to climb. [length]");
+      prm.declare_entry("Slope",
+                        "1",
+                        dealii::Patterns::Double(0),
+                        "ramp: height over length of the climb. [-]");
+    }
+    static std::unique_ptr<ObstacleShape>
+    create(dealii::ParameterHandler &prm,
+           const unsigned int /*dim*/,
+           const std::string & /*in*/)
+    {
+      return std::make_unique<Ramp>(prm.get_double("Edge"),
+                                    prm.get_double("Slope"));
+    }
+
+  private:
+    double edge, slope;
+  };
+  //! [obstacle]
+
+  //! [obstacle row]
+  const ObstacleRow ramp_row = {"ramp",
+                                "flat, then climbing (Edge, Slope)",
+                                Ramp::declare,
+                                Ramp::create};
+  //! [obstacle row]
+
+
+
+  //! [element]
+  /** Q1 with the strains of its centre everywhere: soft, has hourglasses. */
+  template <int dim>
+  class ConstantStrain : public ElementFormulation<dim>
+  {
+  public:
+    using ElementFormulation<dim>::ElementFormulation;
+
+  private:
+    using Base = ElementFormulation<dim>;
+
+    void
+    improve(const typename Base::Vertices & /*vertices*/,
+            typename Base::StrainField &strains) const override
+    {
+      typename Base::Columns mean   = 0 * strains.at_points.front();
+      double                 volume = 0;
+      for (std::size_t q = 0; q < strains.weights.size(); ++q)
+        {
+          mean += strains.weights[q] * strains.at_points[q];
+          volume += strains.weights[q];
+        }
+      for (auto *columns : {&strains.at_points, &strains.at_vertices})
+        for (typename Base::Columns &e : *columns)
+          e = mean / volume;
+    }
+  };
+  //! [element]
+
+  //! [element row]
+  template <int dim>
+  std::unique_ptr<ElementFormulation<dim>>
+  create_constant_strain(const ElasticMaterial &material)
+  {
+    return std::make_unique<ConstantStrain<dim>>(material);
+  }
+
+  template <int dim>
+  const ElementRow<dim> constant_strain_row = {"Q1 constant strain",
+                                               "Q1 with one strain a cell",
+                                               &create_constant_strain<dim>};
+  //! [element row]
+
+
+
+  //! [solver]
+  /** Gives everything to another method, and a second chance where it fails. */
+  class SecondChance : public ContactSolver
+  {
+  public:
+    explicit SecondChance(SolverOptions options)
+    {
+      options.method = "active set";
+      first          = make_solver(options);
+      options.method = "smoothing";
+      second         = make_solver(options);
+    }
+    SolverReport
+    solve(const ContactProblem &problem, ContactState &state) override
+    {
+      const ContactState start  = state;
+      SolverReport       report = first->solve(problem, state);
+      if (report.converged)
+        return report;
+      state = start; // of no use after a failure
+      return second->solve(problem, state);
+    }
+
+  private:
+    std::unique_ptr<ContactSolver> first, second;
+  };
+  //! [solver]
+
+  //! [solver row]
+  std::unique_ptr<ContactSolver>
+  make_second_chance(const SolverOptions &options)
+  {
+    return std::make_unique<SecondChance>(options);
+  }
+
+  const SolverRow second_chance_row = {"second chance",
+                                       "active set, then smoothing",
+                                       &make_second_chance};
+  //! [solver row]
+
+
+
+  //! [body]
+  /** A peg: node 1 on a spring [force/length] to node 0, along each axis. */
+  class Peg : public Structure
+  {
+  public:
+    Peg(const unsigned int d, const double k)
+      : dim(d)
+      , spring(k)
+    {}
+    unsigned int
+    n_nodes() const override
+    {
+      return 2;
+    }
+    unsigned int
+    n_components() const override
+    {
+      return dim;
+    }
+    Point<3>
+    position(const unsigned int node) const override
+    {
+      return Point<3>(0, node == 0 ? 1 : 0, 0);
+    }
+    const std::vector<HangingNode> &
+    hanging_nodes() const override
+    {
+      return none;
+    }
+    void
+    for_each_element(const ElementVisitor &visit) const override
+    {
+      const double k[] = {spring, -spring, -spring, spring};
+      for (unsigned int c = 0; c < dim; ++c)
+        visit({c, dim + c}, k);
+    }
+    void
+    add_internal_forces(const Eigen::VectorXd &u,
+                        Eigen::VectorXd       &f) const override
+    {
+      const Eigen::VectorXd pull = spring * (u.tail(dim) - u.head(dim));
+      f.head(dim) -= pull;
+      f.tail(dim) += pull;
+    }
+    BoundaryIds
+    boundary_ids() const override
+    {
+      return {0, 1}; // of the node that is held and of the one that touches
+    }
+    Surface
+    surface(const BoundaryIds &ids) const override
+    {
+      Surface surface;
+      for (const unsigned int id : ids)
+        {
+          const Tensor<1, 3> n({0, id == 0 ? 1. : -1., 0});
+          surface.nodes.push_back({id, position(id), 1, n, {n}});
+        }
+      return surface;
+    }
+    void
+    add_traction(const BoundaryIds  &ids,
+                 const SurfaceField &traction,
+                 Eigen::VectorXd    &f) const override
+    {
+      for (const SurfaceNode &node : surface(ids).nodes)
+        for (unsigned int c = 0; c < dim; ++c)
+          f[node.node * dim + c] +=
+            node.area * traction(node.position, node.normal)[c];
+    }
+    void
+    add_body_force(const VectorField & /*force*/,
+                   Eigen::VectorXd & /*f*/) const override
+    {} // it has no volume
+    bool
+    add_point_force(const Point<3>     &point,
+                    const Tensor<1, 3> &force,
+                    Eigen::VectorXd    &f) const override
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        f[(point[1] > .5 ? 0 : dim) + c] += force[c];
+      return true;
+    }
+    void
+    visit_springs(const BoundaryIds & /*ids*/,
+                  const SurfaceTensorField & /*stiffness*/,
+                  const ElementVisitor & /*visit*/) const override
+    {} // no foundation
+    void
+    write_graphics(const Eigen::VectorXd & /*u*/,
+                   const Eigen::VectorXd & /*w*/,
+                   const Actions & /*actions*/,
+                   const double /*time*/,
+                   const std::filesystem::path &file) const override
+    {
+      write_atomically(file, "<VTKFile type=\"UnstructuredGrid\"/>\n");
+    }
+    std::string
+    description() const override
+    {
+      return "a peg";
+    }
+
+  private:
+    unsigned int             dim;
+    double                   spring;
+    std::vector<HangingNode> none;
+  };
+  //! [body]
+
+  //! [body row]
+  void
+  declare_peg(dealii::ParameterHandler &prm)
+  {
+    prm.declare_entry("Spring",
+                      "1",
+                      dealii::Patterns::Double(0),
+                      "peg: stiffness along each axis. [force/length]");
+  }
+
+  std::unique_ptr<Structure>
+  create_peg(dealii::ParameterHandler &prm,
+             const unsigned int        dim,
+             const std::filesystem::path & /*folder*/,
+             const std::string & /*name*/,
+             const Refinements & /*refinements*/)
+  {
+    return std::make_unique<Peg>(dim, prm.get_double("Spring"));
+  }
+
+  const BodyRow peg_row = {"peg",
+                           "a node on a spring (Spring)",
+                           &declare_peg,
+                           &create_peg};
+  //! [body row]
+
+
+
+  //! [output]
+  /** slipping.txt: how many nodes slip, a line for each increment. */
+  class Slipping : public Output
+  {
+  public:
+    explicit Slipping(const RunDescription &run)
+      : file(run.folder / "slipping.txt")
+    {}
+    void
+    write(const std::vector<IncrementRecord> &finished) override
+    {
+      for (const IncrementRecord &record : finished)
+        {
+          unsigned int n = 0;
+          for (const ContactRow &row : record.rows)
+            n += row.state == NodeState::slip && !row.master;
+          text +=
+            std::to_string(record.increment) + " " + std::to_string(n) + "\n";
+        }
+      write_atomically(file, text);
+    }
+
+  private:
+    const std::filesystem::path file;
+    std::string                 text;
+  };
+  //! [output]
+
+  //! [output row]
+  std::unique_ptr<Output>
+  create_slipping(const RunDescription &run)
+  {
+    return std::make_unique<Slipping>(run);
+  }
+
+  const OutputRow slipping_row = {"slipping",
+                                  "slipping.txt: number of nodes that slip",
+                                  &create_slipping};
+  //! [output row]
+} // namespace
+
+TEST(Extending, AnObstacle)
+{
+  dealii::ParameterHandler prm;
+  ramp_row.declare(prm);
+  prm.set("Edge", 2.);
+  const auto ramp = ramp_row.create(prm, 2, "Obstacle 'ramp', ");
+  EXPECT_EQ(ramp->closest({1, .5, 0}, 1).gap, .5);
+  EXPECT_NEAR(ramp->closest({3, 1, 0}, 1).gap, 0, 1e-15);
+  EXPECT_NEAR(ramp->gap_after({3, 1, 0}, Tensor<1, 3>({0, 1, 0}), 1),
+              std::sqrt(.5),
+              1e-15);
+}
+
+TEST(Extending, AnElement)
+{
+  auto mesh = std::make_unique<dealii::Triangulation<2>>();
+  dealii::GridGenerator::subdivided_hyper_cube(*mesh, 2);
+  ElasticMaterial material;
+  material.young_modulus = 10;
+  material.poisson_ratio = .3;
+  const Continuum<2> body(std::move(mesh), material, constant_strain_row<2>);
+  const Continuum<2> cell = [&] {
+    auto one = std::make_unique<dealii::Triangulation<2>>();
+    dealii::GridGenerator::hyper_cube(*one);
+    return Continuum<2>(std::move(one), material, constant_strain_row<2>);
+  }();
+  EXPECT_NE(body.description().find("Q1 constant strain"), std::string::npos);
+  // an hourglass of one cell meets no force, a uniform strain does
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(8), f = u;
+  for (unsigned int i = 0; i < 4; ++i)
+    u[2 * i] = (cell.position(i)[0] - .5) * (cell.position(i)[1] - .5);
+  cell.add_internal_forces(u, f);
+  EXPECT_LT(f.norm(), 1e-14);
+  for (unsigned int i = 0; i < 4; ++i)
+    u[2 * i] = cell.position(i)[0];
+  cell.add_internal_forces(u, f);
+  EXPECT_GT(f.norm(), 1);
+}
+
+TEST(Extending, ASolver)
+{
+  auto system    = std::make_shared<ContactSystem>();
+  system->first  = {0, 2};
+  system->mu     = Eigen::VectorXd::Constant(1, .3);
+  system->matrix = 100 * Eigen::Matrix2d::Identity();
+  ContactProblem problem;
+  problem.system = system;
+  problem.gap    = Eigen::VectorXd::Zero(1);
+  problem.load   = Eigen::Vector2d(5, -10);
+  ContactState state;
+  state.v = state.r = Eigen::VectorXd::Zero(2);
+  const SolverReport report =
+    second_chance_row.create({})->solve(problem, state);
+  EXPECT_TRUE(report.converged) << report.reason;
+  EXPECT_NEAR(state.r[0], -3, 1e-12);
+  EXPECT_NEAR(state.v[0], .02, 1e-14);
+}
+
+TEST(Extending, ABody)
+{
+  dealii::ParameterHandler prm;
+  peg_row.declare(prm);
+  prm.set("Spring", 7.);
+  const auto      peg = peg_row.create(prm, 2, {}, "peg", {});
+  Eigen::VectorXd u(4), f = Eigen::VectorXd::Zero(4), g = f;
+  u << 0, 0, 1, -2;
+  peg->add_internal_forces(u, f);
+  peg->for_each_element(
+    [&](const std::vector<unsigned int> &dofs, const double *k) {
+      for (std::size_t i = 0; i < dofs.size(); ++i)
+        for (std::size_t j = 0; j < dofs.size(); ++j)
+          g[dofs[i]] += k[i * dofs.size() + j] * u[dofs[j]];
+    });
+  EXPECT_EQ(f, g);
+  EXPECT_EQ(f, Eigen::Vector4d(-7, 14, 7, -14));
+}
+
+TEST(Extending, AnOutput)
+{
+  RunDescription run;
+  run.folder = std::filesystem::temp_directory_path();
+  IncrementRecord record;
+  record.increment = 1;
+  record.rows.resize(3);
+  record.rows[1].state = NodeState::slip;
+  slipping_row.create(run)->write({record});
+  std::ifstream file(run.folder / "slipping.txt");
+  std::string   line;
+  std::getline(file, line);
+  EXPECT_EQ(line, "1 1");
+  std::filesystem::remove(run.folder / "slipping.txt");
+}
