@@ -27,13 +27,7 @@ BELOW = {"base": (), "solvers": (), "load_path": ("solvers",),
 
 # Circles that are there, to be deleted here as they are mended; others are faults.
 CIRCLES = {frozenset(f"{room}/{name}" for name in names.split()) for room, names in (
-    ("analysis", "analysis increment_analysis path_analysis"),
-    ("backends", "free_motion mumps schur_solver"),
-    ("base", "expression text"),
-    ("bodies", "actions loads supports"),
-    ("output", "csv graphics increment_table output problem_files reaction_table tables"),
-    ("solvers", "active_set automatic contact_solver gauss_seidel redundant_contacts smoothing_iteration smoothing_newton"),
-    ("verification", "external_forces verification"))}
+    ("backends", "free_motion mumps schur_solver"),)}
 
 
 def includes(tree):

@@ -11,6 +11,7 @@
 #include "conetact/application/scene.h"
 #include "conetact/base/process.h"
 #include "conetact/contact/contact_model.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <lapacke.h>
 

@@ -20,8 +20,8 @@
  *   v.y = q.y).
  * Uniqueness, for the methods: mu < lambda_min / lambda_max of the matrix.
  */
-#include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/existence.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // A contact problem by hand: two nodes on springs above a floor, pressed by
 // 10 and pulled along it by 2 and 5, with a friction coefficient of 0.3.
 
-#include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <cstdio>
 

@@ -8,6 +8,7 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/candidates.h"
 #include "conetact/contact/refusal.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "conetact/application/solver_options.h"
 
 #include "conetact/base/text.h"
+#include "conetact/solvers/solver_table.h"
 
 namespace conetact
 {

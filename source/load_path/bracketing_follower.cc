@@ -4,6 +4,7 @@
 #include "conetact/load_path/load_path.h"
 #include "conetact/solvers/existence.h"
 #include "conetact/solvers/null_space.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
 #include <cmath>

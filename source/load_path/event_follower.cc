@@ -3,6 +3,8 @@
 
 #include "conetact/load_path/event_follower.h"
 
+#include "conetact/solvers/solver_table.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>

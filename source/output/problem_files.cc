@@ -18,7 +18,7 @@ namespace conetact
   {
     namespace fs = std::filesystem;
 
-    const std::string entry = "Output, FCLib increments";
+    const std::string fclib_entry = "Output, FCLib increments";
 
     bool
     is_problem_file(const fs::path &file, const std::string &ending)
@@ -30,7 +30,7 @@ namespace conetact
     [[noreturn]] void
     refuse(const std::string &why)
     {
-      throw InputError(entry + ": " + why + " Leave the entry empty.");
+      throw InputError(fclib_entry + ": " + why + " Leave the entry empty.");
     }
 
     unsigned int
@@ -89,7 +89,8 @@ namespace conetact
       }
     catch (const InputError &error)
       {
-        throw AnalysisError(entry + ", " + increment + ": " + error.what());
+        throw AnalysisError(fclib_entry + ", " + increment + ": " +
+                            error.what());
       }
 #endif
   }

@@ -84,20 +84,6 @@ namespace conetact
     virtual SolverReport
     solve(const ContactProblem &problem, ContactState &state) = 0;
   };
-
-  /** One row for each method a scene may name. */
-  struct SolverRow
-  {
-    const char *name;
-    const char *description;
-    std::unique_ptr<ContactSolver> (*create)(const SolverOptions &);
-  };
-  const std::vector<SolverRow> &
-  solver_table();
-
-  /** Throws std::invalid_argument for a name that solver_table() has not. */
-  std::unique_ptr<ContactSolver>
-  make_solver(const SolverOptions &options);
 } // namespace conetact
 
 #endif

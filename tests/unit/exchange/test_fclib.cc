@@ -6,7 +6,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/exchange/fclib_file.h"
-#include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>

@@ -11,7 +11,7 @@
 #include "conetact/bodies/continuum/continuum.h"
 #include "conetact/output/output.h"
 #include "conetact/pairing/obstacles.h"
-#include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/tria.h>

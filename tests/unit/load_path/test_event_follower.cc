@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/load_path/load_path.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 // Rigid blocks on several contacts a face: W of low rank, reactions that are
 // not unique, unsymmetric where bodies spin.
 
-#include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/interior_point.h"
 #include "conetact/solvers/redundant_contacts.h"
+#include "conetact/solvers/solver_table.h"
 
 #include <gtest/gtest.h>
 

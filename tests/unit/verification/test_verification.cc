@@ -5,6 +5,7 @@
 
 #include "conetact/application/scene.h"
 #include "conetact/contact/contact_model.h"
+#include "conetact/solvers/solver_table.h"
 #include "conetact/verification/verification.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/solver_table.h"
 
 #include "conetact/solvers/active_set.h"
 #include "conetact/solvers/automatic.h"
