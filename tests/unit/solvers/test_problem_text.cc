@@ -32,7 +32,9 @@ namespace
     EXPECT_EQ(s.matrix, t.matrix);
     EXPECT_EQ(s.null_space.cols(), t.null_space.cols());
     if (s.null_space.cols() > 0)
-      EXPECT_EQ(s.null_space, t.null_space);
+      {
+        EXPECT_EQ(s.null_space, t.null_space);
+      }
     EXPECT_EQ(a.problem.load, b.problem.load);
     EXPECT_EQ(a.problem.gap, b.problem.gap);
     EXPECT_EQ(a.problem.offset, b.problem.offset);
