@@ -121,6 +121,9 @@ namespace conetact
                          log);
     if (!scene.fclib_increments.empty())
       check_problem_is_writable(*model.condensation().system());
+    if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
+      throw InputError("Output, Text increments: no node may touch anything, "
+                       "there is no contact problem. Leave the entry empty.");
   }
 
   void

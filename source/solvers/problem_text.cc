@@ -66,10 +66,10 @@ namespace conetact
     MatrixXd
     read_block(std::istream &in, const std::string &name)
     {
-      constexpr Index most = 1 << 20;
+      constexpr Index most = 1 << 28; // numbers, 2 GB
       Index           rows = 0, columns = 0;
-      if (!(in >> rows >> columns) || rows < 1 || columns < 1 || rows > most ||
-          columns > most)
+      if (!(in >> rows >> columns) || rows < 1 || columns < 1 ||
+          rows > most / columns)
         refuse("the block '" + name +
                "' does not begin with its numbers of "
                "rows and columns.");
