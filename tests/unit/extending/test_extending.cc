@@ -80,13 +80,13 @@ namespace
   //! [element]
   /** Q1 with the strains of its centre everywhere: soft, has hourglasses. */
   template <int dim>
-  class ConstantStrain : public ElementFormulation<dim>
+  class ConstantStrain : public DLinearElement<dim>
   {
   public:
-    using ElementFormulation<dim>::ElementFormulation;
+    using DLinearElement<dim>::DLinearElement;
 
   private:
-    using Base = ElementFormulation<dim>;
+    using Base = DLinearElement<dim>;
 
     void
     improve(const typename Base::Vertices & /*vertices*/,
@@ -116,6 +116,7 @@ namespace
 
   template <int dim>
   const ElementRow<dim> constant_strain_row = {"Q1 constant strain",
+                                               false, // quadrilaterals
                                                "Q1 with one strain a cell",
                                                &create_constant_strain<dim>};
   //! [element row]
