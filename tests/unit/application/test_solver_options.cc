@@ -38,8 +38,7 @@ TEST(SolverOptions, DefaultsAreThoseOfTheSolvers)
   EXPECT_EQ(options.solver.smoothing.beta0, defaults.smoothing.beta0);
   EXPECT_EQ(options.solver.smoothing.max_iterations,
             defaults.smoothing.max_iterations);
-  EXPECT_TRUE(options.solver.smoothing.scaled);
-  EXPECT_EQ(options.path.method, PathSettings::Method::none);
+  EXPECT_FALSE(options.path.follows);
 }
 
 
@@ -47,11 +46,10 @@ TEST(SolverOptions, DefaultsAreThoseOfTheSolvers)
 TEST(SolverOptions, EveryEntryArrives)
 {
   const Options options("set Method = smoothing\nset Tolerance = 1e-7\n"
-                        "set Scaling = none\nsubsection Smoothing\n"
+                        "subsection Smoothing\n"
                         "set sigma = 0.25\nset Maximal iterations = 9\nend");
   EXPECT_EQ(options.solver.method, "smoothing");
   EXPECT_EQ(options.solver.tolerance, 1e-7);
-  EXPECT_FALSE(options.solver.smoothing.scaled);
   EXPECT_EQ(options.solver.smoothing.sigma, .25);
   EXPECT_EQ(options.solver.smoothing.max_iterations, 9);
 }
@@ -70,10 +68,7 @@ TEST(SolverOptions, AllMethodsOfTheTableMayBeChosen)
 TEST(SolverOptions, PathsLeaveTheSolverAlone)
 {
   const Options options("set Method = load path\nset Law = holonomic");
-  EXPECT_EQ(options.path.method, PathSettings::Method::events);
+  EXPECT_TRUE(options.path.follows);
   EXPECT_EQ(options.path.law, PathLaw::holonomic);
   EXPECT_EQ(options.solver.method, SolverOptions().method);
-  const Options lemke("set Method = lemke\nset Tightening weight = 3");
-  EXPECT_EQ(lemke.path.method, PathSettings::Method::lemke);
-  EXPECT_EQ(lemke.path.weight, 3);
 }
