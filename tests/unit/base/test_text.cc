@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
 #include <gtest/gtest.h>
