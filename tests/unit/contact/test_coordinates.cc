@@ -75,12 +75,14 @@ TEST(Coordinates, AHangingNodeIsBetweenItsMasters)
 {
   const auto scene = test::make_scene(
     "set Dimension = 2\nset Bodies = block\nset Supports = left\n"
-    "subsection Body block\n" +
+    "set Loads = weight\nsubsection Body block\n" +
     test::section("Mesh",
                   "Generator = subdivided_hyper_rectangle|"
                   "Arguments = 2, 1 : 0, 0 : 2, 1 : true|"
                   "Refinement boxes = 0, 0 : 0.9, 1 : 1") +
     test::section("Material", "Young modulus = 1|Poisson ratio = 0") + "end\n" +
+    test::section("Load weight",
+                  "Body = block|Kind = body force|Value = 0 ; -1") +
     test::section("Support left",
                   "Body = block|Boundary ids = 0|Directions = x, y"));
   const Structure  &body = *scene->bodies.structures[0];

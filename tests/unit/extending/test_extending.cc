@@ -9,7 +9,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/body_table.h"
 #include "conetact/bodies/continuum/continuum.h"
-#include "conetact/output/output.h"
+#include "conetact/output/output_table.h"
 #include "conetact/pairing/obstacles.h"
 #include "conetact/solvers/solver_table.h"
 
