@@ -7,6 +7,7 @@
 #include "conetact/analysis/increment_analysis.h"
 #include "conetact/analysis/path_analysis.h"
 #include "conetact/analysis/scene_report.h"
+#include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/output/problem_files.h"
@@ -46,7 +47,7 @@ namespace conetact
   Analysis::Analysis(const Scene &s, Log &l)
     : scene(s)
     , log(l)
-    , model(scene.bodies, scene.times)
+    , model(scene.bodies, scene.times, *scene.condenser)
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
     , history(model)
@@ -110,13 +111,25 @@ namespace conetact
   Analysis::prepare()
   {
     check_history();
-    log.time("condensation: order, factor and Schur complement, factor of " +
-             megabytes(model.condensation().factor_bytes()));
+    const double bytes = model.condensation().factor_bytes();
+    log.time("condensation by " + std::string(scene.condenser->name) +
+             ": order, factor and Schur complement" +
+             (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
     report_shared_bodies(scene.bodies,
                          model.condensation().n_shared_bodies(),
                          log);
     if (!scene.fclib_increments.empty())
       check_problem_is_writable(*model.condensation().system());
+  }
+
+  void
+  Analysis::verify()
+  {
+    verify_condensation(model,
+                        *scene.condenser,
+                        independent_of(*scene.condenser),
+                        log);
+    log.time("condensation once more, to verify it");
   }
 
   void

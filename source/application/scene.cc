@@ -194,6 +194,7 @@ namespace conetact
     prm.leave_subsection();
     prm.enter_subsection("Solver");
     solver              = create_solver_options(prm);
+    condenser           = &chosen_condenser(prm);
     path                = create_path_settings(prm);
     threads             = static_cast<unsigned int>(prm.get_integer("Threads"));
     leave_out_far_nodes = prm.get("Working set") == "automatic" &&

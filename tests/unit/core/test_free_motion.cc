@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/backends/schur_solver.h"
+#include "conetact/backends/mumps_schur.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace
 {
   using conetact::Lattice;
-  using conetact::SchurSolver;
+  using conetact::MumpsSchur;
   using conetact::SingularMatrix;
   using conetact::System;
   using Eigen::Index;
@@ -18,14 +18,14 @@ namespace
   void
   expect_singular(const System &system, const Index n_schur)
   {
-    EXPECT_THROW(SchurSolver(system.upper, n_schur, system.node_of),
+    EXPECT_THROW(MumpsSchur(system.upper, n_schur, system.node_of),
                  SingularMatrix);
   }
 
   void
   expect_regular(const System &system, const Index n_schur)
   {
-    EXPECT_NO_THROW(SchurSolver(system.upper, n_schur, system.node_of));
+    EXPECT_NO_THROW(MumpsSchur(system.upper, n_schur, system.node_of));
   }
 } // namespace
 
@@ -119,7 +119,7 @@ TEST(FreeMotion, IsNamedByANodeOfThePartThatMoves)
   system.upper.setFromTriplets(entries.begin(), entries.end());
   try
     {
-      SchurSolver(system.upper, 2, system.node_of); // holds one node of it
+      MumpsSchur(system.upper, 2, system.node_of); // holds one node of it
       FAIL();
     }
   catch (const SingularMatrix &error)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/backends/schur_solver.h"
+#include "conetact/backends/mumps_schur.h"
 #include "conetact/base/process.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace
 {
   using conetact::Lattice;
   using conetact::ProcessSession;
-  using conetact::SchurSolver;
+  using conetact::MumpsSchur;
   using conetact::System;
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -53,7 +53,7 @@ namespace
   {
     const MatrixXd A = dense(system.upper);
     const Index    n = A.cols(), f = n - n_schur;
-    SchurSolver    solver(system.upper, n_schur, system.node_of);
+    MumpsSchur    solver(system.upper, n_schur, system.node_of);
     const MatrixXd S = solver.take_schur_complement();
     ASSERT_EQ(S.rows(), n_schur);
     ASSERT_EQ(S.cols(), n_schur);
@@ -99,7 +99,7 @@ namespace
 
 
 
-TEST(SchurSolver, AgreesWithDenseAlgebra)
+TEST(MumpsSchur, AgreesWithDenseAlgebra)
 {
   check_against_dense(Lattice{{12, 9}}.assemble(), 24);
   check_against_dense(Lattice{{5, 6, 5}}.assemble(), 90);
@@ -108,7 +108,7 @@ TEST(SchurSolver, AgreesWithDenseAlgebra)
 
 
 
-TEST(SchurSolver, TakesAnyNumberOfSchurUnknowns)
+TEST(MumpsSchur, TakesAnyNumberOfSchurUnknowns)
 {
   const System system = Lattice{{4, 5}}.assemble();
   const Index  n      = system.upper.cols();
@@ -119,7 +119,7 @@ TEST(SchurSolver, TakesAnyNumberOfSchurUnknowns)
 
 
 
-TEST(SchurSolver, TakesTinySystems)
+TEST(MumpsSchur, TakesTinySystems)
 {
   for (Index n = 1; n < 5; ++n)
     {
@@ -139,7 +139,7 @@ TEST(SchurSolver, TakesTinySystems)
 
 
 
-TEST(SchurSolver, TakesUncoupledUnknownsAndAnEmptyMatrix)
+TEST(MumpsSchur, TakesUncoupledUnknownsAndAnEmptyMatrix)
 {
   System system;
   system.upper.resize(7, 7);
@@ -148,7 +148,7 @@ TEST(SchurSolver, TakesUncoupledUnknownsAndAnEmptyMatrix)
   system.node_of = {0, 0, 1, 2, 2, 3, 3};
   check_against_dense(system, 0);
   check_against_dense(system, 4);
-  SchurSolver none(SparseMatrix(0, 0), 0, {});
+  MumpsSchur none(SparseMatrix(0, 0), 0, {});
   EXPECT_EQ(none.take_schur_complement().size(), 0);
   EXPECT_EQ(none.reduce(MatrixXd(0, 3)).cols(), 3);
   EXPECT_EQ(none.expand(MatrixXd(0, 3), MatrixXd(0, 3)).cols(), 3);
@@ -158,7 +158,7 @@ TEST(SchurSolver, TakesUncoupledUnknownsAndAnEmptyMatrix)
 
 // A contact node may keep one of its unknowns among the eliminated ones, and
 // unknowns of a node need not stand together.
-TEST(SchurSolver, TakesNodesOnBothSides)
+TEST(MumpsSchur, TakesNodesOnBothSides)
 {
   const System                        by_node = Lattice{{5, 4}}.assemble();
   const Index                         n       = by_node.upper.cols();
@@ -225,11 +225,11 @@ namespace
 
 
 // Rounding errors of equal cells must not add up over the area.
-TEST(SchurSolver, KeepsTheBalanceOfLargeMeshes)
+TEST(MumpsSchur, KeepsTheBalanceOfLargeMeshes)
 {
   constexpr Index n      = 200;
   const System    system = membrane(n);
-  SchurSolver     solver(system.upper, n, system.node_of);
+  MumpsSchur     solver(system.upper, n, system.node_of);
   const MatrixXd  u_C       = MatrixXd::Ones(n, 1);
   const MatrixXd  u         = solver.expand(MatrixXd::Zero(n * n, 1), u_C);
   const double    at_bottom = (solver.take_schur_complement() * u_C).sum();
@@ -239,7 +239,7 @@ TEST(SchurSolver, KeepsTheBalanceOfLargeMeshes)
 
 
 
-TEST(SchurSolver, TakesAMatrixThatIsNotCompressed)
+TEST(MumpsSchur, TakesAMatrixThatIsNotCompressed)
 {
   System system = Lattice{{4, 4}}.assemble();
   system.upper.uncompress();
@@ -249,10 +249,10 @@ TEST(SchurSolver, TakesAMatrixThatIsNotCompressed)
 
 
 
-TEST(SchurSolver, ReducesWithoutLoadsOnEliminatedUnknowns)
+TEST(MumpsSchur, ReducesWithoutLoadsOnEliminatedUnknowns)
 {
   const System system = Lattice{{4, 5}}.assemble();
-  SchurSolver  solver(system.upper, 8, system.node_of);
+  MumpsSchur  solver(system.upper, 8, system.node_of);
   MatrixXd     b = MatrixXd::Zero(40, 2);
   b.bottomRows(8).setRandom();
   EXPECT_EQ(solver.reduce(b), b.bottomRows(8));
@@ -262,10 +262,10 @@ TEST(SchurSolver, ReducesWithoutLoadsOnEliminatedUnknowns)
 
 
 
-TEST(SchurSolver, SolverOutlivesItsMatrixAndItsSchurComplement)
+TEST(MumpsSchur, SolverOutlivesItsMatrixAndItsSchurComplement)
 {
   auto           system = std::make_unique<System>(Lattice{{6, 6}}.assemble());
-  SchurSolver    solver(system->upper, 12, system->node_of);
+  MumpsSchur    solver(system->upper, 12, system->node_of);
   const MatrixXd b        = MatrixXd::Random(72, 3);
   const MatrixXd expected = solver.reduce(b);
   system.reset();
@@ -279,14 +279,14 @@ TEST(SchurSolver, SolverOutlivesItsMatrixAndItsSchurComplement)
 
 
 // Rigid motions of a floating body stay null vectors of its Schur complement.
-TEST(SchurSolver, KeepsNullVectors)
+TEST(MumpsSchur, KeepsNullVectors)
 {
   Lattice lattice{{5, 5, 6}};
   lattice.shear          = 0.;
   lattice.support        = 0.;
   const System   system  = lattice.assemble();
   const Index    n_schur = 75;
-  SchurSolver    solver(system.upper, n_schur, system.node_of);
+  MumpsSchur    solver(system.upper, n_schur, system.node_of);
   const MatrixXd S = solver.take_schur_complement();
   MatrixXd       motions(n_schur, 6);
   for (Index i = 0; i < n_schur / 3; ++i)
@@ -309,11 +309,11 @@ TEST(SchurSolver, KeepsNullVectors)
 
 
 
-TEST(SchurSolver, CountsItsWork)
+TEST(MumpsSchur, CountsItsWork)
 {
   const System      system = Lattice{{6, 6}}.assemble();
   const Index       n = system.upper.cols(), n_schur = 12;
-  const SchurSolver solver(system.upper, n_schur, system.node_of);
+  const MumpsSchur solver(system.upper, n_schur, system.node_of);
   EXPECT_EQ(solver.work().factorizations, 1u);
   EXPECT_EQ(solver.work().condensations, 1u);
   const unsigned int before = solver.work().triangular_solves;
@@ -328,15 +328,15 @@ TEST(SchurSolver, CountsItsWork)
 
 
 
-TEST(SchurSolver, EstimatesItsFactor)
+TEST(MumpsSchur, EstimatesItsFactor)
 {
   const System system = Lattice{{12, 12, 12}}.assemble();
   for (const Index n_schur : {Index(0), Index(3 * 144)})
     {
       const double bytes =
-        SchurSolver(system.upper, n_schur, system.node_of).factor_bytes();
+        MumpsSchur(system.upper, n_schur, system.node_of).factor_bytes();
       const auto estimate =
-        SchurSolver::estimate(system.upper, n_schur, system.node_of);
+        MumpsSchur::estimate(system.upper, n_schur, system.node_of);
       EXPECT_GT(estimate.factor_bytes, .9 * bytes);
       EXPECT_LT(estimate.factor_bytes, 1.5 * bytes);
       EXPECT_GT(estimate.working_bytes, bytes);
@@ -350,28 +350,28 @@ TEST(SchurSolver, EstimatesItsFactor)
 
 
 
-TEST(SchurSolver, RefusesWrongInput)
+TEST(MumpsSchur, RefusesWrongInput)
 {
   const System system = Lattice{{3, 3}}.assemble();
-  EXPECT_THROW(SchurSolver(system.upper, 19, system.node_of),
+  EXPECT_THROW(MumpsSchur(system.upper, 19, system.node_of),
                std::invalid_argument);
-  EXPECT_THROW(SchurSolver(system.upper, 3, {0, 1}), std::invalid_argument);
+  EXPECT_THROW(MumpsSchur(system.upper, 3, {0, 1}), std::invalid_argument);
   const SparseMatrix lower = system.upper.transpose();
-  EXPECT_THROW(SchurSolver(lower, 6, system.node_of), std::invalid_argument);
+  EXPECT_THROW(MumpsSchur(lower, 6, system.node_of), std::invalid_argument);
 }
 
 
 
-TEST(SchurSolver, DoesNotDependOnTheNumberOfThreads)
+TEST(MumpsSchur, DoesNotDependOnTheNumberOfThreads)
 {
   const System       system = Lattice{{7, 7, 7}}.assemble();
   const unsigned int before = ProcessSession::n_threads();
   ProcessSession::set_threads(1);
   const MatrixXd one =
-    SchurSolver(system.upper, 147, system.node_of).take_schur_complement();
+    MumpsSchur(system.upper, 147, system.node_of).take_schur_complement();
   ProcessSession::set_threads(4);
   const MatrixXd four =
-    SchurSolver(system.upper, 147, system.node_of).take_schur_complement();
+    MumpsSchur(system.upper, 147, system.node_of).take_schur_complement();
   ProcessSession::set_threads(before);
   EXPECT_LT((one - four).norm(), 1e-13 * one.norm());
 }
