@@ -78,14 +78,17 @@ namespace conetact
     ProcessSession::require_mpi();
     // What fails is told by us, in a sentence.
     Epetra_Object::SetTracebackMode(0);
-    implementation  = std::make_unique<Implementation>(to_trilinos(matrix));
+    implementation      = std::make_unique<Implementation>(to_trilinos(matrix));
     Implementation &own = *implementation;
     own.solver.reset(::Amesos().Create(name, own.problem));
     if (!own.solver)
       throw std::runtime_error("Trilinos was built without " + name + ".");
     Teuchos::ParameterList parameters;
     parameters.set("OutputLevel", 0);
-    parameters.sublist("mumps").set("ICNTL(14)", 100); // spare workspace [%]
+    Teuchos::ParameterList &mumps = parameters.sublist("mumps");
+    mumps.set("ICNTL(6)", 0);    // columns stay where they are
+    mumps.set("ICNTL(8)", 0);    // the matrix is scaled already
+    mumps.set("ICNTL(14)", 100); // spare workspace [%]
     own.solver->SetParameters(parameters);
     const ManyThreads threads;
     own.factorised = own.solver->SymbolicFactorization() == 0 &&

@@ -31,13 +31,13 @@ namespace conetact
     , n_eliminated(upper.cols() - n_schur)
   {
     check_schur_input(upper, n_schur, node_of);
-    S = MatrixXd(upper.bottomRightCorner(n_schur, n_schur));
-    S = MatrixXd(S.selfadjointView<Eigen::Upper>());
+    S    = MatrixXd(upper.bottomRightCorner(n_schur, n_schur));
+    S    = MatrixXd(S.selfadjointView<Eigen::Upper>());
     A_FC = upper.topRightCorner(n_eliminated, n_schur);
     if (n_eliminated == 0)
       return;
     const auto uneven = uneven_scale(n_eliminated, upper.cols());
-    scale = Eigen::Map<const VectorXd>(uneven.data(), n_eliminated);
+    scale             = Eigen::Map<const VectorXd>(uneven.data(), n_eliminated);
     factorise(solver, upper, node_of);
     condense();
   }
@@ -86,8 +86,8 @@ namespace conetact
     both = block.selfadjointView<Eigen::Upper>();
     for (Index i = 0; i < n_eliminated; ++i)
       for (decltype(both)::InnerIterator entry(both, i); entry; ++entry)
-        entry.valueRef() *= scale[i] * scale[entry.col()] *
-                            (entry.col() == i ? 1 + shift : 1);
+        entry.valueRef() *=
+          scale[i] * scale[entry.col()] * (entry.col() == i ? 1 + shift : 1);
     return both;
   }
 
@@ -165,7 +165,7 @@ namespace conetact
     for (Index first = 0; first < b.cols(); first += columns_at_once)
       {
         const Index count = std::min(columns_at_once, b.cols() - first);
-        MatrixXd    load = b.topRows(n_eliminated).middleCols(first, count);
+        MatrixXd    load  = b.topRows(n_eliminated).middleCols(first, count);
         load -= A_FC * u_C.middleCols(first, count);
         u.topRows(n_eliminated).middleCols(first, count) = solve(load);
       }

@@ -51,7 +51,8 @@ namespace conetact
           unit(unknowns[static_cast<std::size_t>(first + k)], k) = 1;
         X.middleRows(first, count) = solver->reduce(unit).transpose();
         D.middleCols(first, count) =
-          solver->expand(unit, MatrixXd::Zero(n_base, count))(added, Eigen::all);
+          solver->expand(unit, MatrixXd::Zero(n_base, count))(added,
+                                                              Eigen::all);
       }
     append(D, X);
 
@@ -98,8 +99,8 @@ namespace conetact
     if (added.empty())
       return r;
     const auto     lower = L.triangularView<Eigen::Lower>();
-    const MatrixXd z     = lower.solve(MatrixXd(
-      solver->expand(b, MatrixXd::Zero(r.rows(), b.cols()))(added, Eigen::all)));
+    const MatrixXd z     = lower.solve(MatrixXd(solver->expand(
+      b, MatrixXd::Zero(r.rows(), b.cols()))(added, Eigen::all)));
     MatrixXd       result(r.rows() + size(added), b.cols());
     result.topRows(r.rows()) = r - B.transpose() * z;
     result.bottomRows(size(added)) =

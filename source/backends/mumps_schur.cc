@@ -96,7 +96,7 @@ namespace conetact
 
 
   MumpsSchur::Implementation::Implementation(const SparseMatrix &upper,
-                                              const Index n_schur_unknowns)
+                                             const Index n_schur_unknowns)
     : n(upper.cols())
     , n_schur(n_schur_unknowns)
     , n_eliminated(n - n_schur)
@@ -106,7 +106,7 @@ namespace conetact
 
   void
   MumpsSchur::Implementation::analyse(const SparseMatrix              &upper,
-                                       const std::vector<unsigned int> &node_of)
+                                      const std::vector<unsigned int> &node_of)
   {
     const std::size_t n_entries = static_cast<std::size_t>(upper.nonZeros());
     rows.resize(n_entries);
@@ -186,8 +186,8 @@ namespace conetact
 
   void
   MumpsSchur::Implementation::solve(const Phase          phase,
-                                     Eigen::Ref<MatrixXd> b,
-                                     MatrixXd            &reduced)
+                                    Eigen::Ref<MatrixXd> b,
+                                    MatrixXd            &reduced)
   {
     DMUMPS_STRUC_C &data = mumps->data;
     data.rhs             = b.data();
@@ -206,7 +206,7 @@ namespace conetact
 
   void
   MumpsSchur::Implementation::reduce_nothing(Eigen::Ref<MatrixXd> b,
-                                              MatrixXd            &reduced)
+                                             MatrixXd            &reduced)
   {
     const auto          count = static_cast<int>(b.cols());
     std::vector<int>    first(b.cols() + 1), row(b.cols(), static_cast<int>(n));
@@ -226,8 +226,8 @@ namespace conetact
 
 
   MumpsSchur::MumpsSchur(const SparseMatrix              &upper,
-                           const Index                      n_schur,
-                           const std::vector<unsigned int> &node_of)
+                         const Index                      n_schur,
+                         const std::vector<unsigned int> &node_of)
   {
     check_schur_input(upper, n_schur, node_of);
     implementation = std::make_unique<Implementation>(upper, n_schur);
@@ -245,8 +245,8 @@ namespace conetact
 
   FactorEstimate
   MumpsSchur::estimate(const SparseMatrix              &upper,
-                        const Index                      n_schur,
-                        const std::vector<unsigned int> &node_of)
+                       const Index                      n_schur,
+                       const std::vector<unsigned int> &node_of)
   {
     check_schur_input(upper, n_schur, node_of);
     if (upper.cols() == n_schur)

@@ -159,24 +159,22 @@ namespace conetact
   {
     Sorted matrix = sorted(elastic, coordinates, set_last(coordinates, set));
     matrix.upper /= stiffness_scale;
-    const Eigen::MatrixXd &K   = contact_system->matrix;
-    const Eigen::MatrixXd  K_2 = stiffness_scale *
-                                other.create(matrix.upper, K.cols(),
-                                             matrix.node_of)
-                                  ->take_schur_complement();
+    const Eigen::MatrixXd &K = contact_system->matrix;
+    const Eigen::MatrixXd  K_2 =
+      stiffness_scale * other.create(matrix.upper, K.cols(), matrix.node_of)
+                          ->take_schur_complement();
     std::map<unsigned int, std::pair<double, double>> largest;
     for (std::size_t i = 0; i < set.nodes().size(); ++i)
       {
-        const auto         rows = Eigen::seq(set.layout().first[i],
-                                     set.layout().first[i + 1] - 1);
-        const Eigen::Index p    = set.nodes()[i];
+        const auto rows =
+          Eigen::seq(set.layout().first[i], set.layout().first[i + 1] - 1);
+        const Eigen::Index p      = set.nodes()[i];
         auto &[difference, entry] = largest[points[p].node->body];
         if (rows.size() == 0)
           continue;
-        difference = std::max(difference,
-                              (K - K_2)(rows, Eigen::all)
-                                .cwiseAbs()
-                                .maxCoeff());
+        difference =
+          std::max(difference,
+                   (K - K_2)(rows, Eigen::all).cwiseAbs().maxCoeff());
         entry = std::max(entry, K(rows, Eigen::all).cwiseAbs().maxCoeff());
       }
     std::vector<StiffnessDifference> result;

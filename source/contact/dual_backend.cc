@@ -252,9 +252,9 @@ namespace conetact
           SuperElement::stiffness(upper, node_of, part.retained, condenser);
         const MatrixXd difference =
           K - SuperElement::stiffness(upper, node_of, part.retained, other);
-        result.push_back({part.bodies,
-                          difference.cwiseAbs().maxCoeff() /
-                            K.cwiseAbs().maxCoeff()});
+        result.push_back(
+          {part.bodies,
+           difference.cwiseAbs().maxCoeff() / K.cwiseAbs().maxCoeff()});
       }
     return result;
   }

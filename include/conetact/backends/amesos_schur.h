@@ -15,7 +15,9 @@ namespace conetact
   /**
    * The Schur complement by the factor of A_FF alone: A_FF^-1 A_FC by blocks of
    * right-hand sides, S less its product with A_CF. Slower than MumpsSchur by
-   * far, but it shares no step with it.
+   * far, but it shares no step with it. Factors of Amesos do not tell how many
+   * eigenvalues are negative: a stiffness has none but for rounding, and that
+   * is seen by its energy (free_motion.h).
    */
   class AmesosSchur : public SchurSolver
   {
