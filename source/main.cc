@@ -94,12 +94,14 @@ namespace
   void
   run_history(Analysis                    &analysis,
               const std::filesystem::path &folder,
-              const bool                   quiet,
+              const CommandLine           &line,
               Log                         &log)
   {
     try
       {
-        analysis.run(folder, quiet);
+        if (line.verify)
+          analysis.verify();
+        analysis.run(folder, line.quiet);
       }
     catch (const AnalysisError &error)
       {
@@ -150,7 +152,7 @@ namespace
     writing = true;
     if (first)
       start_writing(folder, scene, log);
-    run_history(*analysis, folder, line.quiet, log);
+    run_history(*analysis, folder, line, log);
     if (scene.adaptive.cycles > 0)
       adaptive.advance(scene, analysis->last_increment(), folder, log);
     if (last)

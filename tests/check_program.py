@@ -10,6 +10,7 @@ usage: check_program.py PROGRAM CASE [COUNT]
   old-files   pictures of a longer run are removed, files of others stay
   loads       the log tells the resultant of each load
   directions  a body that slides does so where it is pushed
+  condensers  what condenses bodies changes no sentence; --verify tells by how much
   numbers     COUNT meshes of shipped scenes and of deal.II's generators with
               other numbers (default 60): accepted or refused with a sentence,
               never a crash
@@ -183,6 +184,29 @@ class Case:
         said = re.search(r"body 'block' slides along \(([^)]*)\)", run.stderr)
         found = [round(float(x)) for x in said[1].split(",")] if said else run.stderr
         self.demand(name, run.returncode == 2 and found == direction, found)
+
+    def condensers(self):
+        """A member of a frame that moves freely, bodies that are compared."""
+        frame = (SCENES.parent / "tests/scenes/error-frame-mechanism.prm").read_text()
+        expected = self.run(frame).stderr
+        self.demand("MUMPS finds what moves freely", "Some part of a body can move" in expected, expected)
+        for name in ("amesos_klu", "amesos_mumps", "amesos_lapack"):
+            run = self.run(frame, "-s", f"Solver/Condensation={name}")
+            self.demand(f"{name} says the same", run.returncode == 1 and run.stderr == expected
+                        and not self.result.exists(), run.stderr)
+        stack = (SCENES / "stacked-blocks.prm").read_text()
+        for name, other in (("mumps", "amesos_klu"), ("amesos_lapack", "mumps")):
+            run = self.run(stack, "--verify", "-s", f"Solver/Condensation={name}")
+            said = re.findall(r"^verify: condensed stiffness of body '(\w+)', (\w+) against (\w+): "
+                              r"largest relative difference (\S+)$", run.stdout, re.M)
+            self.demand(f"--verify tells of each body, {name}", run.returncode == 0 and
+                        [s[:3] for s in said] == [(b, name, other) for b in ("lower", "middle", "upper")] and
+                        all(0 <= float(s[3]) < 1e-12 for s in said), run)
+            log = (self.result / "log.txt").read_text()
+            self.demand("  so does the log", log.count("verify: ") == 3 and f"condensation by {name}" in log, log)
+        run = self.run(held(2), "--verify")
+        self.demand("nothing to verify without contacts", run.returncode == 0 and
+                    "verify: no node may touch anything" in run.stdout, run)
 
     def numbers(self, count=60):
         """Each number of a mesh, replaced by what its generator cannot mean."""

@@ -16,6 +16,7 @@ scene and checks the bounds. The head of a scene may say
   # compare: tolerance=1e-6 bound=1e-8     (defaults 1e-8 and 1e-10)
   # arguments: -s Section/Entry=value
   # scene: ../../parameter-files/NAME.prm      (run that one instead)
+  # golden: OTHER.table                        (compare with that one)
 """
 import csv
 import itertools
@@ -98,7 +99,7 @@ def compare(name, old, new, tolerance):
         elif column in numbers:
             kind, noise = group(column)
             of_kind = max(scale[c] for c in numbers if group(c)[0] == kind)
-            limit = max(tolerance * scale[column], noise * of_kind)
+            limit = max(tolerance * scale[column], min(noise, tolerance) * of_kind)
             # so that nan differs from everything
             bad = [(a, b) for a, b in pairs if not abs(float(a[column]) - float(b[column])) <= limit]
         else:
@@ -153,10 +154,11 @@ def run_scene(program, folder, scene, mode):
     options = dict(re.findall(r"(\w+)=(\S+)", (re.search(r"^# compare: (.*)", head, re.M) or [""])[0]))
     arguments = shlex.split((re.search(r"^# arguments: (.*)", head, re.M) or ["", ""])[1])
     other = re.search(r"^# scene: (\S+)", head, re.M)
-    if expect and mode == "--refresh":
+    same = re.search(r"^# golden: (\S+)", head, re.M)
+    if mode == "--refresh" and (expect or same):
         return []
 
-    golden = scene.with_suffix(".table")
+    golden = scene.parent / same[1] if same else scene.with_suffix(".table")
     file = (scene.parent / other[1]).resolve() if other else scene
     run, result, faults = execute(program, folder / scene.stem, file, arguments)
     if expect:

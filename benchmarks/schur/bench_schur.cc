@@ -8,7 +8,7 @@
 // the stiffness of the eliminated unknowns alone, in the same order.
 
 #include "conetact/backends/elimination_order.h"
-#include "conetact/backends/schur_solver.h"
+#include "conetact/backends/mumps_schur.h"
 #include "conetact/base/process.h"
 
 #ifdef CONETACT_WITH_CHOLMOD
@@ -193,7 +193,7 @@ namespace
                                   block.upper.cols() - block.n_schur,
                                   block.node_of);
     const double          t1 = seconds();
-    conetact::SchurSolver solver(block.upper, block.n_schur, block.node_of);
+    conetact::MumpsSchur solver(block.upper, block.n_schur, block.node_of);
     const MatrixXd        S  = solver.take_schur_complement();
     const double          t2 = seconds();
     const MatrixXd        b  = MatrixXd::Ones(block.upper.cols(), 11);
@@ -243,7 +243,7 @@ main(int argc, char **argv)
 
   const conetact::ProcessSession session(n_threads);
   const Block                    tiny = assemble(2); // starts MPI
-  conetact::SchurSolver(tiny.upper, tiny.n_schur, tiny.node_of);
+  conetact::MumpsSchur(tiny.upper, tiny.n_schur, tiny.node_of);
   std::printf("%s seconds; factor in GB; 11 right-hand sides; ratios to "
               "CHOLMOD with and without its analysis\n\n"
               "| n | unknowns | Schur | METIS | METIS and S | reduce | expand "

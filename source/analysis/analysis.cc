@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
+#include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/output/output_table.h"
@@ -45,7 +46,7 @@ namespace conetact
   Analysis::Analysis(const Scene &s, Log &l)
     : scene(s)
     , log(l)
-    , model(scene.bodies, scene.times)
+    , model(scene.bodies, scene.times, *scene.condenser)
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
     , history(model)
@@ -114,8 +115,10 @@ namespace conetact
   Analysis::prepare()
   {
     check_history();
-    log.time("condensation: order, factor and Schur complement, factor of " +
-             megabytes(model.condensation().factor_bytes()));
+    const double bytes = model.condensation().factor_bytes();
+    log.time("condensation by " + std::string(scene.condenser->name) +
+             ": order, factor and Schur complement" +
+             (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
     report_shared_bodies(scene.bodies,
                          model.condensation().n_shared_bodies(),
                          log);
@@ -124,6 +127,16 @@ namespace conetact
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
       throw InputError("Output, Text increments: no node may touch anything, "
                        "there is no contact problem. Leave the entry empty.");
+  }
+
+  void
+  Analysis::verify()
+  {
+    verify_condensation(model,
+                        *scene.condenser,
+                        independent_of(*scene.condenser),
+                        log);
+    log.time("condensation once more, to verify it");
   }
 
   void

@@ -141,6 +141,9 @@ namespace conetact
     log.say("estimate: " + to_text(cost.factor.flops) +
             " floating-point operations to factorise, " +
             to_text(std::round(10 * cost.seconds) / 10) + " s in all");
+    if (scene.condenser != &default_condenser())
+      log.say("estimate: at least, for " + std::string(scene.condenser->name) +
+              " tells nothing before it is done");
     if (cost.memory_bytes > machine_memory())
       log.say("warning: this machine has " + megabytes(machine_memory()) +
               " of memory only. Use a coarser mesh or fewer contact nodes.");

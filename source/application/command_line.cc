@@ -22,6 +22,9 @@ Coulomb cone.
                                 documentation
       --dry-run                 read, check and mesh the scene; report sizes,
                                 memory, time and what will be skipped
+      --verify                  condense all bodies once more by an independent
+                                solver (Trilinos' Amesos), print by how much the
+                                stiffness differs, stop beyond 1e-10
   -q, --quiet                   print errors only
       --version                 print the version
   -h, --help                    print this text
@@ -41,6 +44,7 @@ converged, all increments before it are on disk; 3 cannot write.
       {"set", required_argument, nullptr, 's'},
       {"parameters", no_argument, nullptr, 'p'},
       {"dry-run", no_argument, nullptr, 'd'},
+      {"verify", no_argument, nullptr, 'V'},
       {"quiet", no_argument, nullptr, 'q'},
       {"version", no_argument, nullptr, 'v'},
       {"help", no_argument, nullptr, 'h'},
@@ -66,6 +70,9 @@ converged, all increments before it are on disk; 3 cannot write.
           case 'd':
             line.dry_run = true;
             break;
+          case 'V':
+            line.verify = true;
+            break;
           case 'q':
             line.quiet = true;
             break;
@@ -88,6 +95,9 @@ converged, all increments before it are on disk; 3 cannot write.
       throw InputError(std::string("More than one scene file is given: ") +
                        argv[optind] + " and " + argv[optind + 1] +
                        ". Run them one after the other.");
+    if (line.dry_run && line.verify)
+      throw InputError("--verify condenses bodies, which --dry-run does not. "
+                       "Leave one of them out.");
     line.scene = argv[optind];
     return line;
   }

@@ -203,9 +203,10 @@ namespace conetact
     times = create_times(prm);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
-    solver  = create_solver_options(prm);
-    path    = create_path_settings(prm);
-    threads = static_cast<unsigned int>(prm.get_integer("Threads"));
+    solver    = create_solver_options(prm);
+    condenser = &chosen_condenser(prm);
+    path      = create_path_settings(prm);
+    threads   = static_cast<unsigned int>(prm.get_integer("Threads"));
     leave_out_far_nodes =
       prm.get("Working set") == "automatic" && !path.follows;
     prm.leave_subsection();

@@ -40,6 +40,25 @@ namespace conetact
       "follows the load through every change of contact state, one stage up "
       "to each of Times; finds limit loads (events.csv)";
 
+    void
+    declare_condensation(dealii::ParameterHandler &prm)
+    {
+      std::vector<std::string> names, lines;
+      for (const Condenser &row : condenser_table())
+        {
+          names.push_back(row.name);
+          lines.push_back(std::string(row.name) + ": " + row.description);
+        }
+      prm.declare_entry("Condensation",
+                        default_condenser().name,
+                        dealii::Patterns::Selection(join(names, "|")),
+                        "What condenses the stiffness of bodies to their "
+                        "contact nodes. " +
+                          join(lines, "; ") +
+                          ". Results do not depend on it but for rounding; "
+                          "the option --verify compares two of them.");
+    }
+
     std::string
     full_text(const double value)
     {
@@ -71,6 +90,7 @@ namespace conetact
                       Double(1e-15, 1),
                       "Largest accepted residual of contact and of "
                       "equilibrium, both free of units. [-]");
+    declare_condensation(prm);
     prm.declare_entry("Law",
                       "incremental",
                       Selection("incremental|holonomic"),
@@ -106,6 +126,12 @@ namespace conetact
       static_cast<int>(prm.get_integer("Maximal iterations"));
     prm.leave_subsection();
     return options;
+  }
+
+  const Condenser &
+  chosen_condenser(dealii::ParameterHandler &prm)
+  {
+    return condenser_named(prm.get("Condensation"));
   }
 
   PathSettings

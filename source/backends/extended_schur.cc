@@ -27,9 +27,10 @@ namespace conetact
 
   ExtendedSchur::ExtendedSchur(const Eigen::SparseMatrix<double> &upper,
                                const Index                        n_schur,
-                               const std::vector<unsigned int>   &node_of)
+                               const std::vector<unsigned int>   &node_of,
+                               const Condenser                   &condenser)
     : n_unknowns(upper.cols())
-    , solver(upper, n_schur, node_of)
+    , solver(condenser.create(upper, n_schur, node_of))
   {}
 
 
@@ -48,9 +49,10 @@ namespace conetact
         MatrixXd    unit  = MatrixXd::Zero(n_unknowns, count);
         for (Index k = 0; k < count; ++k)
           unit(unknowns[static_cast<std::size_t>(first + k)], k) = 1;
-        X.middleRows(first, count) = solver.reduce(unit).transpose();
+        X.middleRows(first, count) = solver->reduce(unit).transpose();
         D.middleCols(first, count) =
-          solver.expand(unit, MatrixXd::Zero(n_base, count))(added, Eigen::all);
+          solver->expand(unit, MatrixXd::Zero(n_base, count))(added,
+                                                              Eigen::all);
       }
     append(D, X);
 
@@ -93,12 +95,12 @@ namespace conetact
   MatrixXd
   ExtendedSchur::reduce(const MatrixXd &b) const
   {
-    const MatrixXd r = solver.reduce(b);
+    const MatrixXd r = solver->reduce(b);
     if (added.empty())
       return r;
     const auto     lower = L.triangularView<Eigen::Lower>();
-    const MatrixXd z     = lower.solve(MatrixXd(
-      solver.expand(b, MatrixXd::Zero(r.rows(), b.cols()))(added, Eigen::all)));
+    const MatrixXd z     = lower.solve(MatrixXd(solver->expand(
+      b, MatrixXd::Zero(r.rows(), b.cols()))(added, Eigen::all)));
     MatrixXd       result(r.rows() + size(added), b.cols());
     result.topRows(r.rows()) = r - B.transpose() * z;
     result.bottomRows(size(added)) =
@@ -114,7 +116,7 @@ namespace conetact
                         const MatrixXd &reduced) const
   {
     if (added.empty())
-      return solver.expand(b, u);
+      return solver->expand(b, u);
     const Index n      = size(added);
     const auto  lower  = L.triangularView<Eigen::Lower>();
     const auto  u_base = u.topRows(u.rows() - n);
@@ -125,6 +127,6 @@ namespace conetact
     MatrixXd forces = b;
     for (Index k = 0; k < n; ++k)
       forces.row(added[static_cast<std::size_t>(k)]) += f.row(k);
-    return solver.expand(forces, u_base);
+    return solver->expand(forces, u_base);
   }
 } // namespace conetact

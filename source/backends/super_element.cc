@@ -86,15 +86,16 @@ namespace conetact
   SuperElement::SuperElement(const SparseMatrix              &upper,
                              const std::vector<unsigned int> &node_of,
                              const std::vector<Index>        &retained,
-                             const MatrixXd                  &motions)
+                             const MatrixXd                  &motions,
+                             const Condenser                 &condenser)
     : kept(retained)
     , place(retained_last(upper.cols(), retained))
     , scale(mean_diagonal(upper)) // MUMPS has thresholds that know no units
-    , factor(sorted(upper, place, scale),
-             static_cast<Index>(retained.size()),
-             sorted(node_of, place))
+    , factor(condenser.create(sorted(upper, place, scale),
+                              static_cast<Index>(retained.size()),
+                              sorted(node_of, place)))
   {
-    const MatrixXd S = factor.take_schur_complement();
+    const MatrixXd S = factor->take_schur_complement();
     P                = inverse_without_motions(
           S, orthonormal_basis(motions(retained, Eigen::all))) /
         scale;
@@ -103,12 +104,28 @@ namespace conetact
   FactorEstimate
   SuperElement::estimate(const SparseMatrix              &upper,
                          const std::vector<unsigned int> &node_of,
-                         const std::vector<Index>        &retained)
+                         const std::vector<Index>        &retained,
+                         const Condenser                 &condenser)
   {
     const Places place = retained_last(upper.cols(), retained);
-    return SchurSolver::estimate(sorted(upper, place, 1),
-                                 static_cast<Index>(retained.size()),
-                                 sorted(node_of, place));
+    return condenser.estimate(sorted(upper, place, 1),
+                              static_cast<Index>(retained.size()),
+                              sorted(node_of, place));
+  }
+
+  MatrixXd
+  SuperElement::stiffness(const SparseMatrix              &upper,
+                          const std::vector<unsigned int> &node_of,
+                          const std::vector<Index>        &retained,
+                          const Condenser                 &condenser)
+  {
+    const Places place = retained_last(upper.cols(), retained);
+    const double unit  = mean_diagonal(upper);
+    return unit * condenser
+                    .create(sorted(upper, place, unit),
+                            static_cast<Index>(retained.size()),
+                            sorted(node_of, place))
+                    ->take_schur_complement();
   }
 
   MatrixXd
@@ -120,14 +137,14 @@ namespace conetact
   MatrixXd
   SuperElement::reduce(const MatrixXd &forces) const
   {
-    return factor.reduce(to_solver(forces));
+    return factor->reduce(to_solver(forces));
   }
 
   MatrixXd
   SuperElement::deform(const MatrixXd &forces) const
   {
     const MatrixXd b = to_solver(forces);
-    const MatrixXd w = P * factor.reduce(b);
-    return place.transpose() * factor.expand(b / scale, w);
+    const MatrixXd w = P * factor->reduce(b);
+    return place.transpose() * factor->expand(b / scale, w);
   }
 } // namespace conetact

@@ -5,7 +5,9 @@
 
 #include "conetact/solvers/null_space.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace conetact
 {
@@ -80,7 +82,8 @@ namespace conetact
                              const ContactPoints   &p,
                              const WorkingSet      &s,
                              const Eigen::MatrixXd &null_space,
-                             const bool             find_mechanisms)
+                             const bool             find_mechanisms,
+                             const Condenser       &condenser)
     : elastic(e)
     , points(p)
     , coordinates(elastic.bodies, supports, &points)
@@ -94,7 +97,10 @@ namespace conetact
       // MUMPS has thresholds of its own, which know no units.
       stiffness_scale = mean_diagonal(matrix.upper);
       matrix.upper /= stiffness_scale;
-      solver = std::make_unique<ExtendedSchur>(matrix.upper, n, matrix.node_of);
+      solver = std::make_unique<ExtendedSchur>(matrix.upper,
+                                               n,
+                                               matrix.node_of,
+                                               condenser);
     }
 
     auto system    = std::make_shared<ContactSystem>(set.layout());
@@ -126,7 +132,7 @@ namespace conetact
   Condensation::extend(const std::vector<Eigen::Index> &nodes)
   {
     const WorkingSet added(points.layout(), nodes);
-    if (!extension_is_cheaper(added.layout().n_unknowns()))
+    if (!solver->base().extension_is_cheaper(added.layout().n_unknowns()))
       return false;
     std::vector<Eigen::Index> all = set.nodes();
     all.insert(all.end(), nodes.begin(), nodes.end());
@@ -146,14 +152,35 @@ namespace conetact
     return true;
   }
 
-  bool
-  Condensation::extension_is_cheaper(const Eigen::Index n_new) const
+  // Bodies that meet obstacles only do not see each other: each has rows of
+  // its own.
+  std::vector<StiffnessDifference>
+  Condensation::compare(const Condenser &other) const
   {
-    // order, assembly and analysis take as long as some 80 unknowns
-    constexpr double n_free  = 80;
-    const double     entries = solver->base().factor_bytes() / sizeof(double);
-    return 12 * entries * (static_cast<double>(n_new) - n_free) <
-           solver->base().factor_operations();
+    Sorted matrix = sorted(elastic, coordinates, set_last(coordinates, set));
+    matrix.upper /= stiffness_scale;
+    const Eigen::MatrixXd &K = contact_system->matrix;
+    const Eigen::MatrixXd  K_2 =
+      stiffness_scale * other.create(matrix.upper, K.cols(), matrix.node_of)
+                          ->take_schur_complement();
+    std::map<unsigned int, std::pair<double, double>> largest;
+    for (std::size_t i = 0; i < set.nodes().size(); ++i)
+      {
+        const auto rows =
+          Eigen::seq(set.layout().first[i], set.layout().first[i + 1] - 1);
+        const Eigen::Index p      = set.nodes()[i];
+        auto &[difference, entry] = largest[points[p].node->body];
+        if (rows.size() == 0)
+          continue;
+        difference =
+          std::max(difference,
+                   (K - K_2)(rows, Eigen::all).cwiseAbs().maxCoeff());
+        entry = std::max(entry, K(rows, Eigen::all).cwiseAbs().maxCoeff());
+      }
+    std::vector<StiffnessDifference> result;
+    for (const auto &[body, found] : largest)
+      result.push_back({{body}, found.first / found.second});
+    return result;
   }
 
   void
@@ -264,13 +291,14 @@ namespace conetact
   estimate_condensation(const ElasticSystem &elastic,
                         const NodeRules     &supports,
                         const ContactPoints &points,
-                        const WorkingSet    &set)
+                        const WorkingSet    &set,
+                        const Condenser     &condenser)
   {
     const Coordinates coordinates(elastic.bodies, supports, &points);
     const Sorted      matrix =
       sorted(elastic, coordinates, set_last(coordinates, set));
-    return SchurSolver::estimate(matrix.upper,
-                                 set.layout().n_unknowns(),
-                                 matrix.node_of);
+    return condenser.estimate(matrix.upper,
+                              set.layout().n_unknowns(),
+                              matrix.node_of);
   }
 } // namespace conetact

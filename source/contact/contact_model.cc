@@ -27,13 +27,16 @@ namespace conetact
     constexpr double rounding_of_past = 1e-4;
   } // namespace
 
-  ContactModel::ContactModel(const Bodies &b, const std::vector<double> &times)
+  ContactModel::ContactModel(const Bodies              &b,
+                             const std::vector<double> &times,
+                             const Condenser           &by)
     : bodies(b)
     , rules(bodies, times)
     , points(bodies, rules, times)
     , coordinates(bodies, rules)
     , elastic(bodies)
     , motions(bodies, rules, points, coordinates)
+    , condenser(by)
     , dual(needs_dual())
     , chosen(points.layout())
   {}
@@ -184,9 +187,14 @@ namespace conetact
   {
     if (is_dual())
       return std::make_unique<DualBackend>(
-        elastic, points, coordinates, motions, chosen);
-    return std::make_unique<Condensation>(
-      elastic, rules, points, chosen, motions.null_space(), may_be_mechanism());
+        elastic, points, coordinates, motions, chosen, condenser);
+    return std::make_unique<Condensation>(elastic,
+                                          rules,
+                                          points,
+                                          chosen,
+                                          motions.null_space(),
+                                          may_be_mechanism(),
+                                          condenser);
   }
 
   FactorEstimate
@@ -194,8 +202,9 @@ namespace conetact
   {
     if (is_dual())
       return DualBackend::estimate(
-        elastic, points, coordinates, motions, working_set());
-    return estimate_condensation(elastic, rules, points, working_set());
+        elastic, points, coordinates, motions, working_set(), condenser);
+    return estimate_condensation(
+      elastic, rules, points, working_set(), condenser);
   }
 
   ElasticBackend &
@@ -211,6 +220,21 @@ namespace conetact
         throw InputError(singular_sentence(error));
       }
     return *condensed;
+  }
+
+  std::vector<StiffnessDifference>
+  ContactModel::compare_stiffness(const Condenser &other)
+  {
+    try
+      {
+        return condensation().compare(other);
+      }
+    catch (const SingularMatrix &error)
+      {
+        throw AnalysisError(std::string(other.name) +
+                            " finds what Solver/Condensation did not: " +
+                            singular_sentence(error));
+      }
   }
 
   void

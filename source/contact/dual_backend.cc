@@ -58,12 +58,14 @@ namespace conetact
                            const Coordinates   &c,
                            const RigidMotions  &m,
                            const WorkingSet    &s,
+                           const Condenser     &by,
                            const Empty)
     : elastic(e)
     , points(p)
     , coordinates(c)
     , motions(m)
     , set(s)
+    , condenser(by)
     , own(elastic.bodies, coordinates, body_axes(elastic.bodies))
     , H(set.layout().n_unknowns(), own.n_unknowns())
   {
@@ -75,8 +77,9 @@ namespace conetact
                            const ContactPoints &p,
                            const Coordinates   &c,
                            const RigidMotions  &m,
-                           const WorkingSet    &s)
-    : DualBackend(e, p, c, m, s, Empty())
+                           const WorkingSet    &s,
+                           const Condenser     &by)
+    : DualBackend(e, p, c, m, s, by, Empty())
   {
     find_motions();
     condense();
@@ -208,23 +211,52 @@ namespace conetact
       }
   }
 
+  DualBackend::Uncondensed
+  DualBackend::stiffness_of(const Part &part, const SparseMatrix &all) const
+  {
+    const unsigned int body  = part.bodies[0];
+    const Index        begin = own.begin(body), n = n_own(body);
+    Uncondensed        result{all.block(begin, begin, n, n), {}};
+    for (Index p = begin; p < begin + n; ++p)
+      result.node_of.push_back(own.node_of(p));
+    return result;
+  }
+
   void
   DualBackend::condense()
   {
     const SparseMatrix all = assemble(elastic, own);
     for (Part &part : parts)
       {
-        const unsigned int        body  = part.bodies[0];
-        const Index               begin = own.begin(body), n = n_own(body);
-        std::vector<unsigned int> nodes;
-        for (Index p = begin; p < own.end(body); ++p)
-          nodes.push_back(own.node_of(p));
+        const Uncondensed body = stiffness_of(part, all);
         part.element =
-          std::make_unique<SuperElement>(all.block(begin, begin, n, n),
-                                         nodes,
+          std::make_unique<SuperElement>(body.upper,
+                                         body.node_of,
                                          part.retained,
-                                         body_motions[body].R);
+                                         body_motions[part.bodies[0]].R,
+                                         condenser);
       }
+  }
+
+  std::vector<StiffnessDifference>
+  DualBackend::compare(const Condenser &other) const
+  {
+    const SparseMatrix               all = assemble(elastic, own);
+    std::vector<StiffnessDifference> result;
+    for (const Part &part : parts)
+      {
+        if (part.retained.empty())
+          continue;
+        const auto [upper, node_of] = stiffness_of(part, all);
+        const MatrixXd K =
+          SuperElement::stiffness(upper, node_of, part.retained, condenser);
+        const MatrixXd difference =
+          K - SuperElement::stiffness(upper, node_of, part.retained, other);
+        result.push_back(
+          {part.bodies,
+           difference.cwiseAbs().maxCoeff() / K.cwiseAbs().maxCoeff()});
+      }
+    return result;
   }
 
   void
@@ -471,21 +503,20 @@ namespace conetact
                         const ContactPoints &points,
                         const Coordinates   &coordinates,
                         const RigidMotions  &motions,
-                        const WorkingSet    &set)
+                        const WorkingSet    &set,
+                        const Condenser     &condenser)
   {
-    const DualBackend dual(elastic, points, coordinates, motions, set, Empty());
+    const DualBackend dual(
+      elastic, points, coordinates, motions, set, condenser, Empty());
     const SparseMatrix all = assemble(elastic, dual.own);
     FactorEstimate     sum;
     for (const Part &part : dual.parts)
       {
-        const unsigned int body  = part.bodies[0];
-        const Index        begin = dual.own.begin(body), n = dual.n_own(body);
-        std::vector<unsigned int> nodes;
-        for (Index p = begin; p < begin + n; ++p)
-          nodes.push_back(dual.own.node_of(p));
-        sum += SuperElement::estimate(all.block(begin, begin, n, n),
-                                      nodes,
-                                      part.retained);
+        const Uncondensed body = dual.stiffness_of(part, all);
+        sum += SuperElement::estimate(body.upper,
+                                      body.node_of,
+                                      part.retained,
+                                      condenser);
         sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
       }
     return sum;

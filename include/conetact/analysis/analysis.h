@@ -52,6 +52,10 @@ namespace conetact
     void
     prepare();
 
+    /** Condenses once more by another solver. Throws AnalysisError. */
+    void
+    verify();
+
     /**
      * Runs all increments; results go to `folder`, which must exist. Throws
      * AnalysisError where an increment has no accepted result: those before

@@ -20,6 +20,7 @@ namespace conetact
     bool                     print_parameters = false;
     bool                     dry_run          = false;
     bool                     quiet            = false;
+    bool                     verify           = false;
     /** Text to print instead of doing anything: help, version. */
     std::string answer;
   };

@@ -79,6 +79,7 @@ namespace conetact
     std::vector<Pairing>      pairings; ///< of each contact
     std::vector<double>       times;
     SolverOptions             solver;
+    const Condenser          *condenser = &default_condenser();
     PathSettings              path;
     AdaptiveSettings          adaptive;
     unsigned int              vtu_every = 1;

@@ -4,6 +4,7 @@
 #ifndef conetact_application_solver_options_h
 #define conetact_application_solver_options_h
 
+#include "conetact/backends/condenser.h"
 #include "conetact/load_path/load_path.h"
 #include "conetact/solvers/contact_solver.h"
 
@@ -25,6 +26,8 @@ namespace conetact
   /** Throws InputError. */
   SolverOptions
   create_solver_options(dealii::ParameterHandler &prm);
+  const Condenser &
+  chosen_condenser(dealii::ParameterHandler &prm);
   PathSettings
   create_path_settings(dealii::ParameterHandler &prm);
 } // namespace conetact

@@ -4,7 +4,7 @@
 #ifndef conetact_backends_extended_schur_h
 #define conetact_backends_extended_schur_h
 
-#include "conetact/backends/schur_solver.h"
+#include "conetact/backends/condenser.h"
 
 namespace conetact
 {
@@ -20,10 +20,11 @@ namespace conetact
   class ExtendedSchur
   {
   public:
-    /** As SchurSolver. */
+    /** As SchurSolver, of that condenser. */
     ExtendedSchur(const Eigen::SparseMatrix<double> &upper,
                   const Eigen::Index                 n_schur,
-                  const std::vector<unsigned int>   &node_of);
+                  const std::vector<unsigned int>   &node_of,
+                  const Condenser &condenser = default_condenser());
 
     /**
      * Adds `unknowns`, eliminated so far, behind those of S, which becomes the
@@ -56,12 +57,12 @@ namespace conetact
     SchurSolver &
     base()
     {
-      return solver;
+      return *solver;
     }
     const SchurSolver &
     base() const
     {
-      return solver;
+      return *solver;
     }
 
   private:
@@ -69,10 +70,10 @@ namespace conetact
     void
     append(const Eigen::MatrixXd &D, const Eigen::MatrixXd &X);
 
-    Eigen::Index              n_unknowns;
-    SchurSolver               solver;
-    std::vector<Eigen::Index> added;
-    Eigen::MatrixXd           L, B; ///< D = L L^T, B = L^-1 X
+    Eigen::Index                 n_unknowns;
+    std::unique_ptr<SchurSolver> solver;
+    std::vector<Eigen::Index>    added;
+    Eigen::MatrixXd              L, B; ///< D = L L^T, B = L^-1 X
   };
 } // namespace conetact
 

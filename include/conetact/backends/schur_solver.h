@@ -7,7 +7,6 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -53,31 +52,20 @@ namespace conetact
   /**
    * Factorises the symmetric matrix
    * @f$ A = \begin{pmatrix} A_{FF} & A_{FC}\\ A_{CF} & A_{CC}\end{pmatrix} @f$
-   * once by MUMPS, with the unknowns C ordered last, and lets the solver
-   * return the Schur complement
-   * @f$ S = A_{CC} - A_{CF} A_{FF}^{-1} A_{FC} @f$ itself.
-   * A_FF must be positive definite, A and S may be singular. The unknowns C
-   * are the last ones of A.
+   * once and has its Schur complement
+   * @f$ S = A_{CC} - A_{CF} A_{FF}^{-1} A_{FC} @f$. A_FF must be positive
+   * definite, A and S may be singular. The unknowns C are the last ones of A.
+   *
+   * What is made of (Condenser::create): `upper`, the upper triangle of A
+   * (column major), n x n; the last `n_schur` unknowns are C (0: a plain
+   * factorisation). `node_of` names the node of each unknown (any non-negative
+   * numbers, one node's unknowns share it).
    */
   class SchurSolver
   {
   public:
-    /**
-     * `upper`: upper triangle of A (column major), n x n; the last
-     * `n_schur` unknowns are C (0: a plain factorisation). `node_of` names the
-     * node of each unknown (any non-negative numbers, one node's unknowns
-     * share it): the fill-reducing order is that of the node graph.
-     * Throws SingularMatrix, std::bad_alloc.
-     */
-    SchurSolver(const Eigen::SparseMatrix<double> &upper,
-                const Eigen::Index                 n_schur,
-                const std::vector<unsigned int>   &node_of);
-    ~SchurSolver();
-    /** What that would take: orders and analyses, but does not factorise. */
-    static FactorEstimate
-    estimate(const Eigen::SparseMatrix<double> &upper,
-             const Eigen::Index                 n_schur,
-             const std::vector<unsigned int>   &node_of);
+    SchurSolver()                    = default;
+    virtual ~SchurSolver()           = default;
     SchurSolver(const SchurSolver &) = delete;
     SchurSolver &
     operator=(const SchurSolver &) = delete;
@@ -86,35 +74,54 @@ namespace conetact
      * S, dense, both triangles filled. Handed over once: the solver keeps no
      * copy.
      */
-    Eigen::MatrixXd
-    take_schur_complement();
+    virtual Eigen::MatrixXd
+    take_schur_complement() = 0;
 
     /** Columns b (n x k) -> b_C - A_CF A_FF^-1 b_F (n_schur x k). */
-    Eigen::MatrixXd
-    reduce(const Eigen::MatrixXd &b) const;
+    virtual Eigen::MatrixXd
+    reduce(const Eigen::MatrixXd &b) const = 0;
 
     /**
      * Columns b (n x k) and u_C (n_schur x k) -> u (n x k) with
      * A_FF u_F = b_F - A_FC u_C.
      */
-    Eigen::MatrixXd
-    expand(const Eigen::MatrixXd &b, const Eigen::MatrixXd &u_C) const;
+    virtual Eigen::MatrixXd
+    expand(const Eigen::MatrixXd &b, const Eigen::MatrixXd &u_C) const = 0;
 
-    /** Memory of the factor [bytes], for the log. */
-    double
-    factor_bytes() const;
+    /** Memory of the factor [bytes], for the log; 0 if it is not known. */
+    virtual double
+    factor_bytes() const = 0;
 
-    /** Operations of the factorisation. */
-    double
-    factor_operations() const;
+    /**
+     * Whether ExtendedSchur adds `n_new` unknowns to C at less cost than
+     * condensing anew.
+     */
+    virtual bool
+    extension_is_cheaper(const Eigen::Index n_new) const = 0;
 
-    const SchurWork &
-    work() const;
-
-  private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation;
+    virtual const SchurWork &
+    work() const = 0;
   };
+
+  /** Throws std::invalid_argument for what no SchurSolver can be made of. */
+  void
+  check_schur_input(const Eigen::SparseMatrix<double> &upper,
+                    const Eigen::Index                 n_schur,
+                    const std::vector<unsigned int>   &node_of);
+
+  /** Throws SingularMatrix for an entry of A_FF's diagonal that is not > 0. */
+  void
+  refuse_empty_diagonal(const Eigen::VectorXd           &diagonal,
+                        const std::vector<unsigned int> &node_of);
+
+  /**
+   * Factors between 1 and 2 that differ from unknown to unknown, 1 for C.
+   * Equal cells are eliminated by equal operations: unscaled they round alike,
+   * and their errors add up over the area of a mesh instead of cancelling each
+   * other.
+   */
+  std::vector<double>
+  uneven_scale(const Eigen::Index n_eliminated, const Eigen::Index n);
 } // namespace conetact
 
 #endif

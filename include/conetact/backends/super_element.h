@@ -4,7 +4,7 @@
 #ifndef conetact_backends_super_element_h
 #define conetact_backends_super_element_h
 
-#include "conetact/backends/schur_solver.h"
+#include "conetact/backends/condenser.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -41,13 +41,22 @@ namespace conetact
     SuperElement(const Eigen::SparseMatrix<double> &upper,
                  const std::vector<unsigned int>   &node_of,
                  const std::vector<Index>          &retained,
-                 const Eigen::MatrixXd             &motions);
+                 const Eigen::MatrixXd             &motions,
+                 const Condenser &condenser = default_condenser());
 
     /** What its factorisation would take; nothing is factorised. */
     static FactorEstimate
     estimate(const Eigen::SparseMatrix<double> &upper,
              const std::vector<unsigned int>   &node_of,
-             const std::vector<Index>          &retained);
+             const std::vector<Index>          &retained,
+             const Condenser &condenser = default_condenser());
+
+    /** Its stiffness on the retained unknowns, S, by itself. */
+    static Eigen::MatrixXd
+    stiffness(const Eigen::SparseMatrix<double> &upper,
+              const std::vector<unsigned int>   &node_of,
+              const std::vector<Index>          &retained,
+              const Condenser                   &condenser);
 
     const std::vector<Index> &
     retained() const
@@ -70,7 +79,7 @@ namespace conetact
     const SchurSolver &
     solver() const
     {
-      return factor;
+      return *factor;
     }
 
   private:
@@ -80,7 +89,7 @@ namespace conetact
     std::vector<Index>                       kept;
     Eigen::PermutationMatrix<Eigen::Dynamic> place; ///< retained ones last
     double                                   scale; ///< of stiffness
-    SchurSolver                              factor;
+    std::unique_ptr<SchurSolver>             factor;
     Eigen::MatrixXd                          P;
   };
 } // namespace conetact

@@ -37,7 +37,8 @@ namespace conetact
                  const ContactPoints   &points,
                  const WorkingSet      &set,
                  const Eigen::MatrixXd &null_space,
-                 const bool             find_mechanisms);
+                 const bool             find_mechanisms,
+                 const Condenser       &condenser);
 
     const WorkingSet &
     working_set() const override
@@ -58,10 +59,8 @@ namespace conetact
     correction(const Eigen::VectorXd &unbalanced,
                const Eigen::VectorXd &primal) const override;
     /**
-     * With the factor at hand, where that is cheaper: three triangular solves
-     * for each unknown, which run at half the speed of the factorisation.
-     * system() is another one then, and load cases must be reduced again, at
-     * no cost.
+     * With the factor at hand, where that is cheaper. system() is another one
+     * then, and load cases must be reduced again, at no cost.
      */
     bool
     extend(const std::vector<Eigen::Index> &nodes) override;
@@ -81,6 +80,8 @@ namespace conetact
     {
       return solver->base().work();
     }
+    std::vector<StiffnessDifference>
+    compare(const Condenser &other) const override;
 
   protected:
     void
@@ -96,8 +97,6 @@ namespace conetact
     /** Whether nothing may touch: load cases are solved, not reduced. */
     bool
     is_linear() const;
-    bool
-    extension_is_cheaper(const Eigen::Index n_new) const;
     /** Displacements of the unknowns [length], in a linear system. */
     Eigen::VectorXd
     solve(const Eigen::VectorXd &b) const;
@@ -127,7 +126,8 @@ namespace conetact
   estimate_condensation(const ElasticSystem &elastic,
                         const NodeRules     &supports,
                         const ContactPoints &points,
-                        const WorkingSet    &set);
+                        const WorkingSet    &set,
+                        const Condenser     &condenser);
 } // namespace conetact
 
 #endif

@@ -23,7 +23,9 @@ namespace conetact
   {
   public:
     /** `times` are those of the increments. Throws InputError. */
-    ContactModel(const Bodies &bodies, const std::vector<double> &times);
+    ContactModel(const Bodies              &bodies,
+                 const std::vector<double> &times,
+                 const Condenser           &condenser = default_condenser());
 
     const Bodies       &bodies;
     const NodeRules     rules;       ///< what supports and hanging nodes leave
@@ -47,6 +49,13 @@ namespace conetact
     /** Made when first asked for, of the working set. */
     ElasticBackend &
     condensation();
+
+    /**
+     * How far its stiffness is that of another condenser. Throws AnalysisError
+     * where one of both takes it for singular.
+     */
+    std::vector<StiffnessDifference>
+    compare_stiffness(const Condenser &other);
 
     /** What its factorisation will take. */
     FactorEstimate
@@ -105,6 +114,7 @@ namespace conetact
     Eigen::VectorXd
     offset(const LoadCase &load, const double t) const;
 
+    const Condenser                &condenser;
     bool                            dual;
     WorkingSet                      chosen;
     std::unique_ptr<ElasticBackend> condensed;

@@ -41,7 +41,8 @@ namespace conetact
                 const ContactPoints &points,
                 const Coordinates   &coordinates,
                 const RigidMotions  &motions,
-                const WorkingSet    &set);
+                const WorkingSet    &set,
+                const Condenser     &condenser);
 
     const WorkingSet &
     working_set() const override
@@ -72,6 +73,8 @@ namespace conetact
     n_shared_bodies() const override;
     SchurWork
     work() const override;
+    std::vector<StiffnessDifference>
+    compare(const Condenser &other) const override;
 
     /** What the factorisations would take; nothing is factorised. */
     static FactorEstimate
@@ -79,7 +82,8 @@ namespace conetact
              const ContactPoints &points,
              const Coordinates   &coordinates,
              const RigidMotions  &motions,
-             const WorkingSet    &set);
+             const WorkingSet    &set,
+             const Condenser     &condenser);
 
   protected:
     void
@@ -103,6 +107,12 @@ namespace conetact
       std::vector<Index>            retained; ///< of each body's own unknowns
       std::unique_ptr<SuperElement> element;
     };
+    /** The stiffness of one of them in its own unknowns. */
+    struct Uncondensed
+    {
+      Eigen::SparseMatrix<double> upper;
+      std::vector<unsigned int>   node_of;
+    };
     /** Free motions of a body in its own unknowns. */
     struct BodyMotions
     {
@@ -120,6 +130,10 @@ namespace conetact
     retain_anchors(const unsigned int body, std::vector<bool> &kept) const;
     void
     find_motions();
+    /** `all`: that of all own unknowns. */
+    Uncondensed
+    stiffness_of(const Part                        &part,
+                 const Eigen::SparseMatrix<double> &all) const;
     void
     condense();
     void
@@ -153,6 +167,7 @@ namespace conetact
                 const Coordinates   &coordinates,
                 const RigidMotions  &motions,
                 const WorkingSet    &set,
+                const Condenser     &condenser,
                 const Empty);
 
     const ElasticSystem                 &elastic;
@@ -160,6 +175,7 @@ namespace conetact
     const Coordinates                   &coordinates;
     const RigidMotions                  &motions;
     WorkingSet                           set;
+    const Condenser                     &condenser;
     BodyCoordinates                      own;
     Eigen::SparseMatrix<double>          H; ///< of own unknowns
     std::vector<Part>                    parts;

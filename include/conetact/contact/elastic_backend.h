@@ -4,7 +4,7 @@
 #ifndef conetact_contact_elastic_backend_h
 #define conetact_contact_elastic_backend_h
 
-#include "conetact/backends/schur_solver.h"
+#include "conetact/backends/condenser.h"
 #include "conetact/contact/working_set.h"
 
 #include <Eigen/Core>
@@ -33,6 +33,13 @@ namespace conetact
      */
     Eigen::VectorXd offset;
     Eigen::VectorXd placement; ///< amounts of RigidMotions
+  };
+
+  /** How far two condensers agree on a stiffness. */
+  struct StiffnessDifference
+  {
+    std::vector<unsigned int> bodies;       ///< whose stiffness it is
+    double                    relative = 0; ///< to its largest entry [-]
   };
 
   /**
@@ -97,6 +104,13 @@ namespace conetact
     /** Work with the factors so far. */
     virtual SchurWork
     work() const = 0;
+
+    /**
+     * Condenses all bodies once more by another condenser and compares:
+     * largest difference of an entry over the largest entry, body by body.
+     */
+    virtual std::vector<StiffnessDifference>
+    compare(const Condenser &other) const = 0;
 
   protected:
     /** Fills b, f and q of one load case. */

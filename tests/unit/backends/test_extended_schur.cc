@@ -11,6 +11,7 @@
 
 namespace
 {
+  using conetact::Condenser;
   using conetact::ExtendedSchur;
   using conetact::Lattice;
   using conetact::System;
@@ -52,12 +53,13 @@ namespace
   }
 
   // Three additions, one of them longer than a block of columns.
-  TEST(ExtendedSchur, AdditionsCompose)
+  void
+  check_additions(const Condenser &condenser)
   {
     const System   system = Lattice{{6, 6, 5}}.assemble();
     const MatrixXd A = MatrixXd(system.upper).selfadjointView<Eigen::Upper>();
     const Index    n = A.cols(), n_base = 60;
-    ExtendedSchur  schur(system.upper, n_base, system.node_of);
+    ExtendedSchur  schur(system.upper, n_base, system.node_of, condenser);
     MatrixXd       S = schur.base().take_schur_complement();
 
     std::vector<Index> kept(static_cast<std::size_t>(n_base));
@@ -79,6 +81,15 @@ namespace
                   1e-13);
       }
     EXPECT_EQ(schur.base().work().factorizations, 1u);
+  }
+
+  TEST(ExtendedSchur, AdditionsCompose)
+  {
+    for (const Condenser &condenser : conetact::condenser_table())
+      {
+        SCOPED_TRACE(condenser.name);
+        check_additions(condenser);
+      }
   }
 
   TEST(ExtendedSchur, OneReductionAndOneExpansionForEachUnknown)

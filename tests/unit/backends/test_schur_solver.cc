@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/backends/schur_solver.h"
+#include "conetact/backends/condenser.h"
+#include "conetact/backends/mumps_schur.h"
 #include "conetact/base/process.h"
 
 #include <gtest/gtest.h>
@@ -14,9 +15,11 @@
 
 namespace
 {
+  using conetact::Condenser;
+  using conetact::condenser_table;
   using conetact::Lattice;
+  using conetact::MumpsSchur;
   using conetact::ProcessSession;
-  using conetact::SchurSolver;
   using conetact::System;
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -47,14 +50,15 @@ namespace
 
   // S, reduce and expand against dense algebra in long double.
   void
-  check_against_dense(const System &system,
-                      const Index   n_schur,
-                      const double  tolerance = 1e-13)
+  check_against_dense(const Condenser &condenser,
+                      const System    &system,
+                      const Index      n_schur,
+                      const double     tolerance)
   {
     const MatrixXd A = dense(system.upper);
     const Index    n = A.cols(), f = n - n_schur;
-    SchurSolver    solver(system.upper, n_schur, system.node_of);
-    const MatrixXd S = solver.take_schur_complement();
+    const auto solver = condenser.create(system.upper, n_schur, system.node_of);
+    const MatrixXd S  = solver->take_schur_complement();
     ASSERT_EQ(S.rows(), n_schur);
     ASSERT_EQ(S.cols(), n_schur);
     if (n_schur > 0)
@@ -71,7 +75,7 @@ namespace
     const MatrixXd   u_C     = MatrixXd::Random(n_schur, k);
     const LongMatrix A_long  = A.cast<long double>();
     const auto       A_FF    = A_long.topLeftCorner(f, f).llt();
-    const MatrixXd   reduced = solver.reduce(b);
+    const MatrixXd   reduced = solver->reduce(b);
     ASSERT_EQ(reduced.rows(), n_schur);
     ASSERT_EQ(reduced.cols(), k);
     if (n_schur > 0)
@@ -83,7 +87,7 @@ namespace
         EXPECT_LT(relative_difference(reduced.cast<long double>(), expected),
                   tolerance);
       }
-    const MatrixXd u = solver.expand(b, u_C);
+    const MatrixXd u = solver->expand(b, u_C);
     EXPECT_EQ((u.bottomRows(n_schur) - u_C).norm(), 0.);
     if (f > 0)
       {
@@ -93,6 +97,18 @@ namespace
         EXPECT_LT(relative_difference(u.topRows(f).cast<long double>(),
                                       A_FF.solve(load)),
                   tolerance);
+      }
+  }
+
+  void
+  check_against_dense(const System &system,
+                      const Index   n_schur,
+                      const double  tolerance = 1e-13)
+  {
+    for (const Condenser &condenser : condenser_table())
+      {
+        SCOPED_TRACE(condenser.name);
+        check_against_dense(condenser, system, n_schur, tolerance);
       }
   }
 } // namespace
@@ -148,10 +164,13 @@ TEST(SchurSolver, TakesUncoupledUnknownsAndAnEmptyMatrix)
   system.node_of = {0, 0, 1, 2, 2, 3, 3};
   check_against_dense(system, 0);
   check_against_dense(system, 4);
-  SchurSolver none(SparseMatrix(0, 0), 0, {});
-  EXPECT_EQ(none.take_schur_complement().size(), 0);
-  EXPECT_EQ(none.reduce(MatrixXd(0, 3)).cols(), 3);
-  EXPECT_EQ(none.expand(MatrixXd(0, 3), MatrixXd(0, 3)).cols(), 3);
+  for (const Condenser &condenser : condenser_table())
+    {
+      const auto none = condenser.create(SparseMatrix(0, 0), 0, {});
+      EXPECT_EQ(none->take_schur_complement().size(), 0);
+      EXPECT_EQ(none->reduce(MatrixXd(0, 3)).cols(), 3);
+      EXPECT_EQ(none->expand(MatrixXd(0, 3), MatrixXd(0, 3)).cols(), 3);
+    }
 }
 
 
@@ -224,17 +243,32 @@ namespace
 
 
 
+namespace
+{
+  void
+  check_balance(const std::string &condenser, const Index n)
+  {
+    const System system = membrane(n);
+    const auto   solver =
+      conetact::condenser_named(condenser).create(system.upper,
+                                                  n,
+                                                  system.node_of);
+    const MatrixXd u_C       = MatrixXd::Ones(n, 1);
+    const MatrixXd u         = solver->expand(MatrixXd::Zero(n * n, 1), u_C);
+    const double   at_bottom = (solver->take_schur_complement() * u_C).sum();
+    const double   at_top    = u.topRows(n).sum();
+    EXPECT_LT(std::abs(at_bottom - at_top), 2e-13 * at_top) << condenser;
+  }
+} // namespace
+
+
+
 // Rounding errors of equal cells must not add up over the area.
 TEST(SchurSolver, KeepsTheBalanceOfLargeMeshes)
 {
-  constexpr Index n      = 200;
-  const System    system = membrane(n);
-  SchurSolver     solver(system.upper, n, system.node_of);
-  const MatrixXd  u_C       = MatrixXd::Ones(n, 1);
-  const MatrixXd  u         = solver.expand(MatrixXd::Zero(n * n, 1), u_C);
-  const double    at_bottom = (solver.take_schur_complement() * u_C).sum();
-  const double    at_top    = u.topRows(n).sum();
-  EXPECT_LT(std::abs(at_bottom - at_top), 2e-13 * at_top);
+  check_balance("mumps", 200);
+  check_balance("amesos_klu", 100);
+  check_balance("amesos_mumps", 100);
 }
 
 
@@ -252,28 +286,33 @@ TEST(SchurSolver, TakesAMatrixThatIsNotCompressed)
 TEST(SchurSolver, ReducesWithoutLoadsOnEliminatedUnknowns)
 {
   const System system = Lattice{{4, 5}}.assemble();
-  SchurSolver  solver(system.upper, 8, system.node_of);
-  MatrixXd     b = MatrixXd::Zero(40, 2);
+  MatrixXd     b      = MatrixXd::Zero(40, 2);
   b.bottomRows(8).setRandom();
-  EXPECT_EQ(solver.reduce(b), b.bottomRows(8));
-  EXPECT_EQ(solver.expand(MatrixXd::Zero(40, 1), MatrixXd::Zero(8, 1)).norm(),
-            0.);
+  for (const Condenser &condenser : condenser_table())
+    {
+      const auto solver = condenser.create(system.upper, 8, system.node_of);
+      EXPECT_EQ(solver->reduce(b), b.bottomRows(8));
+      EXPECT_EQ(
+        solver->expand(MatrixXd::Zero(40, 1), MatrixXd::Zero(8, 1)).norm(), 0.);
+    }
 }
 
 
 
 TEST(SchurSolver, SolverOutlivesItsMatrixAndItsSchurComplement)
 {
-  auto           system = std::make_unique<System>(Lattice{{6, 6}}.assemble());
-  SchurSolver    solver(system->upper, 12, system->node_of);
-  const MatrixXd b        = MatrixXd::Random(72, 3);
-  const MatrixXd expected = solver.reduce(b);
-  system.reset();
-  {
-    const MatrixXd gone = solver.take_schur_complement();
-  }
-  EXPECT_EQ(solver.reduce(b), expected);
-  EXPECT_GT(solver.factor_bytes(), 60 * sizeof(double));
+  for (const Condenser &condenser : condenser_table())
+    {
+      auto       system = std::make_unique<System>(Lattice{{6, 6}}.assemble());
+      const auto solver = condenser.create(system->upper, 12, system->node_of);
+      const MatrixXd b  = MatrixXd::Random(72, 3);
+      const MatrixXd expected = solver->reduce(b);
+      system.reset();
+      {
+        const MatrixXd gone = solver->take_schur_complement();
+      }
+      EXPECT_EQ(solver->reduce(b), expected);
+    }
 }
 
 
@@ -282,13 +321,11 @@ TEST(SchurSolver, SolverOutlivesItsMatrixAndItsSchurComplement)
 TEST(SchurSolver, KeepsNullVectors)
 {
   Lattice lattice{{5, 5, 6}};
-  lattice.shear          = 0.;
-  lattice.support        = 0.;
-  const System   system  = lattice.assemble();
-  const Index    n_schur = 75;
-  SchurSolver    solver(system.upper, n_schur, system.node_of);
-  const MatrixXd S = solver.take_schur_complement();
-  MatrixXd       motions(n_schur, 6);
+  lattice.shear        = 0.;
+  lattice.support      = 0.;
+  const System system  = lattice.assemble();
+  const Index  n_schur = 75;
+  MatrixXd     motions(n_schur, 6);
   for (Index i = 0; i < n_schur / 3; ++i)
     {
       const Eigen::Vector3d x =
@@ -300,20 +337,26 @@ TEST(SchurSolver, KeepsNullVectors)
           motions.block<3, 1>(3 * i, 3 + d) = e.cross(x);
         }
     }
-  EXPECT_LT((S * motions).norm(), 3e-15 * S.norm() * motions.norm());
-  EXPECT_LT(relative_difference(S.cast<long double>(),
-                                exact_schur_complement(dense(system.upper),
-                                                       n_schur)),
-            1e-14);
+  const LongMatrix exact = exact_schur_complement(dense(system.upper), n_schur);
+  for (const Condenser &condenser : condenser_table())
+    {
+      const MatrixXd S =
+        condenser.create(system.upper, n_schur, system.node_of)
+          ->take_schur_complement();
+      EXPECT_LT((S * motions).norm(), 3e-15 * S.norm() * motions.norm())
+        << condenser.name;
+      EXPECT_LT(relative_difference(S.cast<long double>(), exact), 1e-14)
+        << condenser.name;
+    }
 }
 
 
 
 TEST(SchurSolver, CountsItsWork)
 {
-  const System      system = Lattice{{6, 6}}.assemble();
-  const Index       n = system.upper.cols(), n_schur = 12;
-  const SchurSolver solver(system.upper, n_schur, system.node_of);
+  const System     system = Lattice{{6, 6}}.assemble();
+  const Index      n = system.upper.cols(), n_schur = 12;
+  const MumpsSchur solver(system.upper, n_schur, system.node_of);
   EXPECT_EQ(solver.work().factorizations, 1u);
   EXPECT_EQ(solver.work().condensations, 1u);
   const unsigned int before = solver.work().triangular_solves;
@@ -334,9 +377,10 @@ TEST(SchurSolver, EstimatesItsFactor)
   for (const Index n_schur : {Index(0), Index(3 * 144)})
     {
       const double bytes =
-        SchurSolver(system.upper, n_schur, system.node_of).factor_bytes();
+        MumpsSchur(system.upper, n_schur, system.node_of).factor_bytes();
+      EXPECT_GT(bytes, 60 * sizeof(double));
       const auto estimate =
-        SchurSolver::estimate(system.upper, n_schur, system.node_of);
+        MumpsSchur::estimate(system.upper, n_schur, system.node_of);
       EXPECT_GT(estimate.factor_bytes, .9 * bytes);
       EXPECT_LT(estimate.factor_bytes, 1.5 * bytes);
       EXPECT_GT(estimate.working_bytes, bytes);
@@ -352,12 +396,17 @@ TEST(SchurSolver, EstimatesItsFactor)
 
 TEST(SchurSolver, RefusesWrongInput)
 {
-  const System system = Lattice{{3, 3}}.assemble();
-  EXPECT_THROW(SchurSolver(system.upper, 19, system.node_of),
-               std::invalid_argument);
-  EXPECT_THROW(SchurSolver(system.upper, 3, {0, 1}), std::invalid_argument);
-  const SparseMatrix lower = system.upper.transpose();
-  EXPECT_THROW(SchurSolver(lower, 6, system.node_of), std::invalid_argument);
+  const System       system = Lattice{{3, 3}}.assemble();
+  const SparseMatrix lower  = system.upper.transpose();
+  for (const Condenser &condenser : condenser_table())
+    {
+      EXPECT_THROW(condenser.create(system.upper, 19, system.node_of),
+                   std::invalid_argument);
+      EXPECT_THROW(condenser.create(system.upper, 3, {0, 1}),
+                   std::invalid_argument);
+      EXPECT_THROW(condenser.create(lower, 6, system.node_of),
+                   std::invalid_argument);
+    }
 }
 
 
@@ -368,10 +417,10 @@ TEST(SchurSolver, DoesNotDependOnTheNumberOfThreads)
   const unsigned int before = ProcessSession::n_threads();
   ProcessSession::set_threads(1);
   const MatrixXd one =
-    SchurSolver(system.upper, 147, system.node_of).take_schur_complement();
+    MumpsSchur(system.upper, 147, system.node_of).take_schur_complement();
   ProcessSession::set_threads(4);
   const MatrixXd four =
-    SchurSolver(system.upper, 147, system.node_of).take_schur_complement();
+    MumpsSchur(system.upper, 147, system.node_of).take_schur_complement();
   ProcessSession::set_threads(before);
   EXPECT_LT((one - four).norm(), 1e-13 * one.norm());
 }
