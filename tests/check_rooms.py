@@ -21,13 +21,9 @@ BELOW = {"base": (), "solvers": (), "load_path": ("solvers",),
          "output": ("base", "bodies", "solvers"), "exchange": ("base", "solvers"),
          "contact": ("base", "bodies", "pairing", "backends", "output", "solvers"),
          "verification": ("base", "output", "contact"),
-         "application": ("base", "bodies", "pairing", "output", "contact", "solvers", "load_path"),
+         "application": ("base", "bodies", "pairing", "backends", "output", "contact", "solvers", "load_path"),
          "analysis": ("base", "bodies", "pairing", "backends", "output", "contact", "verification",
                       "solvers", "load_path", "application")}
-
-# Circles that are there, to be deleted here as they are mended; others are faults.
-CIRCLES = {frozenset(f"{room}/{name}" for name in names.split()) for room, names in (
-    ("backends", "free_motion mumps schur_solver"),)}
 
 
 def includes(tree):
@@ -75,27 +71,8 @@ def faults_of_rooms(graph):
 
 
 def faults_of_circles(found):
-    """A circle may become smaller or fall apart; nothing else may come in."""
     for circle in sorted(map(sorted, found)):
-        known = any(set(circle) <= names for names in CIRCLES)
-        print(f"{'circle' if known else 'new circle'}: {', '.join(circle)}")
-        if not known:
-            yield f"{', '.join(circle)} include each other: move what both need into a file below them"
-    for names in sorted(map(sorted, CIRCLES)):
-        if not any(circle <= set(names) for circle in found):
-            yield f"{', '.join(names)} are no circle any more: delete it in {__file__}"
-
-
-def faults_of_scripts(tree):
-    """Tests import nothing of benchmarks, and these of tests nothing but `support`."""
-    files = {folder: sorted((tree / folder).rglob("*.py")) for folder in ("tests", "benchmarks")}
-    own = {"tests": {"tests", "laws", *(file.stem for file in (tree / "tests").glob("*.py"))},
-           "benchmarks": {"benchmarks", *(file.stem for file in files["benchmarks"])}}
-    for folder, other in (("tests", "benchmarks"), ("benchmarks", "tests")):
-        for file in files[folder]:
-            found = set(re.findall(r"^ *(?:import|from) (\w+)", file.read_text(), re.M))
-            for module in sorted(found & own[other] - own[folder]):
-                yield f"{file.relative_to(tree)} imports {module} of {other}: move what both need to tests/support"
+        yield f"{', '.join(circle)} include each other: move what both need into a file below them"
 
 
 def main(tree):
