@@ -71,8 +71,21 @@ def faults_of_rooms(graph):
 
 
 def faults_of_circles(found):
+    """A header and its source are one file."""
     for circle in sorted(map(sorted, found)):
         yield f"{', '.join(circle)} include each other: move what both need into a file below them"
+
+
+def faults_of_scripts(tree):
+    """Tests import nothing of benchmarks, and these of tests nothing but `support`."""
+    files = {folder: sorted((tree / folder).rglob("*.py")) for folder in ("tests", "benchmarks")}
+    own = {"tests": {"tests", "laws", *(file.stem for file in (tree / "tests").glob("*.py"))},
+           "benchmarks": {"benchmarks", *(file.stem for file in files["benchmarks"])}}
+    for folder, other in (("tests", "benchmarks"), ("benchmarks", "tests")):
+        for file in files[folder]:
+            found = set(re.findall(r"^ *(?:import|from) (\w+)", file.read_text(), re.M))
+            for module in sorted(found & own[other] - own[folder]):
+                yield f"{file.relative_to(tree)} imports {module} of {other}: move what both need to tests/support"
 
 
 def main(tree):

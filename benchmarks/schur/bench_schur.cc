@@ -192,13 +192,13 @@ namespace
       conetact::elimination_order(block.upper,
                                   block.upper.cols() - block.n_schur,
                                   block.node_of);
-    const double          t1 = seconds();
+    const double         t1 = seconds();
     conetact::MumpsSchur solver(block.upper, block.n_schur, block.node_of);
-    const MatrixXd        S  = solver.take_schur_complement();
-    const double          t2 = seconds();
-    const MatrixXd        b  = MatrixXd::Ones(block.upper.cols(), 11);
-    const MatrixXd        r  = solver.reduce(b);
-    const double          t3 = seconds();
+    const MatrixXd       S  = solver.take_schur_complement();
+    const double         t2 = seconds();
+    const MatrixXd       b  = MatrixXd::Ones(block.upper.cols(), 11);
+    const MatrixXd       r  = solver.reduce(b);
+    const double         t3 = seconds();
     solver.expand(b, r);
     const double t4 = seconds();
 
