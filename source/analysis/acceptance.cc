@@ -279,6 +279,9 @@ namespace conetact
     record.loads = external.loads;
     double reach = 0;
     record.body_balance.clear();
+    // resultants may vanish where forces do not: a ring shrunk onto another
+    for (const Balance &body : external.bodies)
+      largest_force = std::max(largest_force, body.forces);
     for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
       {
         record.body_balance.push_back(external.bodies[b].forces >

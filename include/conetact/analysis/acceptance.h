@@ -79,7 +79,7 @@ namespace conetact
     ContactRows         contact_rows;
     Energies            energies;
     Warnings            warnings;
-    double              largest_force = 0; ///< resultant so far
+    double              largest_force = 0; ///< sum on a body so far
   };
 } // namespace conetact
 

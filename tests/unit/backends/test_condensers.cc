@@ -182,7 +182,7 @@ TEST(Condensers, MakeTheSameBackend)
 
 TEST(Condensers, VerificationNamesTheBody)
 {
-  for (const std::string &file : {"square-greco.prm", "stacked-blocks.prm"})
+  for (const std::string file : {"square-greco.prm", "stacked-blocks.prm"})
     {
       Model own(file);
       Log   log(/*quiet=*/true, /*verbose=*/false);

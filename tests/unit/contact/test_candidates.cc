@@ -57,7 +57,9 @@ TEST(Candidates, WhatSupportsBringCloseIsGuessed)
     {
       const double x = model.points[i].node->position[0];
       if (std::abs(x - 12) < 1 || std::abs(x - 12) > 4)
-        EXPECT_EQ(set.contains(i), std::abs(x - 12) < 1) << x;
+        {
+          EXPECT_EQ(set.contains(i), std::abs(x - 12) < 1) << x;
+        }
     }
   // four times the way, twice the width
   EXPECT_NEAR(static_cast<double>(guess(model, {4}).nodes().size()),
