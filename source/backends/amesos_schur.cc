@@ -24,13 +24,14 @@ namespace conetact
 
 
   AmesosSchur::AmesosSchur(const std::string  &solver,
-                           const SparseMatrix &upper,
+                           const SparseMatrix &matrix,
                            const Index         n_schur_unknowns,
                            const Nodes        &node_of)
     : n_schur(n_schur_unknowns)
-    , n_eliminated(upper.cols() - n_schur)
+    , n_eliminated(matrix.cols() - n_schur)
   {
-    check_schur_input(upper, n_schur, node_of);
+    check_schur_input(matrix, n_schur, node_of);
+    const SparseMatrix upper = with_ascending_rows(matrix);
     S    = MatrixXd(upper.bottomRightCorner(n_schur, n_schur));
     S    = MatrixXd(S.selfadjointView<Eigen::Upper>());
     A_FC = upper.topRightCorner(n_eliminated, n_schur);

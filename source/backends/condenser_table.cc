@@ -100,7 +100,7 @@ namespace conetact
     {
       const Index          n = upper.cols() - n_schur;
       const FactorEstimate half =
-        MumpsSchur::estimate(upper.topLeftCorner(n, n),
+        MumpsSchur::estimate(with_ascending_rows(upper).topLeftCorner(n, n),
                              0,
                              Nodes(node_of.begin(), node_of.begin() + n));
       return of_both_triangles(2 * half.factor_bytes / 8,

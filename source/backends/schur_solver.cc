@@ -52,6 +52,16 @@ namespace conetact
 
 
 
+  // Each change of the storage order sorts.
+  SparseMatrix
+  with_ascending_rows(const SparseMatrix &matrix)
+  {
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows = matrix;
+    return by_rows;
+  }
+
+
+
   void
   refuse_empty_diagonal(const Eigen::VectorXd           &diagonal,
                         const std::vector<unsigned int> &node_of)

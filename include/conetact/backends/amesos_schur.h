@@ -27,7 +27,7 @@ namespace conetact
      * Throws SingularMatrix, std::bad_alloc.
      */
     AmesosSchur(const std::string                 &solver,
-                const Eigen::SparseMatrix<double> &upper,
+                const Eigen::SparseMatrix<double> &matrix,
                 const Eigen::Index                 n_schur,
                 const std::vector<unsigned int>   &node_of);
 

@@ -59,7 +59,8 @@ namespace conetact
    * What is made of (Condenser::create): `upper`, the upper triangle of A
    * (column major), n x n; the last `n_schur` unknowns are C (0: a plain
    * factorisation). `node_of` names the node of each unknown (any non-negative
-   * numbers, one node's unknowns share it).
+   * numbers, one node's unknowns share it). Rows of the columns C may stand in
+   * any order.
    */
   class SchurSolver
   {
@@ -108,6 +109,10 @@ namespace conetact
   check_schur_input(const Eigen::SparseMatrix<double> &upper,
                     const Eigen::Index                 n_schur,
                     const std::vector<unsigned int>   &node_of);
+
+  /** The same matrix with ascending rows, without which it has no blocks. */
+  Eigen::SparseMatrix<double>
+  with_ascending_rows(const Eigen::SparseMatrix<double> &matrix);
 
   /** Throws SingularMatrix for an entry of A_FF's diagonal that is not > 0. */
   void

@@ -283,6 +283,25 @@ TEST(SchurSolver, TakesAMatrixThatIsNotCompressed)
 
 
 
+// As Eigen leaves them where unknowns have changed their places.
+TEST(SchurSolver, TakesRowsOfRetainedUnknownsInAnyOrder)
+{
+  System      system = Lattice{{4, 4}}.assemble();
+  const Index n = system.upper.cols(), n_schur = 8;
+  for (Index j = n - n_schur; j < n; ++j)
+    {
+      const int begin = system.upper.outerIndexPtr()[j];
+      const int end   = system.upper.outerIndexPtr()[j + 1];
+      std::reverse(system.upper.innerIndexPtr() + begin,
+                   system.upper.innerIndexPtr() + end);
+      std::reverse(system.upper.valuePtr() + begin,
+                   system.upper.valuePtr() + end);
+    }
+  check_against_dense(system, n_schur);
+}
+
+
+
 TEST(SchurSolver, ReducesWithoutLoadsOnEliminatedUnknowns)
 {
   const System system = Lattice{{4, 5}}.assemble();
