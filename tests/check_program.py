@@ -187,11 +187,13 @@ class Case:
 
     def condensers(self):
         """A member of a frame that moves freely, bodies that are compared."""
-        frame = (SCENES.parent / "tests/scenes/error-frame-mechanism.prm").read_text()
-        expected = self.run(frame).stderr
+        frame = (SCENES.parent / "tests/errors/frame.prm").read_text()
+        line = ("-s", "Body frame/Frame/Nodes=1: 0, 0 : 1 ; 2: 3, 0 : 2 ; 3: 1, 0 : 3",
+                "-s", "Body frame/Frame/Members=1-3-2: bar")
+        expected = self.run(frame, *line).stderr
         self.demand("MUMPS finds what moves freely", "Some part of a body can move" in expected, expected)
         for name in ("amesos_klu", "amesos_mumps", "amesos_lapack"):
-            run = self.run(frame, "-s", f"Solver/Condensation={name}")
+            run = self.run(frame, *line, "-s", f"Solver/Condensation={name}")
             self.demand(f"{name} says the same", run.returncode == 1 and run.stderr == expected
                         and not self.result.exists(), run.stderr)
         stack = (SCENES / "stacked-blocks.prm").read_text()

@@ -88,14 +88,19 @@ def lemke_sheet_pile(programs):
 
 
 def smoothing(programs):
-    """[K] Tables 2 and 4: the same iterations as ever."""
+    """[K] Tables 2 and 4: the same iterations as ever. Its residual has the units of the scene; set A gives up on the
+    square, 66 unknowns of which it does not scale."""
     for scene, expected in SMOOTHING.items():
         text, code = programs.run("smoothing", scene)
+        gives_up = scene == "square-greco"
+        programs.demand(f"{scene}: exit code {code}", code == (2 if gives_up else 0))
         for name, counts in zip("AB", expected):
-            found = [int(n) for n in re.findall(rf"^{name} +(\d+) ", text, re.M)]
-            programs.demand(f"{scene}, {name}: {found}", code == 0 and found == counts)
-        residuals = [float(line.split()[5]) for line in text.splitlines() if line[:2] in ("A ", "B ")]
-        programs.check("  residuals without units", max(residuals), 1e-7)
+            rows = re.findall(rf"^{name} +(\d+) +(\S+)", text, re.M)
+            programs.demand(f"{scene}, {name}: {[int(n) for n, _ in rows]}", [int(n) for n, _ in rows] == counts)
+            if gives_up and name == "A":
+                programs.demand("  no descent in the line search", "no descent in the line search" in text)
+            else:
+                programs.check("  natural residuals", max(float(r) for _, r in rows), 1e-8)
 
 
 def refusals(programs):

@@ -4,6 +4,7 @@
 #include "conetact/reproductions/published_smoothing.h"
 
 #include "conetact/solvers/smoothing_iteration.h"
+#include "conetact/solvers/stiffness_form.h"
 
 namespace conetact
 {
@@ -43,6 +44,13 @@ namespace conetact
                      const PublishedSet   &set,
                      const double          tolerance)
   {
+    // the paper's form, in which free motions are no unknowns of their own
+    if (problem.system->n_motions > 0)
+      {
+        const StiffnessForm form(problem.system);
+        if (form.exists())
+          return solve_as_published(form.eliminate(problem), set, tolerance);
+      }
     LinearRelation relation(problem.system, false);
     relation.set_load(problem);
     ContactState state;

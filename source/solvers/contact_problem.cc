@@ -120,8 +120,11 @@ namespace conetact
           v(nt) += mu * slip;
           result.segment(first, nt + 1) =
             r - project_on_friction_cone(r - factor * v, mu);
+          // gaps count in full, but no more than what is left of a reaction
           if (factor < rho(first))
-            result(first + nt) += rho(first) * std::abs(gap);
+            result(first + nt) += gap > 0 ?
+                                    std::min(rho(first) * gap, r.norm()) :
+                                    -rho(first) * gap;
         }
       return result;
     }
