@@ -63,7 +63,7 @@ namespace
     {"double-layer-grid-04.prm", {}, {1}},
     {"beam-three-supports.prm", {}, {1}},
     {"floating-block.prm", {}, {1}},
-    {"sheet-pile.prm", {}, {1}},
+    {"sheet-pile.prm", {}, {1, 1, 1}},
     {"stacked-blocks.prm", {}, {1, 1, 1}}};
 
   void
