@@ -25,7 +25,7 @@ PAPER = {"double-layer-grid-04": [10], "double-layer-grid-07": [13], "double-lay
 
 
 def increments(build, scene, changes):
-    """Rows of increments.csv, and linear solves of the published method with each set on the problems of these."""
+    """Rows of increments.csv, and lines of the published method with each set on the problems of these."""
     with tempfile.TemporaryDirectory() as folder:
         command = [build / "conetact", TOP / f"parameter-files/{scene}.prm", "-o", folder, "--quiet", "-s", "Output/VTU=0"]
         for change in changes:
@@ -36,7 +36,7 @@ def increments(build, scene, changes):
         problems = sorted(Path(folder).glob("problem-*.txt"))
         text = problems and subprocess.run([build / "conetact-reproductions", "smoothing", *problems],
                                            capture_output=True, text=True).stdout
-    return rows, {name: [int(n) for n in re.findall(rf"^{name} +(\d+) ", text or "", re.M)] for name in "AB"}
+    return rows, {name: re.findall(rf"^({name} .*)$", text or "", re.M) for name in "AB"}
 
 
 def counts(numbers, expected):
@@ -54,9 +54,11 @@ def main(build=TOP / "build"):
         runs = {name: increments(build, scene, changes)[0] for name, changes in METHODS.items()}
         last = runs["automatic"]
         worst = ["%.0e" % max((abs(float(row[e])) for row in last), default=float("nan")) for e in ("err1", "err2")]
-        numbers = [*published.values(), *([int(row["iterations"]) for row in rows] for rows in runs.values())]
-        print("|", " | ".join([scene, " ".join(map(str, paper)) if paper else "-",
-                               *(counts(n, len(last)) for n in numbers), *worst]), "|")
+        own = [counts([int(line.split()[1]) for line in lines], len(last)) + any(":" in line for line in lines) * " (gives up)"
+               for lines in published.values()]
+        print("|", " | ".join([scene, " ".join(map(str, paper)) if paper else "-", *own,
+                               *(counts([int(row["iterations"]) for row in rows], len(last)) for rows in runs.values()),
+                               *worst]), "|")
 
 
 if __name__ == "__main__":
