@@ -37,8 +37,10 @@ namespace conetact
    * The smoothing and regularisation method of [K] (17) as published (see
    * SmoothingIteration), on the numbers of the problem in its units: from
    * x = y = 0, with no pivot frozen, until the natural residual is below the
-   * tolerance. Iterations depend on the units. To reproduce tables and for
-   * nothing else: the method that solves problems is in smoothing_newton.h.
+   * tolerance. Iterations depend on the units. Free motions are eliminated
+   * first (StiffnessForm): in [K] they are no unknowns of their own. To
+   * reproduce tables and for nothing else: the method that solves problems is
+   * in smoothing_newton.h.
    */
   PublishedRun
   solve_as_published(const ContactProblem &problem,
