@@ -5,6 +5,7 @@
 // in its table, made and used through the row. The page shows what stands
 // between the marks [...].
 
+#include "conetact/backends/condenser.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/body_table.h"
@@ -342,6 +343,100 @@ namespace
                                   "slipping.txt: number of nodes that slip",
                                   &create_slipping};
   //! [output row]
+
+
+
+  //! [backend]
+  /** Condenses by a dense Cholesky factorisation: for very small bodies. */
+  class DenseSchur : public SchurSolver
+  {
+  public:
+    using Index = Eigen::Index;
+
+    DenseSchur(const Eigen::SparseMatrix<double> &upper, const Index n_schur)
+      : n(upper.cols())
+      , n_f(n - n_schur)
+    {
+      const Eigen::MatrixXd half  = upper;
+      const Eigen::MatrixXd whole = half.selfadjointView<Eigen::Upper>();
+      A_FC                        = whole.topRightCorner(n_f, n_schur);
+      factor.compute(whole.topLeftCorner(n_f, n_f));
+      if (factor.info() != Eigen::Success)
+        throw SingularMatrix(std::nullopt);
+      S = whole.bottomRightCorner(n_schur, n_schur) -
+          A_FC.transpose() * factor.solve(A_FC);
+      done.factorizations = done.condensations = 1;
+    }
+    Eigen::MatrixXd
+    take_schur_complement() override
+    {
+      return std::move(S);
+    }
+    Eigen::MatrixXd
+    reduce(const Eigen::MatrixXd &b) const override
+    {
+      done.reductions += static_cast<unsigned int>(b.cols());
+      return b.bottomRows(n - n_f) -
+             A_FC.transpose() * factor.solve(b.topRows(n_f));
+    }
+    Eigen::MatrixXd
+    expand(const Eigen::MatrixXd &b, const Eigen::MatrixXd &u_C) const override
+    {
+      done.expansions += static_cast<unsigned int>(b.cols());
+      Eigen::MatrixXd u(n, b.cols());
+      u << factor.solve(b.topRows(n_f) - A_FC * u_C), u_C;
+      return u;
+    }
+    double
+    factor_bytes() const override
+    {
+      return 8. * static_cast<double>(n_f * n_f);
+    }
+    bool
+    extension_is_cheaper(const Index /*n_new*/) const override
+    {
+      return false;
+    }
+    const SchurWork &
+    work() const override
+    {
+      return done;
+    }
+
+  private:
+    Index                       n, n_f;
+    Eigen::LLT<Eigen::MatrixXd> factor; ///< of A_FF
+    Eigen::MatrixXd             A_FC, S;
+    mutable SchurWork           done;
+  };
+  //! [backend]
+
+  //! [backend row]
+  std::unique_ptr<SchurSolver>
+  create_dense(const Eigen::SparseMatrix<double> &upper,
+               const Eigen::Index                 n_schur,
+               const std::vector<unsigned int> & /*node_of*/)
+  {
+    return std::make_unique<DenseSchur>(upper, n_schur);
+  }
+
+  FactorEstimate
+  estimate_dense(const Eigen::SparseMatrix<double> &upper,
+                 const Eigen::Index                 n_schur,
+                 const std::vector<unsigned int> & /*node_of*/)
+  {
+    const auto     n = static_cast<double>(upper.cols() - n_schur);
+    FactorEstimate result;
+    result.factor_bytes = result.working_bytes = 8 * n * n;
+    result.flops                               = n * n * n / 3;
+    return result;
+  }
+
+  const Condenser dense_row = {"dense",
+                               "dense Cholesky, for very small bodies",
+                               &create_dense,
+                               &estimate_dense};
+  //! [backend row]
 } // namespace
 
 TEST(Extending, AnObstacle)
@@ -435,4 +530,21 @@ TEST(Extending, AnOutput)
   std::getline(file, line);
   EXPECT_EQ(line, "1 1");
   std::filesystem::remove(run.folder / "slipping.txt");
+}
+
+TEST(Extending, ABackend)
+{
+  // three springs of 2 in a row, the last node is kept
+  Eigen::SparseMatrix<double> upper(3, 3);
+  upper.insert(0, 0) = upper.insert(1, 1) = 4;
+  upper.insert(0, 1) = upper.insert(1, 2) = -2;
+  upper.insert(2, 2)                      = 2;
+  const auto solver = dense_row.create(upper, 1, {0, 1, 2});
+  EXPECT_NEAR(solver->take_schur_complement()(0, 0), 2. / 3, 1e-15);
+  const Eigen::Vector3d b(0, 3, 0);
+  EXPECT_NEAR(solver->reduce(b)(0, 0), 2, 1e-15);
+  const Eigen::Vector3d u =
+    solver->expand(b, Eigen::MatrixXd::Constant(1, 1, 3));
+  EXPECT_LT((u - Eigen::Vector3d(1.5, 3, 3)).norm(), 1e-14);
+  EXPECT_EQ(dense_row.estimate(upper, 1, {}).factor_bytes, 32);
 }
