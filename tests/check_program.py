@@ -24,7 +24,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+from run_errors import scene_of
+
 SCENES = Path(__file__).resolve().parent.parent / "parameter-files"
+ERRORS = Path(__file__).resolve().parent / "errors"
 
 BLOCK = """set Dimension = {dim}
 set Bodies = block
@@ -187,13 +190,11 @@ class Case:
 
     def condensers(self):
         """A member of a frame that moves freely, bodies that are compared."""
-        frame = (SCENES.parent / "tests/errors/frame.prm").read_text()
-        line = ("-s", "Body frame/Frame/Nodes=1: 0, 0 : 1 ; 2: 3, 0 : 2 ; 3: 1, 0 : 3",
-                "-s", "Body frame/Frame/Members=1-3-2: bar")
-        expected = self.run(frame, *line).stderr
+        frame = scene_of(ERRORS / "frames.txt", "mechanism")
+        expected = self.run(frame).stderr
         self.demand("MUMPS finds what moves freely", "Some part of a body can move" in expected, expected)
         for name in ("amesos_klu", "amesos_mumps", "amesos_lapack"):
-            run = self.run(frame, *line, "-s", f"Solver/Condensation={name}")
+            run = self.run(frame, "-s", f"Solver/Condensation={name}")
             self.demand(f"{name} says the same", run.returncode == 1 and run.stderr == expected
                         and not self.result.exists(), run.stderr)
         stack = (SCENES / "stacked-blocks.prm").read_text()

@@ -144,6 +144,12 @@ def changed(text, changes):
     return text
 
 
+def scene_of(table, name):
+    """The scene of a row, for other tests."""
+    base, rows = read_table(table)
+    return changed(base, next(row.changes for row in rows if row.name == name))
+
+
 def run_text(program, folder, name, text, arguments):
     folder.mkdir(parents=True, exist_ok=True)
     scene = folder / f"{name}.prm"
