@@ -34,7 +34,7 @@ NOT_COMPARED = ("node", "err1", "err2")
 BOUNDED = ("residual", "equilibrium", "balance")
 COUNTED = ("iterations", "substeps")
 # Columns of one kind, and what is noise among them (relative to the largest).
-GROUPS = ((r"(d?u_|gap)", 1e-12), (r"r_", 2e-9), (r"pressure|traction_", 2e-9), (r"foot_", 1e-12),
+GROUPS = ((r"(d?u_|gap)", 1e-12), (r"r_", 2e-9), (r"pressure|traction_", 2e-9), (r"foot_|acts_", 1e-12),
           (r".*_[fm]_.$", 2e-9),
           (r"strain_energy|external_work|dissipation|contact_work_normal", 2e-9), (r"", 0))
 

@@ -78,6 +78,11 @@ def padded(v):
     return np.array([*v, 0, 0, 0][:3], dtype=float)
 
 
+def acting_at(row):
+    """Where a reaction acts on its body: at its node where the table does not say."""
+    return vector(row, "acts") if "acts_x" in row and np.isfinite(row["acts_x"]) else place(row)
+
+
 class Sums:
     """Forces and moments about the origin, and the sums of their magnitudes."""
 
@@ -115,7 +120,7 @@ def balance_faults(statement, t, rows):
     for row in rows:
         body = owner(statement, row["contact"])
         if body in sums:
-            sums[body].add(place(row), reaction(row, statement.dim))
+            sums[body].add(acting_at(row), reaction(row, statement.dim))
     bound = max(SUMS, 10 * statement.tolerance)
     for body, free in statement.free.items():
         yield from sums[body].faults(free, bound, f"body {body}")
@@ -146,7 +151,7 @@ def row_faults(row, mu, size, length, motion, in_parts):
     du, tangential, tiny = np.array([row["du_t1"], row["du_t2"]]), np.linalg.norm(r_t), FORCES * size
     slide = np.linalg.norm(du)
     if not all(np.isfinite(value) for name, value in row.items()
-               if name not in TEXTS and not name.startswith("foot")):
+               if name not in TEXTS and not name.startswith(("foot", "acts"))):
         yield "is not finite"
     if r_n < -tiny:
         yield f"pulls by {r_n:.3g}"

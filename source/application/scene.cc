@@ -9,7 +9,9 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/body_table.h"
+#include "conetact/contact/held_nodes.h"
 #include "conetact/output/problem_files.h"
+#include "conetact/pairing/pairing_table.h"
 
 #include <algorithm>
 #include <fstream>
@@ -272,6 +274,10 @@ namespace conetact
     bodies.contact_nodes = std::move(found.nodes);
     pairings             = std::move(found.pairings);
     align_with_supports(bodies);
+    std::vector<bool> is_mean;
+    for (const Contact &contact : contacts)
+      is_mean.push_back(pairing_of(contact, bodies.structures).takes_means);
+    give_up_held_nodes(bodies, is_mean);
     bodies.at_rest = bodies_at_rest();
     check_path();
     check_adaptive(adaptive, bodies.structures);

@@ -163,9 +163,12 @@ namespace conetact
     for (const ContactNode &node : bodies.contact_nodes)
       if (node.prestress > 0)
         {
-          add(node.body, node.node, -node.prestress * node.n);
-          for (const auto &[master, weight] : node.masters)
-            add(node.master, master, weight * node.prestress * node.n);
+          for_each_side(node,
+                        [&](const unsigned int body,
+                            const unsigned int i,
+                            const double       weight) {
+                          add(body, i, -weight * node.prestress * node.n);
+                        });
         }
     return forces;
   }

@@ -88,6 +88,8 @@ namespace conetact
   {
     if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
       return false;
+    if (!node.slaves.empty())
+      return true; // nodes beside it may move along what is held here
     std::vector<std::pair<const NodeRule *, double>> masters;
     for (const auto &[master, weight] : node.masters)
       if (weight != 0)

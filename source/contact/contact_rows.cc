@@ -52,6 +52,17 @@ namespace conetact
       return p;
     }
 
+    /** And on its own side. */
+    Point<3>
+    acting_at(const Bodies &bodies, const ContactNode &node)
+    {
+      Tensor<1, 3> off;
+      for (const auto &[slave, weight] : node.slaves)
+        off += weight *
+               (bodies.structures[node.body]->position(slave) - node.position);
+      return node.position + off;
+    }
+
     Tensor<1, 3>
     reaction_vector(const ContactPoint &point, const Eigen::VectorXd &r)
     {
@@ -81,6 +92,7 @@ namespace conetact
         row.area     = node.area;
         row.gap      = node.gap;
         row.foot     = foot_of(model.bodies, node);
+        row.acts     = acting_at(model.bodies, node);
         last.push_back(row);
       }
   }
@@ -160,6 +172,7 @@ namespace conetact
             sum.row.position =
               model.bodies.structures[node.master]->position(master);
             sum.row.foot = sum.row.position;
+            sum.row.acts = sum.row.position;
             sum.row.area += weight * row.area;
             // beside a face that is overhung weights are a little below zero
             const double share = std::abs(weight);

@@ -98,19 +98,17 @@ namespace conetact
         const ContactNode &node = *points[i].node;
         for (const Tensor<1, 3> &dual : points[i].dual)
           {
-            append(own,
-                   row,
-                   coordinates.dof(node.body, node.node),
-                   dim,
-                   dual,
-                   entries);
-            for (const auto &[master, weight] : node.masters)
-              append(own,
-                     row,
-                     coordinates.dof(node.master, master),
-                     dim,
-                     -weight * dual,
-                     entries);
+            for_each_side(node,
+                          [&](const unsigned int body,
+                              const unsigned int i,
+                              const double       weight) {
+                            append(own,
+                                   row,
+                                   coordinates.dof(body, i),
+                                   dim,
+                                   weight * dual,
+                                   entries);
+                          });
             ++row;
           }
       }

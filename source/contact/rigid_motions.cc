@@ -194,15 +194,16 @@ namespace conetact
       for (const Tensor<1, 3> &dual : point.dual)
         {
           const ContactNode &node = *point.node;
-          seen_by_contacts.row(i) =
-            row(node.body, node.position, dual) *
-            free_modes.middleRows(node.body * n_one, n_one);
-          for (const auto &[master, weight] : node.masters)
-            seen_by_contacts.row(i) -=
-              row(node.master,
-                  bodies.structures[node.master]->position(master),
-                  weight * dual) *
-              free_modes.middleRows(node.master * n_one, n_one);
+          for_each_side(node,
+                        [&](const unsigned int body,
+                            const unsigned int node_number,
+                            const double       weight) {
+                          seen_by_contacts.row(i) +=
+                            row(body,
+                                bodies.structures[body]->position(node_number),
+                                weight * dual) *
+                            free_modes.middleRows(body * n_one, n_one);
+                        });
           ++i;
         }
   }

@@ -33,7 +33,7 @@ namespace conetact
   {
     return "increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,u_n,u_t1,u_t2,"
            "du_t1,du_t2,r_n,r_t1,r_t2,state,pressure,traction_t1,traction_t2,"
-           "area,foot_x,foot_y,foot_z\n";
+           "area,foot_x,foot_y,foot_z,acts_x,acts_y,acts_z\n";
   }
 
 
@@ -88,6 +88,7 @@ namespace conetact
         "traction_t2");
     csv.add("area", row.area);
     add(csv, row.foot, "foot_x", "foot_y", "foot_z");
+    add(csv, row.acts, "acts_x", "acts_y", "acts_z");
     csv.end();
   }
 } // namespace conetact

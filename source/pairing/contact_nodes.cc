@@ -7,7 +7,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
-#include "conetact/pairing/master_surface.h"
+#include "conetact/pairing/pairing_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +132,15 @@ namespace conetact
         throw InputError(in + "Largest angle: " + prm.get("Largest angle") +
                          " is not an angle between opposing faces. Give 0 to "
                          "90 degrees.");
-      contact.largest_angle  = angle * M_PI / 180;
+      contact.largest_angle = angle * M_PI / 180;
+      const double edge =
+        to_number(prm.get("Sharp edge angle"), in + "Sharp edge angle");
+      if (edge < 0 || edge > 90)
+        throw InputError(in +
+                         "Sharp edge angle: " + prm.get("Sharp edge angle") +
+                         " is no angle of an edge. Give 0 to 90 degrees.");
+      contact.sharp_edge     = edge * M_PI / 180;
+      contact.pairing        = prm.get("Pairing");
       const std::string deep = prm.get("Largest interference");
       if (deep.empty())
         return;
@@ -142,151 +150,26 @@ namespace conetact
                          " is negative. Give a length of 0 or more.");
     }
 
-    /** The longest edge of the faces at each node of a surface. */
-    std::map<unsigned int, double>
-    spacings(const Surface &surface, const Structure &body)
+    /** Throws InputError for the deepest node that is too deep. */
+    void
+    check(const std::optional<PairedNodes::Deep> &deepest,
+          const Contact                          &contact,
+          const std::vector<std::string>         &bodies)
     {
-      std::map<unsigned int, double> result;
-      for (const SurfaceFace &face : surface.faces)
-        {
-          double     longest = 0;
-          const auto edge    = [&](const std::size_t i, const std::size_t j) {
-            longest = std::max(longest,
-                               body.position(face.nodes[i])
-                                 .distance(body.position(face.nodes[j])));
-          };
-          edge(0, 1);
-          if (face.nodes.size() == 3)
-            for (const std::size_t i : {0, 1})
-              edge(i, 2);
-          if (face.nodes.size() == 4)
-            for (const auto &[i, j] : {std::pair(0, 2), {1, 3}, {2, 3}})
-              edge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-          for (const unsigned int node : face.nodes)
-            result[node] = std::max(result[node], longest);
-        }
-      for (const SurfaceNode &node : surface.nodes) // of frames without faces
-        result.insert({node.node, std::sqrt(node.area)});
-      return result;
+      if (!deepest)
+        return;
+      const std::string depth = to_text(-deepest->gap);
+      throw InputError(
+        "Contact '" + contact.name + "': the node at " +
+        to_text(deepest->position) + " of body '" + bodies[contact.body] +
+        "' starts " + depth + " deep in " +
+        (contact.obstacle ? "obstacle '" + contact.obstacle->name + "'" :
+                            "body '" + bodies[contact.master] + "'") +
+        ", more than " + to_text(deepest->allowed) +
+        ". Move them apart, or for a press fit give " +
+        (contact.obstacle ? "" : "the Gap or ") +
+        "a Largest interference of at least " + depth + ".");
     }
-
-    /** How deep a node may start in its opponent. */
-    double
-    interference_allowed(const Contact &contact, const double face_size)
-    {
-      return contact.interference.value_or(.25 * face_size);
-    }
-
-    /** Nodes of a contact, one after the other. */
-    class Finder
-    {
-    public:
-      Finder(const Contact &c, const std::vector<const Structure *> &structures)
-        : contact(c)
-        , body(*structures[contact.body])
-        , surface(body.surface(contact.ids))
-        , spacing(spacings(surface, body))
-      {
-        if (contact.obstacle == nullptr)
-          master.emplace(*structures[contact.master], contact.master_ids);
-      }
-
-      const std::vector<SurfaceNode> &
-      nodes() const
-      {
-        return surface.nodes;
-      }
-
-      /** A node with its gap and normal, unless it stays free. */
-      std::optional<ContactNode>
-      find(const SurfaceNode &s)
-      {
-        ContactNode node;
-        node.body     = contact.body;
-        node.node     = s.node;
-        node.position = s.position;
-        node.area     = s.area;
-        node.obstacle = contact.obstacle;
-        node.spacing  = spacing.at(s.node);
-        if (!(contact.obstacle ? face_obstacle(node) : face_master(node, s)))
-          return {};
-        return node;
-      }
-
-      /** Throws InputError for the deepest node that is too deep. */
-      void
-      check(const std::vector<std::string> &bodies) const
-      {
-        if (!deepest)
-          return;
-        const std::string depth = to_text(-deepest->gap);
-        throw InputError(
-          "Contact '" + contact.name + "': the node at " +
-          to_text(deepest->position) + " of body '" + bodies[contact.body] +
-          "' starts " + depth + " deep in " +
-          (contact.obstacle ? "obstacle '" + contact.obstacle->name + "'" :
-                              "body '" + bodies[contact.master] + "'") +
-          ", more than " + to_text(allowed) +
-          ". Move them apart, or for a press fit give " +
-          (contact.obstacle ? "" : "the Gap or ") +
-          "a Largest interference of at least " + depth + ".");
-      }
-
-    private:
-      bool
-      face_obstacle(ContactNode &node)
-      {
-        const auto closest =
-          contact.obstacle->shape->closest(node.position, node.spacing);
-        node.gap = closest.gap;
-        node.n   = closest.normal;
-        if (!contact.obstacle->shape->states_gaps())
-          judge(node, node.spacing);
-        return true;
-      }
-
-      bool
-      face_master(ContactNode &node, const SurfaceNode &s)
-      {
-        auto normals = s.normals;
-        if (surface.two_sided)
-          normals.push_back(-s.normal);
-        auto foot = master->foot(s.position,
-                                 normals,
-                                 {contact.reach,
-                                  std::cos(contact.largest_angle),
-                                  interference_allowed(contact, node.spacing),
-                                  contact.body != contact.master});
-        if (!foot)
-          return false;
-        node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
-        node.n       = foot->normal;
-        node.master  = contact.master;
-        node.masters = std::move(foot->masters);
-        if (!contact.gap)
-          judge(node, std::max(node.spacing, foot->size));
-        return true;
-      }
-
-      void
-      judge(const ContactNode &node, const double face_size)
-      {
-        const double bound = interference_allowed(contact, face_size);
-        if (node.gap < -bound && (!deepest || node.gap < deepest->gap))
-          {
-            deepest = node;
-            allowed = bound;
-          }
-      }
-
-      const Contact                 &contact;
-      const Structure               &body;
-      Surface                        surface;
-      std::map<unsigned int, double> spacing;
-      std::optional<MasterSurface>   master;
-      std::optional<ContactNode>     deepest;
-      double                         allowed = 0;
-    };
 
     /** Two obstacles that a node meets along one normal: nothing tells which
      * of them carries it. */
@@ -297,17 +180,19 @@ namespace conetact
              one.n * other.n > 1 - 1e-12;
     }
 
-    void
-    count(const std::optional<ContactNode> &node, Pairing &pairing)
+    Pairing
+    count(const PairedNodes &found)
     {
-      ++pairing.n_nodes;
-      if (!node)
-        return;
-      const bool first = ++pairing.n_paired == 1;
-      pairing.least_gap =
-        first ? node->gap : std::min(pairing.least_gap, node->gap);
-      pairing.largest_gap =
-        first ? node->gap : std::max(pairing.largest_gap, node->gap);
+      Pairing pairing{found.n_nodes, found.n_paired, 0, 0};
+      for (const ContactNode &node : found.nodes)
+        {
+          const bool first = &node == &found.nodes.front();
+          pairing.least_gap =
+            first ? node.gap : std::min(pairing.least_gap, node.gap);
+          pairing.largest_gap =
+            first ? node.gap : std::max(pairing.largest_gap, node.gap);
+        }
+      return pairing;
     }
   } // namespace
 
@@ -336,6 +221,101 @@ namespace conetact
     node.axis_1                = c * node.t1 + s * node.t2;
     node.axis_2                = c * node.t2 - s * node.t1;
   }
+
+  namespace
+  {
+    void
+    declare_pairing(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      std::vector<std::string> names;
+      std::string              ways;
+      for (const PairingRow &row : pairings())
+        {
+          names.push_back(row.name);
+          ways +=
+            (ways.empty() ? "" : "; ") + row.name + ": " + row.description;
+        }
+      prm.declare_entry(
+        "Pairing",
+        names.front(),
+        Selection(join(names, "|")),
+        "How nodes find what they touch on a master body. " + ways +
+          ". Frames, and nodes at edges and corners that meet a "
+          "face, are paired node to face always. [-]");
+      prm.declare_entry(
+        "Sharp edge angle",
+        "40",
+        Anything(),
+        "Where faces of the body turn by more than this at a "
+        "node, it has a normal and a contact for each side of "
+        "the edge; where by less, one mean normal. Faces oppose "
+        "each other up to half of it (mortar only; beyond, up to the "
+        "Largest angle, node to face). 0 to 90. [degrees]");
+      prm.declare_entry(
+        "Largest angle",
+        "60",
+        Anything(),
+        "A node meets a master's face only if an outward normal "
+        "of the node's own faces and the reversed one of that "
+        "face differ by at most this, from 0 to 90; so tops are "
+        "not paired with bottoms where all boundary ids are "
+        "given. [degrees]");
+      prm.declare_entry(
+        "Largest interference",
+        "",
+        Anything(),
+        "Nodes may start this deep in the obstacle or the master "
+        "body; deeper ones are an error, for most often a body "
+        "is out of place. Give the overlap of a press fit here. "
+        "Empty: a quarter of the longest edge of the faces that "
+        "meet, which the facets of curved surfaces need. A Gap "
+        "that is written down is not limited. [length]");
+      prm.declare_entry("Gap",
+                        "",
+                        Anything(),
+                        "Gap to the master body as a function of x, y, z; "
+                        "negative: an interference. Empty: from geometry. "
+                        "[length]");
+    }
+
+    void
+    declare_friction(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry("Friction coefficient",
+                        "0",
+                        Anything(),
+                        "Coulomb's mu, 0 or more, a function of x, y, z; mu in "
+                        "[K] (5). [-]");
+      prm.declare_entry("Second friction coefficient",
+                        "",
+                        Anything(),
+                        "Friction coefficient across the first axis, for an "
+                        "elliptic cone ([K] remark 3.3; 3D). Empty: isotropic. "
+                        "[-]");
+      prm.declare_entry("Friction angle",
+                        "0",
+                        Anything(),
+                        "Angle of the first axis from the tangent t1 towards "
+                        "t2, for an elliptic cone. [degrees]");
+      prm.declare_entry(
+        "Prestress",
+        "0",
+        Anything(),
+        "Force that presses the two sides together at each "
+        "contact node from t = 0 on, 0 or more, a function of x, "
+        "y, z; the prestress of [P], whose tightening weight Fc "
+        "is a prestress Fc and a cohesion (1 - mu) Fc. [force]");
+      prm.declare_entry("Cohesion",
+                        "0",
+                        Anything(),
+                        "Friction that needs no pressure, |r_t| <= mu r_n + "
+                        "cohesion at each contact node, open ones too, 0 or "
+                        "more, a function of x, y, z; only for Method = load "
+                        "path in 2D. [force]");
+    }
+  } // namespace
 
   void
   declare_contact(dealii::ParameterHandler &prm)
@@ -368,59 +348,8 @@ namespace conetact
                       "Nodes further than this from the master's faces stay "
                       "free. Empty: the diagonal of the box around both "
                       "bodies. [length]");
-    prm.declare_entry("Largest angle",
-                      "60",
-                      Anything(),
-                      "A node meets a master's face only if an outward normal "
-                      "of the node's own faces and the reversed one of that "
-                      "face differ by at most this, from 0 to 90; so tops are "
-                      "not paired with bottoms where all boundary ids are "
-                      "given. [degrees]");
-    prm.declare_entry("Largest interference",
-                      "",
-                      Anything(),
-                      "Nodes may start this deep in the obstacle or the master "
-                      "body; deeper ones are an error, for most often a body "
-                      "is out of place. Give the overlap of a press fit here. "
-                      "Empty: a quarter of the longest edge of the faces that "
-                      "meet, which the facets of curved surfaces need. A Gap "
-                      "that is written down is not limited. [length]");
-    prm.declare_entry("Gap",
-                      "",
-                      Anything(),
-                      "Gap to the master body as a function of x, y, z; "
-                      "negative: an interference. Empty: from geometry. "
-                      "[length]");
-    prm.declare_entry("Friction coefficient",
-                      "0",
-                      Anything(),
-                      "Coulomb's mu, 0 or more, a function of x, y, z; mu in "
-                      "[K] (5). [-]");
-    prm.declare_entry("Second friction coefficient",
-                      "",
-                      Anything(),
-                      "Friction coefficient across the first axis, for an "
-                      "elliptic cone ([K] remark 3.3; 3D). Empty: isotropic. "
-                      "[-]");
-    prm.declare_entry("Friction angle",
-                      "0",
-                      Anything(),
-                      "Angle of the first axis from the tangent t1 towards "
-                      "t2, for an elliptic cone. [degrees]");
-    prm.declare_entry("Prestress",
-                      "0",
-                      Anything(),
-                      "Force that presses the two sides together at each "
-                      "contact node from t = 0 on, 0 or more, a function of x, "
-                      "y, z; the prestress of [P], whose tightening weight Fc "
-                      "is a prestress Fc and a cohesion (1 - mu) Fc. [force]");
-    prm.declare_entry("Cohesion",
-                      "0",
-                      Anything(),
-                      "Friction that needs no pressure, |r_t| <= mu r_n + "
-                      "cohesion at each contact node, open ones too, 0 or "
-                      "more, a function of x, y, z; only for Method = load "
-                      "path in 2D. [force]");
+    declare_pairing(prm);
+    declare_friction(prm);
   }
 
   Contact
@@ -479,34 +408,31 @@ namespace conetact
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact &contact = contacts[c];
-        Finder         finder(contact, structures);
-        result.pairings.emplace_back();
-        for (const SurfaceNode &s : finder.nodes())
+        PairedNodes    found =
+          pairing_of(contact, structures).pair(contact, structures);
+        result.pairings.push_back(count(found));
+        for (ContactNode &node : found.nodes)
           {
-            auto node = finder.find(s);
-            count(node, result.pairings.back());
-            if (!node)
-              continue;
-            node->contact           = c;
-            const auto key          = std::make_pair(node->body, node->node);
+            node.contact            = c;
+            const auto key          = std::make_pair(node.body, node.node);
             const auto [begin, end] = known.equal_range(key);
             for (auto other = begin; other != end; ++other)
-              if (meet_the_same(result.nodes[other->second], *node))
+              if (meet_the_same(result.nodes[other->second], node))
                 throw InputError(
                   "Contact '" +
                   contacts[result.nodes[other->second].contact].name +
                   "' and contact '" + contact.name +
-                  "' both hold the node at " + to_text(s.position) +
+                  "' both hold the node at " + to_text(node.position) +
                   " of body '" + bodies[contact.body] +
                   "' against obstacles with the same normal. A node stands in "
                   "several contacts where their normals differ: change "
                   "Boundary ids.");
-            set_friction(*node, contact);
-            set_frame(*node, node->n, dim);
+            set_friction(node, contact);
+            set_frame(node, node.n, dim);
             known.emplace(key, result.nodes.size());
-            result.nodes.push_back(std::move(*node));
+            result.nodes.push_back(std::move(node));
           }
-        finder.check(bodies);
+        check(found.deepest, contact, bodies);
       }
     return result;
   }

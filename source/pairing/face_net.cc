@@ -123,6 +123,7 @@ namespace conetact
 
   FaceNet::FaceNet(const Structure &body, const Surface &surface)
     : faces_at_node(body.n_nodes())
+    , tree({})
   {
     for (const SurfaceFace &face : surface.faces)
       {
@@ -134,6 +135,7 @@ namespace conetact
     if (!body.hanging_nodes().empty())
       join_hanging_edges(body);
     measure_turns();
+    tree = FaceTree(balls_of(faces));
   }
 
   void
@@ -289,14 +291,26 @@ namespace conetact
   {
     Closest nearest;
     nearest.distance = std::numeric_limits<double>::max();
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if (faces[f].centre.distance(p) - faces[f].radius < nearest.distance)
-        if (const Closest closest = project(f, p);
-            closest.distance < nearest.distance)
-          nearest = closest;
+    // balls around p that grow until they hold the nearest face
+    for (double radius = faces[0].radius; radius < nearest.distance;
+         radius *= 2)
+      for (const std::size_t f : tree.near({p, radius}))
+        if (faces[f].centre.distance(p) - faces[f].radius < nearest.distance)
+          if (const Closest closest = project(f, p);
+              closest.distance < nearest.distance)
+            nearest = closest;
     const double relative = nearest.distance / faces[nearest.face].size;
     return (p - nearest.point) * sum_of_normals(feature(nearest, p)) < 0 ?
              -relative :
              relative;
+  }
+
+  std::vector<FaceTree::Ball>
+  balls_of(const std::vector<FaceNet::Face> &faces)
+  {
+    std::vector<FaceTree::Ball> balls;
+    for (const FaceNet::Face &face : faces)
+      balls.push_back({face.centre, face.radius});
+    return balls;
   }
 } // namespace conetact

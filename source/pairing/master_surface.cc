@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace conetact
 {
@@ -95,7 +96,11 @@ namespace conetact
 
   MasterSurface::MasterSurface(const Structure &body, const BoundaryIds &ids)
     : net(body, body.surface(ids))
+    , every_face(net.all().size())
   {
+    std::iota(every_face.begin(), every_face.end(), std::size_t{0});
+    for (const FaceNet::Face &face : net.all())
+      typical_size += face.size / static_cast<double>(every_face.size());
     if (const Surface boundary = whole_boundary(body); !boundary.two_sided)
       whole = std::make_unique<FaceNet>(body, boundary);
   }
@@ -236,11 +241,31 @@ namespace conetact
                       const std::vector<Tensor<1, 3>> &slave_normals,
                       const Limits                    &limits) const
   {
+    // most feet are near; a loop over all faces is cheap for the others
+    for (const double faces_away : {1., 4., 16.})
+      if (const double radius = faces_away * typical_size;
+          radius < limits.reach)
+        {
+          Limits nearby = limits;
+          nearby.reach  = radius;
+          if (const auto found = nearest_foot(
+                p, slave_normals, nearby, net.places().near({p, radius})))
+            return found;
+        }
+    return nearest_foot(p, slave_normals, limits, every_face);
+  }
+
+  std::optional<MasterSurface::Foot>
+  MasterSurface::nearest_foot(const Point<3>                  &p,
+                              const std::vector<Tensor<1, 3>> &slave_normals,
+                              const Limits                    &limits,
+                              const std::vector<std::size_t>  &among) const
+  {
     std::optional<Foot> best;
     double              nearest = limits.reach;
     double              opposes = -1;
     const auto         &faces   = net.all();
-    for (std::size_t f = 0; f < faces.size(); ++f)
+    for (const std::size_t f : among)
       {
         if (faces[f].centre.distance(p) - faces[f].radius > nearest ||
             !faces[f].may_have_foot(p) ||

@@ -185,15 +185,18 @@ namespace conetact
             all.masters.resize(node.contact + 1);
           }
         const Tensor<1, 3> force = reaction(point, r);
-        collector.act(all.contacts[node.contact],
-                      node.body,
-                      node.position,
-                      force);
-        for (const auto &[master, weight] : node.masters)
-          collector.act(all.masters[node.contact],
-                        node.master,
-                        bodies.structures[node.master]->position(master),
-                        -weight * force);
+        std::size_t n_slaves     = std::max<std::size_t>(node.slaves.size(), 1);
+        for_each_side(node,
+                      [&](const unsigned int body,
+                          const unsigned int i,
+                          const double       weight) {
+                        auto &sides = n_slaves > 0 ? all.contacts : all.masters;
+                        n_slaves -= n_slaves > 0 ? 1 : 0;
+                        collector.act(sides[node.contact],
+                                      body,
+                                      bodies.structures[body]->position(i),
+                                      weight * force);
+                      });
       }
     collect_supports(bodies, plain, rest, collector, all);
     for (std::size_t s = 0; s < foundations.size(); ++s)

@@ -77,11 +77,13 @@ namespace conetact
     for (const ContactPoint &point : points)
       {
         const ContactNode &node = *point.node;
-        Tensor<1, 3>       d    = at(node.body, node.node);
+        Tensor<1, 3>       d;
+        for_each_side(node,
+                      [&](const unsigned int body,
+                          const unsigned int i,
+                          const double weight) { d += weight * at(body, i); });
         if (node.obstacle != nullptr)
           d -= node.obstacle->displacement_at(t);
-        for (const auto &[master, weight] : node.masters)
-          d -= weight * at(node.master, master);
         for (std::size_t k = 0; k < point.dual.size(); ++k)
           v[point.first + static_cast<Index>(k)] = d * point.dual[k];
       }
@@ -277,15 +279,13 @@ namespace conetact
     for (const ContactPoint &point : points)
       {
         const Tensor<1, 3> force = reaction(point, claim.r);
-        const auto         take  = [&](const unsigned int body,
-                              const unsigned int node,
-                              const double       weight) {
-          for (unsigned int c = 0; c < bodies.dim; ++c)
-            rest[plain.dof(body, node) + c] -= weight * force[c];
-        };
-        take(point.node->body, point.node->node, 1);
-        for (const auto &[master, weight] : point.node->masters)
-          take(point.node->master, master, -weight);
+        for_each_side(*point.node,
+                      [&](const unsigned int body,
+                          const unsigned int node,
+                          const double       weight) {
+                        for (unsigned int c = 0; c < bodies.dim; ++c)
+                          rest[plain.dof(body, node) + c] -= weight * force[c];
+                      });
       }
     out.unbalanced = rest;
     plain.unhang(rest);

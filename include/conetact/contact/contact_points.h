@@ -38,11 +38,13 @@ namespace conetact
                         const DisplacementAt &at,
                         const double          t)
   {
-    Tensor<1, 3> v = at(node.body, node.node);
+    Tensor<1, 3> v;
+    for_each_side(node,
+                  [&](const unsigned int body,
+                      const unsigned int i,
+                      const double weight) { v += weight * at(body, i); });
     if (node.obstacle != nullptr)
       v -= node.obstacle->displacement_at(t);
-    for (const auto &[master, weight] : node.masters)
-      v -= weight * at(node.master, master);
     return v;
   }
 

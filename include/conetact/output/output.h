@@ -31,6 +31,7 @@ namespace conetact
     Tensor<1, 3> du;          ///< the same of this increment
     Tensor<1, 3> reaction;    ///< (r_n, r_t1, r_t2) on the body [force]
     Point<3>     foot;        ///< where it acts on the other side [length]
+    Point<3>     acts;        ///< where it acts on the body [length]
     NodeState    state  = NodeState::open;
     bool         master = false; ///< the other side of a pair of bodies
   };

@@ -17,7 +17,8 @@ namespace conetact
    * u since the start, du of the increment [length]; r nodal forces on the
    * body [force], components along n, t1, t2; pressure and tractions are these
    * over the tributary area (0 where it is 0); the foot is where the reaction
-   * acts on the other side. In 2D the t2 columns are 0.
+   * acts on the other side, and it acts on the body at the node but where the
+   * contact sees a mean of nodes (mortar). In 2D the t2 columns are 0.
    */
   class ReactionTable
   {

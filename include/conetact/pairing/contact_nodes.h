@@ -35,7 +35,9 @@ namespace conetact
     double largest_angle = M_PI / 3;
     /** Overlap at the start; none: a quarter of a face. [length] */
     std::optional<double>     interference;
-    std::optional<Expression> gap; ///< prescribed [length]
+    std::optional<Expression> gap;                      ///< prescribed [length]
+    std::string               pairing = "node to face"; ///< row of pairings()
+    double sharp_edge = 2 * M_PI / 9; ///< of a slave surface [rad]
 
     /** Friction coefficient along the first axis, of position. */
     std::optional<Expression> friction;
@@ -63,9 +65,19 @@ namespace conetact
     double          gap = 0; ///< undeformed, negative: interference [length]
     const Obstacle *obstacle = nullptr; ///< none: a pair of bodies
 
-    /** The face of the master body that it faces: nodes and weights. */
+    /**
+     * What the node meets there is a mean over nodes of the master body, the
+     * weights sum to 1: shape functions of the face that it faces, or of all
+     * faces around (mortar; some are negative).
+     */
     unsigned int                                 master = 0;
     std::vector<std::pair<unsigned int, double>> masters;
+    /**
+     * What it meets that with, where that is not the node alone: a mean over
+     * nodes of its own body, the weights sum to 1 (mortar, where neighbours
+     * have no contact node of their own).
+     */
+    std::vector<std::pair<unsigned int, double>> slaves;
 
     /**
      * Principal friction coefficients and their axes in the tangent plane
@@ -80,6 +92,23 @@ namespace conetact
     /** Friction that needs no pressure: |r_t| <= mu r_n + cohesion [force]. */
     double cohesion = 0;
   };
+
+  /**
+   * Calls visit(body, node, weight) for the nodes of bodies whose motions a
+   * contact node sees: @f$v = \sum weight\,u@f$ (less that of an obstacle),
+   * and on which its reaction acts, weight by weight.
+   */
+  template <typename Visit>
+  void
+  for_each_side(const ContactNode &node, const Visit &visit)
+  {
+    if (node.slaves.empty())
+      visit(node.body, node.node, 1.);
+    for (const auto &[slave, weight] : node.slaves)
+      visit(node.body, slave, weight);
+    for (const auto &[master, weight] : node.masters)
+      visit(node.master, master, -weight);
+  }
 
   /** Entries of `subsection Contact NAME`. */
   void
@@ -100,6 +129,19 @@ namespace conetact
   set_frame(ContactNode        &node,
             const Tensor<1, 3> &normal,
             const unsigned int  dim);
+
+  /** What a pairing finds for a contact. */
+  struct PairedNodes
+  {
+    std::vector<ContactNode> nodes; ///< `contact` and friction to be set
+    unsigned int             n_nodes = 0, n_paired = 0;
+    struct Deep
+    {
+      Point<3> position;
+      double   gap, allowed; ///< [length]
+    };
+    std::optional<Deep> deepest; ///< of those deeper than allowed
+  };
 
   /** What was found for a contact; gaps of its paired nodes [length]. */
   struct Pairing

@@ -6,6 +6,7 @@
 
 #include "conetact/bodies/structure.h"
 #include "conetact/pairing/closest_point.h"
+#include "conetact/pairing/face_tree.h"
 
 #include <vector>
 
@@ -63,6 +64,11 @@ namespace conetact
     {
       return faces;
     }
+    const FaceTree &
+    places() const
+    {
+      return tree;
+    }
 
     /** A face's closest point to p and the outward unit normal there. */
     struct Closest : ClosestPoint
@@ -110,7 +116,12 @@ namespace conetact
 
     std::vector<Face>                     faces;
     std::vector<std::vector<std::size_t>> faces_at_node;
+    FaceTree                              tree;
   };
+
+  /** What a tree needs of faces. */
+  std::vector<FaceTree::Ball>
+  balls_of(const std::vector<FaceNet::Face> &faces);
 } // namespace conetact
 
 #endif

@@ -59,6 +59,11 @@ namespace conetact
       double       gap;
       Tensor<1, 3> normal;
     };
+    std::optional<Foot>
+    nearest_foot(const Point<3>                  &p,
+                 const std::vector<Tensor<1, 3>> &slave_normals,
+                 const Limits                    &limits,
+                 const std::vector<std::size_t>  &among) const;
     std::optional<Tensor<1, 3>>
     arm_over(const Feature &feature, const Tensor<1, 3> &arm) const;
     std::optional<Meeting>
@@ -83,6 +88,8 @@ namespace conetact
                   const Limits   &limits) const;
 
     FaceNet                  net;
+    std::vector<std::size_t> every_face;
+    double                   typical_size = 0; ///< mean [length]
     std::unique_ptr<FaceNet> whole; ///< boundary; none: the surface has no side
   };
 } // namespace conetact

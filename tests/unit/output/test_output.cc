@@ -201,11 +201,11 @@ namespace
                 .rfind("increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,"
                        "u_n,u_t1,u_t2,du_t1,du_t2,r_n,r_t1,r_t2,state,"
                        "pressure,traction_t1,traction_t2,area,foot_x,foot_y,"
-                       "foot_z\n",
+                       "foot_z,acts_x,acts_y,acts_z\n",
                        0),
               0u);
     for (const auto &row : rows)
-      EXPECT_EQ(row.size(), 27u);
+      EXPECT_EQ(row.size(), 30u);
     EXPECT_EQ(cell(rows, 3, "increment"), "2");
     EXPECT_EQ(cell(rows, 3, "time"), "1");
     EXPECT_EQ(cell(rows, 3, "contact"), "bottom");

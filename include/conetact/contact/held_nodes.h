@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_held_nodes_h
+#define conetact_contact_held_nodes_h
+
+#include "conetact/contact/node_rules.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * A contact node that a support holds along its normal has no reaction of
+   * its own: the support has it. Where contact nodes are means over their
+   * faces (`is_mean` of each contact: mortar) the pressure around it must not
+   * be lost with it: the nearest node of the contact takes its share of area,
+   * gap and masters, and meets them with a mean over both.
+   */
+  void
+  give_up_held_nodes(Bodies &bodies, const std::vector<bool> &is_mean);
+} // namespace conetact
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_mortar_h
+#define conetact_pairing_mortar_h
+
+#include "conetact/pairing/contact_nodes.h"
+
+#include <vector>
+
+namespace conetact
+{
+  /**
+   * Mortar pairing with dual functions: the relative displacement of slave
+   * node j is the mean @f$v_j = D_j^{-1} \int \psi_j (u_s - u_m)@f$ over the
+   * parts of its faces that see the master, with the dual functions
+   * @f$\psi_j@f$ (dual_functions.h) and @f$D_j = \int \psi_j@f$: its area. So
+   * @f$v_j = u_j - D_j^{-1} \sum_l M_{jl} u_l,\ M_{jl} = \int \psi_j N_l@f$;
+   * both sides are integrated at the same points, hence a constant pressure
+   * passes between any two meshes, and no force is lost. Moments are kept
+   * where gaps are closed and faces plane. The gap is that mean of the
+   * distance, along the area-weighted normal of the faces at the node.
+   *
+   * A node of which next to nothing is covered, or that hangs, gives its
+   * function to a neighbour, which then meets the master with a mean over
+   * both (ContactNode::slaves). Nodes that no face sees, because an edge or a
+   * corner meets a face, are paired node to face. (Wohlmuth, Acta Numerica 20
+   * (2011) 569-734; Popp, Gitterle, Gee, Wall, IJNME 83 (2010) 1428-1465.)
+   */
+  PairedNodes
+  pair_by_mortar(const Contact                        &contact,
+                 const std::vector<const Structure *> &structures);
+} // namespace conetact
+
+#endif

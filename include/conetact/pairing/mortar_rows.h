@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_mortar_rows_h
+#define conetact_pairing_mortar_rows_h
+
+#include "conetact/pairing/face_net.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace conetact
+{
+  /** Integrals over the faces at a node of a slave surface, on one side of its
+   * sharp edge if it has one. */
+  struct MortarRow
+  {
+    unsigned int node = 0;
+    Tensor<1, 3> normal;    ///< outward, times area [length^2]
+    double       whole = 0; ///< area of the faces' shares, about [length^2]
+    double       area  = 0; ///< D_j, of what is covered [length^2]
+    double       size  = 0; ///< longest edge of the faces that it meets
+    /** @f$\int \psi_j N_k@f$ of slave and of master nodes [length^2]. */
+    std::map<unsigned int, double> slaves, masters;
+    std::set<std::size_t>          neighbours; ///< rows of the same faces
+  };
+
+  /** The rows of a slave surface. */
+  class MortarRows
+  {
+  public:
+    MortarRows(const std::vector<FaceNet::Face> &faces,
+               const double                      sharp_edge);
+
+    /** The row of a corner of a face. */
+    MortarRow &
+    at(const std::size_t face, const std::size_t corner)
+    {
+      return rows[row_of[face][corner]];
+    }
+    const std::vector<MortarRow> &
+    all() const
+    {
+      return rows;
+    }
+
+    /** Faces that have integrals make their rows neighbours. */
+    void
+    join(const std::size_t face);
+    /** Hanging nodes have no rows: those that they follow take theirs. */
+    void
+    give_up(const std::vector<HangingNode> &hanging);
+    /** Rows of next to no area give it to neighbours. */
+    void
+    give_up_small();
+
+  private:
+    void
+    add_row(const unsigned int node);
+    void
+    give(const std::size_t from, const std::size_t to, const double part);
+    std::size_t
+    row_like(const MortarRow &row, const unsigned int node);
+
+    std::vector<MortarRow>                   rows;
+    std::multimap<unsigned int, std::size_t> rows_at; ///< nodes
+    std::vector<std::vector<std::size_t>>    row_of;  ///< faces' corners
+  };
+} // namespace conetact
+
+#endif

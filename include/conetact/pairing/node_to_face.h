@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_node_to_face_h
+#define conetact_pairing_node_to_face_h
+
+#include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/master_surface.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace conetact
+{
+  /** How deep a node may start in its opponent [length]. */
+  double
+  interference_allowed(const Contact &contact, const double face_size);
+
+  /**
+   * Pairs each node of a surface by itself: with an obstacle, or with the
+   * nearest face of a master that opposes it (MasterSurface). Contact and
+   * structures must outlive it.
+   */
+  class NodeToFace
+  {
+  public:
+    NodeToFace(const Contact                        &contact,
+               const std::vector<const Structure *> &structures);
+
+    const Surface &
+    slave_surface() const
+    {
+      return surface;
+    }
+
+    /** A node of the contact without its opponent. */
+    ContactNode
+    free_node(const SurfaceNode &s) const;
+    /** A node with its gap and normal, unless it stays free. */
+    std::optional<ContactNode>
+    find(const SurfaceNode &s);
+    /** Takes down a node that starts too deep. */
+    void
+    judge(const ContactNode &node, const double face_size);
+
+    const std::optional<PairedNodes::Deep> &
+    deepest_node() const
+    {
+      return deepest;
+    }
+
+  private:
+    bool
+    face_obstacle(ContactNode &node);
+    bool
+    face_master(ContactNode &node, const SurfaceNode &s);
+
+    const Contact                   &contact;
+    const Structure                 &body;
+    Surface                          surface;
+    std::map<unsigned int, double>   spacing;
+    std::optional<MasterSurface>     master;
+    std::optional<PairedNodes::Deep> deepest;
+  };
+
+  /** All nodes of a contact. */
+  PairedNodes
+  pair_nodes_with_faces(const Contact                        &contact,
+                        const std::vector<const Structure *> &structures);
+} // namespace conetact
+
+#endif

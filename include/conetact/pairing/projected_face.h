@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_projected_face_h
+#define conetact_pairing_projected_face_h
+
+#include "conetact/pairing/clipping.h"
+
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace conetact
+{
+  using dealii::Tensor;
+
+  /** A plane with two axes in it; of bodies in 2D the first one is used. */
+  struct ProjectionPlane
+  {
+    Point<3>                    origin;
+    Tensor<1, 3>                normal; ///< unit
+    std::array<Tensor<1, 3>, 2> axes;   ///< unit
+
+    /** Through a point; in the plane z = 0 if it is a line. */
+    ProjectionPlane(const Point<3>     &through,
+                    const Tensor<1, 3> &unit_normal,
+                    const bool          is_line);
+    Point<2>
+    project(const Point<3> &p) const;
+    double
+    height(const Point<3> &p) const;
+  };
+
+  /**
+   * A face as it is seen along the normal of a plane: a segment, a triangle or
+   * a quadrilateral (corners in deal.II's order) with its linear or bilinear
+   * shape functions. The quadrilateral may be warped, but has to look convex.
+   */
+  class ProjectedFace
+  {
+  public:
+    ProjectedFace(const std::vector<Point<3>> &corners,
+                  const ProjectionPlane       &plane);
+
+    const Polygon &
+    outline() const
+    {
+      return around;
+    }
+    /** How far it is from a parallelogram, over its size; 0: shape functions
+     * are polynomials in the plane. */
+    double
+    skewness() const
+    {
+      return skew;
+    }
+    std::size_t
+    n_corners() const
+    {
+      return heights.size();
+    }
+
+    struct Seen
+    {
+      Eigen::Vector4d shape  = Eigen::Vector4d::Zero(); ///< of the corners
+      double          height = 0; ///< above the plane [length]
+      /** Area of the face over that of what is seen of it. */
+      double stretch = 1;
+    };
+    /** The point of the face that is seen at a point of the plane. */
+    Seen
+    at(const Point<2> &p) const;
+
+  private:
+    std::array<double, 2>
+    local(const Point<2> &p) const;
+    /** Rows: x, y and height differentiated by the local coordinates. */
+    Eigen::Matrix<double, 3, 2>
+    slopes(const std::array<double, 2> &at) const;
+    Eigen::Vector4d
+    shape(const std::array<double, 2> &at) const;
+
+    std::vector<Point<2>> corners;
+    std::vector<double>   heights;
+    Polygon               around;
+    double                skew = 0;
+  };
+} // namespace conetact
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/held_nodes.h"
+
+#include <algorithm>
+#include <map>
+
+namespace conetact
+{
+  namespace
+  {
+    using Weights = std::vector<std::pair<unsigned int, double>>;
+
+    /** Normals that differ by more belong to other sides of an edge. */
+    constexpr double cosine_of_side = .7;
+
+    std::vector<bool>
+    held_along_normals(const Bodies &bodies)
+    {
+      using Key = std::pair<unsigned int, unsigned int>;
+      std::map<Key, std::vector<Tensor<1, 3>>> held;
+      for (const Support &support : bodies.supports)
+        if (!support.stiffness)
+          for (const SurfaceNode &node : support.surface.nodes)
+            for (const Support::Held &along : support.directions_at(node))
+              held[{support.body, node.node}].push_back(along.direction);
+      std::vector<bool> result;
+      for (const ContactNode &node : bodies.contact_nodes)
+        {
+          std::vector<Tensor<1, 3>> basis; // orthonormal
+          for (Tensor<1, 3> e : held[{node.body, node.node}])
+            if (!is_spanned(e, basis))
+              {
+                for (const Tensor<1, 3> &b : basis)
+                  e -= (e * b) * b;
+                basis.push_back(e / e.norm());
+              }
+          result.push_back(is_spanned(node.n, basis));
+        }
+      return result;
+    }
+
+    /** The mean of two means, each over its own area. */
+    Weights
+    mean(const Weights &one, const double part, const Weights &other)
+    {
+      std::map<unsigned int, double> sum;
+      for (const auto &[node, weight] : one)
+        sum[node] += (1 - part) * weight;
+      for (const auto &[node, weight] : other)
+        sum[node] += part * weight;
+      return {sum.begin(), sum.end()};
+    }
+
+    Weights
+    slaves_of(const ContactNode &node)
+    {
+      return node.slaves.empty() ? Weights{{node.node, 1.}} : node.slaves;
+    }
+
+    void
+    take(ContactNode &taker, const ContactNode &giver)
+    {
+      const double part = giver.area / (taker.area + giver.area);
+      taker.slaves      = mean(slaves_of(taker), part, slaves_of(giver));
+      taker.masters     = mean(taker.masters, part, giver.masters);
+      taker.gap         = (1 - part) * taker.gap + part * giver.gap;
+      taker.area += giver.area;
+    }
+  } // namespace
+
+  void
+  give_up_held_nodes(Bodies &bodies, const std::vector<bool> &is_mean)
+  {
+    std::vector<ContactNode> &nodes = bodies.contact_nodes;
+    if (std::count(is_mean.begin(), is_mean.end(), true) == 0)
+      return;
+    const std::vector<bool>  held = held_along_normals(bodies);
+    const std::size_t        none = nodes.size();
+    std::vector<std::size_t> takers(nodes.size(), none);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (held[i] && is_mean[nodes[i].contact])
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+          if (!held[j] && nodes[j].contact == nodes[i].contact &&
+              nodes[j].n * nodes[i].n > cosine_of_side &&
+              (takers[i] == none ||
+               nodes[j].position.distance(nodes[i].position) <
+                 nodes[takers[i]].position.distance(nodes[i].position)))
+            takers[i] = j;
+    std::vector<ContactNode> left;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (takers[i] != none)
+        take(nodes[takers[i]], nodes[i]);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (takers[i] == none)
+        left.push_back(std::move(nodes[i]));
+    nodes = std::move(left);
+  }
+} // namespace conetact

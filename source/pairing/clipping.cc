@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/clipping.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace conetact
+{
+  namespace
+  {
+    using dealii::Tensor;
+
+    /** Overlaps of boxes below this part of their size are rounding. */
+    constexpr double round_off = 1e-12;
+
+    double
+    cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
+    {
+      return a[0] * b[1] - a[1] * b[0];
+    }
+
+    bool
+    is_interval(const Polygon &polygon)
+    {
+      return polygon.size() == 2;
+    }
+
+    struct Halves
+    {
+      Polygon left, right; ///< of a line
+    };
+
+    /** Cuts a polygon along the line from a to b. */
+    Halves
+    cut(const Polygon &polygon, const Point<2> &a, const Point<2> &b)
+    {
+      Halves     halves;
+      const auto side = [&](const Point<2> &p) { return cross(b - a, p - a); };
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        {
+          const Point<2> &p  = polygon[i];
+          const Point<2> &q  = polygon[(i + 1) % polygon.size()];
+          const double    at = side(p), next = side(q);
+          if (at >= 0)
+            halves.left.push_back(p);
+          if (at <= 0)
+            halves.right.push_back(p);
+          if ((at > 0 && next < 0) || (at < 0 && next > 0))
+            {
+              const Point<2> crossing = p + at / (at - next) * (q - p);
+              halves.left.push_back(crossing);
+              halves.right.push_back(crossing);
+            }
+        }
+      return halves;
+    }
+
+    Polygon
+    interval(const double low, const double high)
+    {
+      return high > low ? Polygon{Point<2>(low, 0), Point<2>(high, 0)} :
+                          Polygon();
+    }
+
+    /** Adds what is left of a polygon without another one. */
+    void
+    take_away(const Polygon        &polygon,
+              const Polygon        &taken,
+              std::vector<Polygon> &pieces)
+    {
+      // what touches along an edge leaves two points, no interval here
+      const auto keep = [&](const Polygon &piece) {
+        if (is_interval(piece) == is_interval(polygon) &&
+            measure(piece) > round_off * measure(polygon))
+          pieces.push_back(piece);
+      };
+      if (is_interval(polygon))
+        {
+          keep(interval(polygon[0][0], std::min(polygon[1][0], taken[0][0])));
+          keep(interval(std::max(polygon[0][0], taken[1][0]), polygon[1][0]));
+          return;
+        }
+      Polygon rest = polygon;
+      for (std::size_t i = 0; i < taken.size() && rest.size() > 2; ++i)
+        {
+          const Halves halves =
+            cut(rest, taken[i], taken[(i + 1) % taken.size()]);
+          keep(halves.right);
+          rest = halves.left;
+        }
+    }
+
+    /** Corners that coincide are one. */
+    void
+    remove_repeated(Polygon &polygon)
+    {
+      constexpr double same = 1e-10;
+      double           size = 0;
+      for (const Point<2> &p : polygon)
+        size = std::max(size, p.distance(polygon[0]));
+      for (std::size_t i = polygon.size(); i > 0 && polygon.size() > 3; --i)
+        if (polygon[i - 1].distance(polygon[i % polygon.size()]) <= same * size)
+          polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i) - 1);
+    }
+
+    std::array<double, 4>
+    box(const Polygon &polygon)
+    {
+      std::array<double, 4> b{
+        {polygon[0][0], polygon[0][0], polygon[0][1], polygon[0][1]}};
+      for (const Point<2> &p : polygon)
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            b[2 * d]     = std::min(b[2 * d], p[d]);
+            b[2 * d + 1] = std::max(b[2 * d + 1], p[d]);
+          }
+      return b;
+    }
+
+    void
+    add_triangle(const Point<2>          &a,
+                 const Point<2>          &b,
+                 const Point<2>          &c,
+                 const unsigned int       level,
+                 std::vector<PlanePoint> &points)
+    {
+      static const dealii::QWitherdenVincentSimplex<2> degree_5(3),
+        degree_13(7);
+      const double jacobian = cross(b - a, c - a);
+      if (!(jacobian > 0))
+        return;
+      if (level > 1)
+        {
+          const Point<2> ab = a + .5 * (b - a), bc = b + .5 * (c - b),
+                         ca = c + .5 * (a - c);
+          for (const auto &[p, q, r] : {std::array<Point<2>, 3>{{a, ab, ca}},
+                                        {{ab, b, bc}},
+                                        {{ca, bc, c}},
+                                        {{ab, bc, ca}}})
+            add_triangle(p, q, r, level - 1, points);
+          return;
+        }
+      const auto &rule = level > 0 ? degree_13 : degree_5;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        points.push_back(
+          {a + rule.point(q)[0] * (b - a) + rule.point(q)[1] * (c - a),
+           rule.weight(q) * jacobian});
+    }
+  } // namespace
+
+  Polygon
+  oriented(Polygon polygon)
+  {
+    if (!is_interval(polygon))
+      remove_repeated(polygon);
+    if (is_interval(polygon) ? polygon[0][0] > polygon[1][0] :
+                               measure(polygon) < 0)
+      std::reverse(polygon.begin(), polygon.end());
+    return polygon;
+  }
+
+  double
+  measure(const Polygon &polygon)
+  {
+    if (polygon.size() < 2)
+      return 0;
+    if (is_interval(polygon))
+      return polygon[1][0] - polygon[0][0];
+    double twice = 0;
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    return .5 * twice;
+  }
+
+  Point<2>
+  middle(const Polygon &polygon)
+  {
+    Point<2> sum;
+    for (const Point<2> &p : polygon)
+      sum += Tensor<1, 2>(p) / static_cast<double>(polygon.size());
+    return sum;
+  }
+
+  Polygon
+  common_part(const Polygon &one, const Polygon &other)
+  {
+    if (one.empty() || other.empty())
+      return {};
+    if (is_interval(one))
+      return interval(std::max(one[0][0], other[0][0]),
+                      std::min(one[1][0], other[1][0]));
+    Polygon rest = one;
+    for (std::size_t i = 0; i < other.size() && !rest.empty(); ++i)
+      rest = cut(rest, other[i], other[(i + 1) % other.size()]).left;
+    return rest.size() < 3 ? Polygon() : rest;
+  }
+
+  std::vector<Polygon>
+  without(const std::vector<Polygon> &polygons, const Polygon &taken)
+  {
+    std::vector<Polygon> pieces;
+    for (const Polygon &polygon : polygons)
+      if (boxes_overlap(polygon, taken) &&
+          measure(common_part(polygon, taken)) > round_off * measure(polygon))
+        take_away(polygon, taken, pieces);
+      else // neighbours stay whole
+        pieces.push_back(polygon);
+    return pieces;
+  }
+
+  bool
+  boxes_overlap(const Polygon &one, const Polygon &other)
+  {
+    if (one.empty() || other.empty())
+      return false;
+    const auto         a = box(one), b = box(other);
+    const unsigned int n_axes = is_interval(one) ? 1 : 2;
+    for (unsigned int d = 0; d < n_axes; ++d)
+      {
+        const double size =
+          std::min(a[2 * d + 1] - a[2 * d], b[2 * d + 1] - b[2 * d]);
+        const double common =
+          std::min(a[2 * d + 1], b[2 * d + 1]) - std::max(a[2 * d], b[2 * d]);
+        if (common <= round_off * size)
+          return false;
+      }
+    return true;
+  }
+
+  std::vector<PlanePoint>
+  gauss_points(const Polygon &polygon, const unsigned int level)
+  {
+    static const dealii::QGauss<1> on_lines(3);
+    std::vector<PlanePoint>        points;
+    if (is_interval(polygon))
+      for (unsigned int q = 0; q < on_lines.size(); ++q)
+        points.push_back(
+          {polygon[0] + on_lines.point(q)[0] * (polygon[1] - polygon[0]),
+           on_lines.weight(q) * measure(polygon)});
+    else
+      for (std::size_t i = 2; i < polygon.size(); ++i)
+        add_triangle(polygon[0], polygon[i - 1], polygon[i], level, points);
+    return points;
+  }
+} // namespace conetact

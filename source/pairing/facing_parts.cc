@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/facing_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    /** As in MasterSurface: on the surface, and beside it. */
+    constexpr double on_surface = 1e-6;
+    constexpr double overhang   = 1e-2;
+    /** Parts below this share of the slave face are rounding. */
+    constexpr double sliver = 1e-14;
+  } // namespace
+
+  FacingParts::FacingParts(const Structure &master, const BoundaryIds &ids)
+    : net(master, master.surface(ids))
+    , whole(master, master.surface(master.boundary_ids()))
+  {}
+
+  /** See MasterSurface::may_be_behind. */
+  bool
+  FacingParts::may_be_behind(const Point<3> &p,
+                             const double    gap,
+                             const double    size,
+                             const Limits   &limits) const
+  {
+    if (gap >= -on_surface * size)
+      return true;
+    if (!limits.inside)
+      return false;
+    const double distance = whole.signed_distance(p);
+    return distance < -overhang ||
+           (distance <= overhang && gap >= -limits.interference);
+  }
+
+  std::vector<FacingParts::Candidate>
+  FacingParts::candidates(const FaceNet::Face   &slave,
+                          const ProjectionPlane &plane,
+                          const ProjectedFace   &projected,
+                          const Limits          &limits) const
+  {
+    std::vector<Candidate> found;
+    const double           whole_area = measure(projected.outline());
+    for (const std::size_t f : net.places().along({slave.centre, slave.radius},
+                                                  slave.outward,
+                                                  limits.reach))
+      {
+        const FaceNet::Face &face = net.all()[f];
+        if (-(face.outward * slave.outward) < limits.cosine)
+          continue;
+        const ProjectedFace other(face.corners, plane);
+        if (!boxes_overlap(projected.outline(), other.outline()))
+          continue;
+        Polygon where = common_part(projected.outline(), other.outline());
+        if (measure(where) <= sliver * whole_area)
+          continue;
+        const Point<2> centre = middle(where);
+        const double   height = projected.at(centre).height;
+        const double   gap    = other.at(centre).height - height;
+        const Point<3> p      = plane.origin + height * plane.normal +
+                           centre[0] * plane.axes[0] +
+                           centre[1] * plane.axes[1];
+        if (std::abs(gap) <= limits.reach &&
+            may_be_behind(p, gap, std::max(slave.size, face.size), limits))
+          found.push_back({{f, other, std::move(where)}, std::abs(gap)});
+      }
+    return found;
+  }
+
+  std::vector<FacingParts::Part>
+  FacingParts::seen_from(const FaceNet::Face   &slave,
+                         const ProjectionPlane &plane,
+                         const ProjectedFace   &projected,
+                         const Limits          &limits) const
+  {
+    auto found = candidates(slave, plane, projected, limits);
+    std::stable_sort(found.begin(),
+                     found.end(),
+                     [](const Candidate &a, const Candidate &b) {
+                       return a.distance < b.distance;
+                     });
+    std::vector<Part> parts;
+    for (std::size_t c = 0; c < found.size(); ++c)
+      {
+        const Part          &part = found[c].part;
+        std::vector<Polygon> left = {part.where};
+        // whole outlines are taken away: clipped ones have edges of no length
+        for (std::size_t nearer = 0; nearer < c && !left.empty(); ++nearer)
+          left = without(left, found[nearer].part.projected.outline());
+        for (Polygon &piece : left)
+          parts.push_back({part.face, part.projected, std::move(piece)});
+      }
+    return parts;
+  }
+} // namespace conetact

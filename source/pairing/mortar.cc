@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/mortar.h"
+
+#include "conetact/pairing/dual_functions.h"
+#include "conetact/pairing/facing_parts.h"
+#include "conetact/pairing/mortar_rows.h"
+#include "conetact/pairing/node_to_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace conetact
+{
+  namespace
+  {
+    using Eigen::Index;
+
+    /** Weights below this part of the sum are rounding. */
+    constexpr double round_off = 1e-13;
+    /** A face of which less is covered sees nothing. */
+    constexpr double least_covered = 1e-12;
+
+    /** Of one slave face, over the parts of it that see the master. */
+    struct FaceIntegrals
+    {
+      Eigen::MatrixXd                         mass;    ///< N_j N_k
+      Eigen::VectorXd                         areas;   ///< N_j
+      std::map<unsigned int, Eigen::VectorXd> masters; ///< N_j N_l
+      double                                  size = 0;
+    };
+
+    /** In 2D lengths are areas over the thickness of the slave. */
+    double
+    thickness_of(const Surface                    &surface,
+                 const std::vector<FaceNet::Face> &faces)
+    {
+      if (faces.front().corners.size() > 2)
+        return 1;
+      double area = 0, length = 0;
+      for (const SurfaceNode &node : surface.nodes)
+        area += node.area;
+      for (const FaceNet::Face &face : faces)
+        length += face.size;
+      return area / length;
+    }
+
+    /**
+     * Shape functions of skew faces are series in their skewness s, with
+     * polynomials of degree k + 2 at s^k: what is cut off is below 1e-10.
+     */
+    unsigned int
+    level_for(const double skewness)
+    {
+      return skewness < 3e-4 ? 0 : skewness < .05 ? 1 : skewness < .4 ? 2 : 3;
+    }
+
+    class Mortar
+    {
+    public:
+      Mortar(const Contact &c, const std::vector<const Structure *> &s)
+        : contact(c)
+        , structures(s)
+        , one_by_one(contact, structures)
+        , slave(*structures[contact.body], one_by_one.slave_surface())
+        , facing(*structures[contact.master], contact.master_ids)
+        , rows(slave.all(), contact.sharp_edge)
+        , thickness(thickness_of(one_by_one.slave_surface(), slave.all()))
+      {
+        for (std::size_t f = 0; f < slave.all().size(); ++f)
+          add_face(f);
+        rows.give_up(structures[contact.body]->hanging_nodes());
+        note_seen();
+        rows.give_up_small();
+      }
+
+      PairedNodes
+      nodes()
+      {
+        std::multimap<unsigned int, const MortarRow *> rows_of;
+        for (const MortarRow &row : rows.all())
+          if (row.area > 0)
+            rows_of.emplace(row.node, &row);
+        PairedNodes found;
+        for (const SurfaceNode &s : one_by_one.slave_surface().nodes)
+          {
+            const auto [begin, end]  = rows_of.equal_range(s.node);
+            const std::size_t before = found.nodes.size();
+            for (auto row = begin; row != end; ++row)
+              found.nodes.push_back(mean(s, *row->second));
+            if (seen.count(s.node) == 0)
+              if (auto node = one_by_one.find(s))
+                found.nodes.push_back(std::move(*node));
+            ++found.n_nodes;
+            if (found.nodes.size() > before || seen.count(s.node) > 0)
+              ++found.n_paired;
+          }
+        found.deepest = one_by_one.deepest_node();
+        return found;
+      }
+
+    private:
+      /** Facets of a smooth surface turn by up to the angle of a sharp edge:
+       * those of two surfaces that touch differ by half of it. */
+      FacingParts::Limits
+      limits(const double face_size) const
+      {
+        return {contact.reach,
+                std::cos(
+                  std::min(contact.largest_angle, .5 * contact.sharp_edge)) -
+                  1e-12,
+                interference_allowed(contact, face_size),
+                contact.body != contact.master};
+      }
+
+      FaceIntegrals
+      integrate(const FaceNet::Face &face) const
+      {
+        const ProjectionPlane plane(face.centre,
+                                    face.outward,
+                                    face.corners.size() == 2);
+        const ProjectedFace   own(face.corners, plane);
+        const auto            n = static_cast<Index>(face.nodes.size());
+        FaceIntegrals         sums{Eigen::MatrixXd::Zero(n, n),
+                           Eigen::VectorXd::Zero(n),
+                           {}};
+        for (const auto &part :
+             facing.seen_from(face, plane, own, limits(face.size)))
+          {
+            const FaceNet::Face &other = facing.faces()[part.face];
+            const unsigned int   level =
+              level_for(std::max(own.skewness(), part.projected.skewness()));
+            sums.size = std::max(sums.size, other.size);
+            for (const PlanePoint &q : gauss_points(part.where, level))
+              {
+                const auto            here     = own.at(q.position);
+                const Eigen::VectorXd N        = here.shape.head(n);
+                const Eigen::VectorXd weighted = q.weight * here.stretch * N;
+                sums.areas += weighted;
+                sums.mass += weighted * N.transpose();
+                const Eigen::Vector4d there =
+                  part.projected.at(q.position).shape;
+                for (std::size_t l = 0; l < other.nodes.size(); ++l)
+                  sums.masters
+                    .try_emplace(other.nodes[l], Eigen::VectorXd::Zero(n))
+                    .first->second += there[static_cast<Index>(l)] * weighted;
+              }
+          }
+        return sums;
+      }
+
+      void
+      add_face(const std::size_t f)
+      {
+        const FaceNet::Face &face = slave.all()[f];
+        const FaceIntegrals  sums = integrate(face);
+        const double         size = sums.areas.sum();
+        if (!(size > least_covered *
+                       std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
+          return;
+        const Eigen::MatrixXd dual   = dual_functions(sums.mass, sums.areas);
+        const Eigen::MatrixXd slaves = dual * sums.mass;
+        for (std::size_t c = 0; c < face.nodes.size(); ++c)
+          {
+            const auto j   = static_cast<Index>(c);
+            MortarRow &row = rows.at(f, c);
+            row.area += sums.areas[j];
+            row.size = std::max(row.size, sums.size);
+            for (std::size_t k = 0; k < face.nodes.size(); ++k)
+              row.slaves[face.nodes[k]] += slaves(j, static_cast<Index>(k));
+            for (const auto &[node, integrals] : sums.masters)
+              row.masters[node] += dual.row(j) * integrals;
+          }
+        rows.join(f);
+      }
+
+      void
+      note_seen()
+      {
+        for (const MortarRow &row : rows.all())
+          if (row.area > 0)
+            seen.insert(row.node);
+      }
+
+      static std::vector<std::pair<unsigned int, double>>
+      weights(const std::map<unsigned int, double> &integrals,
+              const double                          area)
+      {
+        std::vector<std::pair<unsigned int, double>> result;
+        for (const auto &[node, integral] : integrals)
+          if (std::abs(integral) > round_off * area)
+            result.emplace_back(node, integral / area);
+        return result;
+      }
+
+      ContactNode
+      mean(const SurfaceNode &s, const MortarRow &row)
+      {
+        ContactNode node = one_by_one.free_node(s);
+        node.area        = thickness * row.area;
+        node.n           = -row.normal / row.normal.norm();
+        node.master      = contact.master;
+        node.masters     = weights(row.masters, row.area);
+        node.slaves      = weights(row.slaves, row.area);
+        if (node.slaves.size() == 1)
+          node.slaves.clear();
+        node.gap = gap(node);
+        if (!contact.gap)
+          one_by_one.judge(node, std::max(node.spacing, row.size));
+        return node;
+      }
+
+      double
+      gap(const ContactNode &node) const
+      {
+        double sum = 0;
+        if (contact.gap && node.slaves.empty())
+          return (*contact.gap)(node.position);
+        if (contact.gap)
+          for (const auto &[slave_node, weight] : node.slaves)
+            sum += weight *
+                   (*contact.gap)(structures[node.body]->position(slave_node));
+        else // differences: far from the origin no digits are lost
+          for_each_side(node,
+                        [&](const unsigned int b,
+                            const unsigned int i,
+                            const double       weight) {
+                          const Point<3> x = structures[b]->position(i);
+                          sum += weight * ((x - node.position) * node.n);
+                        });
+        return sum;
+      }
+
+      const Contact                        &contact;
+      const std::vector<const Structure *> &structures;
+      NodeToFace                            one_by_one;
+      FaceNet                               slave;
+      FacingParts                           facing;
+      MortarRows                            rows;
+      double                                thickness;
+      std::set<unsigned int>                seen;
+    };
+  } // namespace
+
+  PairedNodes
+  pair_by_mortar(const Contact                        &contact,
+                 const std::vector<const Structure *> &structures)
+  {
+    return Mortar(contact, structures).nodes();
+  }
+} // namespace conetact

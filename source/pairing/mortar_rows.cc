@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/mortar_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace conetact
+{
+  namespace
+  {
+    /** Covered less than this part a node leaves its pressure to others. */
+    constexpr double next_to_nothing = 1e-3;
+
+    double
+    area_of(const FaceNet::Face &face)
+    {
+      const auto &x = face.corners;
+      if (x.size() == 2)
+        return x[0].distance(x[1]);
+      if (x.size() == 3)
+        return .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm();
+      return .5 * cross_product_3d(x[3] - x[0], x[2] - x[1]).norm();
+    }
+  } // namespace
+
+  /** Rows begin as one for each corner of each face and are joined where faces
+   * turn little, neighbours of neighbours with them. */
+  MortarRows::MortarRows(const std::vector<FaceNet::Face> &faces,
+                         const double                      sharp_edge)
+    : row_of(faces.size())
+  {
+    using Corner = std::pair<std::size_t, std::size_t>;
+    std::map<unsigned int, std::vector<Corner>> corners_at;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      {
+        row_of[f].resize(faces[f].nodes.size());
+        for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
+          corners_at[faces[f].nodes[c]].emplace_back(f, c);
+      }
+    const double cosine = std::cos(sharp_edge) - 1e-12;
+    for (const auto &[node, corners] : corners_at)
+      {
+        std::vector<std::size_t> side(corners.size());
+        std::iota(side.begin(), side.end(), std::size_t{0});
+        for (std::size_t i = 0; i < side.size(); ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            if (faces[corners[i].first].outward *
+                  faces[corners[j].first].outward >=
+                cosine)
+              std::replace(side.begin(),
+                           side.end(),
+                           std::size_t(side[j]),
+                           std::size_t(side[i]));
+        std::map<std::size_t, std::size_t> row_of_side;
+        for (std::size_t i = 0; i < side.size(); ++i)
+          {
+            const auto [f, c] = corners[i];
+            if (row_of_side.emplace(side[i], rows.size()).second)
+              add_row(node);
+            row_of[f][c]     = row_of_side[side[i]];
+            MortarRow   &row = at(f, c);
+            const double share =
+              area_of(faces[f]) / static_cast<double>(faces[f].nodes.size());
+            row.whole += share;
+            row.normal += share * faces[f].outward;
+          }
+      }
+  }
+
+  void
+  MortarRows::add_row(const unsigned int node)
+  {
+    rows_at.emplace(node, rows.size());
+    rows.emplace_back();
+    rows.back().node = node;
+  }
+
+  void
+  MortarRows::join(const std::size_t face)
+  {
+    for (const std::size_t row : row_of[face])
+      for (const std::size_t other : row_of[face])
+        if (row != other)
+          rows[row].neighbours.insert(other);
+  }
+
+  void
+  MortarRows::give(const std::size_t from,
+                   const std::size_t to,
+                   const double      part)
+  {
+    const MortarRow &giver = rows[from];
+    MortarRow       &taker = rows[to];
+    taker.area += part * giver.area;
+    taker.size = std::max(taker.size, giver.size);
+    for (const auto &[node, integral] : giver.slaves)
+      taker.slaves[node] += part * integral;
+    for (const auto &[node, integral] : giver.masters)
+      taker.masters[node] += part * integral;
+    for (const std::size_t other : giver.neighbours)
+      if (other != to)
+        {
+          taker.neighbours.insert(other);
+          rows[other].neighbours.insert(to);
+        }
+  }
+
+  /** That of the node on the same side of its edge; a new one if it has none.
+   */
+  std::size_t
+  MortarRows::row_like(const MortarRow &row, const unsigned int node)
+  {
+    std::size_t best        = rows.size();
+    double      largest     = 0;
+    const auto [begin, end] = rows_at.equal_range(node);
+    for (auto found = begin; found != end; ++found)
+      if (const Tensor<1, 3> &n = rows[found->second].normal;
+          n * row.normal > largest * n.norm())
+        {
+          best    = found->second;
+          largest = n * row.normal / n.norm();
+        }
+    if (best == rows.size())
+      add_row(node);
+    return best;
+  }
+
+  void
+  MortarRows::give_up(const std::vector<HangingNode> &hanging)
+  {
+    std::map<unsigned int, const HangingNode *> follows;
+    for (const HangingNode &node : hanging)
+      follows[node.node] = &node;
+    const std::size_t n = rows.size();
+    for (std::size_t i = 0; i < n; ++i)
+      if (const auto found = follows.find(rows[i].node); found != follows.end())
+        {
+          for (const auto &[master, weight] : found->second->masters)
+            {
+              const std::size_t to = row_like(rows[i], master);
+              rows[to].whole += weight * rows[i].whole;
+              rows[to].normal += weight * rows[i].normal;
+              give(i, to, weight);
+            }
+          rows[i].area = 0;
+        }
+  }
+
+  void
+  MortarRows::give_up_small()
+  {
+    const auto covered = [&](const std::size_t i) {
+      return rows[i].area / rows[i].whole;
+    };
+    std::vector<std::size_t> small;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i].area > 0 && covered(i) < next_to_nothing)
+        small.push_back(i);
+    std::stable_sort(small.begin(),
+                     small.end(),
+                     [&](const std::size_t a, const std::size_t b) {
+                       return covered(a) < covered(b);
+                     });
+    for (const std::size_t i : small)
+      {
+        std::size_t best = i;
+        for (const std::size_t other : rows[i].neighbours)
+          if (rows[other].area > 0 && covered(other) > covered(best))
+            best = other;
+        if (best == i)
+          continue; // nobody around has more
+        give(i, best, 1);
+        rows[i].area = 0;
+      }
+  }
+} // namespace conetact

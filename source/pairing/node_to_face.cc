@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/node_to_face.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  namespace
+  {
+    /** The longest edge of the faces at each node of a surface. */
+    std::map<unsigned int, double>
+    spacings(const Surface &surface, const Structure &body)
+    {
+      std::map<unsigned int, double> result;
+      for (const SurfaceFace &face : surface.faces)
+        {
+          double     longest = 0;
+          const auto edge    = [&](const std::size_t i, const std::size_t j) {
+            longest = std::max(longest,
+                               body.position(face.nodes[i])
+                                 .distance(body.position(face.nodes[j])));
+          };
+          edge(0, 1);
+          if (face.nodes.size() == 3)
+            for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+              edge(i, 2);
+          if (face.nodes.size() == 4)
+            for (const auto &[i, j] : {std::pair(0, 2), {1, 3}, {2, 3}})
+              edge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+          for (const unsigned int node : face.nodes)
+            result[node] = std::max(result[node], longest);
+        }
+      for (const SurfaceNode &node : surface.nodes) // of frames without faces
+        result.insert({node.node, std::sqrt(node.area)});
+      return result;
+    }
+  } // namespace
+
+  double
+  interference_allowed(const Contact &contact, const double face_size)
+  {
+    return contact.interference.value_or(.25 * face_size);
+  }
+
+  NodeToFace::NodeToFace(const Contact                        &c,
+                         const std::vector<const Structure *> &structures)
+    : contact(c)
+    , body(*structures[contact.body])
+    , surface(body.surface(contact.ids))
+    , spacing(spacings(surface, body))
+  {
+    if (contact.obstacle == nullptr)
+      master.emplace(*structures[contact.master], contact.master_ids);
+  }
+
+  ContactNode
+  NodeToFace::free_node(const SurfaceNode &s) const
+  {
+    ContactNode node;
+    node.body     = contact.body;
+    node.node     = s.node;
+    node.position = s.position;
+    node.area     = s.area;
+    node.obstacle = contact.obstacle;
+    node.spacing  = spacing.at(s.node);
+    return node;
+  }
+
+  std::optional<ContactNode>
+  NodeToFace::find(const SurfaceNode &s)
+  {
+    ContactNode node = free_node(s);
+    if (!(contact.obstacle ? face_obstacle(node) : face_master(node, s)))
+      return {};
+    return node;
+  }
+
+  bool
+  NodeToFace::face_obstacle(ContactNode &node)
+  {
+    const auto closest =
+      contact.obstacle->shape->closest(node.position, node.spacing);
+    node.gap = closest.gap;
+    node.n   = closest.normal;
+    if (!contact.obstacle->shape->states_gaps())
+      judge(node, node.spacing);
+    return true;
+  }
+
+  bool
+  NodeToFace::face_master(ContactNode &node, const SurfaceNode &s)
+  {
+    auto normals = s.normals;
+    if (surface.two_sided)
+      normals.push_back(-s.normal);
+    auto foot = master->foot(s.position,
+                             normals,
+                             {contact.reach,
+                              std::cos(contact.largest_angle),
+                              interference_allowed(contact, node.spacing),
+                              contact.body != contact.master});
+    if (!foot)
+      return false;
+    node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
+    node.n       = foot->normal;
+    node.master  = contact.master;
+    node.masters = std::move(foot->masters);
+    if (!contact.gap)
+      judge(node, std::max(node.spacing, foot->size));
+    return true;
+  }
+
+  void
+  NodeToFace::judge(const ContactNode &node, const double face_size)
+  {
+    const double bound = interference_allowed(contact, face_size);
+    if (node.gap < -bound && (!deepest || node.gap < deepest->gap))
+      deepest = {node.position, node.gap, bound};
+  }
+
+  PairedNodes
+  pair_nodes_with_faces(const Contact                        &contact,
+                        const std::vector<const Structure *> &structures)
+  {
+    NodeToFace  pairing(contact, structures);
+    PairedNodes found;
+    for (const SurfaceNode &s : pairing.slave_surface().nodes)
+      {
+        ++found.n_nodes;
+        if (auto node = pairing.find(s))
+          found.nodes.push_back(std::move(*node));
+      }
+    found.n_paired = static_cast<unsigned int>(found.nodes.size());
+    found.deepest  = pairing.deepest_node();
+    return found;
+  }
+} // namespace conetact

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/pairing_table.h"
+
+#include "conetact/pairing/mortar.h"
+#include "conetact/pairing/node_to_face.h"
+
+#include <algorithm>
+
+namespace conetact
+{
+  const std::vector<PairingRow> &
+  pairings()
+  {
+    static const std::vector<PairingRow> rows = {
+      {"node to face",
+       "each node meets the point of the master's faces that is nearest",
+       pair_nodes_with_faces,
+       false},
+      {"mortar",
+       "each node meets the mean of the master's faces around it, weighted by "
+       "its dual function, so that a constant pressure passes between any two "
+       "meshes",
+       pair_by_mortar,
+       true}};
+    return rows;
+  }
+
+  const PairingRow &
+  pairing_of(const Contact                        &contact,
+             const std::vector<const Structure *> &structures)
+  {
+    const auto has_faces = [&](const unsigned int body,
+                               const BoundaryIds &ids) {
+      const Surface surface = structures[body]->surface(ids);
+      return !surface.two_sided && !surface.faces.empty();
+    };
+    const bool faces = contact.obstacle == nullptr &&
+                       has_faces(contact.body, contact.ids) &&
+                       has_faces(contact.master, contact.master_ids);
+    const std::string name = faces ? contact.pairing : "node to face";
+    return *std::find_if(pairings().begin(),
+                         pairings().end(),
+                         [&](const PairingRow &row) {
+                           return row.name == name;
+                         });
+  }
+} // namespace conetact

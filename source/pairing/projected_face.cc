@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/projected_face.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact
+{
+  ProjectionPlane::ProjectionPlane(const Point<3>     &through,
+                                   const Tensor<1, 3> &unit_normal,
+                                   const bool          is_line)
+    : origin(through)
+    , normal(unit_normal)
+  {
+    Tensor<1, 3> up;
+    // the axis that the normal has least of; z if there is only a line
+    unsigned int least = 2;
+    if (!is_line)
+      for (unsigned int d = 0; d < 2; ++d)
+        if (std::abs(normal[d]) < std::abs(normal[least]))
+          least = d;
+    up[least] = 1;
+    axes[0]   = cross_product_3d(up, normal);
+    axes[0] /= axes[0].norm();
+    axes[1] = cross_product_3d(normal, axes[0]);
+  }
+
+  Point<2>
+  ProjectionPlane::project(const Point<3> &p) const
+  {
+    return {(p - origin) * axes[0], (p - origin) * axes[1]};
+  }
+
+  double
+  ProjectionPlane::height(const Point<3> &p) const
+  {
+    return (p - origin) * normal;
+  }
+
+
+
+  ProjectedFace::ProjectedFace(const std::vector<Point<3>> &x,
+                               const ProjectionPlane       &plane)
+  {
+    for (const Point<3> &corner : x)
+      {
+        corners.push_back(plane.project(corner));
+        heights.push_back(plane.height(corner));
+      }
+    around = corners;
+    if (x.size() == 2)
+      for (Point<2> &end : around)
+        end[1] = 0;
+    if (x.size() == 4)
+      {
+        constexpr double           round_off = 1e-12;
+        const dealii::Tensor<1, 2> twist =
+          (corners[3] - corners[2]) - (corners[1] - corners[0]);
+        const double warp = heights[3] - heights[2] - heights[1] + heights[0];
+        const double size = corners[0].distance(corners[3]);
+        skew              = (twist.norm() + std::abs(warp)) / size;
+        if (skew <= round_off)
+          skew = 0;
+        std::swap(around[2], around[3]);
+      }
+    around = oriented(around);
+  }
+
+  Eigen::Vector4d
+  ProjectedFace::shape(const std::array<double, 2> &at) const
+  {
+    const auto [a, b] = at;
+    if (n_corners() == 2)
+      return {1 - a, a, 0, 0};
+    if (n_corners() == 3)
+      return {1 - a - b, a, b, 0};
+    return {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
+  }
+
+  Eigen::Matrix<double, 3, 2>
+  ProjectedFace::slopes(const std::array<double, 2> &at) const
+  {
+    const auto corner = [&](const std::size_t i) {
+      return Eigen::Vector3d(corners[i][0], corners[i][1], heights[i]);
+    };
+    Eigen::Matrix<double, 3, 2> result;
+    const Eigen::Vector3d       along_a = corner(1) - corner(0);
+    result.col(0)                       = along_a;
+    if (n_corners() == 2)
+      result.col(1) = Eigen::Vector3d::UnitY();
+    else
+      result.col(1) = corner(2) - corner(0);
+    if (n_corners() == 4)
+      {
+        const Eigen::Vector3d twist = corner(3) - corner(2) - along_a;
+        result.col(0) += at[1] * twist;
+        result.col(1) += at[0] * twist;
+      }
+    return result;
+  }
+
+  /** Newton's method; one step where the face is affine. */
+  std::array<double, 2>
+  ProjectedFace::local(const Point<2> &p) const
+  {
+    if (n_corners() == 2)
+      return {{(p[0] - corners[0][0]) / (corners[1][0] - corners[0][0]), 0}};
+    std::array<double, 2> at = {{.5, .5}};
+    for (unsigned int step = 0; step < 20; ++step)
+      {
+        const Eigen::Vector4d N = shape(at);
+        Eigen::Vector2d       miss(p[0], p[1]);
+        for (std::size_t i = 0; i < n_corners(); ++i)
+          miss -= N[static_cast<Eigen::Index>(i)] *
+                  Eigen::Vector2d(corners[i][0], corners[i][1]);
+        const Eigen::Vector2d d = slopes(at).topRows<2>().inverse() * miss;
+        at                      = {{at[0] + d[0], at[1] + d[1]}};
+        if (skew == 0 || d.norm() < 1e-13)
+          break;
+      }
+    return at;
+  }
+
+  ProjectedFace::Seen
+  ProjectedFace::at(const Point<2> &p) const
+  {
+    const auto where = local(p);
+    Seen       seen;
+    seen.shape = shape(where);
+    for (std::size_t i = 0; i < n_corners(); ++i)
+      seen.height += seen.shape[static_cast<Eigen::Index>(i)] * heights[i];
+    const auto g = slopes(where);
+    seen.stretch = n_corners() == 2 ? std::hypot(1, g(2, 0) / g(0, 0)) :
+                                      g.col(0).cross(g.col(1)).norm() /
+                                        std::abs(g.topRows<2>().determinant());
+    return seen;
+  }
+} // namespace conetact

@@ -1,0 +1,273 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Contact of bodies whose meshes do not match.
+
+usage: mortar.py PROGRAM FAMILY...      (all: every family)
+
+plane, space: a uniform pressure through joints; covered: turned blocks that cover a
+part of each other; held: supports take the ends of a joint; hertz: cylinder on
+cylinder; rings: shrink fits; many: 100 x 100 faces on as many.
+"""
+import itertools
+import math
+import re
+import sys
+import time
+
+from support.checks import run_families
+from support.meshes import distorted, write_msh
+from support.scenes import box, load, support
+
+PRESSURE = 2.0
+JOINT = "joint"
+
+
+def joint(slave, slave_ids, master, master_ids, **entries):
+    return {"Body": slave, "Boundary ids": slave_ids, "Master body": master, "Master boundary ids": master_ids,
+            "Pairing": "mortar", **entries}
+
+
+def swing(run):
+    """Largest deviation of a nodal pressure of the slave side, over the pressure."""
+    return max(abs(row["r_n"] / row["area"] - PRESSURE) + (abs(row["r_t1"]) + abs(row["r_t2"])) / row["area"]
+               for row in run.last() if row["contact"] == JOINT) / PRESSURE
+
+
+def balances(run):
+    """Sums of the forces and of the moments of both sides of the joint, over the force on one."""
+    last = run.increments[-1]
+    force = math.hypot(*(last[f"{JOINT}_f_{c}"] for c in "xyz"))
+    return [math.hypot(*(last[f"{JOINT}_{what}_{c}"] + last[f"{JOINT}_master_{what}_{c}"] for c in "xyz")) / force
+            for what in "fm"]
+
+
+def check_patch(laws, what, run, pressure=1e-10):
+    force, moment = balances(run)
+    laws.check(f"{what}: nodal pressures", swing(run), pressure)
+    laws.check(f"{what}: forces of both sides", force, 1e-12)
+    laws.check(f"{what}: moments of both sides", moment, 1e-11)
+
+
+def stacked(dim, lower, upper, exchanged, mu=0.0, **contact):
+    """Two bodies on rollers, pressed together; ids of sides as boxes have them."""
+    sides = ((0, 2, 3) if dim == 2 else (0, 4, 5))
+    walls = str(sides[0]) if dim == 2 else "0, 2"
+    pair = (("lower", sides[2]), ("upper", sides[1]))
+    slave, master = pair if exchanged else pair[::-1]
+    return {"Dimension": dim, "Body lower": lower, "Body upper": upper,
+            f"Contact {JOINT}": joint(*slave, *master, **{"Friction coefficient": mu, **contact}),
+            "Support ground": support(sides[1], "normal", body="lower"),
+            "Support wall lower": support(walls, "normal", body="lower"),
+            "Support wall upper": support(walls, "normal", body="upper"),
+            "Load top": load("pressure", repr(PRESSURE), sides[2], "upper"),
+            "Output": {"VTU": 0}}
+
+
+def plane(laws):
+    for ratio, exchanged in itertools.product(((2, 3), (5, 7), (7, 7), (1, 9)), (False, True)):
+        lower, upper = (box((n, 3), (2.0, 1.0), (0.0, y)) for n, y in zip(ratio, (0.0, 1.0)))
+        run = laws.run(stacked(2, lower, upper, exchanged))
+        check_patch(laws, f"{ratio[0]} on {ratio[1]} cells{', exchanged' * exchanged}", run)
+    run = laws.run(stacked(2, box((5, 3), (2.0, 1.0)), box((7, 3), (2.0, 1.0), (0.0, 1.0)), False,
+                           Pairing="node to face"))
+    laws.demand(f"node to face: nodal pressures swing by {swing(run):.2g}", swing(run) > .05)
+
+
+def space(laws):
+    for lower, upper in (((2, 3, 1), (3, 2, 1)), ((4, 5, 1), (7, 3, 1)), ((3, 3, 1), (3, 3, 1))):
+        for exchanged in (False, True):
+            blocks = (box(n, (1.5, 1.0, 1.0), (0.0, 0.0, z)) for n, z in ((lower, 0.0), (upper, 1.0)))
+            run = laws.run(stacked(3, *blocks, exchanged))
+            check_patch(laws, f"{lower} on {upper}{', exchanged' * exchanged}", run)
+    for exchanged in (False, True):
+        files = [laws.folder / f"distorted{n}.msh" for n in (3, 4)]
+        for file, n in zip(files, (3, 4)):
+            distorted(file, 3, n)
+        scene = stacked(3, *({"Mesh": {"File": file.name, "Translation": (0, 0, z)},
+                              "Material": {"Young modulus": 1000, "Poisson ratio": .3}}
+                             for z, file in enumerate(files)), exchanged)
+        for name, tree in scene.items():
+            if isinstance(tree, dict):
+                for key in ("Boundary ids", "Master boundary ids"):
+                    if key in tree:
+                        tree[key] = re.sub(r"\d+", lambda m: str(10 + int(m[0])), str(tree[key]))
+        check_patch(laws, f"distorted cells{', exchanged' * exchanged}", laws.run(scene))
+
+
+def held(laws):
+    """The sides of the slave move as in the uniform state, the ends of the joint with them."""
+    along, down = .3 * 1.3 * PRESSURE / 1000, -(1 - .3**2) * PRESSURE / 1000  # strains, plane strain
+    for ratio, exchanged in itertools.product(((4, 7), (6, 5)), (False, True)):
+        scene = stacked(2, *(box((n, 3), (2.0, 1.0), (0.0, y)) for n, y in zip(ratio, (0.0, 1.0))), exchanged)
+        slave = "lower" if exchanged else "upper"
+        scene.pop(f"Support wall {slave}")
+        scene["Support sides"] = support("0, 1", "x, y", f"{along!r}*x ; {down!r}*y", slave)
+        run = laws.run(scene)
+        laws.check(f"{ratio[0]} on {ratio[1]} cells{', exchanged' * exchanged}: nodal pressures", swing(run), 1e-10)
+        laws.check("  forces of both sides", balances(run)[0], 1e-12)
+        laws.check("  the whole force", abs(abs(run.increments[-1][f"{JOINT}_f_y"]) / (2 * PRESSURE) - 1), 1e-10)
+
+
+# ---------------------------------------------------------------- turned blocks
+
+def clip(subject, clipping):
+    """The common part of convex polygons, anticlockwise."""
+    for a, b in zip(clipping, clipping[1:] + clipping[:1]):
+        def side(p):
+            return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+        result = []
+        for p, q in zip(subject, subject[1:] + subject[:1]):
+            if side(p) >= 0:
+                result.append(p)
+            if side(p) * side(q) < 0:
+                t = side(p) / (side(p) - side(q))
+                result.append((p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])))
+        subject = result
+    return subject
+
+
+def shares_under(cells, size, polygon):
+    """Integrals of the bilinear functions of a grid over a convex polygon."""
+    result = {}
+    step = [s / n for s, n in zip(size, cells)]
+    for i, j in itertools.product(*map(range, cells)):
+        corner = [(i + a, j + b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        part = clip([(x * step[0], y * step[1]) for x, y in corner], polygon)
+        for p, q in zip(part[1:], part[2:]):
+            o = part[0]
+            area = ((p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0])) / 2
+            middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in ((o, p), (p, q), (q, o))]
+            for x, y in middles:  # exact to the second degree
+                s, t = x / step[0] - i, y / step[1] - j
+                for (k, m), N in zip(corner, ((1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t)):
+                    result[k, m] = result.get((k, m), 0) + area / 3 * N
+    return result
+
+
+def covered(laws):
+    """A turned block on a wider one, which carries the same pressure beside it: all of it is uniform."""
+    cells, size, small = (4, 5), (2.0, 2.0), 1.1
+    for angle, exchanged in itertools.product((0.0, 10.0, 30.0, 45.0), (False, True)):
+        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        place = [(.97 + c * x - s * y, 1.02 + s * x + c * y)
+                 for x, y in ((-small / 2, -small / 2), (small / 2, -small / 2), (small / 2, small / 2), (-small / 2, small / 2))]
+        under = shares_under(cells, size, place)
+        whole = shares_under(cells, size, [(0, 0), (2, 0), (2, 2), (0, 2)])
+        upper = box((3, 4, 1), (small, small, 1.0), (-small / 2, -small / 2, 0.0), Rotation=(0, 0, 1, angle), Translation=(.97, 1.02, 1.0))
+        scene = stacked(3, box((*cells, 2), (*size, 1.0)), upper, exchanged, mu=1.0)
+        scene.pop("Support wall upper")
+        for k, (node, share) in enumerate(whole.items()):
+            force = -PRESSURE * (share - under.get(node, 0))
+            if abs(force) > 1e-15:
+                scene[f"Load {k}"] = load("point force", f"0; 0; {force!r}", body="lower",
+                                          Point=(node[0] * size[0] / cells[0], node[1] * size[1] / cells[1], 1.0))
+        check_patch(laws, f"turned by {angle:g} degrees{', exchanged' * exchanged}", laws.run(scene))
+
+
+# ---------------------------------------------------------------- curved ones
+
+def graded(step, fine, size, growth=1.25):
+    """Coordinates from 0 to size, uniform up to `fine`, growing beyond."""
+    x = [k * step for k in range(round(fine / step) + 1)]
+    steps = []
+    while sum(steps) < size - x[-1]:
+        step *= growth
+        steps.append(step)
+    factor = (size - x[-1]) / sum(steps)
+    for s in steps:
+        x.append(x[-1] + s * factor)
+    return x
+
+
+def half_cylinder(file, step, radius, size, sign):
+    """Half of a body whose surface is a parabola, x from 0: below (sign -1) or above y = 0. Ids 1 surface, 2 end, 3 middle."""
+    xs, ys = graded(step, 1.5, size), graded(step, 1.0, size)
+    number = {}
+    points = []
+    for (i, x), (j, y) in itertools.product(enumerate(xs), enumerate(ys)):
+        number[i, j] = len(points)
+        points.append((x, sign * (y + x * x / (2 * radius) * (1 - y / size)), 0.0))
+    turn = (lambda quad: quad) if sign > 0 else (lambda quad: quad[::-1])
+    cells = [turn([number[i, j], number[i + 1, j], number[i + 1, j + 1], number[i, j + 1]])
+             for i in range(len(xs) - 1) for j in range(len(ys) - 1)]
+    last = len(ys) - 1
+    faces = [(tag, [number[i, j], number[i + 1, j]]) for tag, j in ((1, 0), (2, last)) for i in range(len(xs) - 1)]
+    faces += [(3, [number[0, j], number[0, j + 1]]) for j in range(last)]
+    write_msh(file, 2, points, cells, faces)
+
+
+def cylinders(laws, n, ratio, pairing="mortar"):
+    """Errors of peak pressure and half width, n cells of the slave a half width."""
+    young, poisson, radius, size = 1000.0, .3, 20.0, 32.0
+    modulus, curvature = young / (2 * (1 - poisson**2)), 2 / radius
+    peak = modulus * curvature / 2  # half width 1
+    for name, step, sign in (("upper", 1 / n, 1), ("lower", ratio / n, -1)):
+        half_cylinder(laws.folder / f"{name}.msh", step, radius, size, sign)
+    bodies = {f"Body {name}": {"Mesh": {"File": f"{name}.msh"},
+                               "Material": {"Young modulus": young, "Poisson ratio": poisson}} for name in ("upper", "lower")}
+    scene = {"Dimension": 2, **bodies, f"Contact {JOINT}": joint("upper", 1, "lower", 1, Pairing=pairing),
+             "Support ground": support(2, "y", body="lower"),
+             "Support middle lower": support(3, "x", body="lower"), "Support middle upper": support(3, "x", body="upper"),
+             "Load top": load("traction", f"0 ; {-math.pi * peak / 4 / size!r}", 2, "upper"), "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    rows = sorted((row for row in run.last() if row["contact"] == JOINT), key=lambda row: row["x"])
+    total = sum(row["r_n"] for row in rows)
+    spread = 2 * math.sqrt(sum(row["r_n"] * row["x"]**2 for row in rows) / total)
+    local = max(abs(row["r_n"] / row["area"] - peak * math.sqrt(max(0, 1 - row["x"]**2))) / peak
+                for row in rows if row["x"] < .8)
+    return abs(rows[0]["r_n"] / rows[0]["area"] / peak - 1), abs(spread - 1), local
+
+
+def hertz(laws):
+    for ratio in (.5, .7, 1.0, 1.5, 3.0):
+        coarse, fine = (cylinders(laws, n, ratio) for n in (8, 16))
+        for what, before, found in zip(("peak pressure", "half width", "pressures up to .8 half widths"), coarse, fine):
+            laws.check(f"cells {ratio:g} times as large: {what} ({before:.2g} at 8 cells)", found, .01)
+
+
+def ring(inner, outer, cells, layers, turned=0.0):
+    return {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {inner!r} : {outer!r} : {cells} : true",
+                     "Rotation": turned},
+            "Material": {"Young modulus": 1000, "Poisson ratio": .3, "Plane": "stress"}}
+
+
+def rings(laws):
+    for name, cells, turned in (("matching", (48, 48), 0.0), ("turned by half a facet", (48, 48), 3.75),
+                                ("48 facets in 64", (48, 64), 0.0), ("64 facets in 48", (64, 48), 1.0)):
+        for exchanged in (False, True):
+            pair = (("inner", 1), ("outer", 0))
+            slave, master = pair[::-1] if exchanged else pair
+            scene = {"Dimension": 2, "Body inner": ring(1.0, 2.0, cells[0], 1, turned), "Body outer": ring(2.0, 3.0, cells[1], 1),
+                     f"Contact {JOINT}": joint(*slave, *master, Gap=-.002, **{"Friction coefficient": .3}),
+                     "Support soft": support(1, "x, y", "0 ; 0", body="outer", Stiffness=1e-3), "Output": {"VTU": 0}}
+            for body in ("inner", "outer"):
+                scene[f"Body {body}"]["Mesh"]["Global refinements"] = 1
+            run = laws.run(scene, bounds=False)  # resultants of closed rings are rounding, so is their sum over them
+            laws.check(f"{name}{', exchanged' * exchanged}: residual, equilibrium, balance of each ring",
+                       max(run.increments[-1][c] for c in ("residual", "equilibrium", "balance_inner", "balance_outer")), 1e-10)
+            pressures = [row["r_n"] / row["area"] for row in run.last() if row["contact"] == JOINT]
+            mean = sum(pressures) / len(pressures)
+            laws.check(f"{name}{', exchanged' * exchanged}: pressures about their mean",
+                       max(abs(p / mean - 1) for p in pressures), .01)
+            laws.check(f"{name}{', exchanged' * exchanged}: mean against Lame", abs(mean / .234375 - 1), .01)
+
+
+def many(laws):
+    """Dry runs, because the stiffness would cost more than the pairing."""
+    for pairing, turned in itertools.product(("mortar", "node to face"), (0.0, 20.0)):
+        blocks = (box((100, 100, 1), (1.0, 1.0, .1), (-.5, -.5, z)) for z in (0.0, .1))
+        scene = stacked(3, *blocks, False, Pairing=pairing)
+        scene["Body upper"]["Mesh"]["Rotation"] = (0, 0, 1, turned)
+        begin = time.monotonic()
+        done, _ = laws.start(scene, "--dry-run")
+        laws.demand(f"100 x 100 faces turned by {turned:g} degrees, {pairing}: {time.monotonic() - begin:.1f} s {done.stderr}",
+                    done.returncode == 0)
+
+
+FAMILIES = {"plane": plane, "space": space, "covered": covered, "held": held, "hertz": hertz, "rings": rings, "many": many}
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    sys.exit(run_families(FAMILIES, *sys.argv[1:]))
