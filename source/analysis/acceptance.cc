@@ -46,6 +46,7 @@ namespace conetact
       add(record.loads);
       so_far = std::max(so_far, largest);
       return largest > noise * so_far ?
+               // Moments about the origin, compared with the largest lever.
                std::max(sum.force.norm() / largest,
                         sum.moment.norm() / (largest * reach)) :
                0.;
@@ -77,6 +78,8 @@ namespace conetact
             .segment(system.first[static_cast<std::size_t>(i)],
                      system.n_tangents(i) + 1)
             .mean();
+        // tr K_ii / dim, or dim / tr W_ii: what turns a gap that is left into a
+        // force.
         stiffness[set.nodes()[static_cast<std::size_t>(i)]] =
           system.form == Form::stiffness ? mean :
           mean > 0                       ? 1 / mean :
@@ -101,6 +104,8 @@ namespace conetact
     claim.mechanical = increment.mechanical;
     claim.t          = increment.record.time;
     claim.whole      = increment.record.report.substeps <= 1;
+    // The holonomic law, of all slip since the start, exists on load paths
+    // only.
     claim.incremental =
       !scene.path.follows || scene.path.law == PathLaw::incremental;
     return claim;
@@ -141,6 +146,7 @@ namespace conetact
           continue;
         const auto n = points[i].first +
                        static_cast<Eigen::Index>(points[i].dual.size()) - 1;
+        // A closed node claims a gap of zero.
         moved.push_back({&node,
                          at(u, node),
                          node.obstacle->displacement_at(increment.record.time),
@@ -148,6 +154,8 @@ namespace conetact
                            node.gap + finding.displacements[n] :
                            0.});
         if (increment.state.node[i] != NodeState::open)
+          // Only what deforms counts: a body that is carried along is not
+          // indented.
           indentation = std::max(indentation, std::abs(at(w, node) * node.n));
       }
     const auto worst = worst_gap_error(moved, indentation);
@@ -179,6 +187,8 @@ namespace conetact
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
         const ContactNode &node = nodes[i];
+        // Nodes held along their normal are no unknowns of contact: no solver
+        // has seen their gaps.
         if (has_rows[i])
           continue;
         const double gap =
@@ -207,9 +217,11 @@ namespace conetact
           increment.state
             .v[points[i].first +
                static_cast<Eigen::Index>(points[i].dual.size()) - 1];
+        // The weights of the masters belong to the foot at the start.
         if (node.masters.empty() || gap > nearby * node.spacing)
           continue;
         Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
+        // Opening does not move the foot, sliding does.
         slid -= (slid * node.n) * node.n;
         if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
           return "the contact node at " + to_text(node.position) +
@@ -233,6 +245,8 @@ namespace conetact
     add_resultants(record, finding);
     if (!finding.why.empty())
       return finding.why;
+    // The law holds for the contacts as they were linearised. What follows asks
+    // whether those are still the right ones.
     if (const std::string why = wrong_gap(increment, finding, w, finding.u);
         !why.empty())
       return why;
@@ -241,6 +255,7 @@ namespace conetact
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
       return why;
+    // From here on the increment is history: the next one is judged against it.
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(model.points, accepted, finding, record);
@@ -267,6 +282,7 @@ namespace conetact
       {
         record.contacts[c] = external.contacts[c];
         if (scene.master_side[c] != c)
+          // A contact of two bodies has one column for each side.
           record.contacts[scene.master_side[c]] = external.masters[c];
       }
     record.each_support = external.supports;
