@@ -28,13 +28,16 @@ namespace conetact
           const Index  first = system.first[i], nt = system.n_tangents(i);
           const Index  n  = system.normal(i);
           const double rn = point.r(n);
-          result(n)       = rn - std::max(0., rn - rho * point.v(n));
+          // g >= 0, r_n >= 0, g r_n = 0 as one equation.
+          result(n) = rn - std::max(0., rn - rho * point.v(n));
 
           VectorXd slip = point.v.segment(first, nt);
           if (options.law == PathLaw::incremental)
             slip -= before.v.segment(first, nt);
           const double c =
             options.cohesion.size() > 0 ? options.cohesion(i) : 0.;
+          // Radius of the disc that r_t must lie in; open nodes keep the
+          // cohesion.
           const double   bound = system.mu(i) * std::max(0., rn) + c;
           const VectorXd r     = point.r.segment(first, nt);
           VectorXd       trial = r - rho * slip;
@@ -59,6 +62,7 @@ namespace conetact
       return 0;
     if (!point.v.allFinite() || !point.r.allFinite())
       return std::numeric_limits<double>::infinity();
+    // One stiffness for all nodes turns displacements into forces.
     const double mean =
       system.matrix.trace() / static_cast<double>(system.n_unknowns());
     const double rho = mean > 0 ? mean : 1.;
