@@ -113,6 +113,7 @@ namespace conetact
              structures[contact.body]->surface(contact.ids).nodes)
           for (const SurfaceNode &b :
                structures[contact.body]->surface(contact.master_ids).nodes)
+            // A node against itself would be 0 = 0.
             if (a.node == b.node)
               throw InputError(in + "Master boundary ids: the node at " +
                                to_text(a.position) +
@@ -250,6 +251,7 @@ namespace conetact
       {
         auto normals = s.normals;
         if (surface.two_sided)
+          // Members of frames have no outside.
           normals.push_back(-s.normal);
         auto foot = master->foot(s.position,
                                  normals,
@@ -259,11 +261,14 @@ namespace conetact
                                   contact.body != contact.master});
         if (!foot)
           return false;
+        // A gap that is written down replaces the distance, not the direction.
         node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
         node.n       = foot->normal;
         node.master  = contact.master;
         node.masters = std::move(foot->masters);
         if (!contact.gap)
+          // Facets of either side may stand inside the other by a part of their
+          // size.
           judge(node, std::max(node.spacing, foot->size));
         return true;
       }
@@ -272,6 +277,7 @@ namespace conetact
       judge(const ContactNode &node, const double face_size)
       {
         const double bound = interference_allowed(contact, face_size);
+        // One message, for the worst node.
         if (node.gap < -bound && (!deepest || node.gap < deepest->gap))
           {
             deepest = node;
@@ -319,6 +325,7 @@ namespace conetact
     if (dim == 2)
       return {Tensor<1, 3>({n[1], -n[0], 0.}), e_z};
     Tensor<1, 3> t1 =
+      // n x e_z has no length on a floor.
       std::abs(n[2]) > .9 ? cross_product_3d(e_y, n) : cross_product_3d(n, e_z);
     t1 /= t1.norm();
     return {t1, cross_product_3d(n, t1)};
@@ -333,8 +340,9 @@ namespace conetact
     const double s             = std::sin(node.friction_angle);
     node.n                     = normal;
     std::tie(node.t1, node.t2) = tangents(node.n, dim);
-    node.axis_1                = c * node.t1 + s * node.t2;
-    node.axis_2                = c * node.t2 - s * node.t1;
+    // Axes of the elliptic cone, [K] remark 3.3: t1 and t2 turned about n.
+    node.axis_1 = c * node.t1 + s * node.t2;
+    node.axis_2 = c * node.t2 - s * node.t1;
   }
 
   void
@@ -487,7 +495,9 @@ namespace conetact
             count(node, result.pairings.back());
             if (!node)
               continue;
-            node->contact           = c;
+            node->contact = c;
+            // Two contacts of a node are rows of their own, unless their
+            // normals agree: then only the sum of the reactions is determined.
             const auto key          = std::make_pair(node->body, node->node);
             const auto [begin, end] = known.equal_range(key);
             for (auto other = begin; other != end; ++other)
