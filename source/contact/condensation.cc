@@ -290,6 +290,7 @@ namespace conetact
     return reduce_forces(coordinates.restrict(unbalanced));
   }
 
+  /* `unbalanced` is K w - f: what takes it away has the other sign. */
   Eigen::VectorXd
   Condensation::correction(const Eigen::VectorXd &unbalanced,
                            const Eigen::VectorXd &primal) const

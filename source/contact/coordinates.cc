@@ -90,6 +90,8 @@ namespace conetact
     if (free != nullptr)
       n_free += static_cast<Eigen::Index>(free->size());
 
+    // Rotations have no frame of the node: an unknown each, about the axes of
+    // the scene.
     for (unsigned int c = free != nullptr ? bodies.dim : 0;
          c < structure.n_components();
          ++c)

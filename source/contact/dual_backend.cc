@@ -224,6 +224,7 @@ namespace conetact
   DualBackend::Uncondensed
   DualBackend::stiffness_of(const Part &part, const SparseMatrix &all) const
   {
+    // All bodies of a part have the matrix of the first.
     const unsigned int body  = part.bodies[0];
     const Index        begin = own.begin(body), n = n_own(body);
     Uncondensed        result{all.block(begin, begin, n, n), {}};
@@ -361,6 +362,7 @@ namespace conetact
           H.middleCols(own.begin(body), n_own(body)) * (m.R + m.Y);
         // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
         const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
+        // Foundations hold each body by itself: C has a block for each.
         all_C.block(first, first, size, size) = .5 * (C + C.transpose());
       }
     if (all_C.isZero(0)) // foundations make up for what contacts do not see

@@ -295,6 +295,8 @@ namespace conetact
           continue;
         const Structure &structure = *bodies.structures[body];
         part.setZero(structure.n_dofs());
+        // Bodies multiply by themselves: a continuum takes out what a cell
+        // moves as a whole, which an assembled K u would round.
         structure.add_internal_forces(u.segment(dof_offset[body], part.size()),
                                       part);
         f.segment(dof_offset[body], part.size()) = part;

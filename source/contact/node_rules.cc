@@ -130,6 +130,7 @@ namespace conetact
     };
 
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      // Surfaces do not list hanging nodes: no support holds one.
       for (const HangingNode &h : bodies.structures[body]->hanging_nodes())
         rule_of(body, h.node).masters = h.masters;
 

@@ -49,6 +49,7 @@ namespace conetact
       RigidMotions::Motion frame{body, {}, {}, {}, 0};
       const unsigned int   n = structure.n_nodes();
       for (unsigned int i = 0; i < n; ++i)
+        // Any point near the middle will do: nodes need no volumes.
         frame.centre += Tensor<1, 3>(structure.position(i)) / n;
       for (unsigned int i = 0; i < n; ++i)
         frame.size =
@@ -123,6 +124,7 @@ namespace conetact
     refuse_loose_bodies();
   }
 
+  /* What each mode moves the point p by, along a direction. */
   Eigen::RowVectorXd
   RigidMotions::row(const unsigned int  body,
                     const Point<3>     &p,
@@ -360,6 +362,7 @@ namespace conetact
   RigidMotions::Motion
   RigidMotions::largest(const Amounts &modes) const
   {
+    // Amounts are lengths, so that turns and translations compare.
     std::size_t best = 0;
     for (std::size_t body = 1; body < frames.size(); ++body)
       if (modes.segment(static_cast<Eigen::Index>(body) * n_one, n_one).norm() >

@@ -370,6 +370,7 @@ namespace conetact
   {
     Tensor<1, 3> d;
     for (unsigned int c = 0; c < displacement.size(); ++c)
+      // a translation: the same everywhere
       d[c] = displacement[c](Point<3>(), t);
     return d;
   }

@@ -107,7 +107,8 @@ namespace conetact
       {
         const VectorXd x = r - sigma * (R * z);
         projected.resize(x.size());
-        // I + sigma R^T P' R is positive definite whatever P' is.
+        // P' of a projection is semidefinite: I + sigma R^T P' R can be
+        // inverted wherever z is.
         hessian = MatrixXd::Identity(z.size(), z.size());
         SmallVector p;
         SmallMatrix D;

@@ -311,6 +311,8 @@ namespace conetact
       }
   }
 
+  /* By the shape functions of the cell, which keep the force and its moment
+     about any point. */
   template <int dim>
   bool
   Continuum<dim>::add_point_force(const Point<3>     &point,

@@ -75,6 +75,8 @@ namespace conetact
       field.weights.push_back(unit_weights[q] *
                               add(at_points[q], field.at_points));
     if (with_vertices)
+      // Stresses are those of the vertices themselves, not continued from the
+      // points.
       for (const auto &unit : at_corners)
         add(unit, field.at_vertices);
     return field;
