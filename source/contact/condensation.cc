@@ -95,7 +95,7 @@ namespace conetact
   {
     const Eigen::Index n = set.layout().n_unknowns();
     {
-      // The matrix goes out of scope before K is there: both are large.
+      // Given back as soon as it is factorised: it is large.
       Sorted matrix = sorted(elastic, coordinates, place);
       // MUMPS has thresholds of its own, which know no units.
       stiffness_scale = mean_diagonal(matrix.upper);
@@ -109,8 +109,8 @@ namespace conetact
     auto system    = std::make_shared<ContactSystem>(set.layout());
     system->matrix = solver->base().take_schur_complement();
     system->matrix *= stiffness_scale;
-    // Frames may have motions that nobody can name; those of other bodies are
-    // rigid, and known to the last digit.
+    // Frames may have motions that nobody has named; those of other bodies
+    // are rigid, and known to the last digit.
     system->null_space = find_mechanisms && n > 0 && n <= largest_rank_search ?
                            null_space_basis(system->matrix) :
                            set.gather(null_space);
@@ -298,7 +298,7 @@ namespace conetact
     const Eigen::VectorXd b       = coordinates.restrict(unbalanced);
     Eigen::VectorXd       reduced = Eigen::VectorXd::Zero(primal.size());
     if (solver->is_extended())
-      // unknowns that joined later are recovered from their own loads
+      // not read otherwise
       reduced = -reduce_forces(b);
     return coordinates.expand(expand_unknowns(-b, primal, reduced));
   }

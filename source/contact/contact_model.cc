@@ -46,16 +46,16 @@ namespace conetact
   {
     if (points.size() == 0)
       return false;
+    // One stiffness K with a frame at each node serves only where each node is
+    // in one contact, with an obstacle, and all of its slip is elastic. Bodies
+    // that float lose digits in it, equal bodies would be condensed several
+    // times.
     const bool pairs = std::any_of(bodies.contact_nodes.begin(),
                                    bodies.contact_nodes.end(),
                                    [](const ContactNode &node) {
                                      return !node.masters.empty();
                                    });
     // mechanisms are found in a stiffness only
-    // One stiffness K with a frame at each node serves only where each node is
-    // in one contact, with an obstacle, and all of its slip is elastic. Bodies
-    // that float lose digits in it, equal bodies would be condensed several
-    // times.
     return pairs || points.have_prescribed_slip() || points.share_nodes() ||
            (!may_be_mechanism() &&
             (motions.n_free() > 0 || has_equal_bodies()));
@@ -118,7 +118,7 @@ namespace conetact
   }
 
   /* What contacts see of placements and prescribed deformations, less the
-     motion of obstacles: displacements without any stress. */
+     motion of obstacles: displacements that are no unknowns. */
   Eigen::VectorXd
   ContactModel::offset(const LoadCase &load, const double t) const
   {

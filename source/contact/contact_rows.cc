@@ -110,8 +110,8 @@ namespace conetact
 
         row.gap = state.v[layout.normal(index)];
         row.u   = in_frame(node, tangential(point, q)) + other;
-        // The normal part is the solver's own: where the gap is closed, u_n =
-        // -g0 to the last digit.
+        // The normal part is the solver's own: where the gap is closed, u_n
+        // is -g0 to the last digit.
         row.u[0] = q[layout.normal(index)];
         row.du   = in_frame(node, tangential(point, state.v)) +
                  (other - other_before[i]);
