@@ -230,8 +230,7 @@ namespace conetact
     for (const auto &[master, weight] : rule->masters)
       u += weight * along_held(body, master, displacement);
     for (const HeldDirection &held : rule->held)
-      // Held directions are orthonormal; what masters gave along one is
-      // replaced.
+      // Orthonormal directions: setting one leaves the others as they are.
       u += (displacement(*rule, held) - u * held.direction) * held.direction;
     return u;
   }

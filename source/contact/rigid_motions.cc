@@ -49,7 +49,7 @@ namespace conetact
       RigidMotions::Motion frame{body, {}, {}, {}, 0};
       const unsigned int   n = structure.n_nodes();
       for (unsigned int i = 0; i < n; ++i)
-        // Any point near the middle will do: nodes need no volumes.
+        // Any point near the middle of the nodes will do.
         frame.centre += Tensor<1, 3>(structure.position(i)) / n;
       for (unsigned int i = 0; i < n; ++i)
         frame.size =
