@@ -92,8 +92,8 @@ namespace conetact
   void
   EventFollower::move_to(const double p, const VectorXd &v_rate)
   {
-    // The rates move what is held; the rest is computed anew from the scheme,
-    // so that errors do not gather from event to event.
+    // An estimate only: v and r follow anew from the scheme, so that errors do
+    // not gather from event to event.
     now.v += (p - parameter) * v_rate;
     parameter = p;
     now.load =
@@ -309,8 +309,7 @@ namespace conetact
           {
             if (options.law == PathLaw::holonomic)
               return end_without_rates(result);
-            // A jump that leads to another one at the same load does not lead
-            // on.
+            // Jumps that only lead to further ones do not lead on.
             if (++jumps > 3 || !jump(visit, result))
               return result;
             continue;
