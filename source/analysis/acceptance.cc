@@ -17,6 +17,9 @@ namespace conetact
     constexpr double farthest_slide = 1;
     /** The same: what is further off does not touch whatever its foot is. */
     constexpr double nearby = .5;
+    /** The same: how far a slip may be off because a node is not at its foot.
+     */
+    constexpr double largest_false_slip = .01;
     /** The same: a support that pushes a node in by less is rounding. */
     constexpr double least_depth = 1e-6;
 
@@ -46,6 +49,7 @@ namespace conetact
       add(record.loads);
       so_far = std::max(so_far, largest);
       return largest > noise * so_far ?
+               // Moments about the origin, compared with the largest lever.
                std::max(sum.force.norm() / largest,
                         sum.moment.norm() / (largest * reach)) :
                0.;
@@ -77,6 +81,8 @@ namespace conetact
             .segment(system.first[static_cast<std::size_t>(i)],
                      system.n_tangents(i) + 1)
             .mean();
+        // tr K_ii / dim, or dim / tr W_ii: what turns a gap that is left into a
+        // force.
         stiffness[set.nodes()[static_cast<std::size_t>(i)]] =
           system.form == Form::stiffness ? mean :
           mean > 0                       ? 1 / mean :
@@ -101,6 +107,8 @@ namespace conetact
     claim.mechanical = increment.mechanical;
     claim.t          = increment.record.time;
     claim.whole      = increment.record.report.substeps <= 1;
+    // The holonomic law, of all slip since the start, exists on load paths
+    // only.
     claim.incremental =
       !scene.path.follows || scene.path.law == PathLaw::incremental;
     return claim;
@@ -141,6 +149,7 @@ namespace conetact
           continue;
         const auto n = points[i].first +
                        static_cast<Eigen::Index>(points[i].dual.size()) - 1;
+        // A closed node claims a gap of zero.
         moved.push_back({&node,
                          at(u, node),
                          node.obstacle->displacement_at(increment.record.time),
@@ -148,6 +157,8 @@ namespace conetact
                            node.gap + finding.displacements[n] :
                            0.});
         if (increment.state.node[i] != NodeState::open)
+          // Only what deforms counts: a body that is carried along is not
+          // indented.
           indentation = std::max(indentation, std::abs(at(w, node) * node.n));
       }
     const auto worst = worst_gap_error(moved, indentation);
@@ -179,6 +190,8 @@ namespace conetact
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
         const ContactNode &node = nodes[i];
+        // Nodes held along their normal are no unknowns of contact: no solver
+        // has seen their gaps.
         if (has_rows[i])
           continue;
         const double gap =
@@ -207,9 +220,11 @@ namespace conetact
           increment.state
             .v[points[i].first +
                static_cast<Eigen::Index>(points[i].dual.size()) - 1];
+        // The weights of the masters belong to the foot at the start.
         if (node.masters.empty() || gap > nearby * node.spacing)
           continue;
         Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
+        // Opening does not move the foot, sliding does.
         slid -= (slid * node.n) * node.n;
         if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
           return "the contact node at " + to_text(node.position) +
@@ -219,6 +234,44 @@ namespace conetact
                  "were undeformed. Contacts of bodies are for slides of less "
                  "than a cell (" +
                  to_text(node.spacing) + "): use a smaller motion";
+      }
+    return "";
+  }
+
+  /* Friction acts between a node and its foot, which are apart before they
+     touch: bodies that turn together slip there although nothing slides. */
+  std::string
+  Acceptance::wrong_turn(const PendingIncrement &increment) const
+  {
+    const Eigen::VectorXd amounts =
+      model.amounts(increment.load.placement, increment.motions);
+    for (std::size_t i = 0; i < model.points.size(); ++i)
+      {
+        const ContactNode &node = *model.points[i].node;
+        if (node.masters.empty() || node.mu_1 + node.mu_2 == 0 ||
+            increment.state.node[i] == NodeState::open)
+          continue;
+        Tensor<1, 3> apart;
+        for_each_side(node,
+                      [&](const unsigned int body,
+                          const unsigned int k,
+                          const double       weight) {
+                        apart +=
+                          weight * (model.bodies.structures[body]->position(k) -
+                                    node.position);
+                      });
+        const double turn = model.motions.rotation(amounts, node.master);
+        if (turn * apart.norm() > largest_false_slip * node.spacing)
+          return "body '" + model.bodies.names[node.master] + "' turns by " +
+                 to_text(turn) + " rad, and the contact node at " +
+                 to_text(node.position) + " of body '" +
+                 model.bodies.names[node.body] + "' was " +
+                 to_text(apart.norm()) +
+                 " away from it. Contact is that of the undeformed bodies: "
+                 "the slip there is off by " +
+                 to_text(turn * apart.norm()) +
+                 ". Hold one of the bodies against turning, or let them touch "
+                 "from the start";
       }
     return "";
   }
@@ -233,14 +286,19 @@ namespace conetact
     add_resultants(record, finding);
     if (!finding.why.empty())
       return finding.why;
+    // The law holds for the contacts as they were linearised. What follows asks
+    // whether those are still the right ones.
     if (const std::string why = wrong_gap(increment, finding, w, finding.u);
         !why.empty())
       return why;
     if (const std::string why = wrong_foot(increment, finding); !why.empty())
       return why;
+    if (const std::string why = wrong_turn(increment); !why.empty())
+      return why;
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
       return why;
+    // From here on the increment is history: the next one is judged against it.
     const Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(model.points, accepted, finding, record);
@@ -267,6 +325,7 @@ namespace conetact
       {
         record.contacts[c] = external.contacts[c];
         if (scene.master_side[c] != c)
+          // A contact of two bodies has one column for each side.
           record.contacts[scene.master_side[c]] = external.masters[c];
       }
     record.each_support = external.supports;

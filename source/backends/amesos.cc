@@ -91,6 +91,8 @@ namespace conetact
     mumps.set("ICNTL(14)", 100); // spare workspace [%]
     own.solver->SetParameters(parameters);
     const ManyThreads threads;
+    // A failure may be a singular matrix or want of memory: who asked has to
+    // find out.
     own.factorised = own.solver->SymbolicFactorization() == 0 &&
                      own.solver->NumericFactorization() == 0;
   }
@@ -112,11 +114,13 @@ namespace conetact
   Eigen::MatrixXd
   Amesos::solve(Eigen::MatrixXd b) const
   {
-    Implementation    &own = *implementation;
-    Eigen::MatrixXd    x(b.rows(), b.cols());
-    const Epetra_Map  &map     = own.matrix->trilinos_matrix().RowMap();
-    const auto         lead    = static_cast<int>(b.rows());
-    const auto         n_sides = static_cast<int>(b.cols());
+    Implementation   &own = *implementation;
+    Eigen::MatrixXd   x(b.rows(), b.cols());
+    const Epetra_Map &map     = own.matrix->trilinos_matrix().RowMap();
+    const auto        lead    = static_cast<int>(b.rows());
+    const auto        n_sides = static_cast<int>(b.cols());
+    // Views: neither side is copied, and the problem must forget them before
+    // they go.
     Epetra_MultiVector right(View, map, b.data(), lead, n_sides);
     Epetra_MultiVector left(View, map, x.data(), lead, n_sides);
     own.problem.SetRHS(&right);

@@ -32,6 +32,7 @@ namespace conetact
   {
     check_schur_input(matrix, n_schur, node_of);
     const SparseMatrix upper = with_ascending_rows(matrix);
+    // A_CC, from which A_CF A_FF^-1 A_FC is taken away.
     S    = MatrixXd(upper.bottomRightCorner(n_schur, n_schur));
     S    = MatrixXd(S.selfadjointView<Eigen::Upper>());
     A_FC = upper.topRightCorner(n_eliminated, n_schur);
@@ -55,6 +56,7 @@ namespace conetact
     if (!factor->is_factorised())
       explain_failure(solver, upper, node_of);
     ++done.factorizations;
+    // A factor without zero pivots is no proof: see free_motion.h.
     refuse_free_motion(upper, probe(*factor, upper), node_of);
     done.triangular_solves += 2;
   }
@@ -87,6 +89,7 @@ namespace conetact
     both = block.selfadjointView<Eigen::Upper>();
     for (Index i = 0; i < n_eliminated; ++i)
       for (decltype(both)::InnerIterator entry(both, i); entry; ++entry)
+        // D (A_FF + shift diag A_FF) D, D uneven.
         entry.valueRef() *=
           scale[i] * scale[entry.col()] * (entry.col() == i ? 1 + shift : 1);
     return both;
@@ -123,6 +126,7 @@ namespace conetact
         S.middleCols(first, count) -=
           A_FC.transpose() * solve(MatrixXd(A_FC.middleCols(first, count)));
       }
+    // Column by column the two triangles round differently.
     S = .5 * (S + S.transpose()).eval();
     ++done.condensations;
   }

@@ -156,6 +156,7 @@ namespace conetact
       1 + *std::max_element(vertex_of.begin(), vertex_of.end());
     std::vector<idx_t> n_unknowns(n_vertices, 0);
     for (const int v : vertex_of)
+      // METIS balances unknowns, not nodes: supports leave some with fewer.
       ++n_unknowns[v];
 
     const auto pairs = coupled_vertices(upper, vertex_of, n_vertices);

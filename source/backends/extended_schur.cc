@@ -49,6 +49,8 @@ namespace conetact
         MatrixXd    unit  = MatrixXd::Zero(n_unknowns, count);
         for (Index k = 0; k < count; ++k)
           unit(unknowns[static_cast<std::size_t>(first + k)], k) = 1;
+        // -A_CF A_FF^-1 e_k is row k of X, and A_FF^-1 e_k at the added
+        // unknowns column k of D.
         X.middleRows(first, count) = solver->reduce(unit).transpose();
         D.middleCols(first, count) =
           solver->expand(unit, MatrixXd::Zero(n_base, count))(added,
@@ -56,8 +58,9 @@ namespace conetact
       }
     append(D, X);
 
-    const Index    n     = size(added);
-    const auto     B_new = B.bottomRows(n_new);
+    const Index n     = size(added);
+    const auto  B_new = B.bottomRows(n_new);
+    // X^T D^-1 X = B^T B, of which only the new rows are missing in S.
     const MatrixXd S_base =
       S.topLeftCorner(n_base, n_base) + B_new.transpose() * B_new;
     const auto lower = L.triangularView<Eigen::Lower>();
@@ -78,6 +81,7 @@ namespace conetact
     const Index n_old = L.rows(), n_new = D.cols(), n = n_old + n_new;
     L.conservativeResizeLike(MatrixXd::Zero(n, n));
     B.conservativeResize(n, X.cols());
+    // The Cholesky factor of D grows by rows: those before stay.
     const auto old = L.topLeftCorner(n_old, n_old);
     const auto row = L.bottomLeftCorner(n_new, n_old);
     L.bottomLeftCorner(n_new, n_old) =
@@ -98,8 +102,10 @@ namespace conetact
     const MatrixXd r = solver->reduce(b);
     if (added.empty())
       return r;
-    const auto     lower = L.triangularView<Eigen::Lower>();
-    const MatrixXd z     = lower.solve(MatrixXd(solver->expand(
+    const auto lower = L.triangularView<Eigen::Lower>();
+    // L^-1 z_N: what the load moves the added unknowns by, while they are still
+    // eliminated.
+    const MatrixXd z = lower.solve(MatrixXd(solver->expand(
       b, MatrixXd::Zero(r.rows(), b.cols()))(added, Eigen::all)));
     MatrixXd       result(r.rows() + size(added), b.cols());
     result.topRows(r.rows()) = r - B.transpose() * z;

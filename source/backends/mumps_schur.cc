@@ -135,6 +135,7 @@ namespace conetact
         std::iota(schur_unknowns.begin(),
                   schur_unknowns.end(),
                   static_cast<int>(n_eliminated) + 1);
+        // The Schur complement comes dense and on this process.
         mumps->control(19) = 1;
         data.size_schur    = static_cast<int>(n_schur);
         data.listvar_schur = schur_unknowns.data();
@@ -156,6 +157,7 @@ namespace conetact
         return;
       }
     const VectorXd diagonal = upper.diagonal();
+    // Cheap, and it names the node; MUMPS would only say that a pivot is zero.
     refuse_empty_diagonal(diagonal.head(n_eliminated), node_of);
     analyse(upper, node_of);
     DMUMPS_STRUC_C &data = mumps->data;
@@ -171,6 +173,7 @@ namespace conetact
     mumps->factorize();
     ++work.factorizations;
     work.condensations += n_schur > 0;
+    // MUMPS has its own copy now, and the caller may drop the matrix.
     data.irn = data.jcn = data.perm_in = nullptr;
     data.a                             = nullptr;
     rows = columns = order = std::vector<int>();
@@ -217,7 +220,8 @@ namespace conetact
     data.irhs_ptr        = first.data();
     data.irhs_sparse     = row.data();
     data.rhs_sparse      = value.data();
-    mumps->control(20)   = 1;
+    // Sparse right-hand sides, for this call only.
+    mumps->control(20) = 1;
     solve(reduction, b, reduced);
     mumps->control(20) = 0;
     work.triangular_solves -= static_cast<unsigned int>(count);
@@ -254,6 +258,7 @@ namespace conetact
     Implementation solver(upper, n_schur);
     solver.analyse(upper, node_of);
     const Mumps &mumps = *solver.mumps;
+    // Of the analysis: entries of the factor, workspace in MB, operations.
     return {sizeof(double) * in_full(mumps.info(3)),
             1e6 * mumps.info(17),
             mumps.data.rinfog[0],
@@ -312,6 +317,7 @@ namespace conetact
             continue;
           }
         // The forward elimination stays inside MUMPS for the expansion.
+        // Prescribed displacements without loads need no forward elimination.
         if (block.topRows(solver.n_eliminated).isZero(0.))
           solver.reduce_nothing(block, reduced);
         else
@@ -347,6 +353,7 @@ namespace conetact
     // order, assembly and analysis take as long as some 80 unknowns
     constexpr double n_free  = 80;
     const double     entries = factor_bytes() / sizeof(double);
+    // 2 operations for each entry of the factor and solve.
     return 12 * entries * (static_cast<double>(n_new) - n_free) <
            implementation->mumps->data.rinfog[2];
   }

@@ -67,6 +67,7 @@ namespace conetact
                         const std::vector<unsigned int> &node_of)
   {
     for (Index i = 0; i < diagonal.size(); ++i)
+      // Also where it is not a number.
       if (!(diagonal[i] > 0.))
         throw SingularMatrix(node_of[static_cast<std::size_t>(i)]);
   }
@@ -80,6 +81,8 @@ namespace conetact
     std::vector<double> scale(n, 1.);
     for (Index i = 0; i < n_eliminated; ++i)
       {
+        // Its multiples modulo 1 are spread evenly, and no two neighbours are
+        // alike.
         const double x = golden_ratio * static_cast<double>(i + 1);
         scale[i] += x - std::floor(x);
       }

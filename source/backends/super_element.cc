@@ -66,15 +66,19 @@ namespace conetact
     {
       if (S.rows() == 0)
         return S;
+      // Any alpha > 0 gives the same P. Of the size of S it leaves the
+      // condition of the rest alone.
       const double         alpha = S.diagonal().mean();
       const MatrixXd       held  = S + alpha * B * B.transpose();
       Eigen::LLT<MatrixXd> cholesky(held);
       if (cholesky.info() != Eigen::Success)
         throw SingularMatrix({});
       const MatrixXd T = cholesky.solve(MatrixXd::Identity(S.rows(), S.cols()));
+      // held by supports or foundations
       if (B.cols() == 0)
         return .5 * (T + T.transpose());
       const MatrixXd TB = T * B;
+      // The response to f and to forces along B such that B^T w = 0.
       MatrixXd P = T - TB * (B.transpose() * TB).ldlt().solve(TB.transpose());
       // once more on both sides: rounding of T is not free of motions
       P -= B * (B.transpose() * P).eval();
@@ -144,6 +148,8 @@ namespace conetact
   SuperElement::deform(const MatrixXd &forces) const
   {
     const MatrixXd b = to_solver(forces);
+    // Retained unknowns first; they carry the rest along, which has loads of
+    // its own.
     const MatrixXd w = P * factor->reduce(b);
     return place.transpose() * factor->expand(b / scale, w);
   }

@@ -20,6 +20,8 @@ namespace conetact
     {
       Directions in_body;
       for (const Tensor<1, 3> &e : taken)
+        // Completed in the axes of the body, two equal bodies get the same
+        // basis however they are turned in the scene.
         in_body.push_back(transpose(axes) * e / e.norm());
       Directions basis = complement(in_body, dim);
       for (Tensor<1, 3> &e : basis)
@@ -81,11 +83,13 @@ namespace conetact
   BodyCoordinates::add_node(const unsigned int body, const unsigned int node)
   {
     const NodeRule *rule = coordinates.rule(body, node);
+    // Hanging nodes follow their masters, but for their rotations.
     if (rule == nullptr || rule->masters.empty())
       add_translations(body, node);
     add_rotations(body, node);
   }
 
+  /* Held directions are prescribed: only what is left of space has unknowns. */
   void
   BodyCoordinates::add_translations(const unsigned int body,
                                     const unsigned int node)
@@ -138,6 +142,8 @@ namespace conetact
     for (std::size_t p = first_of_node[number]; p < first_of_node[number + 1];
          ++p)
       {
+        // Translations and rotations of a node have unknowns of their own; each
+        // spans its own components.
         const Eigen::Index c = dof - unknowns[p].dof;
         if (c < 0 || c >= unknowns[p].n_components)
           continue;
@@ -147,6 +153,7 @@ namespace conetact
       }
   }
 
+  /* The directions of a node are orthonormal: p is a projection. */
   Eigen::VectorXd
   BodyCoordinates::values(const Eigen::VectorXd &u) const
   {

@@ -162,6 +162,9 @@ namespace conetact
           const double gap = gaps[sorted[n]];
           const double across =
             std::pow(std::max<std::size_t>(n, 1), 1. / (dim - 1));
+          // Pressed by the depth `gap`, all nodes before carry k (gap - g_i). A
+          // continuum is softer than its nodes one by one, the more the wider
+          // the contact.
           if (gap > 0 && (gap * sum - weighted) / across > load)
             return n;
           sum += stiffness[sorted[n]];
@@ -177,6 +180,8 @@ namespace conetact
       const Eigen::MatrixXd &motions = model.motions.null_space();
       if (motions.cols() == 0)
         return;
+      // Pivoting picks unknowns whose motions are independent: with them fixed
+      // no body moves, and K_FF is positive definite.
       const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(motions.transpose());
       const auto &first = model.points.layout().first;
       for (Index k = 0; k < motions.cols(); ++k)
@@ -217,6 +222,7 @@ namespace conetact
                     const std::vector<double>                     &times)
   {
     const ContactSystem &candidates = model.points.layout();
+    // Which nodes hold a mechanism is not known beforehand.
     if (candidates.n_unknowns() < fewest_unknowns || model.may_be_mechanism())
       return WorkingSet(candidates);
     const VectorXd gaps      = closest_gaps(model, times);
@@ -256,6 +262,8 @@ namespace conetact
     double largest = 0;
     Index  i       = 0;
     for (const ContactPoint &point : model.points)
+      // What a gap has moved by is a difference of displacements: their
+      // rounding is no penetration.
       largest = std::max(largest, std::abs(gaps[i++] - point.node->gap));
     std::vector<Index> nodes;
     for (i = 0; i < gaps.size(); ++i)

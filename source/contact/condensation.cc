@@ -44,6 +44,7 @@ namespace conetact
         return result;
       Eigen::SparseMatrix<double> upper(result.upper.rows(),
                                         result.upper.cols());
+      // P A P^T, of which again only the upper triangle is written.
       upper.selfadjointView<Eigen::Upper>() =
         result.upper.selfadjointView<Eigen::Upper>().twistedBy(place);
       result.upper.swap(upper);
@@ -59,6 +60,7 @@ namespace conetact
     set_last(const Coordinates &coordinates, const WorkingSet &set)
     {
       Places place;
+      // contact unknowns are the last ones already
       if (set.is_all())
         return place;
       place.resize(coordinates.n_unknowns());
@@ -93,6 +95,7 @@ namespace conetact
   {
     const Eigen::Index n = set.layout().n_unknowns();
     {
+      // Given back as soon as it is factorised: it is large.
       Sorted matrix = sorted(elastic, coordinates, place);
       // MUMPS has thresholds of its own, which know no units.
       stiffness_scale = mean_diagonal(matrix.upper);
@@ -106,6 +109,8 @@ namespace conetact
     auto system    = std::make_shared<ContactSystem>(set.layout());
     system->matrix = solver->base().take_schur_complement();
     system->matrix *= stiffness_scale;
+    // Frames may have motions that nobody has named; those of other bodies
+    // are rigid, and known to the last digit.
     system->null_space = find_mechanisms && n > 0 && n <= largest_rank_search ?
                            null_space_basis(system->matrix) :
                            set.gather(null_space);
@@ -142,12 +147,16 @@ namespace conetact
     for (const Eigen::Index c : added.unknowns())
       unknowns.push_back(place.indices()[coordinates.n_unknowns() -
                                          coordinates.n_contact_unknowns() + c]);
-    auto system    = std::make_shared<ContactSystem>(set.layout());
+    auto system = std::make_shared<ContactSystem>(set.layout());
+    // The factor knows the scaled matrix only.
     system->matrix = contact_system->matrix / stiffness_scale;
     solver->extend(unknowns, system->matrix);
     system->matrix *= stiffness_scale;
+    // Mechanisms make the set that of all candidates: here are rigid motions
+    // only.
     system->null_space = set.gather(rigid);
     contact_system     = system;
+    // Loads have rows for the new unknowns now.
     reduce_again();
     return true;
   }
@@ -188,9 +197,11 @@ namespace conetact
                            const Eigen::VectorXd &prescribed,
                            LoadCase              &load)
   {
+    // C^T (f - K d): what is prescribed acts as a load on the rest.
     load.b = coordinates.restrict(forces - elastic.internal_forces(prescribed));
     load.f = reduce_forces(load.b);
     if (is_linear())
+      // No contact unknowns: the load case is solved once for all.
       load.q = solve(load.b);
   }
 
@@ -232,8 +243,10 @@ namespace conetact
     for (Eigen::Index i = 0; i < n; ++i)
       {
         const std::size_t k = different[static_cast<std::size_t>(i)];
-        q.col(i)            = is_linear() ? loads[k]->q : loads[k]->b;
-        contact.col(i)      = primal[k];
+        // A column of the right-hand side for each different load case: many of
+        // them cost little more than one.
+        q.col(i)       = is_linear() ? loads[k]->q : loads[k]->b;
+        contact.col(i) = primal[k];
         if (solver->is_extended())
           reduced.col(i) = loads[k]->f;
       }
@@ -264,6 +277,7 @@ namespace conetact
                                 const Eigen::MatrixXd &contact,
                                 const Eigen::MatrixXd &reduced) const
   {
+    // Forces over the scale of K leave displacements as they are.
     b /= stiffness_scale;
     return from_solver(solver->expand(to_solver(std::move(b)),
                                       contact,
@@ -276,6 +290,7 @@ namespace conetact
     return reduce_forces(coordinates.restrict(unbalanced));
   }
 
+  /* `unbalanced` is K w - f: what takes it away has the other sign. */
   Eigen::VectorXd
   Condensation::correction(const Eigen::VectorXd &unbalanced,
                            const Eigen::VectorXd &primal) const
@@ -283,6 +298,7 @@ namespace conetact
     const Eigen::VectorXd b       = coordinates.restrict(unbalanced);
     Eigen::VectorXd       reduced = Eigen::VectorXd::Zero(primal.size());
     if (solver->is_extended())
+      // not read otherwise
       reduced = -reduce_forces(b);
     return coordinates.expand(expand_unknowns(-b, primal, reduced));
   }

@@ -46,6 +46,10 @@ namespace conetact
   {
     if (points.size() == 0)
       return false;
+    // One stiffness K with a frame at each node serves only where each node is
+    // in one contact, with an obstacle, and all of its slip is elastic. Bodies
+    // that float lose digits in it, equal bodies would be condensed several
+    // times.
     const bool pairs = std::any_of(bodies.contact_nodes.begin(),
                                    bodies.contact_nodes.end(),
                                    [](const ContactNode &node) {
@@ -71,6 +75,8 @@ namespace conetact
                           const Eigen::VectorXd &thermal,
                           const double           t)
   {
+    // Supports that move as one carry their body along: that is the placement,
+    // and no force belongs to it. Only the rest of what they prescribe deforms.
     const Eigen::VectorXd placement  = motions.placement(t);
     Eigen::VectorXd       prescribed = coordinates.prescribed(t);
     Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
@@ -81,6 +87,7 @@ namespace conetact
         prescribed -= coordinates.held_part(rigid);
         prescribed = prescribed.unaryExpr(
           [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
+        // Foundations do feel the placement.
         all -= elastic.spring_forces(rigid);
       }
     LoadCase load;
@@ -89,6 +96,8 @@ namespace conetact
     else if (is_dual())
       {
         load = condensation().reduce(all, prescribed);
+        // Heat presses no body as a whole: its forces cancel up to rounding,
+        // and a free motion would take this rounding for a load.
         LoadCase heat =
           condensation().reduce(thermal,
                                 Eigen::VectorXd::Zero(prescribed.size()));
@@ -108,6 +117,8 @@ namespace conetact
     return load;
   }
 
+  /* What contacts see of placements and prescribed deformations, less the
+     motion of obstacles: displacements that are no unknowns. */
   Eigen::VectorXd
   ContactModel::offset(const LoadCase &load, const double t) const
   {
@@ -274,6 +285,8 @@ namespace conetact
       initial_gap[i++] = point.node->gap;
   }
 
+  /* The law counts the slip from the start of the increment, and the gap from
+     zero: v = H u + o + shift. */
   Eigen::VectorXd
   ContactHistory::shift() const
   {
@@ -336,6 +349,7 @@ namespace conetact
     problem.load.head(offset.size()) += offset;
     if (k > 0)
       problem.load += system->matrix.rightCols(k) * base;
+    // In compliance form f has forces in its balance rows only.
     largest = std::max(largest, conetact::largest(load.f.tail(k)));
     return problem;
   }
@@ -354,9 +368,11 @@ namespace conetact
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       state.v[layout.normal(i)] = gap[i];
     state.r.head(n) = set.gather(r);
+    // motions count from where the problem is written about
     state.r.tail(k) = (a - base).head(k);
     state.node      = set.gather(states);
     if (!model->is_dual())
+      // u by itself: v - o would round it where bodies have moved far.
       state.u = set.gather(elastic);
     return state;
   }
@@ -370,10 +386,12 @@ namespace conetact
     const Eigen::VectorXd gap    = initial_gap(set.nodes());
     Eigen::VectorXd       own    = set.gather(q) + end.v.head(n);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      // v has slips of the increment, but the gap itself.
       own[layout.normal(i)] = end.v[layout.normal(i)] - gap[i];
     set.scatter(own, q);
     set.scatter(end.r.head(n), r);
     if (end.r.size() > n)
+      // The next problem is written about where its bodies are then.
       a = base = base + end.r.tail(a.size());
     if (end.u.size() == n)
       set.scatter(end.u, elastic);
@@ -396,6 +414,8 @@ namespace conetact
   void
   ContactHistory::recover(const Eigen::VectorXd &displacements)
   {
+    // Those of the set are the solver's own, exact in their zeros; recovered
+    // from u they would be rounded.
     const Eigen::VectorXd own = model->working_set().gather(q);
     q                         = displacements;
     model->working_set().scatter(own, q);
@@ -407,7 +427,8 @@ namespace conetact
   {
     const WorkingSet    &set    = model->working_set();
     const ContactSystem &layout = model->points.layout();
-    ContactState         state{q - before.q, r, set.scatter(end.node)};
+    // Candidates outside the set are open; their slip is what they moved by.
+    ContactState state{q - before.q, r, set.scatter(end.node)};
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       state.v[layout.normal(i)] = initial_gap[i] + q[layout.normal(i)];
     set.scatter(end.v.head(set.layout().n_unknowns()), state.v);

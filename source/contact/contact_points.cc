@@ -54,12 +54,17 @@ namespace conetact
     add_one_tangent(ContactPoint &point, const Tensor<1, 3> &tangent)
     {
       const ContactNode &node = *point.node;
-      if (node.mu_1 == node.mu_2)
-        point.mu = node.mu_1;
-      else if (node.mu_1 > 0 && node.mu_2 > 0)
-        point.mu = 1 / std::hypot(tangent * node.axis_1 / node.mu_1,
-                                  tangent * node.axis_2 / node.mu_2);
-      if (point.mu > 0)
+      // The ellipse (r_1 / mu_1)^2 + (r_2 / mu_2)^2 = r_n^2, cut along the
+      // tangent; without friction along one axis a segment of the other one.
+      const auto along = [&](const Tensor<1, 3> &axis, const double mu) {
+        const double part = std::abs(tangent * axis);
+        return part > 1e-12 ? part / mu : 0.;
+      };
+      point.mu = node.mu_1 == node.mu_2 ?
+                   node.mu_1 :
+                   1 / std::hypot(along(node.axis_1, node.mu_1),
+                                  along(node.axis_2, node.mu_2));
+      if (point.mu > 0 || node.cohesion > 0)
         add_cone(point, tangent, 1);
       else
         point.frictionless.push_back(tangent);
@@ -81,6 +86,9 @@ namespace conetact
 
 
 
+  /* A support that drags a node along what it touches: the slip is known
+     beforehand, and the friction against it is a load on the support. Where
+     nothing slides a reaction along it would be undetermined. */
   bool
   ContactPoints::slides_along_supports(const NodeRule            &rule,
                                        const ContactNode         &node,
@@ -132,6 +140,7 @@ namespace conetact
     const NodeRule                 *rule = supports.find(node.body, node.node);
     const std::vector<Tensor<1, 3>> held =
       rule != nullptr ? directions(rule->held) : std::vector<Tensor<1, 3>>();
+    // Its gap cannot change by deformation: no unknown.
     if (is_spanned(node.n, held))
       {
         ++n_held_normals;
@@ -158,6 +167,7 @@ namespace conetact
       add_one_tangent(point,
                       bodies.dim == 2 ? node.t1 :
                                         cross_product_3d(node.n, held[0]));
+    // the normal comes last, as solvers want it
     add_cone(point, node.n, 1);
     points.push_back(std::move(point));
   }

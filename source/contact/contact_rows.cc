@@ -120,15 +120,20 @@ namespace conetact
           in_frame(node,
                    other_tangential(point, relative_displacement(node, at, t)));
 
-        row.gap  = state.v[layout.normal(index)];
-        row.u    = in_frame(node, tangential(point, q)) + other;
+        row.gap = state.v[layout.normal(index)];
+        row.u   = in_frame(node, tangential(point, q)) + other;
+        // The normal part is the solver's own: where the gap is closed, u_n
+        // is -g0 to the last digit.
         row.u[0] = q[layout.normal(index)];
         row.du   = in_frame(node, tangential(point, state.v)) +
                  (other - other_before[i]);
+        // v has the new gap in place of a change.
         row.du[0]       = row.u[0] - last[i].u[0];
         row.reaction    = in_frame(node, reaction_vector(point, state.r));
         row.state       = state.node[i];
         other_before[i] = other;
+        // Solvers see no slip of nodes without cone, and of parts only that of
+        // the last.
         if ((layout.n_tangents(index) == 0 || !whole) &&
             row.state != NodeState::open)
           row.state =
@@ -165,6 +170,8 @@ namespace conetact
             if (weight == 0) // a node that takes no part has no normal
               continue;
             Sum &sum = sums[{row.contact, master}];
+            // A master meets several nodes: it has the state of the one that it
+            // carries most of.
             if (weight > sum.largest)
               sum.row.state = row.state;
             sum.largest  = std::max(sum.largest, weight);
@@ -179,6 +186,8 @@ namespace conetact
             sum.row.gap += share * row.gap;
             sum.weight += share;
             sum.normal -= share * row.normal;
+            // Forces add up with their sign, or the body would not balance;
+            // means need weights above zero.
             sum.reaction -= weight * in_space(row.reaction);
             sum.u -= share * in_space(row.u);
             sum.du -= share * in_space(row.du);

@@ -51,6 +51,8 @@ namespace conetact
     return {body, node - node_offset[body]};
   }
 
+  /* Contact unknowns behind all others: direct solvers condense to the last
+     ones. */
   void
   Coordinates::number_unknowns()
   {
@@ -79,12 +81,17 @@ namespace conetact
     const NodeRule    *rule      = rule_of_node[n];
     const Eigen::Index before    = n_free;
     first_unknown[n]             = n_free;
+    // Bodies that nothing reaches are not solved.
     if (bodies.is_at_rest(body))
       return;
+    // Where nothing else is said each dof is an unknown, in the axes of the
+    // scene.
     const Directions *free = free_directions(n);
     if (free != nullptr)
       n_free += static_cast<Eigen::Index>(free->size());
 
+    // Rotations have no frame of the node: an unknown each, about the axes of
+    // the scene.
     for (unsigned int c = free != nullptr ? bodies.dim : 0;
          c < structure.n_components();
          ++c)
@@ -119,6 +126,8 @@ namespace conetact
     return rule_of_node[n] != nullptr ? &rule_of_node[n]->free : nullptr;
   }
 
+  /* u = sum of q_k e_k over the free directions, and of v_k d_k over those with
+     a cone. */
   void
   Coordinates::append_own(const std::size_t  n,
                           const unsigned int c,
@@ -136,6 +145,8 @@ namespace conetact
       add(point_of_node[n]->directions, first_contact[n]);
   }
 
+  /* A hanging node has the rows of its masters in place of its own. Rotations
+     of frames do not hang. */
   void
   Coordinates::append_row(const unsigned int body,
                           const unsigned int node,
@@ -176,6 +187,8 @@ namespace conetact
       });
   }
 
+  /* The same walk along held directions as prescribed(), with u in place of
+     what supports say: u - held_part(u) moves no support. */
   Eigen::VectorXd
   Coordinates::held_part(const Eigen::VectorXd &u) const
   {
@@ -217,6 +230,7 @@ namespace conetact
     for (const auto &[master, weight] : rule->masters)
       u += weight * along_held(body, master, displacement);
     for (const HeldDirection &held : rule->held)
+      // Orthonormal directions: setting one leaves the others as they are.
       u += (displacement(*rule, held) - u * held.direction) * held.direction;
     return u;
   }
@@ -233,6 +247,8 @@ namespace conetact
     return result;
   }
 
+  /* Forces do on the masters the work that they would do on the hanging
+     node. */
   void
   Coordinates::unhang(Eigen::VectorXd &f) const
   {

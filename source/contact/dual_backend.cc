@@ -87,6 +87,10 @@ namespace conetact
     assemble_system();
   }
 
+  /* v = (u of the node) - (u of the obstacle) or - sum of weight (u of a
+     master), in components along the dual directions: the matrix H of rows over
+     the own unknowns of all bodies. Motions of obstacles and supports are part
+     of q. */
   void
   DualBackend::write_rows()
   {
@@ -120,6 +124,8 @@ namespace conetact
   {
     const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
     std::vector<bool> placed(n, false);
+    // Equal bodies keep the same unknowns, all that one of them needs, and
+    // share one factor and one P.
     for (const auto &group : find_equal_bodies(elastic, own))
       {
         parts.push_back({group, {}, nullptr});
@@ -144,6 +150,7 @@ namespace conetact
   DualBackend::retain(const unsigned int body, std::vector<bool> &kept) const
   {
     for (Index p = own.begin(body); p < own.end(body); ++p)
+      // A column of H that is not empty: contacts see this unknown.
       if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
         kept[at(p - own.begin(body))] = true;
     if (std::count(motions.body_of_free().begin(),
@@ -168,6 +175,7 @@ namespace conetact
           {
             const auto [begin, end] = own.unknowns_of(body, i);
             const double d          = distance(structure.position(i), chosen);
+            // Only nodes that no support holds have all their unknowns.
             if (end - begin >= elastic.bodies.dim && d > furthest)
               {
                 furthest = d;
@@ -183,6 +191,8 @@ namespace conetact
       }
   }
 
+  /* R of each body in its own unknowns, and the forces K_s R by which
+     foundations resist. */
   void
   DualBackend::find_motions()
   {
@@ -212,6 +222,7 @@ namespace conetact
   DualBackend::Uncondensed
   DualBackend::stiffness_of(const Part &part, const SparseMatrix &all) const
   {
+    // All bodies of a part have the matrix of the first.
     const unsigned int body  = part.bodies[0];
     const Index        begin = own.begin(body), n = n_own(body);
     Uncondensed        result{all.block(begin, begin, n, n), {}};
@@ -223,6 +234,8 @@ namespace conetact
   void
   DualBackend::condense()
   {
+    // Body by body: in one factor of all a soft body would have the rounding of
+    // a stiff one.
     const SparseMatrix all = assemble(elastic, own);
     for (Part &part : parts)
       {
@@ -257,6 +270,8 @@ namespace conetact
     return result;
   }
 
+  /* Foundations push back against a motion, and the body deforms under that: Y
+     = -P K_s R. */
   void
   DualBackend::respond_to_springs()
   {
@@ -270,6 +285,9 @@ namespace conetact
         }
   }
 
+  /* W = sum of H_b P_b H_b^T: compliances add, and contrasts are harmless.
+     In a stiffness of all bodies a stiff one would swallow the digits of a
+     soft one. */
   Eigen::MatrixXd
   DualBackend::flexibility() const
   {
@@ -288,6 +306,7 @@ namespace conetact
           const MatrixXd half = rows * part.element->flexibility();
           W.noalias() += half * rows.transpose();
         }
+    // Both triangles alike: the two products round differently.
     return .5 * (W + W.transpose());
   }
 
@@ -299,6 +318,8 @@ namespace conetact
     unseen.resize(G.cols(), 0);
     if (G.cols() == 0 || G.rows() == 0)
       return;
+    // The thin decomposition has as many right vectors as the shorter side;
+    // zero rows make it that of the columns.
     MatrixXd tall = G;
     if (G.rows() < G.cols())
       {
@@ -309,6 +330,7 @@ namespace conetact
     const double limit = 1e-12 * svd.singularValues().maxCoeff();
     const Index  seen  = (svd.singularValues().array() > limit).count();
     unseen             = svd.matrixV().rightCols(G.cols() - seen);
+    // Solvers shall find exact zeros there, not rounding to divide by.
     G -= (G * unseen).eval() * unseen.transpose();
     for (Index j = 0; j < G.cols(); ++j)
       if (G.col(j).norm() <= limit)
@@ -326,6 +348,7 @@ namespace conetact
     for (Index j = 0; j < k; ++j)
       system->first.push_back(system->first.back() + 1);
     system->matrix.setZero(n + k, n + k);
+    // (W G; -G^T C), the compliance form of ContactProblem.
     system->matrix.topLeftCorner(n, n) = flexibility();
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
@@ -335,7 +358,9 @@ namespace conetact
           continue;
         all_G.middleCols(first, size) =
           H.middleCols(own.begin(body), n_own(body)) * (m.R + m.Y);
+        // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
         const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
+        // Foundations hold each body by itself: C has a block for each.
         all_C.block(first, first, size, size) = .5 * (C + C.transpose());
       }
     if (all_C.isZero(0)) // foundations make up for what contacts do not see
@@ -343,8 +368,9 @@ namespace conetact
     system->matrix.topRightCorner(n, k)    = all_G;
     system->matrix.bottomLeftCorner(k, n)  = -all_G.transpose();
     system->matrix.bottomRightCorner(k, k) = all_C;
-    system->null_space                     = set.gather(motions.null_space());
-    contact_system                         = system;
+    // The check of existence asks for motions that not even foundations resist.
+    system->null_space = set.gather(motions.null_space());
+    contact_system     = system;
     // loads and prescribed displacements are kept apart by their sizes only
     stiffness_scale =
       n > 0 && system->matrix.diagonal().head(n).sum() > 0 ?
@@ -363,6 +389,8 @@ namespace conetact
     return p;
   }
 
+  /* -b of the balance: forces against R, and what they deform against the
+     foundations by Y. */
   Eigen::VectorXd
   DualBackend::imbalance(const VectorXd &forces) const
   {
@@ -378,6 +406,7 @@ namespace conetact
     return sum;
   }
 
+  /* H^T r, and the foundations against the motions a. */
   Eigen::VectorXd
   DualBackend::forces_of(const VectorXd &primal) const
   {
@@ -397,6 +426,7 @@ namespace conetact
                           const VectorXd &prescribed,
                           LoadCase       &load)
   {
+    // What is prescribed acts as a load.
     load.b = own.restrict(forces - elastic.internal_forces(prescribed));
     load.f = reduce_forces(load.b);
     // R^T K = 0 but for rounding, which must not carry anything
@@ -429,18 +459,21 @@ namespace conetact
         {
           const VectorXd kept =
             part.element->flexibility() *
+            // P_C (f_C - K_CF K_FF^-1 f_F): displacements of what is retained.
             part.element->reduce(b.segment(own.begin(body), n_own(body)));
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
         }
     VectorXd against = imbalance(b);
     if (unseen.cols() > 0)
+      // Nothing resists these motions: a load on them would have no answer.
       against -= unseen * (unseen.transpose() * against).eval();
     VectorXd f(H.rows() + motions.n_free());
     f << H * w, against;
     return f;
   }
 
+  /* w = P (b + H^T r - K_s R a) of each body, and what is prescribed. */
   Eigen::MatrixXd
   DualBackend::expand(const std::vector<const LoadCase *> &loads,
                       const std::vector<Eigen::VectorXd>  &primal) const
@@ -462,6 +495,8 @@ namespace conetact
     return reduce_forces(own.restrict(unbalanced));
   }
 
+  /* Refinement of w: P of what is left unbalanced, with the forces of the
+     changed reactions and motions. */
   Eigen::VectorXd
   DualBackend::correction(const VectorXd &unbalanced,
                           const VectorXd &primal) const

@@ -38,6 +38,8 @@ namespace conetact
     LoadCase           load;
     load.prescribed = prescribed;
     Eigen::VectorXd rest(2 * n);
+    // Reduction is linear in forces and prescribed displacements: both as one
+    // vector, made of like size.
     rest << forces, stiffness_scale * prescribed;
 
     const double size = rest.norm();

@@ -68,6 +68,7 @@ namespace conetact
                                    entry->unknown) -
                     element.unknowns.begin()) += entry->factor;
           }
+        // C^T k C, the element in the unknowns.
         half.noalias() = Eigen::Map<const RowMajorMatrix>(matrix, n, n) * map;
         element.matrix.noalias() = map.transpose() * half;
       }
@@ -110,6 +111,8 @@ namespace conetact
             c.unknowns.push_back(static_cast<int>(q));
           c.start.push_back(c.unknowns.size());
         });
+      // Lists of elements by unknown, one behind the other: counted first, then
+      // filled.
       c.element_start.assign(
         static_cast<std::size_t>(coordinates.n_unknowns()) + 1, 0);
       for (const int q : c.unknowns)
@@ -147,6 +150,8 @@ namespace conetact
               for (std::size_t j = c.start[e]; j < c.start[e + 1]; ++j)
                 {
                   const int p = c.unknowns[j];
+                  // Unknowns of an element ascend: what follows is below the
+                  // diagonal.
                   if (p > q)
                     break;
                   if (last_seen[static_cast<std::size_t>(p)] != q)
@@ -156,6 +161,8 @@ namespace conetact
                     }
                 }
             }
+          // Direct solvers want a diagonal, and an unknown that no element
+          // touches shall be found by them as singular.
           if (rows.empty())
             rows.push_back(q);
           std::sort(rows.begin(), rows.end());
@@ -185,6 +192,7 @@ namespace conetact
             matrix + order[b] * static_cast<Eigen::Index>(n);
           for (std::size_t a = 0; a <= b; ++a, ++place)
             {
+              // Both ascend: one walk through the column finds all places.
               while (inner[place] != unknowns[a])
                 ++place;
               upper.valuePtr()[place] += row[order[a]];
@@ -225,6 +233,7 @@ namespace conetact
         const Support &support = bodies.supports[s];
         if (!support.stiffness || bodies.is_at_rest(support.body))
           continue;
+        // Equal bodies are told by their foundations one by one, in this order.
         const unsigned int place = n_foundations_of[support.body]++;
         const auto offset = static_cast<unsigned int>(dof_offset[support.body]);
         bodies.structures[support.body]->visit_springs(
@@ -253,6 +262,7 @@ namespace conetact
         if (bodies.is_at_rest(body))
           continue;
         const auto offset = static_cast<unsigned int>(dof_offset[body]);
+        // Scenes of one body, and first bodies, need no copies of their dofs.
         if (offset == 0)
           bodies.structures[body]->for_each_element(visit);
         else
@@ -265,6 +275,7 @@ namespace conetact
             });
       }
     for (const Spring &spring : springs)
+      // Springs of foundations are elements of their body like others.
       visit(spring.dofs, spring.matrix.data());
   }
 
@@ -284,6 +295,8 @@ namespace conetact
           continue;
         const Structure &structure = *bodies.structures[body];
         part.setZero(structure.n_dofs());
+        // Bodies multiply by themselves: a continuum takes out what a cell
+        // moves as a whole, which an assembled K u would round.
         structure.add_internal_forces(u.segment(dof_offset[body], part.size()),
                                       part);
         f.segment(dof_offset[body], part.size()) = part;
@@ -299,6 +312,7 @@ namespace conetact
     std::vector<double>   magnitude;
     for_each_element(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        // |K| |u|, element by element: terms of the sums that make K u.
         magnitude.assign(matrix, matrix + dofs.size() * dofs.size());
         for (double &entry : magnitude)
           entry = std::abs(entry);
@@ -348,6 +362,7 @@ namespace conetact
         for (unsigned int c = 0; c < bodies.dim; ++c)
           moved[dof(node.node, c)] = motion[c];
       }
+    // The springs stand in all dofs, those of hanging nodes, too.
     for (const HangingNode &hanging : structure.hanging_nodes())
       for (unsigned int c = 0; c < bodies.dim; ++c)
         for (const auto &[master, weight] : hanging.masters)
@@ -364,6 +379,7 @@ namespace conetact
         const Support &support = bodies.supports[s];
         if (!support.stiffness || support.is_still())
           continue;
+        // Springs pull by K_s (ground - u): the part of the ground is a load.
         const Eigen::VectorXd moved = ground(s, t);
         for (const Spring &spring : springs)
           if (spring.support == s)
@@ -405,6 +421,8 @@ namespace conetact
     std::vector<Eigen::Index> unknowns, order;
     system.for_each_element(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        // Most elements have no special node: these are scattered as they are,
+        // without C^T k C.
         const bool plain = is_plain(dofs, coordinates);
         if (plain)
           {

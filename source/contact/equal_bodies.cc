@@ -44,6 +44,7 @@ namespace conetact
                                                         Eigen::ComputeFullV);
           const Eigen::Matrix3d                   V = svd.matrixV().transpose();
           Eigen::Matrix3d                         U = svd.matrixU();
+          // A reflection is not a turn.
           if ((U * V).determinant() < 0)
             U.col(2) = -U.col(2);
           turn = U * V;
@@ -117,7 +118,9 @@ namespace conetact
   {
     const Bodies     &bodies = elastic.bodies;
     const std::size_t n      = bodies.structures.size();
-    const VectorXd    u      = own.expand(displacement_without_order(own, n));
+    // A displacement without any symmetry: different matrices answer it by
+    // different forces.
+    const VectorXd u = own.expand(displacement_without_order(own, n));
     // each by itself: a stiff one would hide a soft one
     std::vector<VectorXd> forces = {own.restrict(elastic.structure_forces(u))};
     for (const VectorXd &f : elastic.forces_by_foundation(u))

@@ -50,6 +50,8 @@ namespace conetact
     {
       if (m.slide.empty() && m.stay.empty())
         return "lifting";
+      // A single node that slides while others lift is the edge of a body that
+      // tips.
       if (m.stay.empty() && one_translation(m.slide, v) &&
           (m.slide.size() > 1 || !lifts))
         return "sliding";
@@ -77,6 +79,7 @@ namespace conetact
     bool      lifts = false;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
+        // v_n > 0 opens the gap.
         const double away =
           velocity[points.layout().normal(static_cast<Eigen::Index>(i))];
         lifts = lifts || away > at_rest;

@@ -60,6 +60,8 @@ namespace conetact
             Tensor<1, 3> axis;
             axis[d]                   = 1;
             const Tensor<1, 3> beyond = remainder(axis, basis);
+            // The axis that is least spanned; of equal ones the first, so that
+            // the basis does not depend on rounding.
             if (beyond.norm() > best.norm() + same_direction)
               best = beyond;
           }
@@ -95,6 +97,8 @@ namespace conetact
         if (node.masters.empty() || found == held.end())
           continue;
         for (const Tensor<1, 3> &e : found->second)
+          // Nearly in the plane of symmetry: the part across it is an error of
+          // the facets.
           if (std::abs(node.n * e) < largest_facet_angle)
             node.n -= (node.n * e) * e;
         set_frame(node, node.n / node.n.norm(), bodies.dim);
@@ -126,12 +130,14 @@ namespace conetact
     };
 
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      // Surfaces do not list hanging nodes: no support holds one.
       for (const HangingNode &h : bodies.structures[body]->hanging_nodes())
         rule_of(body, h.node).masters = h.masters;
 
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
         const Support &support = bodies.supports[s];
+        // Springs are elements, not rules.
         if (support.stiffness)
           continue;
         for (const SurfaceNode &node : support.surface.nodes)
@@ -172,6 +178,8 @@ namespace conetact
              nullptr;
   }
 
+  /* Gram and Schmidt with the displacements: along the remainder e - sum
+     (e.e_k) e_k the node moves by u_e - sum (e.e_k) u_k, over its length. */
   void
   NodeRules::hold(NodeRule &rule, const HeldDirection &direction)
   {
@@ -187,6 +195,7 @@ namespace conetact
     const double length = rest.direction.norm();
     if (length < same_direction)
       {
+        // Held already; whether both agree is checked when all are known.
         redundant.push_back({rule.body, rule.node, direction});
         return;
       }
@@ -196,6 +205,8 @@ namespace conetact
     rule.held.push_back(rest);
   }
 
+  /* Rotations are held about the axes of the scene, one by one: they are the
+     same or independent. */
   void
   NodeRules::hold_rotation(NodeRule                     &rule,
                            const NodeRule::HeldRotation &held,
@@ -238,6 +249,8 @@ namespace conetact
     return sum;
   }
 
+  /* Displacements of supports are functions of time: they agree if they do at
+     all times of the run, up to rounding. */
   void
   NodeRules::check_redundant(const std::vector<double> &times) const
   {
@@ -252,6 +265,8 @@ namespace conetact
             for (const HeldDirection &held : rule->held)
               {
                 const double u = displacement(held, p, t);
+                // The node's displacement along the redundant direction, by
+                // what holds it.
                 given += u * (held.direction * r.held.direction);
                 size = std::max(size, std::abs(u));
               }

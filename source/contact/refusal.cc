@@ -62,6 +62,8 @@ namespace conetact
         "body '" + model.bodies.names[motion.body] + "' ";
       switch (refusal.motion)
         {
+          // The proof dilates, as friction is not associated: its normal part
+          // and its small turn are no motion of the body.
           case Motion::slides:
             motion.translation = slip_direction(refusal, model, motion.body);
             motion.rotation    = Tensor<1, 3>();
@@ -101,6 +103,8 @@ namespace conetact
     const ContactSystem &system = *problem.system;
     if (system.form == Form::stiffness)
       return problem.load;
+    // Any f with these resultants will do: the check asks for nothing but N^T
+    // f. This is the shortest.
     const Eigen::MatrixXd balance = system.null_space.transpose();
     return balance.completeOrthogonalDecomposition().solve(
       -model.motions.unresisted().transpose() *

@@ -49,6 +49,7 @@ namespace conetact
       RigidMotions::Motion frame{body, {}, {}, {}, 0};
       const unsigned int   n = structure.n_nodes();
       for (unsigned int i = 0; i < n; ++i)
+        // Any point near the middle of the nodes will do.
         frame.centre += Tensor<1, 3>(structure.position(i)) / n;
       for (unsigned int i = 0; i < n; ++i)
         frame.size =
@@ -72,7 +73,9 @@ namespace conetact
       if (gram.rows() == 0)
         return result;
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-      const double                                         limit =
+      // At least over 1, the square of a direction: where nothing is held the
+      // largest eigenvalue is 0.
+      const double limit =
         rank_limit * std::max(1., eigen.eigenvalues().maxCoeff());
       Eigen::Index n_null = 0;
       while (n_null < gram.rows() && eigen.eigenvalues()[n_null] < limit)
@@ -80,6 +83,8 @@ namespace conetact
       const Eigen::Index    rank = gram.rows() - n_null;
       const Eigen::MatrixXd V    = eigen.eigenvectors().rightCols(rank);
       result.null                = eigen.eigenvectors().leftCols(n_null);
+      // Without the free motions: of all placements that fit the supports the
+      // smallest.
       result.pseudo_inverse =
         V * eigen.eigenvalues().tail(rank).cwiseInverse().asDiagonal() *
         V.transpose();
@@ -119,6 +124,7 @@ namespace conetact
     refuse_loose_bodies();
   }
 
+  /* What each mode moves the point p by, along a direction. */
   Eigen::RowVectorXd
   RigidMotions::row(const unsigned int  body,
                     const Point<3>     &p,
@@ -130,6 +136,9 @@ namespace conetact
     return result;
   }
 
+  /* Rows e . R of all held directions: their squares summed make a small matrix
+     whose null space are the motions that no support resists. Rotations count
+     in lengths, so that its eigenvalues compare. */
   void
   RigidMotions::find_held_and_free()
   {
@@ -149,12 +158,14 @@ namespace conetact
             held.block(first, first, n_one, n_one) += e.transpose() * e;
           }
         for (const NodeRule::HeldRotation &h : rule.rotations)
+          // A rotation moves the rim by 1.
           held(first + h.component, first + h.component) += 1;
       }
     free_modes = Eigen::MatrixXd(n, 0);
     for (Index body = 0; body < n_bodies; ++body)
       {
         const Index first = body * n_one;
+        // Rank is a matter of each body alone.
         const Split parts = split(held.block(first, first, n_one, n_one));
         held_inverse.block(first, first, n_one, n_one) = parts.pseudo_inverse;
         const Index k                                  = free_modes.cols();
@@ -167,6 +178,9 @@ namespace conetact
       }
   }
 
+  /* The same with springs: of the free motions those that no foundation
+     resists. Only whether, not how strongly, matters here: stiffnesses are left
+     out, or soft springs would be taken for none. */
   void
   RigidMotions::find_resisted()
   {
@@ -185,6 +199,7 @@ namespace conetact
     without_springs = split(free_modes.transpose() * springs * free_modes).null;
   }
 
+  /* G = H R, with masters as the other side. */
   void
   RigidMotions::see_contacts(const ContactPoints &points)
   {
@@ -234,6 +249,8 @@ namespace conetact
                          "Support, or friction to a Contact.");
   }
 
+  /* Least squares: a rigid motion fits what supports prescribe only if they
+     move as one. What is left is deformation. */
   RigidMotions::Amounts
   RigidMotions::placement(const double t) const
   {
@@ -304,12 +321,15 @@ namespace conetact
               u[dof + c] = displacement[c];
             for (unsigned int c = bodies.dim; c < n_c; ++c)
               if (structure.has_dof(i, c))
+                // An amount is the way of the rim, a dof of rotation an angle.
                 u[dof + c] = amounts[body * n_one + c] / frames[body].size;
           }
       }
     return u;
   }
 
+  /* R^T f: forces along the translations, moments over the size along the
+     rotations. */
   RigidMotions::Amounts
   RigidMotions::resultants(const Eigen::VectorXd &forces) const
   {
@@ -343,9 +363,11 @@ namespace conetact
   RigidMotions::Motion
   RigidMotions::largest(const Amounts &modes) const
   {
+    // Amounts are lengths, so that turns and translations compare.
     std::size_t best = 0;
     for (std::size_t body = 1; body < frames.size(); ++body)
       if (modes.segment(static_cast<Eigen::Index>(body) * n_one, n_one).norm() >
+          // Of bodies that move alike the first is named, not one by rounding.
           1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)
                     .norm())
         best = body;

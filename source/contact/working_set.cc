@@ -83,6 +83,7 @@ namespace conetact
   std::vector<NodeState>
   WorkingSet::scatter(const std::vector<NodeState> &own) const
   {
+    // Nodes outside the set carry nothing.
     std::vector<NodeState> of_candidates(member.size(), NodeState::open);
     for (std::size_t k = 0; k < own.size(); ++k)
       of_candidates[static_cast<std::size_t>(chosen[k])] = own[k];

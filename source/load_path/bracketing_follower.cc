@@ -116,7 +116,8 @@ namespace conetact
       , existence(system)
     {
       SolverOptions of_increments;
-      of_increments.tolerance    = options.tolerance;
+      of_increments.tolerance = options.tolerance;
+      // Parts of an increment would have another answer, and hide a change.
       of_increments.max_substeps = 1;
       solver                     = make_solver(of_increments);
       now.v = now.r = VectorXd::Zero(system->n_unknowns());
@@ -150,6 +151,7 @@ namespace conetact
           problem.gap[i] = state.v[k] = now.v[k];
           slipped[k]                  = 0;
         }
+      // K (slipped + v) = r + f: what has slipped so far is part of the load.
       problem.load            = load(parameter) - system->matrix * slipped;
       problem.reference_force = largest_force;
       state.r                 = now.r;
@@ -213,6 +215,8 @@ namespace conetact
       largest_force           = std::max({largest_force,
                                           stage.load.lpNorm<Eigen::Infinity>(),
                                           load_end.lpNorm<Eigen::Infinity>()});
+      // A necessary condition for the whole stage at once: no path leads beyond
+      // it, so that no increment need fail there.
       refusal = existence.check(load_end, -now.r, largest_force);
       bound   = refusal.admissible ? std::numeric_limits<double>::infinity() :
                                      stage.begin + refusal.fraction * range;
@@ -227,6 +231,8 @@ namespace conetact
       if (n_near >= most_near)
         {
           n_near = 0;
+          // Of events so close together their order means nothing: the step
+          // takes them as one.
           return increment(std::min(now.parameter + crowded * range, target));
         }
       while (true)
@@ -236,6 +242,8 @@ namespace conetact
             increment(end > target - bracket * range ? target : end);
           if (!goes_on(trial))
             trial = first_change(std::move(trial));
+          // Shorter increments turn less; a slip that turns at once, as after
+          // an event, would be cut for ever.
           const bool short_enough = length <= shortest * range;
           if (!trial.converged || short_enough || turn(trial) <= largest_turn)
             {
@@ -260,6 +268,8 @@ namespace conetact
           Trial middle = increment(.5 * (same.parameter + other.parameter));
           (goes_on(middle) ? same : other) = std::move(middle);
         }
+      // An increment beyond the change is taken with it. Without one the path
+      // ends at the last that converged.
       if (other.converged || !same.converged)
         return other;
       same.reason = other.reason;
@@ -317,6 +327,8 @@ namespace conetact
     BracketingFollower::follow(const PathStage &next, const PathVisitor &visit)
     {
       begin(next);
+      // At the bound itself the reactions are at the border of what is
+      // possible.
       const double target = std::min(stage.end, bound - .5 * bracket * range);
       if (target > now.parameter && !look_ahead(target))
         return end_of_path("no increment converges at its start");
@@ -351,6 +363,8 @@ namespace conetact
       PathResult result;
       result.parameter = now.parameter;
       result.reason    = reason;
+      // The proof of the existence check: here the limit is known exactly, and
+      // with it the mechanism.
       if (now.parameter >= bound - at_bound * range)
         {
           result.outcome   = PathOutcome::limit_load;
@@ -358,6 +372,8 @@ namespace conetact
           result.reason    = "no reactions can balance a larger load";
           result.mechanism = mechanism(refusal.v, refusal.tight);
         }
+      // Something floats, and Coulomb's limit lies below that of the check:
+      // friction is not associated.
       else if (existence.basis().cols() > 0)
         {
           std::vector<Index> touching;
@@ -384,6 +400,7 @@ namespace conetact
           const Index  first = system->first[k], t = system->n_tangents(i);
           const double size = now.r.segment(first, t).norm();
           if (now.state[k] != PathState::open && size > 0)
+            // Bodies are about to slip against the friction they meet.
             v.segment(first, t) = -now.r.segment(first, t) / size;
         }
       return v;
@@ -400,6 +417,7 @@ namespace conetact
       const MatrixXd &R = existence.basis();
       MatrixXd        closing(static_cast<Index>(touching.size()), R.cols());
       for (std::size_t k = 0; k < touching.size(); ++k)
+        // v_n = 0 at the nodes that stay closed.
         closing.row(static_cast<Index>(k)) = R.row(system->normal(touching[k]));
       MatrixXd free = R;
       if (!touching.empty())

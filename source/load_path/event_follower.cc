@@ -45,6 +45,7 @@ namespace conetact
         const Index n = system.normal[static_cast<std::size_t>(i)];
         now.v(n)      = gap(i) / system.scale(n);
       }
+    // f = K (0, gap): in balance without any reaction.
     now.load   = system.K * now.v;
     last.v     = system.scale.cwiseProduct(now.v);
     last.r     = now.r;
@@ -53,6 +54,7 @@ namespace conetact
 
 
 
+  /* A jump of the load between stages would be an increment, not a path. */
   void
   EventFollower::check_start(const PathStage &s) const
   {
@@ -78,6 +80,7 @@ namespace conetact
       for (std::size_t i = 0; i < now.scheme.size(); ++i)
         if (system.tangent[i] >= 0 && now.scheme[i].slip == 0 &&
             !system.is_free(static_cast<Index>(i), now.scheme[i].closed))
+          // Stuck under the holonomic law means no slip in total.
           now.v(system.tangent[i]) = 0;
     // Those of a mechanism are those of the scheme before it.
     if (rates.outcome == RateOutcome::found)
@@ -89,6 +92,8 @@ namespace conetact
   void
   EventFollower::move_to(const double p, const VectorXd &v_rate)
   {
+    // An estimate only: v and r follow anew from the scheme, so that errors do
+    // not gather from event to event.
     now.v += (p - parameter) * v_rate;
     parameter = p;
     now.load =
@@ -102,6 +107,8 @@ namespace conetact
   bool
   EventFollower::move_at_constant_load(const VectorXd &velocity)
   {
+    // The parameter stands still: the step is one of the motion. Reactions keep
+    // their values, only gaps close and slips end.
     const PathEvents stops =
       RatioTest::first(ratio_test.events(now,
                                          velocity,
@@ -144,6 +151,7 @@ namespace conetact
         slipped(n)     = 0;
       }
     state.v -= slipped;
+    // K (slipped + v) = r + f with the law on v alone.
     problem.load =
       stage.load + (p - stage.begin) * stage.rate - contact->matrix * slipped;
     SolverOptions solver_options;
@@ -161,7 +169,9 @@ namespace conetact
         if (t >= 0 && state.node[i] == NodeState::slip)
           now.scheme[i].slip = state.v(t) > 0 ? 1 : -1;
       }
-    now.v  = (slipped + state.v).cwiseQuotient(system.scale);
+    now.v = (slipped + state.v).cwiseQuotient(system.scale);
+    // Where the result is a mechanism in balance, rigid motions are held
+    // softly.
     factor = SchemeFactor(system, now.scheme, false);
     if (!factor.regular())
       factor = SchemeFactor(system, now.scheme, true);
@@ -192,6 +202,8 @@ namespace conetact
         const double beyond = from + step * (stage.end - stage.begin);
         if (solve_beyond(beyond, reason))
           {
+            // Best at the load where the path broke off: then nothing is
+            // skipped.
             for (const double p : {from, beyond})
               {
                 move_to(p, VectorXd::Zero(now.v.size()));
@@ -221,6 +233,8 @@ namespace conetact
   PathResult
   EventFollower::end_without_rates(PathResult result)
   {
+    // A path that goes on with falling loads has a turning point here. The
+    // holonomic law remembers no slip: it is the same path.
     const VectorXd backward = system.scale.cwiseProduct(-stage.rate);
     const Rates    back =
       solve_rate_problem(system, now.scheme, now.critical, backward);
@@ -281,8 +295,9 @@ namespace conetact
     const double   length      = stage.end - stage.begin;
     now.critical               = ratio_test.critical_nodes(now);
 
-    PathResult        result;
-    unsigned int      jumps       = 0;
+    PathResult   result;
+    unsigned int jumps = 0;
+    // Degenerate events could repeat at one load.
     const std::size_t most_events = 1000 + 100 * now.scheme.size();
     for (std::size_t k = 0; k < most_events; ++k)
       {
@@ -294,6 +309,7 @@ namespace conetact
           {
             if (options.law == PathLaw::holonomic)
               return end_without_rates(result);
+            // Jumps that only lead to further ones do not lead on.
             if (++jumps > 3 || !jump(visit, result))
               return result;
             continue;
@@ -320,6 +336,8 @@ namespace conetact
           continue;
         emit(visit, false);
         jumps = 0;
+        // Without any event ahead the states hold for all larger loads. That is
+        // no limit load.
         if (first.empty() || parameter + step > stage.end + beyond_end * length)
           {
             move_to(stage.end, rates.v);

@@ -28,13 +28,16 @@ namespace conetact
           const Index  first = system.first[i], nt = system.n_tangents(i);
           const Index  n  = system.normal(i);
           const double rn = point.r(n);
-          result(n)       = rn - std::max(0., rn - rho * point.v(n));
+          // g >= 0, r_n >= 0, g r_n = 0 as one equation.
+          result(n) = rn - std::max(0., rn - rho * point.v(n));
 
           VectorXd slip = point.v.segment(first, nt);
           if (options.law == PathLaw::incremental)
             slip -= before.v.segment(first, nt);
           const double c =
             options.cohesion.size() > 0 ? options.cohesion(i) : 0.;
+          // Radius of the disc that r_t must lie in; open nodes keep the
+          // cohesion.
           const double   bound = system.mu(i) * std::max(0., rn) + c;
           const VectorXd r     = point.r.segment(first, nt);
           VectorXd       trial = r - rho * slip;
@@ -59,14 +62,15 @@ namespace conetact
       return 0;
     if (!point.v.allFinite() || !point.r.allFinite())
       return std::numeric_limits<double>::infinity();
+    // One stiffness for all nodes turns displacements into forces.
     const double mean =
       system.matrix.trace() / static_cast<double>(system.n_unknowns());
     const double rho = mean > 0 ? mean : 1.;
     const double error =
       std::max((system.matrix * point.v - point.r - load).norm(),
                law_residual(system, options, before, point, rho).norm());
-    const double scale =
-      std::max({point.r.norm(), rho * point.v.norm(), load.norm()});
+    // No displacements: a scale that grows with the error hides it.
+    const double scale = std::max(point.r.norm(), load.norm());
     return error == 0 ? 0. : error / scale;
   }
 } // namespace conetact

@@ -57,6 +57,8 @@ namespace conetact
   CriticalNodes
   RatioTest::critical_nodes(const PathPosition &now) const
   {
+    // Scaled quantities compare from node to node: what vanishes does so beside
+    // the largest.
     const double v_zero = value_tolerance * largest(now.v);
     const double r_zero =
       value_tolerance * std::max(largest(now.r), largest(now.load));
@@ -82,12 +84,17 @@ namespace conetact
           system.mu(index) * now.r(n) + system.cohesion(index);
         if (s.slip != 0)
           {
+            // Coulomb's law asks for the rate: a node that slips may stop at
+            // any event. The holonomic law asks for the total slip: only back
+            // at zero may it turn.
             const bool stops = !holonomic || s.slip * now.v(t) <= v_zero;
             c.plus           = s.slip > 0 && stops;
             c.minus          = s.slip < 0 && stops;
           }
         else
           {
+            // Reserves mu r_n + c +- r_t; one that is used up lets the node
+            // slip.
             c.plus  = bound + now.r(t) <= r_zero;
             c.minus = bound - now.r(t) <= r_zero;
           }
@@ -97,6 +104,8 @@ namespace conetact
 
 
 
+  /* A quantity that has just vanished is decided by the next rate problem, like
+     those that had vanished before. */
   void
   RatioTest::mark(const PathEvent &event, PathPosition &now) const
   {
@@ -158,6 +167,7 @@ namespace conetact
           consider(i, Hit::normal, now.r(n), r_rate(n), r_size, r_fast);
         else
           consider(i, Hit::normal, now.v(n), v_rate(n), v_size, v_fast);
+        // Where r_t = 0 whatever happens there is no reserve to use up.
         if (t < 0 || system.is_free(i, s.closed))
           continue;
         const double mu    = system.mu(i),
@@ -193,6 +203,8 @@ namespace conetact
       return result;
     const double step = std::min_element(all.begin(), all.end(), earlier)->step;
     for (const PathEvent &e : all)
+      // Nodes that reach their corners together (symmetry) must be decided
+      // together: one by one the first decision would contradict the next.
       if (e.step <= step + e.blur + same_event * (from + step))
         result.push_back(e);
     std::sort(result.begin(), result.end(), earlier);

@@ -55,6 +55,9 @@ namespace conetact
 
 
 
+    /* The rate of what is critical has a sign that its state does not allow: a
+       closed node would pull, an open one penetrate, a slip go backwards, a
+       stuck one take more than friction gives. */
     void
     RateProblem::correct(const Index  i,
                          const Rates &rates,
@@ -71,6 +74,7 @@ namespace conetact
       else if (c.normal && !s.closed && rates.v(n) < -v_limit)
         {
           s.closed = true;
+          // At the apex both ways are open: stick is tried first.
           if (c.plus && c.minus)
             s.slip = 0;
         }
@@ -117,6 +121,7 @@ namespace conetact
       Scheme              next = guess;
       for (int k = 0; k < max_active_set_steps; ++k)
         {
+          // A scheme seen before comes again for ever.
           if (std::find(visited.begin(), visited.end(), next) != visited.end())
             return false;
           visited.push_back(next);
@@ -168,6 +173,9 @@ namespace conetact
           columns.push_back(system.tangent[i]);
         }
 
+      // All critical nodes closed and stuck: from there z are the rates of gaps
+      // and slips that set in, x those of normal reactions and reserves, and x
+      // = M z + q by superposition.
       const SchemeFactor base(system, result, true);
       if (!base.regular())
         return false;
@@ -189,14 +197,18 @@ namespace conetact
           q(a)                   = r(rn);
           if (p.side != 0)
             {
+              // mu r_n + s r_t, the reserve
               row  = mu * row + p.side * R.row(rt);
               q(a) = mu * q(a) + p.side * r(rt);
             }
           for (Index b = 0; b < n; ++b)
             {
               const Pair &pb = pairs[static_cast<std::size_t>(b)];
-              M(a, b)        = row(pb.column) * (pb.side < 0 ? -1 : 1);
+              // a slip along -t moves its column backwards
+              M(a, b) = row(pb.column) * (pb.side < 0 ? -1 : 1);
             }
+          // The covering vector tightens all contacts by 1, with a cohesion of
+          // 1: reserves grow by mu + 1, and by something without friction, too.
           cover(a) = p.side == 0 ? 1 : mu + 1;
           rank(a)  = p.side == 0 ? 0 : 1;
         }
@@ -236,8 +248,11 @@ namespace conetact
         return rates;
       Rates exact;
       exact.outcome = RateOutcome::found;
+      // The soft springs on rigid motions were needed on the way only.
       if (active_set(rates.scheme, false, exact))
         return exact;
+      // What the springs show of a motion that loads drive is its direction;
+      // how fast it goes nothing determines.
       if (rates.factor.is_driven(load_rate, rates.v))
         {
           rates.outcome = RateOutcome::mechanism;

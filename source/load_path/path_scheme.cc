@@ -70,6 +70,7 @@ namespace conetact
             "The load path follows events in two dimensions only.");
         normal.push_back(contact.normal(i));
         tangent.push_back(contact.n_tangents(i) == 1 ? contact.first[i] : -1);
+        // a force, in scaled size
         cohesion(i) *= scale(contact.normal(i));
       }
     K          = scale.asDiagonal() * contact.matrix * scale.asDiagonal();
@@ -101,6 +102,9 @@ namespace conetact
 
 
 
+  /* r_n = 0 at open nodes and r_t + s mu r_n = -s c at slipping ones: with r =
+     K v - f each is a row of K, or that of the tangent plus s mu times that of
+     the normal. Reactions never are unknowns. */
   void
   SchemeFactor::collect_unknowns()
   {
@@ -143,6 +147,8 @@ namespace conetact
             column(unknown[a]) +
             (weight[a] != 0 ? weight[a] * column(normal[a]) : 0.);
       }
+    // LAPACK's estimate of the condition: with friction the matrix is not
+    // symmetric, and pivots alone would miss a mechanism.
     const double norm = factor.cwiseAbs().colwise().sum().maxCoeff();
     pivots.resize(unknown.size());
     double condition = 0;
@@ -220,6 +226,8 @@ namespace conetact
 
 
 
+  /* What the scheme says of reactions holds to the last digit: K v - f would
+     leave rounding in its place. */
   void
   SchemeFactor::clean(MatrixXd &r, const bool with_cohesion) const
   {
@@ -278,6 +286,7 @@ namespace conetact
         if (s.closed)
           v(system->normal[node]) = 0;
         if (system->tangent[node] >= 0)
+          // r_t + s mu r_n = -s c
           cohesive(system->tangent[node]) -= s.slip * system->cohesion(i);
       }
     // The residual is that of K itself: rigid motions stay where they are.
@@ -303,6 +312,7 @@ namespace conetact
   {
     MatrixXd imbalance(K->rows(), static_cast<Index>(columns.size()));
     for (std::size_t j = 0; j < columns.size(); ++j)
+      // A held unknown moved by 1 loads the others with its column.
       imbalance.col(static_cast<Index>(j)) = -K->col(columns[j]);
     solve(imbalance, v);
     for (std::size_t j = 0; j < columns.size(); ++j)

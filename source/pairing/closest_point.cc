@@ -88,7 +88,9 @@ namespace conetact
                 const std::array<double, 2> &at,
                 const Tensor<1, 3>          &miss)
     {
-      const auto         g     = face_tangents(x, at);
+      const auto g = face_tangents(x, at);
+      // Of the second derivatives of a bilinear face only the mixed one is not
+      // zero; it is the same everywhere.
       const Tensor<1, 3> twist = (x[3] - x[2]) - (x[1] - x[0]);
       const double       g00 = g[0] * g[0], g11 = g[1] * g[1];
       const double       m0 = miss * g[0], m1 = miss * g[1];
@@ -96,6 +98,7 @@ namespace conetact
         {
           const double g01 = g[0] * g[1] - curvature;
           const double det = g00 * g11 - g01 * g01;
+          // A minimum only if the matrix is positive definite.
           if (det > 1e-12 * g00 * g11)
             return {{(m0 * g11 - m1 * g01) / det, (m1 * g00 - m0 * g01) / det}};
         }
@@ -116,6 +119,7 @@ namespace conetact
           for (double length = 1; length > 1e-3; length /= 2)
             {
               for (unsigned int d = 0; d < 2; ++d)
+                // Outside the face the continued surface may come nearer to p.
                 next[d] = std::clamp(at[d] + length * step[d], 0., 1.);
               next_m = Tensor<1, 3>(p) - image(x, next);
               if (next_m.norm_square() <= miss.norm_square())
@@ -177,6 +181,7 @@ namespace conetact
     const ClosestPoint inside =
       result(corners.size() == 3 ? closest_inside_triangle(corners, p) :
                                    closest_inside(corners, p));
+    // A tie goes to the edge, where the faces beside have a say.
     return on_edge.distance <= inside.distance ? on_edge : inside;
   }
 
@@ -190,10 +195,12 @@ namespace conetact
       {
         const Tensor<1, 3> along  = corners[1] - corners[0];
         const double       across = cross_product_3d(along, normal)[2];
+        // The normal lies in the face: no point of it is along.
         if (std::abs(across) < 1e-6 * along.norm())
           return {};
         return {{{cross_product_3d(p - corners[0], normal)[2] / across, 0}}};
       }
+    // x(a, b) + s n = p: products with n leave two equations for a and b.
     auto at = near;
     for (unsigned int iteration = 0; iteration < 20; ++iteration)
       {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace conetact
@@ -60,6 +61,31 @@ namespace conetact
               high[d] = std::max(high[d], body->position(node)[d]);
             }
       return low.distance(high);
+    }
+
+    /** Largest distance of a node from the origin. */
+    double
+    reach_of(const Structure &body)
+    {
+      double reach = 0;
+      for (unsigned int node = 0; node < body.n_nodes(); ++node)
+        reach = std::max(reach, body.position(node).norm());
+      return reach;
+    }
+
+    /** Positions are known to their rounding: a gap below it is none. A body
+     * that is turned with its master must not touch it node after node. */
+    double
+    rounding_of_gaps(const Contact                        &contact,
+                     const std::vector<const Structure *> &structures)
+    {
+      constexpr double eps = std::numeric_limits<double>::epsilon();
+      if (contact.gap ||
+          (contact.obstacle && contact.obstacle->shape->states_gaps()))
+        return 0; // gaps that are written down
+      const double other =
+        contact.obstacle ? 0. : reach_of(*structures[contact.master]);
+      return 16 * eps * std::max(reach_of(*structures[contact.body]), other);
     }
 
     const Obstacle &
@@ -113,6 +139,7 @@ namespace conetact
              structures[contact.body]->surface(contact.ids).nodes)
           for (const SurfaceNode &b :
                structures[contact.body]->surface(contact.master_ids).nodes)
+            // A node against itself would be 0 = 0.
             if (a.node == b.node)
               throw InputError(in + "Master boundary ids: the node at " +
                                to_text(a.position) +
@@ -204,6 +231,7 @@ namespace conetact
     if (dim == 2)
       return {Tensor<1, 3>({n[1], -n[0], 0.}), e_z};
     Tensor<1, 3> t1 =
+      // n x e_z has no length on a floor.
       std::abs(n[2]) > .9 ? cross_product_3d(e_y, n) : cross_product_3d(n, e_z);
     t1 /= t1.norm();
     return {t1, cross_product_3d(n, t1)};
@@ -218,8 +246,9 @@ namespace conetact
     const double s             = std::sin(node.friction_angle);
     node.n                     = normal;
     std::tie(node.t1, node.t2) = tangents(node.n, dim);
-    node.axis_1                = c * node.t1 + s * node.t2;
-    node.axis_2                = c * node.t2 - s * node.t1;
+    // Axes of the elliptic cone, [K] remark 3.3: t1 and t2 turned about n.
+    node.axis_1 = c * node.t1 + s * node.t2;
+    node.axis_2 = c * node.t2 - s * node.t1;
   }
 
   namespace
@@ -410,10 +439,16 @@ namespace conetact
         const Contact &contact = contacts[c];
         PairedNodes    found =
           pairing_of(contact, structures).pair(contact, structures);
+        const double rounding = rounding_of_gaps(contact, structures);
+        for (ContactNode &node : found.nodes)
+          if (std::abs(node.gap) <= rounding)
+            node.gap = 0;
         result.pairings.push_back(count(found));
         for (ContactNode &node : found.nodes)
           {
-            node.contact            = c;
+            node.contact = c;
+            // Two contacts of a node are rows of their own, unless their
+            // normals agree: then only the sum of the reactions is determined.
             const auto key          = std::make_pair(node.body, node.node);
             const auto [begin, end] = known.equal_range(key);
             for (auto other = begin; other != end; ++other)

@@ -69,6 +69,8 @@ namespace conetact
           const auto  &c     = edge_corners(x.size(), edge);
           Tensor<1, 3> along = x[c[1]] - x[c[0]];
           along /= along.norm();
+          // From the opposite corners to those of the edge, without what is
+          // along it: in the plane of the face, pointing out of it.
           across = (x[c[0]] - x[c[2]]) + (x[c[1]] - x[c[3]]);
           across -= (across * along) * along;
         }
@@ -117,6 +119,8 @@ namespace conetact
         return 2 * M_PI;
       const double cosine =
         face.edges[edges[0]].outward * face.edges[edges[1]].outward;
+      // Half a turn along an edge, a full one inside; at a corner what its two
+      // edges leave.
       return M_PI - std::acos(std::clamp(cosine, -1., 1.));
     }
   } // namespace
@@ -146,12 +150,17 @@ namespace conetact
     };
     for (Face &face : faces)
       {
+        // Normals near a face differ from its mean by its own warp and by the
+        // turn to its neighbours: so far beside it may a point stand that it is
+        // nearest to.
         double     to_others = 0, warp = 0;
         const auto see = [&](const std::size_t other) {
           const Tensor<1, 3> &n = faces[other].outward;
           to_others             = std::max(to_others, angle(face.outward, n));
           if (const auto mean = smooth_patches({face.outward, n});
               mean.size() == 1)
+            // Facets of one smooth surface: the true normal at their edge lies
+            // between both.
             face.bend =
               std::max(face.bend,
                        cross_product_3d(face.outward, mean[0]).norm());
@@ -219,6 +228,8 @@ namespace conetact
     for (const auto &[key, edges] : groups)
       for (const auto &[f, e] : edges)
         for (const auto &[g, h] : edges)
+          // A part of the edge is half as long or less; its equals on the other
+          // side are partners already.
           if (edge_length(faces[f], e) > 1.3 * edge_length(faces[g], h))
             {
               faces[f].edges[e].partners.push_back(g);
@@ -233,6 +244,7 @@ namespace conetact
     static_cast<ClosestPoint &>(result) = closest_point(faces[face].corners, p);
     result.face                         = face;
     result.normal = face_normal_at(faces[face].corners, result.at);
+    // The order of the corners tells no side, the body does.
     if (result.normal * faces[face].outward < 0)
       result.normal = -result.normal;
     return result;
@@ -259,6 +271,7 @@ namespace conetact
                     face.edges[e].partners.end());
     const auto weights = shape_values(face.nodes.size(), at.at);
     for (std::size_t i = 0; i < weights.size(); ++i)
+      // At a corner all faces of the node meet, not only those across edges.
       if (weights[i] >= 1 - 2 * round_off)
         others.insert(faces_at_node[face.nodes[i]].begin(),
                       faces_at_node[face.nodes[i]].end());
@@ -268,8 +281,11 @@ namespace conetact
         {
           const Closest there = project(other, p);
           const double  scale = round_off * std::max(face.size, at.distance);
+          // A neighbour is nearer: the foot belongs there.
           if (there.distance < at.distance - scale)
             return {};
+          // Distances are flat about their minimum: their points agree to the
+          // root of what they agree to themselves.
           if (there.point.distance(at.point) <=
               10 * std::sqrt(round_off) * face.size)
             result.push_back(there);
@@ -295,10 +311,13 @@ namespace conetact
     for (double radius = faces[0].radius; radius < nearest.distance;
          radius *= 2)
       for (const std::size_t f : tree.near({p, radius}))
+        // No point of a face is nearer than its ball.
         if (faces[f].centre.distance(p) - faces[f].radius < nearest.distance)
           if (const Closest closest = project(f, p);
               closest.distance < nearest.distance)
             nearest = closest;
+    // The sign by the pseudonormal is right at edges and corners as well, where
+    // that of a single face is not.
     const double relative = nearest.distance / faces[nearest.face].size;
     return (p - nearest.point) * sum_of_normals(feature(nearest, p)) < 0 ?
              -relative :

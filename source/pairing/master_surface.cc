@@ -267,6 +267,8 @@ namespace conetact
     const auto         &faces   = net.all();
     for (const std::size_t f : among)
       {
+        // Cheap tests first: what is further than the best foot so far, has no
+        // perpendicular to p, or looks the way that the slave looks.
         if (faces[f].centre.distance(p) - faces[f].radius > nearest ||
             !faces[f].may_have_foot(p) ||
             (whole && largest_cosine(faces[f].outward, slave_normals) < -.5))

@@ -95,6 +95,7 @@ namespace conetact
   {
     auto normals = s.normals;
     if (surface.two_sided)
+      // Members of frames have no outside.
       normals.push_back(-s.normal);
     auto foot = master->foot(s.position,
                              normals,
@@ -104,11 +105,14 @@ namespace conetact
                               contact.body != contact.master});
     if (!foot)
       return false;
+    // A gap that is written down replaces the distance, not the direction.
     node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
     node.n       = foot->normal;
     node.master  = contact.master;
     node.masters = std::move(foot->masters);
     if (!contact.gap)
+      // Facets of either side may stand inside the other by a part of their
+      // size.
       judge(node, std::max(node.spacing, foot->size));
     return true;
   }
@@ -117,6 +121,7 @@ namespace conetact
   NodeToFace::judge(const ContactNode &node, const double face_size)
   {
     const double bound = interference_allowed(contact, face_size);
+    // One message, for the worst node.
     if (node.gap < -bound && (!deepest || node.gap < deepest->gap))
       deepest = {node.position, node.gap, bound};
   }

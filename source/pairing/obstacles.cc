@@ -79,6 +79,7 @@ namespace conetact
                 const Tensor<1, 3> &u,
                 const double) const override
       {
+        // it changes by the motion along its normal
         return gap(X) + u * normal;
       }
       bool
@@ -175,6 +176,7 @@ namespace conetact
                            ", where no point of the surface is "
                            "the closest. Move the obstacle or the body.");
         const double side = inside ? -1 : 1;
+        // In a hole the body is inside: gap and normal change their sign.
         return {side * (distance - radius), side / distance * arm};
       }
       /** Also at the centre, where there is a gap but no normal. */
@@ -269,6 +271,7 @@ namespace conetact
       Closest
       closest(const Point<3> &p, const double spacing) const override
       {
+        // Steps small beside a cell, on which the surface is taken for smooth.
         const Tensor<1, 3> gradient = gradient_at(p, .02 * spacing);
         const double       norm     = gradient.norm();
         if (norm == 0 || !std::isfinite(norm))
@@ -276,6 +279,8 @@ namespace conetact
                            "node " + to_text(p) +
                            ". Give a function whose "
                            "gradient is not zero near its surface.");
+        // The distance to first order: exact on the surface, and enough near
+        // it.
         return {phi(p) / norm, gradient / norm};
       }
       /** Without gradient a node is far from the surface, or deep in it. */
@@ -315,6 +320,7 @@ namespace conetact
         Tensor<1, 3> gradient;
         for (unsigned int d = 0; d < dim; ++d)
           gradient[d] =
+            // The error is of the order h^4; rounding is that of phi over h.
             (8 * difference(p, d, h) - difference(p, d, 2 * h)) / (12 * h);
         return gradient;
       }
@@ -364,6 +370,7 @@ namespace conetact
   {
     Tensor<1, 3> d;
     for (unsigned int c = 0; c < displacement.size(); ++c)
+      // a translation: the same everywhere
       d[c] = displacement[c](Point<3>(), t);
     return d;
   }

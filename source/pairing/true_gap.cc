@@ -31,6 +31,7 @@ namespace conetact
         const double allowed =
           part * std::max(moved.node->spacing, indentation);
         const double actual = true_gap(moved);
+        // What is apart by both has no force that could be wrong.
         if (std::min(actual, moved.gap) > allowed)
           continue; // open by both
         if (const double error = std::abs(actual - moved.gap) / allowed;

@@ -51,6 +51,8 @@ namespace conetact
   {
     if (!relation || !relation->is(problem.system))
       {
+        // Factors and the last change of load belong to the matrix that they
+        // came from.
         relation.emplace(problem.system);
         newton    = NewtonSystem();
         predictor = Predictor();
@@ -112,6 +114,8 @@ namespace conetact
     };
     if (relation->system().n_motions == 0)
       return solve(point.sets, true);
+    // A regularised matrix always has a solution. It is worth something only if
+    // the motions are in balance there.
     if (solve(point.sets, false) ||
         (solve(point.sets, true) && is_balanced(point.p + dp)))
       return true;
@@ -148,6 +152,8 @@ namespace conetact
 
     Point trial = point_at(point.p + dp);
     if (damped)
+      // The shortest step is taken even if it gains nothing: it may lead out of
+      // a cycle.
       for (double tau = .5; tau > .02 && !(trial.residual < point.residual);
            tau /= 2)
         trial = point_at(point.p + tau * dp);
@@ -163,6 +169,8 @@ namespace conetact
   std::string
   ActiveSet::iterate(Point &point, SolverReport &report)
   {
+    // Well below the tolerance: verification compares with the forces of one
+    // body, which may be far smaller than the norm of all.
     const double          goal = std::max(1e-4 * options.tolerance, 1e-14);
     std::set<std::string> seen;
     std::string           current = signature(point.sets);
@@ -198,6 +206,8 @@ namespace conetact
         if ((point.residual <= goal && enough) || is_noise ||
             (same && stalls > max_stalls))
           break;
+        // States seen before, and nothing gained since: a cycle. Full steps
+        // would go round in it for ever.
         if (!same && !improved && seen.count(next) > 0)
           {
             if (damped && stalls > max_damped_stalls)
@@ -220,6 +230,7 @@ namespace conetact
     report.reason             = iterate(point, report);
     report.factorizations     = newton.n_factorizations() - before;
 
+    // With exact zeros the states need no tolerance.
     set_exact_zeros(*relation, point.sets, point.p, point.d);
     relation->from_scaled(point.p, point.d, state);
     state.node       = classify(problem, state, 0);
@@ -270,6 +281,8 @@ namespace conetact
     start.u            = Array(); // v is where the increment starts
     Array p, d;
     relation->to_scaled(start, p, d);
+    // Up to its sign, how far the load has moved from the one that the start is
+    // in balance with.
     Array change = d - dual(p);
     if (change.norm() <= rounding * std::max({p.norm(), d.norm(), 1.}))
       if (const SolverReport report = unchanged(problem, start);
@@ -289,6 +302,8 @@ namespace conetact
         return report;
       }
 
+    // Each increment has its own scale of loads; changes of two increments are
+    // compared in units.
     ContactState with_units;
     relation->from_scaled(p, change, with_units);
     change = relation->stiffness() ? with_units.r : with_units.v;

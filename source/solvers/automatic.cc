@@ -41,6 +41,7 @@ namespace conetact
              const double         times,
              const double         friction)
     {
+      // Only W grows: motions and foundations keep their balance.
       auto        result = std::make_shared<ContactSystem>(system);
       const Index n      = system.n_contact_unknowns();
       result->matrix.topLeftCorner(n, n) *= times;
@@ -60,6 +61,7 @@ namespace conetact
     {
       const Index    k    = motions.size();
       ContactProblem near = problem;
+      // v = W r + G (a0 + da) + q: G a0 joins q, and C a0 joins -b.
       near.load += problem.system->matrix.rightCols(k) * motions;
       state.r.tail(k) -= motions;
       const SolverReport report = solver.solve(near, state);
@@ -108,6 +110,19 @@ namespace conetact
       change.of_offset = change.offset_at_end - (v - u);
       return change;
     }
+
+    /** Whether reactions are rounding of those that close gaps would need. */
+    bool
+    presses_nothing(const ContactProblem &problem, const ContactState &state)
+    {
+      const ContactSystem &system = *problem.system;
+      const Index          n      = system.n_contact_unknowns();
+      if (system.form != Form::compliance || system.n_motions == 0)
+        return false;
+      return largest(state.r.head(n)) *
+               system.matrix.diagonal().head(n).mean() <=
+             1e-12 * largest(problem.load.head(n));
+    }
   } // namespace
 
 
@@ -151,6 +166,8 @@ namespace conetact
     SmoothingIteration iteration(*relation, smoothing, state);
     ContactState       trial  = state;
     bool               solved = false, going = true;
+    // States are right long before the residual is small: every second digit is
+    // worth an attempt to end exactly.
     for (double target = 1e-2;
          going && !solved && target > .1 * options.tolerance;
          target *= 1e-2)
@@ -202,7 +219,8 @@ namespace conetact
     const ContactSystem &system = *problem.system;
     const Index          n      = system.n_contact_unknowns();
     const double         force  = problem.load.tail(system.n_motions).norm();
-    const double         softer = largest(problem.load.head(n)) /
+    // How much larger the distances are than what the load compresses.
+    const double softer = largest(problem.load.head(n)) /
                           (force * system.matrix.diagonal().head(n).mean());
     if (system.n_motions == 0 || !(softer > 10) || !std::isfinite(softer))
       return false;
@@ -252,7 +270,9 @@ namespace conetact
         count(report, one);
         if (one.converged)
           {
-            state   = next;
+            state = next;
+            // The law counts slip from the start of the increment: stations on
+            // the way are no increments.
             state.v = start;
             solved  = softer;
             ratio   = std::min(10., std::pow(ratio, 1.5));
@@ -261,6 +281,7 @@ namespace conetact
           ratio = std::sqrt(ratio);
         if (solved == 1)
           return true;
+        // As long as there is no first solution, softer still.
         softer = solved > 0 ? std::max(1., solved / ratio) : 10 * softer;
         if (ratio < least_step || softer > softest)
           return false;
@@ -375,7 +396,8 @@ namespace conetact
         const double next  = std::min(1., done + size);
         ContactState trial = now;
         trial.v            = start_of(system, part.gap);
-        trial.u            = VectorXd();
+        // u of the part before does not go with the offset of this one
+        trial.u = VectorXd();
         // What has slipped so far is part of the load of the next part.
         part.load = problem.load - (1 - next) * change.of_load;
         if (system.form == Form::stiffness)
@@ -410,7 +432,8 @@ namespace conetact
     if (report.converged)
       {
         report.reason.clear();
-        state   = now;
+        state = now;
+        // Slips of the parts add up; the gap is that of the last one.
         state.v = slip + start_of(system, part.gap);
         return report;
       }
@@ -438,8 +461,14 @@ namespace conetact
         return first;
       }
 
-    SolverReport report = solve_whole(problem, state, true);
+    ContactState shortest = state;
+    SolverReport report   = solve_whole(problem, state, true);
     count(report, first);
+    // Where nothing presses, any motion that opens all contacts is a solution;
+    // the shortest is what is promised.
+    if (report.converged && presses_nothing(problem, state) &&
+        move_out(problem, shortest, report))
+      state = shortest;
     if (report.converged || problem.system->n_unknowns() == 0)
       return report;
     if (options.max_substeps < 2)

@@ -77,6 +77,8 @@ namespace conetact
       return z;
     if (s.l2 <= 0)
       return SmallVector::Zero(z.size());
+    // Neither in the cone nor in its polar: the nearest point lies on the
+    // mantle.
     return s.l2 * s.u2;
   }
 
@@ -88,6 +90,7 @@ namespace conetact
     const double root = std::hypot(l, 2 * m);
     if (l >= 0)
       return .5 * (root + l);
+    // root + l would cancel. Its product with root - l is 4 m^2.
     return 2 * m * (m / (root - l));
   }
 
@@ -102,6 +105,8 @@ namespace conetact
                  g2   = smoothed_positive_part(s.l2, m);
     const double h1   = smoothed_positive_part(-s.l1, m),
                  h2   = smoothed_positive_part(-s.l2, m);
+    // The derivatives at both eigenvalues are g / s, and 1 - g / s = h / s.
+    // Their difference is taken between the two small ones.
     const double slope =
       .5 * (s.l1 >= 0 ? h1 / s1 - h2 / s2 : g2 / s2 - g1 / s1);
 
@@ -115,6 +120,8 @@ namespace conetact
       }
     const SmallVector w = 2 * s.u2.tail(z.size() - 1);
     result.derivative   = assemble_derivative(w,
+                                            // (g2 - g1) / (l2 - l1), without a
+                                            // division by zero on the axis
                                             (g1 + g2) / (s1 + s2),
                                             .5 * (g1 / s1 + g2 / s2),
                                             slope);
@@ -141,8 +148,10 @@ namespace conetact
       }
     if (norm <= mu * normal)
       return r;
+    // In the polar cone nothing is nearer than the vertex.
     if (normal + mu * norm <= 0)
       return result;
+    // On the mantle, along the ray (mu r_t / |r_t|, 1).
     result(n)      = (normal + mu * norm) / (1 + mu * mu);
     result.head(n) = (mu * result(n) / norm) * r.head(n);
     return result;

@@ -35,6 +35,8 @@ namespace conetact
           const Index size = system.n_tangents(i) + 1;
           double      d =
             system.matrix.diagonal().segment(system.first[i], size).mean();
+          // A node that nothing holds (or a rigid one) has no stiffness of its
+          // own: any factor will do.
           if (!(d > 1e-12 * mean))
             d = mean > 0 ? mean : 1.;
           rho.segment(system.first[i], size)
@@ -116,7 +118,10 @@ namespace conetact
           const double      slip = v.head(nt).norm(), gap = v(nt);
           double            factor = rho(first);
           if (factor * slip > longest_slip * r.norm() && r.norm() > 0)
+            // Slip fixes no more than the direction of friction.
             factor = longest_slip * r.norm() / slip;
+          // With g + mu |du_t| in place of g the whole law is one projection on
+          // the cone (de Saxce and Feng).
           v(nt) += mu * slip;
           result.segment(first, nt + 1) =
             r - project_on_friction_cone(r - factor * v, mu);

@@ -44,6 +44,9 @@ namespace conetact
 
 
 
+  /* A motion is a proof by its own properties, however it was found: contacts
+     either open faster than friction could hold them or stay at rest, and the
+     load drives it. */
   bool
   ExistenceCheck::proves(const VectorXd &w, const VectorXd &c) const
   {
@@ -83,8 +86,11 @@ namespace conetact
     double         s    = 1;
     for (unsigned int i = 0; i < 100; ++i)
       {
+        // Along the load path the load drives the motion w with the force (from
+        // + s rate) . w. Beyond its zero w proves that nothing holds.
         const double slope = rate.dot(w);
         const double next  = slope > 0 ? -from.dot(w) / slope : 0.;
+        // Driven at the start already.
         if (!(next > 0))
           return 0;
         if (next >= s * (1 - 1e-15))
@@ -114,9 +120,11 @@ namespace conetact
       most > 0 ? system->mu : VectorXd::Ones(system->mu.size());
     const VectorXd no_slip = mu.unaryExpr(
       [](const double m) { return m > 0 ? no_slip_friction : 0.; });
+    // What contacts that never slip cannot hold, no friction can.
     if (reach(c, no_slip).z.norm() > 100 * zero)
       return;
 
+    // low is refused, high is admissible.
     double low = most > 0 ? 1 : 0, high = std::max(2 * low, 1.);
     while (reach(c, high * mu).z.norm() > zero)
       {
@@ -143,6 +151,7 @@ namespace conetact
             const Index begin = system->first[j], t = system->n_tangents(j);
             gain -= v.segment(begin, t).dot(at.r.segment(begin, t)) / factor;
           }
+        // Newton step from below, kept within the bracket.
         const double step = distance / gain;
         if (step > 0 && step <= 1e-11 * factor)
           high = std::min(high, factor + step);
@@ -182,6 +191,7 @@ namespace conetact
     const double   floor = noise * std::max(reference_force, load.norm());
     if (c.norm() <= floor)
       return result;
+    // What is left of the resultants after the best reactions.
     const VectorXd z = reach(c, system->mu).z;
     result.distance  = z.norm();
     if (result.distance <= std::max(negligible * c.norm(), floor))
@@ -196,6 +206,7 @@ namespace conetact
     // a load that pulls all contacts open neither slides nor tips first
     const bool lifts_off = result.motion == Motion::lifts_off;
     result.fraction      = c0.norm() > floor ? limit(c0, c, result.w) : 0.;
+    // Nothing of the load can be carried: more friction is the only advice.
     if (result.fraction < 1e-9)
       {
         result.fraction = 0;
@@ -225,6 +236,7 @@ namespace conetact
       {
         const double slip =
           v.segment(system->first[i], system->n_tangents(i)).norm();
+        // v has 1 as its largest entry.
         if (v[system->normal(i)] <= system->mu[i] * slip + 1e-6)
           result.tight.push_back(i);
       }
@@ -311,6 +323,7 @@ namespace conetact
     const auto motion = [&](const Index i) -> SmallVector {
       return v.segment(system->first[i], system->n_tangents(i) + 1);
     };
+    // A node without tangents knows one component of the motion only.
     Index reference = nodes[0];
     for (const Index i : nodes)
       if (system->n_tangents(i) > system->n_tangents(reference))

@@ -24,6 +24,10 @@ namespace conetact
       return (z(0) - tail) * (z(0) + tail);
     }
 
+    /**
+     * The product of the cone's algebra: with x and z in the cone, x o z = 0
+     * says that they are complementary.
+     */
     SmallVector
     jordan_product(const SmallVector &a, const SmallVector &b)
     {
@@ -44,7 +48,8 @@ namespace conetact
       return y;
     }
 
-    /** Largest step within 1 for which z + step dz stays in the cone. */
+    /** Largest step, or 2 if that is less, for which z + step dz stays in the
+     * cone. */
     double
     longest_in_cone(const SmallVector &z, const SmallVector &dz)
     {
@@ -55,11 +60,14 @@ namespace conetact
       double       result = 2;
       if (dz(0) < 0)
         result = -z(0) / dz(0);
+      // The determinant of z + s dz vanishes where the ray meets the mantle.
       // c + 2 b s + a s^2 = 0
       const double d = b * b - a * c;
       if (n > 0 && d >= 0 && (b < 0 || a < 0))
         {
           const double root =
+            // the smaller positive root; of its two forms the one without
+            // cancellation
             b < 0 ? c / (-b + std::sqrt(d)) : (-b - std::sqrt(d)) / a;
           if (root >= 0)
             result = std::min(result, root);
@@ -134,6 +142,8 @@ namespace conetact
 
 
 
+  /* In the middle of the cones, off their boundary by the size of the data. The
+     relation need not hold there: steps reduce its residual as well. */
   void
   InteriorPoint::start()
   {
@@ -168,7 +178,9 @@ namespace conetact
   InteriorPoint::measure()
   {
     const double m = smoothing();
-    residual       = W * x + q - z;
+    // z - |z_t| e_n = W x + q, with t^2 / hypot(t, m) for |z_t|: its derivative
+    // has no jump at stick.
+    residual = W * x + q - z;
     for (const Cone &cone : cones)
       {
         const double t = z.segment(cone.first + 1, cone.size - 1).norm();
@@ -190,7 +202,10 @@ namespace conetact
                           zc = z.segment(cone.first, cone.size);
         const double dx      = std::sqrt(determinant(xc)),
                      dz      = std::sqrt(determinant(zc));
-        SmallVector w        = xc / dx;
+        // Nesterov and Todd: P is the symmetric map of the cone onto itself
+        // with P x = z. With x and z of determinant 1 and J = diag(1, -1, -1)
+        // it is 2 w w^T - J, w the middle between z and J x.
+        SmallVector w = xc / dx;
         w.tail(n) *= -1;
         w += zc / dz;
         w /= std::sqrt(2 * (1 + xc.dot(zc) / (dx * dz)));
@@ -200,6 +215,7 @@ namespace conetact
         cone.P.diagonal().array() += 1;
         cone.P(0, 0) -= 2;
         cone.P *= dz / dx;
+        // The root of 2 w w^T - J in closed form.
         cone.root.setIdentity(n + 1, n + 1);
         cone.root.col(0) = w;
         cone.root.row(0) = w.transpose();
@@ -210,6 +226,7 @@ namespace conetact
         if (coupled && n > 0)
           {
             const double u = zc.tail(n).norm(), l = std::hypot(u, m);
+            // the derivative of u^2 / l, divided by u
             const double slope = (u * u + 2 * m * m) / (l * l * l);
             cone.coupling.topRightCorner(1, n) =
               -slope * zc.tail(n).transpose();
@@ -219,6 +236,8 @@ namespace conetact
 
 
 
+  /* (I - e_n tau^T) dz = W dx + residual and dz = h - P dx: dz drops out cone
+     by cone, and what is left has the pattern of W and its blocks. */
   bool
   InteriorPoint::factorize()
   {
@@ -264,6 +283,7 @@ namespace conetact
     Array h(q.size());
     for (const Cone &cone : cones)
       {
+        // In the scaled space x and z are the same point lambda.
         const SmallVector lambda = cone.root * x.segment(cone.first, cone.size);
         SmallVector       aim    = -jordan_product(lambda, lambda);
         aim(0) += sigma_m;
@@ -308,6 +328,8 @@ namespace conetact
     direction(targets(0, Array(), Array()), 1, dx, dz);
     if (!dx.allFinite() || !dz.allFinite())
       return false;
+    // Mehrotra: the more of the way the predictor can go, the less the
+    // corrector has to return to the middle.
     const double tau   = longest(dx, dz);
     const double sigma = std::max(std::pow(1 - std::min(tau, 1.), 3), 1e-4);
     // Where little of a step is possible its second order is of no use.

@@ -35,6 +35,7 @@ namespace conetact
         : A(M.rows(), M.cols() + 1)
         , b(q)
       {
+        // x = M z + q + cover z_0: a large z_0 makes all x positive.
         A << M, cover;
         for (Index i = 0; i < q.size(); ++i)
           {
@@ -128,6 +129,7 @@ namespace conetact
     z = VectorXd::Zero(n);
     if (n == 0 || q.minCoeff() >= 0)
       return true;
+    // Scaled to a diagonal of 1, tolerances mean the same in all units.
     Dictionary d(scale.asDiagonal() * M * scale.asDiagonal(),
                  scale.cwiseProduct(q),
                  scale.cwiseProduct(cover));
@@ -150,8 +152,11 @@ namespace conetact
               }
             return z.allFinite();
           }
+        // What left has a partner that enters now: so x_i z_i = 0 holds for all
+        // pairs on the way.
         column = d.column_of(left < n ? left + n : left - n);
         row    = leaving_row(d, column, rank);
+        // Nothing falls: the path goes off along a ray.
         if (row < 0)
           return false;
       }

@@ -149,7 +149,8 @@ namespace conetact
       return;
     // Forces over sqrt(c): in compliance form scale is sqrt(c) itself.
     const Array &given = stiffness() ? scaled_offset : scaled_load;
-    alpha              = std::max({load_force, largest(given.head(n)), 0.});
+    // Gaps and given displacements are loads, too: both become 1 at most.
+    alpha = std::max({load_force, largest(given.head(n)), 0.});
     if (load_force == 0)
       load_force = part_of_interference * interference(*contact_system, given);
     if (!(alpha > 0))
@@ -171,6 +172,8 @@ namespace conetact
 
 
 
+  /* v = W r + G a + q is rounded to the size of its largest terms; W r is a
+     deformation, and small beside the distances G a and q. */
   LinearRelation::Array
   LinearRelation::rounding(const Array &p) const
   {
@@ -210,6 +213,7 @@ namespace conetact
       return;
 
     Array product = Array::Zero(sx.size());
+    // Most nodes stick or are open: then few columns count.
     if (2 * static_cast<Index>(columns.size()) > sx.size())
       product = multiply(*contact_system, sx);
     else
@@ -225,6 +229,7 @@ namespace conetact
     const Array &dual = stiffness() ? state.r : state.v;
     if (!stiffness())
       p = state.r.cwiseQuotient(scale) / alpha;
+    // v - o would have lost the digits of u to a large offset.
     else if (has_offset && state.u.size() > 0)
       p = state.u.cwiseQuotient(scale) / alpha;
     else

@@ -64,12 +64,15 @@ namespace conetact
     const Eigen::Index n = n_tangents;
 
     block(n, n) = std::max(block(n, n), floor);
+    // The closed gap: 0 = W_nt r_t + W_nn r_n + q_n.
     pivot       = block(n, n);
     elimination = block.col(n).head(n) / pivot;
     const TangentMatrix schur =
       block.topLeftCorner(n, n) - elimination * block.row(n).head(n);
 
     stick_weight = lift(.5 * (schur + schur.transpose()), floor);
+    // The skew part cannot be diagonalised; turned to the basis it only takes
+    // the sign of its determinant.
     if (n == 2)
       skew = .5 * (schur(1, 0) - schur(0, 1)) * basis.determinant();
     sigma       = n > 0 ? stick_weight.maxCoeff() : 1.;
@@ -91,6 +94,7 @@ namespace conetact
     normal_of_slip       = basis.transpose() * block.col(n).head(n);
     elimination          = basis * normal_of_slip.cwiseQuotient(values);
 
+    // K_nn of a node that slides without friction.
     const double schur = block(n, n) - elimination.dot(block.col(n).head(n));
     pivot              = std::max(schur, floor);
     block(n, n) += pivot - schur;
@@ -123,6 +127,9 @@ namespace conetact
   void
   LocalCoulomb::evaluate(const double theta, Slide &slide) const
   {
+    // u_t = -alpha r_t turns u_t = S r_t + c, or r_t = K_tt u_t - q_t, into an
+    // equation for r_t. Multiplied by 1 - theta its denominator stays regular
+    // from stick to sliding.
     const Tangent denominator =
       (1 - theta) * stick_weight + theta * slip_weight;
     const double  w     = (1 - theta) * skew;
@@ -135,6 +142,7 @@ namespace conetact
     const double length = slide.r_t.norm();
     slide.mismatch      = length - mu * slide.r_n;
 
+    // Both derivatives: the terms with theta itself cancel.
     Tangent stick = ratio.cwiseProduct(stick_weight);
     if (skew != 0)
       stick += skew * Tangent(Eigen::Vector2d(-ratio(1), ratio(0)));
@@ -169,6 +177,7 @@ namespace conetact
     for (unsigned int i = 0; i < 100; ++i)
       {
         evaluate(theta, slide);
+        // Stick demands more friction than there is, sliding less.
         (slide.mismatch > 0 ? low : high) = theta;
         const double step                 = slide.mismatch / slide.slope;
         const double next                 = theta - step;
@@ -187,7 +196,8 @@ namespace conetact
   LocalCoulomb::solve(const Vector &q, Vector &v, Vector &r) const
   {
     const Eigen::Index n = n_tangents;
-    const double       normal_load =
+    // Its sign is that of the gap without any reaction.
+    const double normal_load =
       form == Form::compliance ? q[n] : q[n] - elimination.dot(q.head(n));
     if (normal_load >= 0) // the node is open
       {
@@ -216,6 +226,7 @@ namespace conetact
         slide.load   = basis.transpose() * q.head(n);
         slide.normal = -q[n];
       }
+    // theta = 0 is stick; it holds if its reaction lies in the cone.
     evaluate(0, slide);
     if (slide.mismatch > 0)
       find_root(slide);

@@ -39,6 +39,7 @@ namespace conetact
       if (LAPACKE_dgetrf_work(
             LAPACK_COL_MAJOR, n, n, A.data(), n, pivots.data()) != 0)
         return false;
+      // Without units pivots compare with each other.
       const auto pivot = A.diagonal().cwiseAbs();
       return n == 0 || pivot.minCoeff() > 1e-13 * pivot.maxCoeff();
     }
@@ -86,6 +87,7 @@ namespace conetact
     for (const Index u : unknown)
       dp(u) = 0;
 
+    // (P + D M) dp = h - D rho, with what is known of dp moved to the right.
     Array d = rho;
     relation.multiply_add(dp, d);
     right_hand_side.resize(static_cast<Index>(unknown.size()));
@@ -129,6 +131,11 @@ namespace conetact
 
 
 
+  /**
+   * J = P + D (M + shift) for the rows and columns that are left. D mixes rows
+   * of one node only, so M is read column by column and never multiplied as a
+   * whole.
+   */
   template <typename Matrix>
   void
   NewtonSystem::assemble(const LinearRelation       &relation,
@@ -219,6 +226,7 @@ namespace conetact
                                  const double                precision,
                                  Array                      &x)
   {
+    // What is to be exact, or costs next to nothing, is left to LAPACK.
     if (was_small() || precision == 0)
       return false;
     const double norm = right_hand_side.norm();

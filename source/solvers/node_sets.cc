@@ -124,13 +124,15 @@ namespace conetact
       const SmallMatrix one  = SmallMatrix::Identity(nt + 1, nt + 1);
       if (set.state == NodeState::open)
         return {zero, one, -r};
+      // Closed, and stuck as long as nothing else is said.
       Law law{one, zero, -v};
       if (set.state == NodeState::stick || nt == 0)
         return law;
 
       // r_t = mu z_n e, with z_n and e linearised
-      const double      zn        = r(nt) - v(nt);
-      const SmallMatrix T         = turning_part(set, mu * zn, r.head(nt));
+      const double      zn = r(nt) - v(nt);
+      const SmallMatrix T  = turning_part(set, mu * zn, r.head(nt));
+      // With dz = dr - dv, A takes what belongs to dv and B the rest.
       law.A.topLeftCorner(nt, nt) = T;
       law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
       law.A.topRightCorner(nt, 1) = mu * set.direction;
@@ -175,10 +177,12 @@ namespace conetact
         set.direction = SmallVector::Zero(nt);
         if (set.state == NodeState::open || nt == 0)
           continue;
+        // Without friction what is closed slips; stuck it would take shear.
         if (system.mu(i) == 0)
           set.state = NodeState::slip;
         else if (set.state == NodeState::slip)
           {
+            // c of the node: the states have units here.
             const double s = relation.column_scale()(first);
             set            = slip_of_state(state.v.segment(first, nt),
                                 state.r.segment(first, nt),
@@ -290,6 +294,8 @@ namespace conetact
         const double      norm = z.head(nt).norm();
         if (norm > limit)
           z.head(nt) *= limit / norm;
+        // Not the nearest point of the cone, but r_t cut back to mu z_n, as the
+        // sets have it. Either residual vanishes where the law holds.
         z(nt) = zn;
         sum += (r - z).squaredNorm();
       }
@@ -352,7 +358,8 @@ namespace conetact
     double               most      = 0;
     for (std::size_t i = 0; i < sets.size(); ++i)
       {
-        const auto   k    = static_cast<Index>(i);
+        const auto k = static_cast<Index>(i);
+        // Motions stand in the compliance form only, where p is the reaction.
         const double hold = system.mu(k) * p(system.normal(k));
         if (sets[i].state == NodeState::slip && hold > most)
           {

@@ -14,6 +14,7 @@ namespace conetact
     const bool once_more = start.r == last_start.r && start.v == last_start.v;
     if (!once_more && start.r != last_end)
       return std::nullopt;
+    // The same direction as before, but for a tenth across it.
     const double ratio = change.dot(last_change) / last_change.squaredNorm();
     if (!(ratio > 0) ||
         !((change - ratio * last_change).norm() < .1 * change.norm()))

@@ -32,6 +32,7 @@ namespace conetact
                 const std::string &name,
                 const MatrixXd    &values)
     {
+      // What is not there has its default.
       if (values.size() == 0)
         return;
       out << name << ' ' << values.rows() << ' ' << values.cols() << '\n';
@@ -194,6 +195,7 @@ namespace conetact
     for (Index i = 0; i < tangents.size(); ++i)
       tangents(i) = static_cast<double>(system.n_tangents(i));
     std::ostringstream out;
+    // So many digits bring back every bit.
     out.precision(17);
     out << head << form_name(system.form) << '\n';
     write_block(out, "tangents", tangents);

@@ -69,6 +69,7 @@ namespace conetact
     const LinearRelation      &linear = relation.relation;
     const std::vector<NodeLaw> laws =
       linearized_laws(linear, sets_of_point(linear, p, d), p, d);
+    // d = M p + l holds at every point here: only the law has a residual.
     Array h(p.size());
     for (Index i = 0; i < linear.system().n_nodes(); ++i)
       h.segment(linear.system().first[i], linear.system().n_tangents(i) + 1) =
@@ -76,6 +77,7 @@ namespace conetact
     const Triplets entries = assemble(linear.system(), relation.M, laws, shift);
     SparseRelation::Matrix J(p.size(), p.size());
     J.setFromTriplets(entries.begin(), entries.end());
+    // The entries of a row change with the state of its node.
     factor.forget_pattern();
     ++factorizations;
     if (!factor.factorize(J))
@@ -126,6 +128,8 @@ namespace conetact
           break;
         const double before = residual;
         if (!step(shift, p, d, residual))
+          // No step gains: held more, the reactions move less. The limit of the
+          // iteration does not depend on the shift.
           shift *= 100;
         if (shift > 1)
           break;

@@ -27,6 +27,7 @@ namespace conetact
       const double a = x.head(t).norm(), n = x[t];
       derivative.setZero(t + 1, t + 1);
       value.setZero(t + 1);
+      // A half space of reactions, or a half line.
       if (mu == no_slip_friction || mu == 0)
         {
           derivative.topLeftCorner(t, t).diagonal().setConstant(mu == 0 ? 0 :
@@ -106,6 +107,8 @@ namespace conetact
       {
         const VectorXd x = r - sigma * (R * z);
         projected.resize(x.size());
+        // P' of a projection is semidefinite: I + sigma R^T P' R can be
+        // inverted wherever z is.
         hessian = MatrixXd::Identity(z.size(), z.size());
         SmallVector p;
         SmallMatrix D;

@@ -107,6 +107,8 @@ namespace conetact
       relation->from_scaled(p, d, state);
       if (keep(state))
         return true;
+      // The zeros of the states are exact only if the states are right: the
+      // point without them has its chance first.
       set_exact_zeros(*relation, sets_of_point(*relation, p, d), p, d);
       relation->from_scaled(p, d, state);
       return keep(state);
@@ -155,11 +157,14 @@ namespace conetact
             continue;
           least = residual;
           r     = now;
+          // Not before another digit is gained: an attempt costs several
+          // factorisations.
           if (least > .1 * tried)
             continue;
           tried = least;
           if (polish(r))
             return true;
+          // Nothing more can be gained on this way.
           if (least < 1e-12)
             return false;
         }
@@ -177,6 +182,8 @@ namespace conetact
         best = state;
       keep(best);
 
+      // Cheap attempts first. Without the coupling of |z_t| the interior points
+      // are slower, but find what the others miss.
       bool solved = relax(few_sweeps) || find_inside(true) ||
                     relax(4 * few_sweeps) || find_inside(false);
       for (unsigned int sweeps = 16 * few_sweeps;
@@ -208,6 +215,8 @@ namespace conetact
     if (system.form != Form::compliance || system.n_motions > 0 ||
         system.n_nodes() < 2)
       return false;
+    // A contact of rigid bodies knows the contacts of its two bodies only; an
+    // elastic body fills W.
     const auto entries =
       static_cast<double>((system.matrix.array() != 0).count());
     return entries < .5 * static_cast<double>(system.matrix.size());

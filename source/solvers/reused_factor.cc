@@ -54,6 +54,7 @@ namespace conetact
       LAPACK_COL_MAJOR, n, n, factor.data(), n, pivots.data());
     const auto pivot = factor.diagonal().cwiseAbs();
     const bool good  = info == 0 && pivot.minCoeff() > 1e-6f * pivot.maxCoeff();
+    // A singular factor would spoil the next solve as well.
     if (!good)
       factor_numbers.clear();
     return good;
@@ -76,14 +77,17 @@ namespace conetact
           position[a] = static_cast<Index>(k);
         else
           ++n_new;
-        const Index i       = static_cast<Index>(a);
-        const float d       = A(i, i);
+        const Index i = static_cast<Index>(a);
+        const float d = A(i, i);
+        // A diagonal near zero, as in rows of balance, says nothing.
         inverse_diagonal(i) = std::abs(d) > 1e-3f ? 1 / d : 1.f;
       }
   }
 
 
 
+  /* Where a quarter of the unknowns is new, or most of the factor belongs to
+     unknowns that are gone, it costs more than it saves. */
   bool
   ReusedFactor::worth_trying(const Index n) const
   {
@@ -99,6 +103,7 @@ namespace conetact
     const auto n = static_cast<lapack_int>(factor.rows());
     if (factor_numbers.empty())
       return inverse_diagonal.cwiseProduct(b);
+    // Unknowns that the new matrix has not keep a right-hand side of zero.
     Vector y = Vector::Zero(n);
     for (std::size_t a = 0; a < position.size(); ++a)
       if (position[a] >= 0)
@@ -134,6 +139,8 @@ namespace conetact
     x                = Vector::Zero(b.size());
     if (norm == 0)
       return true;
+    // Preconditioned from the right: g is the residual of A x = b itself. Z =
+    // M^-1 V is kept, so that x costs no further solve.
     Matrix                V(b.size(), max_directions + 1);
     Matrix                Z(b.size(), max_directions);
     Matrix                H = Matrix::Zero(max_directions + 1, max_directions);
@@ -180,6 +187,7 @@ namespace conetact
   {
     match(A, numbers);
     if (!worth_trying(A.rows()))
+      // The diagonal is tried first, without a factor.
       factor_numbers.clear();
     if (gmres(A, b, std::max(precision, 3e-6f), x))
       return true;

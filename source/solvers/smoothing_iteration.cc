@@ -42,6 +42,8 @@ namespace conetact
         relation.multiply_add(-relation.offset(), load);
         x.p += relation.offset();
       }
+    // lambda and y = mu r_n of [K] (17) are unknowns of this form only; |du_t|
+    // is the least that lambda can be.
     x.lambda       = Array::Zero(system.n_nodes());
     x.y            = Array::Zero(system.n_nodes());
     const Array &v = displacements(x);
@@ -121,6 +123,8 @@ namespace conetact
     const Array         &v      = displacements(point);
     const Array         &r      = reactions(point);
     Defect               result;
+    // d = (M + eps I) p + l: the regularised relation has one solution where M
+    // is singular.
     result.relation = load + eps * point.p - point.d;
     relation.multiply_add(point.p, result.relation);
     result.y = Array::Zero(system.n_nodes());
@@ -143,11 +147,13 @@ namespace conetact
     const Array         &v      = displacements(point);
     const Array         &r      = reactions(point);
     const Index          first = system.first[i], nt = system.n_tangents(i);
-    const double         g = v(first + nt), z = g - r(first + nt);
-    const double         positive =
+    // x - P(x - y) of the half line, then of the second-order cone.
+    const double g = v(first + nt), z = g - r(first + nt);
+    const double positive =
       m_now > 0 ? smoothed_positive_part(z, m_now) : std::max(z, 0.);
     double result = (g - positive) * (g - positive);
     if (!has_cone(i))
+      // without friction r_t = 0
       return result + r.segment(first, nt).squaredNorm();
     const SmallVector xc = cone_displacement(point, i);
     const SmallVector zc = xc - cone_reaction(point, i);
@@ -176,6 +182,7 @@ namespace conetact
   void
   SmoothingIteration::measure()
   {
+    // H_NR belongs to the problem itself: neither smoothed nor regularised.
     const double kept = eps;
     eps               = 0;
     natural           = merit(x, defect(x), 0);
@@ -214,6 +221,10 @@ namespace conetact
 
 
 
+  /**
+   * The pivot is what multiplies dlambda in the first row of the cone, once dy
+   * is replaced.
+   */
   SmoothingIteration::Cone
   SmoothingIteration::linearize_cone(const Index i) const
   {
@@ -249,6 +260,7 @@ namespace conetact
             SmallMatrix::Zero(nt + 1, nt + 1),
             SmallVector(nt + 1)};
 
+    // The half line of gap and normal reaction: its row has no lambda.
     const double             z = v(first + nt) - r(first + nt);
     const SmoothedProjection n =
       smoothed_projection(SmallVector::Constant(1, z), m);
@@ -263,7 +275,9 @@ namespace conetact
       }
 
     const SmallMatrix &C = cone.C, &D = cone.D;
-    SmallVector        q = SmallVector::Zero(nt);
+    // q times the first row is subtracted from the others. With lambda frozen,
+    // dlambda = 0 and there is nothing to subtract.
+    SmallVector q = SmallVector::Zero(nt);
     if (!cone.frozen)
       q = (C.col(0).tail(nt) + eps * D.col(0).tail(nt)) / cone.pivot;
     const SmallVector w = D.col(0).tail(nt) - q * D(0, 0);
@@ -327,6 +341,7 @@ namespace conetact
       }
     append_balance(relation, x.d, laws);
     for (NodeLaw &law : laws)
+      // dd = (M + eps) dp + rho, and NewtonSystem knows M only.
       law.p += eps * law.d;
     if (!newton.solve(
           relation, laws, residual.relation, options.precision, delta.p))
@@ -362,10 +377,14 @@ namespace conetact
         trial.y += tau * delta.y;
         trial.p += tau * delta.p;
         trial.d += tau * delta.d;
+        // The relation is linear in the point: what a step leaves of it is
+        // known, and computed anew would be round-off.
         const Defect left{(1 - tau) * residual.relation,
                           (1 - tau) * residual.y};
         const double value = merit(trial, left, m);
-        const bool   good =
+        // The full step where it comes into the neighbourhood |H| <= beta; else
+        // Armijo on |H|^2, as Newton's direction has the slope -2 |H|^2.
+        const bool good =
           (cuts == 0 && value <= beta) ||
           value * value <= (1 - 2 * options.sigma * tau) * start * start;
         if (!good && cuts < 30)
@@ -388,17 +407,20 @@ namespace conetact
   SmoothingIteration::shrink()
   {
     ++outer;
-    const double k   = static_cast<double>(outer);
-    const double h   = natural;
-    double       bar = std::numeric_limits<double>::infinity();
+    const double k = static_cast<double>(outer);
+    const double h = natural;
+    // mbar keeps the derivative of the smoothed projection near one of the
+    // projection itself: quadratic convergence needs that.
+    double bar = std::numeric_limits<double>::infinity();
     if (options.kappahat * h < 1)
       bar = .5 * smallest_eigenvalue() * std::sqrt(options.kappahat * h);
     const double power = std::pow(options.etabar, k);
     m    = std::min({options.kappa * h * h, options.m0 * power, bar});
     eps  = std::min(options.kappa * h * h, options.eps0 * power);
     beta = options.beta0 * std::pow(options.eta, k);
-    m    = std::max(m, options.smallest_m);
-    eps  = std::max(eps, options.smallest_eps);
+    // Below these the linear systems lose more digits than are gained.
+    m   = std::max(m, options.smallest_m);
+    eps = std::max(eps, options.smallest_eps);
   }
 
 
@@ -427,6 +449,8 @@ namespace conetact
         measure();
         stalls = natural < .9 * best ? 0 : stalls + 1;
         best   = std::min(best, natural);
+        // m, eps and beta move only once the inner loop has reached its |H| <=
+        // beta.
         if (!inside)
           shrink();
       }
@@ -438,6 +462,7 @@ namespace conetact
   void
   SmoothingIteration::get(ContactState &state) const
   {
+    // p of the relation is the elastic part u = v - o.
     Array p = x.p;
     if (relation.stiffness())
       p -= relation.offset();

@@ -27,7 +27,10 @@ namespace conetact
     G_r = G * resisted;
     W += G_r * stiffness.cwiseInverse().asDiagonal() * G_r.transpose();
     const MatrixXd G_0 = G * free;
-    const double   gamma =
+    // Balance gives G_0^T r = -b_0, so gamma G_0 G_0^T r is a known
+    // displacement: W may have it if q gives it back. Then W is regular where
+    // only motions made it singular. gamma makes both parts of one size.
+    const double gamma =
       G_0.squaredNorm() > 0 ? W.trace() / G_0.squaredNorm() : 0.;
     W += gamma * G_0 * G_0.transpose();
     added = gamma * G_0 * free.transpose();
@@ -49,12 +52,16 @@ namespace conetact
     system->form      = Form::stiffness;
     system->n_motions = 0;
     system->first.resize(system->first.size() - static_cast<std::size_t>(k));
+    // Y less its part along the motions, so that K G_0 = 0. Symmetric to the
+    // last bit: of this form one triangle is read.
     system->matrix = Y - YG * S * YG.transpose();
     system->matrix =
       (.5 * (system->matrix + system->matrix.transpose())).eval();
     stiff = system;
   }
 
+  /* Supports by springs resist some motions of a body and leave others free: C
+     is split by its eigenvectors, with zeros up to rounding. */
   void
   StiffnessForm::split_motions(const MatrixXd &C)
   {
@@ -89,6 +96,8 @@ namespace conetact
     return f;
   }
 
+  /* The free ones from r = Y (v - G_0 a_0 - q) and their balance, the others
+     from C a = G_r^T r + b. */
   VectorXd
   StiffnessForm::motions(const VectorXd &given,
                          const VectorXd &v,

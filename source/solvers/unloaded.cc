@@ -52,6 +52,8 @@ namespace conetact
             break;
           const MatrixXd G = motions_at(system, nodes);
           VectorXd       z;
+          // The shortest a under G_n a + gap >= 0: its multipliers z are those
+          // of the nodes that push.
           if (!solve_lcp(G * G.transpose(),
                          gap(nodes),
                          VectorXd::Ones(G.rows()),

@@ -35,7 +35,9 @@ namespace conetact
                 IncrementRecord     &record)
   {
     State now;
-    now.u           = finding.u;
+    now.u = finding.u;
+    // Thermal forces are loads here: K w balances them as well, and the energy
+    // of w contains their work.
     now.forces      = claim.loads + finding.external.held;
     now.foundations = finding.foundations;
     now.relative    = finding.displacements;
@@ -48,6 +50,7 @@ namespace conetact
     last.obstacles.resize(points.size());
     last.foundations.resize(now.foundations.size());
 
+    // Of w alone: a rigid motion has no energy.
     record.strain_energy = .5 * claim.w.dot(finding.internal);
     record.external_work = trapezoid(last.forces, now.forces, last.u, now.u);
     for (std::size_t s = 0; s < now.foundations.size(); ++s)
@@ -55,6 +58,8 @@ namespace conetact
         {
           fill(last.foundations[s].forces, f.forces.size());
           fill(last.foundations[s].ground, f.forces.size());
+          // Springs between body and ground. On the whole they are inside: only
+          // the ground that moves does work from outside.
           record.strain_energy += .5 * f.forces.dot(f.ground - now.u);
           record.external_work += trapezoid(last.foundations[s].forces,
                                             f.forces,
@@ -70,10 +75,14 @@ namespace conetact
           point.node->obstacle != nullptr ?
             point.node->obstacle->displacement_at(claim.t) :
             Tensor<1, 3>());
+        // A reaction acts on the body; an obstacle that moves with it does
+        // work.
         record.external_work += .5 * (last.reactions[i] + now.reactions[i]) *
                                 (now.obstacles[i] - last.obstacles[i]);
         const auto nt   = static_cast<Index>(point.dual.size()) - 1;
         const auto work = [&](const Index first, const Index size) {
+          // Friction opposes the slip: its work on the bodies is negative, and
+          // what is lost positive.
           return -trapezoid(last.r.segment(first, size),
                             now.r.segment(first, size),
                             last.relative.segment(first, size),

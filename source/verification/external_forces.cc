@@ -67,11 +67,15 @@ namespace conetact
           return; // as on most nodes
         resultant.force += force;
         resultant.moment += moment + cross_product_3d(Tensor<1, 3>(p), force);
-        Balance           &balance = all.bodies[body];
+        Balance &balance = all.bodies[body];
+        // The scene has one point for all moments. A body has its own centre,
+        // since about a far point its moments would be rounding.
         const Tensor<1, 3> turning = cross_product_3d(p - centres[body], force);
         balance.sum.force += force;
         balance.sum.moment += moment + turning;
         balance.forces += force.norm();
+        // Magnitudes do not cancel: what sums of rounded terms may be off is
+        // measured by them, however small the sums are.
         balance.moments += moment.norm() + turning.norm();
         balance.arms += (p - centres[body]).norm() * force.norm();
         balance.largest = std::max(balance.largest, force.norm());
@@ -116,6 +120,9 @@ namespace conetact
           const Eigen::Index dof = plain.dof(rule.body, rule.node);
           const Point<3> p = bodies.structures[rule.body]->position(rule.node);
           const Tensor<1, 3> force = at_node(rest, dof, bodies.dim);
+          // K w less all that acts is what a rigid support must add. Free
+          // directions of the same node are none of its business: there an
+          // imbalance stays one.
           for (const HeldDirection &h : rule.held)
             {
               const Tensor<1, 3> part = (force * h.direction) * h.direction;
@@ -185,7 +192,9 @@ namespace conetact
             all.masters.resize(node.contact + 1);
           }
         const Tensor<1, 3> force = reaction(point, r);
-        std::size_t n_slaves     = std::max<std::size_t>(node.slaves.size(), 1);
+        // The opposite force, shared as the displacements of the masters are:
+        // no work is lost where the gap stays as it is. Slaves come first.
+        std::size_t n_slaves = std::max<std::size_t>(node.slaves.size(), 1);
         for_each_side(node,
                       [&](const unsigned int body,
                           const unsigned int i,

@@ -19,14 +19,15 @@ namespace conetact
     constexpr double eps   = std::numeric_limits<double>::epsilon();
     constexpr double noise = 64 * eps; ///< of the largest force so far
 
-    /** An error over its scale; where nothing acts, none is allowed. */
+    /** An error over its scale; where nothing acts, none is allowed, and what
+     * is not a number never is. */
     double
     relative(const double error, const double scale)
     {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
       if (error <= 0)
         return 0;
-      return scale > 0 ? error / scale :
-                         std::numeric_limits<double>::infinity();
+      return scale > 0 && error < infinity ? error / scale : infinity;
     }
 
     std::string
@@ -67,6 +68,8 @@ namespace conetact
   VectorXd
   Verification::relative_displacements(const VectorXd &u, const double t) const
   {
+    // v = H u from the definition, node by node: the H of the solver is not
+    // asked.
     VectorXd   v(before.size());
     const auto at = [&](const unsigned int body, const unsigned int node) {
       Tensor<1, 3> displacement;
@@ -106,12 +109,15 @@ namespace conetact
             const auto size = [&](const VectorXd &f) {
               return f.segment(dof, bodies.dim).norm();
             };
+            // Thermal forces cancel by themselves. They are a scale of
+            // equilibrium at nodes, never of balance or law.
             largest_load = std::max(largest_load, size(claim.loads));
             moved        = std::max(moved, size(out.u));
             coordinate   = std::max(coordinate, structure.position(i).norm());
           }
         scales.force.push_back(out.external.bodies[body].largest);
         scales.nodal.push_back(std::max(scales.force.back(), largest_load));
+        // Positions are known to the rounding of what they are sums of.
         scales.reach.push_back(coordinate + moved);
         scales.history[body] =
           std::max(scales.history[body], scales.nodal.back());
@@ -127,6 +133,8 @@ namespace conetact
                             const Scales &scales,
                             Finding      &out) const
   {
+    // C^T (K w - f - H^T r): what no support takes up, with the forces of
+    // hanging nodes at their masters.
     VectorXd free = plain.restrict(out.unbalanced), terms;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
@@ -138,11 +146,13 @@ namespace conetact
             const bool turns = (dof - plain.offset(body)) % n_c >= bodies.dim;
             for (const auto *entry = begin; entry != end; ++entry)
               {
+                // A moment becomes a force by the extent of the body.
                 const double error = std::abs(free[entry->unknown]) /
                                      (turns ? 2 * motions.size(body) : 1.);
                 const double scale = scales.nodal[body];
                 if (error <= .1 * scales.noise)
                   continue;
+                // Far below the limit there is no need for |K| |w|.
                 if (error <= .1 * tolerance * scale)
                   {
                     out.equilibrium = std::max(out.equilibrium, error / scale);
@@ -150,6 +160,9 @@ namespace conetact
                   }
                 if (terms.size() == 0) // only where they may matter
                   terms = elastic.terms(claim.w);
+                // The rounding of K w is no fault of the solution. As w carries
+                // no rigid motion this is no loophole: a body that floats away
+                // gains nothing by it.
                 const double left = error - 8 * eps * terms[dof] - scales.noise;
                 const double e    = relative(left, scale);
                 out.equilibrium   = std::max(out.equilibrium, e);
@@ -167,6 +180,9 @@ namespace conetact
   {
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
+        // Errors that nodes may have can add up over a body, and rounding of K
+        // can seem to carry what nothing holds: so each body is asked as a
+        // whole.
         const Balance &balance = out.external.bodies[body];
         const double   small   = scales.noise;
         const double   size    = motions.size(body);
@@ -193,8 +209,10 @@ namespace conetact
         const ContactNode  &node  = *point.node;
         const unsigned int  other =
           node.masters.empty() ? node.body : node.master;
+        // A light body on a heavily loaded one is judged by its own forces.
         const double F = std::min(scales.force[node.body], scales.force[other]);
         const double past = scales.noise;
+        // v is a difference of positions.
         const double position =
           16 * eps * std::max(scales.reach[node.body], scales.reach[other]);
         const double k = stiffness[static_cast<Index>(i)];
@@ -208,6 +226,7 @@ namespace conetact
           out.displacements.segment(point.first, nt) -
           (claim.incremental ? VectorXd(before.segment(point.first, nt)) :
                                VectorXd(VectorXd::Zero(nt)));
+        // Radius of the cone; cohesion holds at open nodes, too.
         const double limit = point.mu * r_n + node.cohesion;
 
         double      worst = 0;
@@ -221,6 +240,7 @@ namespace conetact
         const auto length = [&](const double error, const char *name) {
           if (error <= position)
             return;
+          // A length counts by the force that would close it.
           const double e = k > 0 ? relative((error - position) * k - past, F) :
                                    std::numeric_limits<double>::infinity();
           if (e > worst)
@@ -231,12 +251,16 @@ namespace conetact
         force(r_t.norm() - std::max(limit, 0.), "carries more than friction");
         if (claim.states[i] == NodeState::open)
           {
+            // The zeros of open nodes are exact: all of what exceeds rounding
+            // counts.
             force(std::abs(r_n) > past ? std::abs(r_n) + past : 0.,
                   "is open and carries a force");
             length(-gap, "penetrates");
           }
         else
           length(std::abs(gap), "is closed and has a gap");
+        // Each part of an increment slips its own way; their sum obeys nothing
+        // but the cone.
         if (claim.whole && nt > 0 && point.mu > 0 &&
             claim.states[i] == NodeState::stick)
           length(slip.norm(), "sticks and slips");
@@ -244,6 +268,8 @@ namespace conetact
           {
             force(limit - r_t.norm(), "slips below the limit of friction");
             const double shortest = position + (k > 0 ? tolerance * F / k : 0.);
+            // A slip that is rounding has no direction, and a longer one has it
+            // up to position / |slip|.
             if (slip.norm() > shortest)
               force((r_t + limit * slip / slip.norm()).norm() -
                       limit * position / slip.norm(),
@@ -269,6 +295,8 @@ namespace conetact
           std::numeric_limits<double>::infinity();
         return out;
       }
+    // u = R a + w. Gaps see all of it, forces only w: K R = 0 is exact where
+    // nobody computes it.
     out.u           = motions.field(claim.amounts) + claim.w;
     out.foundations = elastic.foundations(out.u, claim.t);
     out.internal    = elastic.structure_forces(claim.w);
@@ -288,6 +316,7 @@ namespace conetact
                       });
       }
     out.unbalanced = rest;
+    // Reactions of supports are read at the nodes that carry them.
     plain.unhang(rest);
     out.external = external_forces(
       bodies, plain, points, rest, out.foundations, claim.mechanical, claim.r);
@@ -303,6 +332,7 @@ namespace conetact
   void
   Verification::accept(const Claim &, const Finding &finding)
   {
+    // The slip of the next increment starts here.
     before = finding.displacements;
     for (std::size_t body = 0; body < history.size(); ++body)
       history[body] = std::max(history[body], finding.largest_force[body]);

@@ -1,13 +1,33 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two bodies that do not meet know nothing of each other."""
+"""Two bodies that do not meet know nothing of each other; free ones that overlap take the shortest way out."""
 import re
 
-from support.scenes import press_and_shear
+from support.scenes import contact, press_and_shear
 from support.tables import Run
 
 
+def ring(inner, outer, young, degrees=0):
+    return {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {inner} : {outer} : 12 : true", "Rotation": degrees},
+            "Material": {"Young modulus": young, "Poisson ratio": .3, "Plane": "stress"}}
+
+
+def shortest_way_out(laws):
+    """A ring of 12 facets turns in another one until it fits; friction has nothing to say, nor has any common turn."""
+    turns = []
+    for mu, young in ((0, 1.0), (.05, 3.8), (.5, 3.8), (2, 3.8), (.5, 1.0)):
+        run = laws.run({"Dimension": 2, "Body shaft": ring(.5, 1.04, 1.0), "Body hub": ring(1.0, 2.0, young, 12),
+                        "Contact joint": contact("hub", 0, "", mu, **{"Master body": "shaft", "Master boundary ids": 1,
+                                                                      "Largest interference": .1}),
+                        "Output": {"VTU": 0}})
+        laws.demand(f"mu {mu}, E {young}: no force", run.largest("r_n") == 0)
+        turns.append(sorted(row["u_t1"] for row in run.last()))
+    laws.check("slips of all nodes, whatever friction and stiffness",
+               max(abs(u - v) for turn in turns for u, v in zip(turn, turns[0])) / abs(turns[0][0]), 1e-9)
+
+
 def bodies(laws):
+    shortest_way_out(laws)
     for dim in (2, 3):
         left = press_and_shear(dim)
         right = press_and_shear(dim, mu=.5, young=70.0)

@@ -5,7 +5,7 @@ import itertools
 import math
 from pathlib import Path
 
-from support.scenes import SHIPPED, contact, entries, floor, load, merge, pushed_block, support
+from support.scenes import SHIPPED, box, contact, entries, floor, load, merge, pushed_block, support
 from support.tables import Events, read
 
 REFERENCE = Path(__file__).resolve().parents[1] / "reference"
@@ -137,6 +137,32 @@ def path_increments(laws):
         laws.check("where slip reverses, differences to the path with a fourth of the increment", fine / coarse, .5)
 
 
+def turned_pair(degrees, young, weight, push, times):
+    """A block on a wider base, 5 cells on 4, turned as a whole and pushed along the joint."""
+    def body(cells, size, place, modulus):
+        return box(cells, size, place, young=modulus, Rotation=degrees)
+    return {"Dimension": 2, "Body block": body((5, 3), (2.0, .8), (-1.0, 0.0), young[0]),
+            "Body base": body((4, 3), (12.0, 2.0), (-6.0, -2.0), young[1]),
+            "Contact joint": contact("block", 2, "", .5, **{"Master body": "base", "Master boundary ids": 3}),
+            "Support ground": support(2, "x, y", body="base"),
+            "Load weight": load("pressure", weight, 3, "block"), "Load push": load("pressure", push, 0, "block"),
+            "Time": {"Times": times}, "Solver": {"Method": "load path"}, "Output": {"VTU": 0}}
+
+
+def path_turned_pairs(laws):
+    """Gaps that are rounding are closed: nodes do not come to the base one after the other."""
+    for degrees in (0, 12, 30, 33.3, 57.1, 155):
+        for name, young in (("stiff base", (4.3e4, 1e6)), ("metals in SI", (7.3e9, 8.8e11))):
+            p = young[0] * 1e-6  # slides where push x 0.8 = 0.5 x weight x 2
+            for what, weight, push, times, limit in (
+                    ("weight first", f"{p}*min(2*t, 1)", f"{p}*max(4*t - 2, 0)", "0.5, 1", .5 + 1.25 / 4),
+                    ("weight all the time", f"{p}", f"{p}*2*t", "1", .625)):
+                run = laws.run(turned_pair(degrees, young, weight, push, times))
+                events = Events(run.folder)
+                laws.check(f"{name} turned by {degrees} degrees, {what}: limit load", abs(events.parameter / limit - 1), 1e-9)
+                laws.demand("  it slides: " + events.words, events.words == "limit load: sliding")
+
+
 def path_in_space(laws):
     for degrees in (0, 17, 45, 110):
         angle = math.radians(degrees)
@@ -168,4 +194,5 @@ def path(laws):
     path_sheet_pile(laws)
     path_alike(laws)
     path_increments(laws)
+    path_turned_pairs(laws)
     path_in_space(laws)

@@ -66,6 +66,8 @@ namespace conetact
                       const Finding          &finding) const;
     std::string
     wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
+    std::string
+    wrong_turn(const PendingIncrement &increment) const;
     void
     add_resultants(IncrementRecord &record, const Finding &finding);
     void

@@ -14,11 +14,13 @@
 namespace conetact
 {
   /**
-   * The order of methods that loses nothing: scale; active set from the last
-   * states; a few sweeps of Gauss-Seidel, then smoothing to globalise, each
-   * with an active set attempt to make the result exact; and where the whole
-   * increment cannot be solved, the increment in parts. The load of a part lies
-   * on the line between the loads at start and end,
+   * The order of methods that loses nothing: active set from the last states;
+   * where bodies are free, the same without their motions, the shortest way out
+   * of what overlaps, and springs against falls that are taken away again; a
+   * few sweeps of Gauss-Seidel, then smoothing to globalise. Each ends with an
+   * active set attempt to make the result exact. Where the whole increment
+   * cannot be solved, the increment in parts. The
+   * load of a part lies on the line between the loads at start and end,
    * @f$b(s) = b_0 + s (b_1 - b_0)@f$, where b0 follows from the state at the
    * start: @f$b_0 = K v_0 - r_0@f$ with @f$v_0 = (0, g_0)@f$ (compliance:
    * @f$b_0 = v_0 - W r_0@f$). Parts change the answer of an incremental law, so

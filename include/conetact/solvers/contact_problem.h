@@ -143,7 +143,8 @@ namespace conetact
   Eigen::VectorXd
   elastic_part(const ContactProblem &problem, const ContactState &state);
 
-  /** What a solver says of itself. No solver is believed: see residual(). */
+  /** What a solver says of itself. No solver is believed: see
+   * contact_residual(). */
   struct SolverReport
   {
     bool         converged = false;

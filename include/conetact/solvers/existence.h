@@ -73,7 +73,7 @@ namespace conetact
 
     /**
      * Takes the null space from system.null_space (any basis; nothing to do
-     * without, or in compliance form). The frames only serve to tell a
+     * without one). The frames only serve to tell a
      * translation from a rotation; without them they are taken as all equal.
      */
     explicit ExistenceCheck(std::shared_ptr<const ContactSystem> system,

@@ -22,10 +22,10 @@ namespace conetact
   public:
     /**
      * `change` is the load of the increment less the load that `start` is in
-     * balance with. Nothing if the load goes another way than before, or if
-     * this increment starts neither where the last one ended nor where it
-     * started (then it is solved once more, with a load that is a little
-     * better).
+     * balance with, up to a sign that stays the same. Nothing if the load goes
+     * another way than before, or if this increment starts neither where the
+     * last one ended nor where it started (then it is solved once more, with a
+     * load that is a little better).
      */
     std::optional<ContactState>
     predict(const ContactState &start, const Eigen::VectorXd &change) const;

@@ -31,8 +31,8 @@ namespace conetact
 
     /**
      * Iterates p until the law holds to `goal` (see law_residual()) or nothing
-     * is gained any more, and writes the zeros of the states into p and d.
-     * Leaves the best point found. Returns its residual.
+     * is gained any more. Leaves the best point found, without the zeros of
+     * its states. Returns its residual.
      */
     double
     polish(const double                 goal,

@@ -49,6 +49,8 @@ namespace conetact
       {
         double key = 0;
         for (unsigned int i = 0; i < x.size(); ++i)
+          // Weights without any relation: other shapes hardly have the same
+          // sum.
           key += x[i] * std::cos(1. + 3. * static_cast<double>(i));
         return key;
       }
@@ -86,10 +88,13 @@ namespace conetact
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       {
         const Outline<dim> outline(mesh.vertices(cell));
-        unsigned int       shape = cell > 0 ? shape_of_cell.back() : 0;
+        // Most meshes have long runs of one shape.
+        unsigned int shape = cell > 0 ? shape_of_cell.back() : 0;
         if (known.empty() || !outline.equals(known[shape]))
           {
             const double key = outline.key();
+            // Weights are 1 at most: so much may the keys of equal cells
+            // differ.
             const double range =
               outline.tolerance * static_cast<double>(outline.x.size());
             const auto end = by_key.upper_bound(key + range);
@@ -120,6 +125,8 @@ namespace conetact
     for (Shape &shape : shapes)
       if (shape.n_cells > 1 || room > 0)
         {
+          // Shapes that come again always pay; the others only save a
+          // computation for each product.
           room -= shape.n_cells == 1;
           shape.matrix = static_cast<int>(matrices.size());
           matrices.push_back(compute(shape.first_cell));
@@ -165,7 +172,9 @@ namespace conetact
     Columns result(dim * mesh.n_cell_nodes, end - first);
     for (unsigned int cell = first; cell < end; ++cell)
       {
-        const auto                          nodes = mesh.cell(cell);
+        const auto nodes = mesh.cell(cell);
+        // What the cell moves as a whole has no force, and would cost the
+        // digits of what strains it.
         const Eigen::Matrix<double, dim, 1> base =
           u.template segment<dim>(dim * nodes[0]);
         for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)

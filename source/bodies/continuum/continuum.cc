@@ -78,6 +78,7 @@ namespace conetact
     double
     distance_to_unit_cell(const Point<dim> &p, const bool simplex)
     {
+      // Inside a simplex all coordinates are above 0, and their sum is below 1.
       if (!simplex)
         return GeometryInfo<dim>::distance_to_unit_cell(p);
       double distance = -1, sum = 0;
@@ -109,6 +110,7 @@ namespace conetact
                 body.mapping.transform_real_to_unit_cell(cell, p);
               const double distance =
                 distance_to_unit_cell(unit, body.has_simplices());
+              // Between cells round-off may put a point outside of all of them.
               if (distance < nearest)
                 {
                   nearest = distance;
@@ -233,6 +235,8 @@ namespace conetact
           mean += fe.JxW(q) * normal;
           for (unsigned int v = 0; v < numbers.size(); ++v)
             {
+              // The tributary area int N_v, times the thickness in 2D, and the
+              // same with the normal.
               const double part =
                 thickness * fe.JxW(q) * fe.shape_value(face.shapes[v], q);
               nodes[numbers[v]].area += part;
@@ -250,6 +254,7 @@ namespace conetact
         node.position = position(number);
         for (const Tensor<1, 3> &share : node.normals)
           node.normal += share;
+        // A node on an edge of the body has a normal for each smooth side.
         node.normals = smooth_patches(node.normals);
         // opposite faces of a thin slit may cancel
         if (node.normal.norm() > 1e-12 * node.area)
@@ -306,6 +311,8 @@ namespace conetact
       }
   }
 
+  /* By the shape functions of the cell, which keep the force and its moment
+     about any point. */
   template <int dim>
   bool
   Continuum<dim>::add_point_force(const Point<3>     &point,
@@ -350,8 +357,11 @@ namespace conetact
           };
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j <= i; ++j)
+              // int N^T s N: springs spread over the face, not set at its
+              // nodes.
               k(i, j) += shape(i) * shape(j) * s[i % dim][j % dim];
         }
+      // Half is computed and copied: symmetric to the last bit.
       k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
 
       std::vector<unsigned int> dofs;
@@ -379,6 +389,8 @@ namespace conetact
         typename Element::Strains strains(Element::n_strains, n);
         for (unsigned int v = 0; v < n; ++v)
           strains.col(v) = at_nodes[cell[v]] * unit;
+        // Forces int B^T C alpha T: they would strain the cell as the heat
+        // would if nothing resisted. They sum to zero in each cell.
         const typename Element::Displacements forces =
           thickness * element->forces(mesh.vertices(c), strains);
         for (unsigned int i = 0; i < dim * n; ++i)

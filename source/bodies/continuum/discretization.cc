@@ -48,6 +48,8 @@ namespace conetact
             const unsigned int vertex,
             const unsigned int dim)
     {
+      // Without renumbering deal.II gives the components of a vertex
+      // consecutive dofs.
       return static_cast<unsigned int>(object->vertex_dof_index(vertex, 0)) /
              dim;
     }
@@ -85,6 +87,7 @@ namespace conetact
               {
                 result.nodes.push_back(node_of(face, v, dim));
                 for (const unsigned int w : cell->vertex_indices())
+                  // The face's own order of vertices is not that of its cell.
                   if (node_of(cell, w, dim) == result.nodes.back())
                     result.shapes.push_back(fe.component_to_system_index(0, w));
               }

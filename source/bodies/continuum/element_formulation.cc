@@ -66,6 +66,7 @@ namespace conetact
       const Tensor<2, dim>  inverse = invert(j);
       Gradients<n_vertices> gradients;
       for (unsigned int v = 0; v < n_vertices; ++v)
+        // dN/dx = dN/dxi dxi/dx, with the Jacobian dx/dxi at the point itself.
         gradients[v] = unit[v] * inverse;
       strains.push_back(this->template strain_matrix<n_vertices>(gradients));
       return determinant(j);
@@ -74,6 +75,8 @@ namespace conetact
       field.weights.push_back(unit_weights[q] *
                               add(at_points[q], field.at_points));
     if (with_vertices)
+      // Stresses are those of the vertices themselves, not continued from the
+      // points.
       for (const auto &unit : at_corners)
         add(unit, field.at_vertices);
     return field;
@@ -84,6 +87,7 @@ namespace conetact
   DLinearElement<dim>::stiffness(const Vertices &vertices) const
   {
     StrainField b = d_linear(vertices, false);
+    // K = int B^T C B with the strains that the element has improved.
     improve(vertices, b);
     Eigen::Matrix<double, n_dofs, n_dofs> k =
       Eigen::Matrix<double, n_dofs, n_dofs>::Zero();
@@ -91,9 +95,11 @@ namespace conetact
       {
         const Eigen::Matrix<double, n_strains, n_dofs> of_dofs = b.at_points[q];
         const Eigen::Matrix<double, n_strains, n_dofs> stress =
+          // Products of matrices this small are faster entry by entry.
           (b.weights[q] * this->c).lazyProduct(of_dofs);
         k += of_dofs.transpose().lazyProduct(stress);
       }
+    // Half of it copied: symmetric to the last bit.
     k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
     return k;
   }
@@ -122,6 +128,9 @@ namespace conetact
     StrainField strains = d_linear(vertices, true);
     for (std::size_t i = 0; i < n_vertices; ++i)
       {
+        // There are as many points as vertices. Initial strains are taken off
+        // before the element improves the rest: it is stress that internal
+        // modes answer to.
         const auto column = static_cast<Eigen::Index>(i);
         strains.at_points[i] =
           (strains.at_points[i] * u - initial * shapes.col(column)).eval();
@@ -151,6 +160,8 @@ namespace conetact
     typename Base::template Gradients<n_vertices> gradients;
     for (unsigned int v = 0; v < dim; ++v)
       {
+        // Barycentric coordinates: the one of vertex v + 1 grows along its
+        // edge, that of the first takes what keeps their sum at 1.
         gradients[v + 1] = inverse[v];
         gradients[0] -= inverse[v];
       }

@@ -75,6 +75,7 @@ namespace conetact
       double n = 0;
       for (const auto &cell : mesh.active_cell_iterators())
         n += part_inside(cell, box, parameters);
+      // 2^dim children a level, less the quarter.
       return std::ldexp(n, static_cast<int>(dim * box.levels) - 2);
     }
 
@@ -90,6 +91,8 @@ namespace conetact
         n_flagged += cell->refine_flag_set();
       check_mesh_size(parameters,
                       dim,
+                      // At least: cells beside are divided as well, so that
+                      // levels differ by 1.
                       mesh.n_active_cells() + ((1 << dim) - 1.) * n_flagged,
                       entry);
       mesh.execute_coarsening_and_refinement();
@@ -198,6 +201,7 @@ namespace conetact
       const double distance =
         (1 - 1e-9) * zone.distance / parameters.placement.scale;
       const auto reaches = [&](const BoundingBox<dim> &cell) {
+        // The tree finds boxes; corners of a box are further than the distance.
         BoundingBox<dim> around = cell;
         around.extend(distance);
         const auto near = [&](const BoundingBox<dim> &face) {

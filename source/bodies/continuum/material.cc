@@ -43,14 +43,17 @@ namespace conetact
     const bool         free  = dim == 2 && plane == Plane::stress;
     const Eigen::Index n     = free ? 2 : 3; // axes with stress
     const double       shear = young_modulus / (2 * (1 + poisson_ratio));
-    const double       lame =
+    // With sigma_zz = 0 the strain along z is eliminated: nu / (1 - nu^2) takes
+    // the place of nu / ((1 + nu) (1 - 2 nu)).
+    const double lame =
       free ?
-              young_modulus * poisson_ratio / (1 - poisson_ratio * poisson_ratio) :
-              2 * shear * poisson_ratio / (1 - 2 * poisson_ratio);
+        young_modulus * poisson_ratio / (1 - poisson_ratio * poisson_ratio) :
+        2 * shear * poisson_ratio / (1 - 2 * poisson_ratio);
 
     Eigen::MatrixXd c = Eigen::MatrixXd::Zero(2 * dim, 2 * dim);
     c.topLeftCorner(n, n).setConstant(lame);
     c.diagonal().head(n).array() += 2 * shear;
+    // G, not 2 G, for the engineers' shear strains.
     c.diagonal().tail(2 * dim - 3).setConstant(shear);
     return c;
   }
@@ -59,6 +62,8 @@ namespace conetact
   ElasticMaterial::thermal_strain(const unsigned int dim) const
   {
     Eigen::VectorXd strain = Eigen::VectorXd::Zero(2 * dim);
+    // Along z, too: in plane strain heat presses against what holds the body
+    // there.
     strain.head<3>().setConstant(expansion);
     return strain;
   }

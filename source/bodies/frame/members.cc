@@ -30,6 +30,7 @@ namespace conetact
       const bool            given = wanted.norm() > 0;
       Eigen::Vector3d       v     = to_eigen(wanted).normalized();
       if (!given)
+        // Upright members have no plane with the vertical.
         v = std::abs(x.z()) > 1 - 1e-9 ? Eigen::Vector3d::UnitX() :
                                          Eigen::Vector3d::UnitZ();
       Eigen::Vector3d y = v.cross(x);
@@ -95,6 +96,7 @@ namespace conetact
       return v;
     };
     const double e = properties->young_modulus;
+    // E A / l times the square of the elongation; a bar has nothing else.
     add(e * properties->area / l, strain({{0, -1}, {6, 1}}));
     if (!bending)
       return k;
@@ -117,6 +119,8 @@ namespace conetact
         for (int r = 6 * end + 3; r < 6 * end + 6; ++r)
           if (k(r, r) > 0) // out of the plane there is no stiffness
             {
+              // No moment at the hinge: its rotation follows from the other
+              // dofs, and what a load does to it goes to them.
               const Vector k_r = k.col(r);
               f -= k_r * (f[r] / k_r[r]);
               k -= k_r * k_r.transpose() / k_r[r];
@@ -136,6 +140,7 @@ namespace conetact
     for (int i = 0; i < 12; i += 3)
       rotation.block<3, 3>(i, i) = axes;
     k = (rotation.transpose() * k * rotation).eval();
+    // A rotation rounds both triangles differently.
     k.triangularView<Eigen::StrictlyUpper>() = k.transpose();
     return k;
   }
@@ -166,6 +171,7 @@ namespace conetact
   Member::Vector
   Member::local_forces(const MemberLoad &load) const
   {
+    // Exact for cubic shapes times loads of degree 6.
     static const dealii::QGauss<1> gauss(5);
     Vector                         f = Vector::Zero();
     for (const VectorField &q : load.per_length)
@@ -177,6 +183,7 @@ namespace conetact
         }
     for (const auto &[s, force] : load.points)
       f += shape_forces(s, axes * to_eigen(force));
+    // Forces that would stretch the member as heat would if nothing resisted.
     const double n =
       properties->young_modulus * properties->area * load.thermal_strain;
     f[0] -= n;
@@ -210,6 +217,8 @@ namespace conetact
     Matrix k    = full_stiffness();
     Vector none = Vector::Zero();
     condense(k, none);
+    // Nodal forces that stand for the load are no forces of the nodes on the
+    // member.
     return k * to_local(u) - local_forces(load);
   }
 } // namespace conetact
