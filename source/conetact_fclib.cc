@@ -34,11 +34,11 @@ namespace
 
   struct CommandLine
   {
-    std::string   file, output;
-    SolverOptions options;
-    double        time_limit = 50; ///< seconds; 0: none
-    bool          guess      = false;
-    bool          help       = false;
+    std::string            file, output;
+    solvers::SolverOptions options;
+    double                 time_limit = 50; ///< seconds; 0: none
+    bool                   guess      = false;
+    bool                   help       = false;
   };
 
   std::string
@@ -59,7 +59,7 @@ namespace
       "Exit codes: 0 solved, 1 wrong arguments or file, 2 not converged, "
       "3 cannot write.\n"
       "Methods:\n";
-    for (const SolverRow &row : solver_table())
+    for (const solvers::SolverRow &row : solvers::solver_table())
       text += "  " + std::string(row.name) + ": " + row.description + "\n";
     return text;
   }
@@ -98,7 +98,7 @@ namespace
   check_solver(const std::string &name)
   {
     std::string names;
-    for (const SolverRow &row : solver_table())
+    for (const solvers::SolverRow &row : solvers::solver_table())
       {
         if (name == row.name)
           return;
@@ -161,12 +161,12 @@ namespace
    * The law in a file is no increment of a path: parts of it would be solved
    * for another law, and are not tried.
    */
-  SolverOptions
+  solvers::SolverOptions
   options_of(const CommandLine &line)
   {
-    using Clock           = std::chrono::steady_clock;
-    SolverOptions options = line.options;
-    options.max_substeps  = 1;
+    using Clock                    = std::chrono::steady_clock;
+    solvers::SolverOptions options = line.options;
+    options.max_substeps           = 1;
     if (line.time_limit > 0)
       options.stop = [start = Clock::now(), limit = line.time_limit] {
         return std::chrono::duration<double>(Clock::now() - start).count() >
@@ -176,7 +176,7 @@ namespace
   }
 
   std::string
-  why_not(const CommandLine &line, const SolverReport &report)
+  why_not(const CommandLine &line, const solvers::SolverReport &report)
   {
     if (report.reason.empty())
       return "the residual is too large.";
@@ -190,28 +190,29 @@ namespace
   int
   solve(const CommandLine &line)
   {
-    const SolverOptions  options = options_of(line);
-    const ContactProblem problem = read_fclib(line.file);
-    const Eigen::Index   n       = problem.system->n_unknowns();
-    const Eigen::Index   n_c     = problem.system->n_nodes();
-    ContactState         state;
+    const solvers::SolverOptions  options = options_of(line);
+    const solvers::ContactProblem problem = exchange::read_fclib(line.file);
+    const Eigen::Index            n       = problem.system->n_unknowns();
+    const Eigen::Index            n_c     = problem.system->n_nodes();
+    solvers::ContactState         state;
     state.v = state.r = Eigen::VectorXd::Zero(n);
     if (line.guess)
       {
-        const auto guess = read_fclib_guess(line.file, problem);
+        const auto guess = exchange::read_fclib_guess(line.file, problem);
         if (!guess)
           throw InputError("The file '" + line.file + "' holds no guess.");
         state = *guess;
       }
 
-    const auto         start     = std::chrono::steady_clock::now();
-    const std::clock_t cpu_start = std::clock();
-    const SolverReport report    = make_solver(options)->solve(problem, state);
+    const auto                  start     = std::chrono::steady_clock::now();
+    const std::clock_t          cpu_start = std::clock();
+    const solvers::SolverReport report =
+      solvers::make_solver(options)->solve(problem, state);
     const std::chrono::duration<double> time =
       std::chrono::steady_clock::now() - start;
     const double cpu_time =
       static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
-    const double residual = contact_residual(problem, state);
+    const double residual = solvers::contact_residual(problem, state);
     const bool solved = report.converged && residual <= line.options.tolerance;
 
     std::cout << "contacts   " << n_c << " (" << n / n_c << "D)\n"
@@ -227,7 +228,7 @@ namespace
       }
     if (!line.output.empty())
       {
-        store_fclib_solution(problem, state, line.file, line.output);
+        exchange::store_fclib_solution(problem, state, line.file, line.output);
         std::cout << "solution in " << line.output << '\n';
       }
     return 0;

@@ -85,7 +85,7 @@ namespace
     return line;
   }
 
-  StoredProblem
+  solvers::StoredProblem
   read_file(const std::string &name, const bool stage)
   {
     std::ifstream file(name);
@@ -93,7 +93,7 @@ namespace
       throw std::invalid_argument("The file " + name + " cannot be read.");
     try
       {
-        StoredProblem stored = read_problem_text(file);
+        solvers::StoredProblem stored = solvers::read_problem_text(file);
         if (stored.is_stage() != stage)
           throw std::invalid_argument(
             stage ? "It is an increment. Lemke's method needs the stages that "
@@ -109,16 +109,19 @@ namespace
   }
 
   const char *
-  name_of(const PathOutcome outcome)
+  name_of(const load_path::PathOutcome outcome)
   {
-    return outcome == PathOutcome::target_reached    ? "target reached" :
-           outcome == PathOutcome::no_further_change ? "no further change" :
-           outcome == PathOutcome::limit_load        ? "mechanism" :
-                                                       "not converged";
+    return outcome == load_path::PathOutcome::target_reached ?
+             "target reached" :
+           outcome == load_path::PathOutcome::no_further_change ?
+             "no further change" :
+           outcome == load_path::PathOutcome::limit_load ? "mechanism" :
+                                                           "not converged";
   }
 
   void
-  print_end(const ContactSystem &system, const PathPoint &end)
+  print_end(const solvers::ContactSystem &system,
+            const load_path::PathPoint   &end)
   {
     std::printf("%-6s%16s%16s%16s%16s\n", "node", "u_t", "g", "r_t", "r_n");
     for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
@@ -138,11 +141,11 @@ namespace
   int
   run_lemke(const CommandLine &line, const std::string &file)
   {
-    const StoredProblem stored = read_file(file, true);
-    PathOptions         path;
-    path.law      = PathLaw::holonomic;
+    const solvers::StoredProblem stored = read_file(file, true);
+    load_path::PathOptions       path;
+    path.law      = load_path::PathLaw::holonomic;
     path.cohesion = stored.cohesion;
-    LemkeOptions options;
+    reproductions::LemkeOptions options;
     options.weight = line.weight;
     options.log    = [](const std::string &text) { std::puts(text.c_str()); };
     std::printf("# %s: p from %g to %g\n",
@@ -150,11 +153,11 @@ namespace
                 stored.begin,
                 stored.end);
     const auto follower =
-      make_lemke_follower(stored.problem.system, path, options);
-    std::size_t      n_pivots = 0;
-    const PathResult result   = follower->follow(
+      reproductions::make_lemke_follower(stored.problem.system, path, options);
+    std::size_t                 n_pivots = 0;
+    const load_path::PathResult result   = follower->follow(
       {stored.problem.load, stored.rate, stored.begin, stored.end},
-      [&](const PathPoint &point) {
+      [&](const load_path::PathPoint &point) {
         if (!point.changes.empty())
           ++n_pivots;
         else
@@ -165,18 +168,19 @@ namespace
                 result.parameter,
                 n_pivots,
                 result.reason.c_str());
-    return result.outcome == PathOutcome::not_converged ? 2 : 0;
+    return result.outcome == load_path::PathOutcome::not_converged ? 2 : 0;
   }
 
   int
   run_smoothing(const CommandLine &line, const std::string &file)
   {
-    const ContactProblem problem = read_file(file, false).problem;
-    int                  code    = 0;
-    for (const PublishedSet &set : published_sets())
+    const solvers::ContactProblem problem = read_file(file, false).problem;
+    int                           code    = 0;
+    for (const reproductions::PublishedSet &set :
+         reproductions::published_sets())
       {
-        const PublishedRun run =
-          solve_as_published(problem, set, line.tolerance);
+        const reproductions::PublishedRun run =
+          reproductions::solve_as_published(problem, set, line.tolerance);
         std::printf("%-4s%12u%18.1e%10.0e%10.0e%10.0e  %s%s\n",
                     set.name,
                     run.iterations,

@@ -25,7 +25,8 @@ namespace
   using namespace conetact;
 
   std::filesystem::path
-  folder_of(const CommandLine &line, const Scene &scene)
+  folder_of(const application::CommandLine &line,
+            const application::Scene       &scene)
   {
     return line.folder.empty() ?
              std::filesystem::path("output") / scene.name() :
@@ -58,16 +59,17 @@ namespace
   }
 
   void
-  note_work(const Analysis &analysis, Log &log)
+  note_work(const analysis::Analysis &analysis, Log &log)
   {
-    log.note("memory: " + megabytes(peak_memory()) + " at most");
+    log.note("memory: " + analysis::megabytes(analysis::peak_memory()) +
+             " at most");
     log.note(describe(analysis.work()));
   }
 
   /** To a folder that exists from now on. */
   void
   start_writing(const std::filesystem::path &folder,
-                const Scene                 &scene,
+                const application::Scene    &scene,
                 Log                         &log)
   {
     make_folder(folder);
@@ -80,7 +82,9 @@ namespace
   }
 
   void
-  foretell(Analysis &analysis, const Scene &scene, Log &log)
+  foretell(analysis::Analysis       &analysis,
+           const application::Scene &scene,
+           Log                      &log)
   {
     analysis.check_history();
     analysis.estimate();
@@ -92,10 +96,10 @@ namespace
 
   /** Runs the history on the mesh at hand. */
   void
-  run_history(Analysis                    &analysis,
-              const std::filesystem::path &folder,
-              const CommandLine           &line,
-              Log                         &log)
+  run_history(analysis::Analysis             &analysis,
+              const std::filesystem::path    &folder,
+              const application::CommandLine &line,
+              Log                            &log)
   {
     try
       {
@@ -116,12 +120,12 @@ namespace
    * there are files on disk.
    */
   bool
-  run_mesh(const CommandLine  &line,
-           AdaptiveRefinement &adaptive,
-           Log                &log,
-           bool               &writing)
+  run_mesh(const application::CommandLine &line,
+           analysis::AdaptiveRefinement   &adaptive,
+           Log                            &log,
+           bool                           &writing)
   {
-    Scene scene(line);
+    application::Scene scene(line);
     if (line.print_parameters)
       {
         std::cout << scene.documentation();
@@ -136,7 +140,8 @@ namespace
       log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
     scene.build(adaptive.refinements());
     log.time("bodies, obstacles, contacts");
-    const std::unique_ptr<Analysis> analysis = make_analysis(scene, log);
+    const std::unique_ptr<analysis::Analysis> analysis =
+      analysis::make_analysis(scene, log);
     log.time("contact nodes and supports");
     analysis->choose_working_set();
     analysis->report();
@@ -162,11 +167,11 @@ namespace
   }
 
   void
-  run(const CommandLine &line)
+  run(const application::CommandLine &line)
   {
-    Log                log(line.quiet, line.dry_run);
-    AdaptiveRefinement adaptive;
-    bool               writing = false;
+    Log                          log(line.quiet, line.dry_run);
+    analysis::AdaptiveRefinement adaptive;
+    bool                         writing = false;
     try
       {
         while (run_mesh(line, adaptive, log, writing))
@@ -211,7 +216,8 @@ main(int argc, char *argv[])
   try
     {
       refuse_many_processes(ranks_of_mpirun().size);
-      const CommandLine line = parse_command_line(argc, argv);
+      const application::CommandLine line =
+        application::parse_command_line(argc, argv);
       if (line.answer.empty())
         run(line);
       else

@@ -17,6 +17,9 @@
 namespace
 {
   using namespace conetact;
+  using namespace conetact::application;
+  using namespace conetact::contact;
+  using namespace conetact::solvers;
 
   /** Vectors of `size` in and around the cone. */
   std::vector<SmallVector>

@@ -24,6 +24,10 @@
 namespace
 {
   using namespace conetact;
+  using namespace conetact::application;
+  using namespace conetact::bodies;
+  using namespace conetact::contact;
+  using namespace conetact::solvers;
 
   double
   cpu_seconds()

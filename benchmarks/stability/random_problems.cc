@@ -34,6 +34,8 @@
 namespace
 {
   using namespace conetact;
+  using namespace conetact::pairing;
+  using namespace conetact::solvers;
   using Eigen::Index;
   using Eigen::VectorXd;
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 using namespace conetact;
+using namespace conetact::solvers;
 
 int
 main()

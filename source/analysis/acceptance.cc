@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -31,20 +31,20 @@ namespace conetact
      * are rounding of the largest `so far`.
      */
     double
-    balance_of(const IncrementRecord &record,
-               const double           reach,
-               double                &so_far)
+    balance_of(const output::IncrementRecord &record,
+               const double                   reach,
+               double                        &so_far)
     {
-      Resultant  sum;
-      double     largest = 0;
-      const auto add     = [&](const Resultant &resultant) {
+      output::Resultant sum;
+      double            largest = 0;
+      const auto        add     = [&](const output::Resultant &resultant) {
         sum.force += resultant.force;
         sum.moment += resultant.moment;
         largest = std::max(largest, resultant.force.norm());
       };
-      for (const Resultant &contact : record.contacts)
+      for (const output::Resultant &contact : record.contacts)
         add(contact);
-      for (const Resultant &support : record.each_support)
+      for (const output::Resultant &support : record.each_support)
         add(support);
       add(record.loads);
       so_far = std::max(so_far, largest);
@@ -56,7 +56,9 @@ namespace conetact
     }
   } // namespace
 
-  Acceptance::Acceptance(const Scene &s, const ContactModel &m, Log &log)
+  Acceptance::Acceptance(const application::Scene    &s,
+                         const contact::ContactModel &m,
+                         Log                         &log)
     : scene(s)
     , model(m)
     , verification(model.bodies,
@@ -70,7 +72,8 @@ namespace conetact
   {}
 
   void
-  Acceptance::set_stiffness(const ContactSystem &system, const WorkingSet &set)
+  Acceptance::set_stiffness(const solvers::ContactSystem &system,
+                            const contact::WorkingSet    &set)
   {
     Eigen::VectorXd stiffness =
       Eigen::VectorXd::Zero(model.points.layout().n_nodes());
@@ -84,9 +87,9 @@ namespace conetact
         // tr K_ii / dim, or dim / tr W_ii: what turns a gap that is left into a
         // force.
         stiffness[set.nodes()[static_cast<std::size_t>(i)]] =
-          system.form == Form::stiffness ? mean :
-          mean > 0                       ? 1 / mean :
-                                           0;
+          system.form == solvers::Form::stiffness ? mean :
+          mean > 0                                ? 1 / mean :
+                                                    0;
       }
     // candidates outside the set carry nothing; their gaps are like others
     const double largest = stiffness.size() > 0 ? stiffness.maxCoeff() : 0;
@@ -94,11 +97,11 @@ namespace conetact
       [largest](const double k) { return k > 0 ? k : largest; }));
   }
 
-  Claim
+  verification::Claim
   Acceptance::claim(const PendingIncrement &increment,
                     const Eigen::VectorXd  &w) const
   {
-    Claim claim;
+    verification::Claim claim;
     claim.amounts = model.amounts(increment.load.placement, increment.motions);
     claim.w       = w;
     claim.r       = increment.state.r;
@@ -110,11 +113,11 @@ namespace conetact
     // The holonomic law, of all slip since the start, exists on load paths
     // only.
     claim.incremental =
-      !scene.path.follows || scene.path.law == PathLaw::incremental;
+      !scene.path.follows || scene.path.law == load_path::PathLaw::incremental;
     return claim;
   }
 
-  Finding
+  verification::Finding
   Acceptance::judge(const PendingIncrement &increment,
                     const Eigen::VectorXd  &w) const
   {
@@ -131,20 +134,21 @@ namespace conetact
   }
 
   std::string
-  Acceptance::wrong_gap(const PendingIncrement &increment,
-                        const Finding          &finding,
-                        const Eigen::VectorXd  &w,
-                        const Eigen::VectorXd  &u) const
+  Acceptance::wrong_gap(const PendingIncrement      &increment,
+                        const verification::Finding &finding,
+                        const Eigen::VectorXd       &w,
+                        const Eigen::VectorXd       &u) const
   {
-    std::vector<MovedNode> moved;
-    double                 indentation = 0;
-    const auto at = [&](const Eigen::VectorXd &x, const ContactNode &node) {
+    std::vector<pairing::MovedNode> moved;
+    double                          indentation = 0;
+    const auto                      at = [&](const Eigen::VectorXd      &x,
+                        const pairing::ContactNode &node) {
       return model.displacement(x, node.body, node.node);
     };
-    const ContactPoints &points = model.points;
+    const contact::ContactPoints &points = model.points;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const ContactNode &node = *points[i].node;
+        const pairing::ContactNode &node = *points[i].node;
         if (node.obstacle == nullptr)
           continue;
         const auto n = points[i].first +
@@ -153,25 +157,25 @@ namespace conetact
         moved.push_back({&node,
                          at(u, node),
                          node.obstacle->displacement_at(increment.record.time),
-                         increment.state.node[i] == NodeState::open ?
+                         increment.state.node[i] == solvers::NodeState::open ?
                            node.gap + finding.displacements[n] :
                            0.});
-        if (increment.state.node[i] != NodeState::open)
+        if (increment.state.node[i] != solvers::NodeState::open)
           // Only what deforms counts: a body that is carried along is not
           // indented.
           indentation = std::max(indentation, std::abs(at(w, node) * node.n));
       }
-    const auto worst = worst_gap_error(moved, indentation);
-    return worst ? to_sentence(*worst) : "";
+    const auto worst = pairing::worst_gap_error(moved, indentation);
+    return worst ? pairing::to_sentence(*worst) : "";
   }
 
   /** Displacement of a node relative to what it may touch. */
   Tensor<1, 3>
-  Acceptance::relative(const ContactNode     &node,
-                       const Eigen::VectorXd &u,
-                       const double           t) const
+  Acceptance::relative(const pairing::ContactNode &node,
+                       const Eigen::VectorXd      &u,
+                       const double                t) const
   {
-    return relative_displacement(
+    return contact::relative_displacement(
       node,
       [&](const unsigned int body, const unsigned int i) {
         return model.displacement(u, body, i);
@@ -180,16 +184,16 @@ namespace conetact
   }
 
   std::string
-  Acceptance::wrong_at_supports(const PendingIncrement &increment,
-                                const Finding          &finding) const
+  Acceptance::wrong_at_supports(const PendingIncrement      &increment,
+                                const verification::Finding &finding) const
   {
     const auto       &nodes = model.bodies.contact_nodes;
     std::vector<bool> has_rows(nodes.size(), false);
-    for (const ContactPoint &point : model.points)
+    for (const contact::ContactPoint &point : model.points)
       has_rows[static_cast<std::size_t>(point.node - nodes.data())] = true;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
-        const ContactNode &node = nodes[i];
+        const pairing::ContactNode &node = nodes[i];
         // Nodes held along their normal are no unknowns of contact: no solver
         // has seen their gaps.
         if (has_rows[i])
@@ -209,14 +213,14 @@ namespace conetact
   }
 
   std::string
-  Acceptance::wrong_foot(const PendingIncrement &increment,
-                         const Finding          &finding) const
+  Acceptance::wrong_foot(const PendingIncrement      &increment,
+                         const verification::Finding &finding) const
   {
-    const ContactPoints &points = model.points;
+    const contact::ContactPoints &points = model.points;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const ContactNode &node = *points[i].node;
-        const double       gap =
+        const pairing::ContactNode &node = *points[i].node;
+        const double                gap =
           increment.state
             .v[points[i].first +
                static_cast<Eigen::Index>(points[i].dual.size()) - 1];
@@ -247,19 +251,20 @@ namespace conetact
       model.amounts(increment.load.placement, increment.motions);
     for (std::size_t i = 0; i < model.points.size(); ++i)
       {
-        const ContactNode &node = *model.points[i].node;
+        const pairing::ContactNode &node = *model.points[i].node;
         if (node.masters.empty() || node.mu_1 + node.mu_2 == 0 ||
-            increment.state.node[i] == NodeState::open)
+            increment.state.node[i] == solvers::NodeState::open)
           continue;
         Tensor<1, 3> apart;
-        for_each_side(node,
-                      [&](const unsigned int body,
-                          const unsigned int k,
-                          const double       weight) {
-                        apart +=
-                          weight * (model.bodies.structures[body]->position(k) -
+        pairing::for_each_side(node,
+                               [&](const unsigned int body,
+                                   const unsigned int k,
+                                   const double       weight) {
+                                 apart +=
+                                   weight *
+                                   (model.bodies.structures[body]->position(k) -
                                     node.position);
-                      });
+                               });
         const double turn = model.motions.rotation(amounts, node.master);
         if (turn * apart.norm() > largest_false_slip * node.spacing)
           return "body '" + model.bodies.names[node.master] + "' turns by " +
@@ -277,12 +282,12 @@ namespace conetact
   }
 
   std::string
-  Acceptance::complete(PendingIncrement      &increment,
-                       const Finding         &finding,
-                       const Eigen::VectorXd &w,
-                       const bool             drawn)
+  Acceptance::complete(PendingIncrement            &increment,
+                       const verification::Finding &finding,
+                       const Eigen::VectorXd       &w,
+                       const bool                   drawn)
   {
-    IncrementRecord &record = increment.record;
+    output::IncrementRecord &record = increment.record;
     add_resultants(record, finding);
     if (!finding.why.empty())
       return finding.why;
@@ -299,7 +304,7 @@ namespace conetact
         !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
-    const Claim accepted = claim(increment, w);
+    const verification::Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(model.points, accepted, finding, record);
     record.rows        = contact_rows.rows(increment.state,
@@ -315,11 +320,12 @@ namespace conetact
   }
 
   void
-  Acceptance::add_resultants(IncrementRecord &record, const Finding &finding)
+  Acceptance::add_resultants(output::IncrementRecord     &record,
+                             const verification::Finding &finding)
   {
-    const ExternalForces &external = finding.external;
-    record.equilibrium             = finding.equilibrium;
-    record.report.residual         = finding.residual;
+    const verification::ExternalForces &external = finding.external;
+    record.equilibrium                           = finding.equilibrium;
+    record.report.residual                       = finding.residual;
     record.contacts.assign(scene.contact_sides.size(), {});
     for (std::size_t c = 0; c < external.contacts.size(); ++c)
       {
@@ -330,7 +336,7 @@ namespace conetact
       }
     record.each_support = external.supports;
     record.supports     = {};
-    for (const Resultant &support : external.supports)
+    for (const output::Resultant &support : external.supports)
       {
         record.supports.force += support.force;
         record.supports.moment += support.moment;
@@ -339,7 +345,7 @@ namespace conetact
     double reach = 0;
     record.body_balance.clear();
     // resultants may vanish where forces do not: a ring shrunk onto another
-    for (const Balance &body : external.bodies)
+    for (const verification::Balance &body : external.bodies)
       largest_force = std::max(largest_force, body.forces);
     for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
       {
@@ -347,7 +353,7 @@ namespace conetact
                                           noise * largest_force ?
                                         external.bodies[b].error() :
                                         0.);
-        const Structure &structure = *model.bodies.structures[b];
+        const bodies::Structure &structure = *model.bodies.structures[b];
         for (unsigned int i = 0; i < structure.n_nodes(); ++i)
           reach = std::max(reach, structure.position(i).norm());
       }
@@ -357,9 +363,9 @@ namespace conetact
   }
 
   void
-  Acceptance::add_displacements(IncrementRecord       &record,
-                                const Eigen::VectorXd &u,
-                                const Eigen::VectorXd &w) const
+  Acceptance::add_displacements(output::IncrementRecord &record,
+                                const Eigen::VectorXd   &u,
+                                const Eigen::VectorXd   &w) const
   {
     record.actions = scene.actions(record.time);
     for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
@@ -371,4 +377,4 @@ namespace conetact
           w.segment(model.coordinates.offset(b), n));
       }
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -12,7 +12,7 @@
 #include <functional>
 #include <numeric>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -30,7 +30,8 @@ namespace conetact
     };
 
     Errors
-    element_errors(const Scene &scene, const IncrementRecord &last)
+    element_errors(const application::Scene      &scene,
+                   const output::IncrementRecord &last)
     {
       Errors errors;
       for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
@@ -40,12 +41,12 @@ namespace conetact
     }
 
     MeshRecord
-    summary(const Scene           &scene,
-            const IncrementRecord &last,
-            const Errors          &errors)
+    summary(const application::Scene      &scene,
+            const output::IncrementRecord &last,
+            const Errors                  &errors)
     {
       MeshRecord mesh;
-      for (const Structure *body : scene.bodies.structures)
+      for (const bodies::Structure *body : scene.bodies.structures)
         mesh.dofs += body->n_dofs();
       for (const std::vector<double> &of_body : errors)
         {
@@ -54,7 +55,7 @@ namespace conetact
             std::accumulate(of_body.begin(), of_body.end(), mesh.estimate);
         }
       mesh.resultants.resize(scene.contact_names.size(), 0.);
-      for (const ContactRow &row : last.rows)
+      for (const output::ContactRow &row : last.rows)
         if (!row.master)
           {
             ++mesh.contact_nodes;
@@ -81,7 +82,7 @@ namespace conetact
     {
       std::string text = "mesh,cells,dofs,contact_nodes,estimate";
       for (const std::string &contact : contacts)
-        text += ',' + safe_name(contact) + "_n";
+        text += ',' + output::safe_name(contact) + "_n";
       return text + '\n';
     }
 
@@ -91,7 +92,7 @@ namespace conetact
                const unsigned int number,
                const MeshRecord  &mesh)
     {
-      CsvRow csv(table, place);
+      output::CsvRow csv(table, place);
       csv.add(number);
       csv.add(mesh.cells);
       csv.add(mesh.dofs);
@@ -124,10 +125,10 @@ namespace conetact
   }
 
   void
-  AdaptiveRefinement::advance(const Scene                 &scene,
-                              const IncrementRecord       &last,
-                              const std::filesystem::path &folder,
-                              Log                         &log)
+  AdaptiveRefinement::advance(const application::Scene      &scene,
+                              const output::IncrementRecord &last,
+                              const std::filesystem::path   &folder,
+                              Log                           &log)
   {
     const Errors      errors = element_errors(scene, last);
     const MeshRecord  mesh   = summary(scene, last, errors);
@@ -144,4 +145,4 @@ namespace conetact
     for (std::size_t b = 0; b < worst.size(); ++b)
       marked[b].push_back(worst[b]);
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -14,7 +14,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -23,12 +23,12 @@ namespace conetact
      * throws InputError for a contact that supports leave nothing of.
      */
     void
-    check_empty_contacts(const Scene        &scene,
-                         const ContactModel &model,
-                         Log                &log)
+    check_empty_contacts(const application::Scene    &scene,
+                         const contact::ContactModel &model,
+                         Log                         &log)
     {
       std::vector<bool> empty(scene.contact_names.size(), true);
-      for (const ContactPoint &point : model.points)
+      for (const contact::ContactPoint &point : model.points)
         empty[point.node->contact] = false;
       for (std::size_t c = 0; c < empty.size(); ++c)
         if (empty[c] && scene.pairings[c].n_paired == 0)
@@ -43,7 +43,7 @@ namespace conetact
     }
   } // namespace
 
-  Analysis::Analysis(const Scene &s, Log &l)
+  Analysis::Analysis(const application::Scene &s, Log &l)
     : scene(s)
     , log(l)
     , model(scene.bodies, scene.times, *scene.condenser)
@@ -80,7 +80,7 @@ namespace conetact
   {
     for (const double t : scene.times)
       {
-        const NodalLoads::Acting acting = loads.acting(t);
+        const bodies::NodalLoads::Acting acting = loads.acting(t);
         model.coordinates.prescribed(t);
         refuse_unbalanced(acting.mechanical + model.elastic.ground_forces(t),
                           t);
@@ -102,7 +102,7 @@ namespace conetact
       (model.motions.free().transpose() * model.motions.resultants(forces));
     if (driven.norm() <= round_off * forces.lpNorm<1>())
       return;
-    const RigidMotions::Motion motion =
+    const contact::RigidMotions::Motion motion =
       model.motions.motion_of_free(unseen * driven);
     throw InputError("Nothing holds body '" + scene.bodies.names[motion.body] +
                      "' against moving " + describe(motion) +
@@ -123,7 +123,7 @@ namespace conetact
                          model.condensation().n_shared_bodies(),
                          log);
     if (!scene.fclib_increments.empty())
-      check_problem_is_writable(*model.condensation().system());
+      output::check_problem_is_writable(*model.condensation().system());
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
       throw InputError("Output, Text increments: no node may touch anything, "
                        "there is no contact problem. Leave the entry empty.");
@@ -134,7 +134,7 @@ namespace conetact
   {
     verify_condensation(model,
                         *scene.condenser,
-                        independent_of(*scene.condenser),
+                        backends::independent_of(*scene.condenser),
                         log);
     log.time("condensation once more, to verify it");
   }
@@ -157,9 +157,9 @@ namespace conetact
     description.fclib_increments = scene.fclib_increments;
     if (!scene.path.follows) // whose stages are no increments
       description.text_increments = scene.text_increments;
-    for (const OutputRow &row : output_table())
+    for (const output::OutputRow &row : output::output_table())
       outputs.push_back(row.create(description));
-    outputs.push_back(std::make_unique<Progress>(description, quiet));
+    outputs.push_back(std::make_unique<output::Progress>(description, quiet));
   }
 
   std::size_t
@@ -193,19 +193,19 @@ namespace conetact
   void
   Analysis::apply_loads(PendingIncrement &increment)
   {
-    const double             t      = increment.record.time;
-    const NodalLoads::Acting acting = loads.acting(t);
-    increment.forces                = acting.forces + prestress;
-    increment.mechanical            = acting.mechanical + prestress;
+    const double                     t      = increment.record.time;
+    const bodies::NodalLoads::Acting acting = loads.acting(t);
+    increment.forces                        = acting.forces + prestress;
+    increment.mechanical                    = acting.mechanical + prestress;
     for (const auto &[force, moment] : acting.each)
       increment.record.each_load.push_back({force, moment});
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
   }
 
   std::string
-  Analysis::complete(PendingIncrement      &increment,
-                     const Finding         &finding,
-                     const Eigen::VectorXd &w)
+  Analysis::complete(PendingIncrement            &increment,
+                     const verification::Finding &finding,
+                     const Eigen::VectorXd       &w)
   {
     const unsigned int k     = increment.record.increment;
     const bool         drawn = description.is_drawn(k) ||
@@ -214,7 +214,7 @@ namespace conetact
   }
 
   void
-  Analysis::write(const std::vector<IncrementRecord> &finished)
+  Analysis::write(const std::vector<output::IncrementRecord> &finished)
   {
     if (finished.empty())
       return;
@@ -225,7 +225,7 @@ namespace conetact
     if (scene.adaptive.cycles > 0)
       final_record = finished.back();
     log.time("their tables and drawings");
-    for (const IncrementRecord &record : finished)
+    for (const output::IncrementRecord &record : finished)
       log.note(name(record) + ", " + record.report.solver + ": " +
                std::to_string(record.report.iterations) +
                " linear solves, residual " + to_text(record.report.residual) +
@@ -233,10 +233,11 @@ namespace conetact
   }
 
   std::string
-  Analysis::failed(const IncrementRecord &record, const std::string &why) const
+  Analysis::failed(const output::IncrementRecord &record,
+                   const std::string             &why) const
   {
     return name(record) + " (t = " + to_text(record.time) + "): " + why + "." +
            (record.increment > 1 ? " The increments before it are on disk." :
                                    "");
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -68,12 +68,12 @@ namespace conetact
 
 
   Cost
-  estimate_cost(const ContactModel &model,
-                const std::size_t   n_increments,
-                const std::size_t   n_drawings)
+  estimate_cost(const contact::ContactModel &model,
+                const std::size_t            n_increments,
+                const std::size_t            n_drawings)
   {
-    const Coordinates &coordinates = model.coordinates;
-    const auto         n_contact =
+    const contact::Coordinates &coordinates = model.coordinates;
+    const auto                  n_contact =
       static_cast<double>(model.working_set().layout().n_unknowns());
     const auto n_dofs     = static_cast<double>(coordinates.n_dofs());
     const auto increments = static_cast<double>(n_increments);
@@ -113,4 +113,4 @@ namespace conetact
     getrusage(RUSAGE_SELF, &usage);
     return 1024. * static_cast<double>(usage.ru_maxrss);
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -12,20 +12,20 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
     double
-    error_of(const Finding &finding)
+    error_of(const verification::Finding &finding)
     {
       return std::max(finding.residual, finding.equilibrium);
     }
   } // namespace
 
-  IncrementAnalysis::IncrementAnalysis(const Scene &s, Log &l)
+  IncrementAnalysis::IncrementAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
-    , solver(make_solver(scene.solver))
+    , solver(solvers::make_solver(scene.solver))
   {}
 
   void
@@ -104,13 +104,13 @@ namespace conetact
   }
 
   std::string
-  IncrementAnalysis::solve_contact(PendingIncrement   &increment,
-                                   const ContactState &guess)
+  IncrementAnalysis::solve_contact(PendingIncrement            &increment,
+                                   const solvers::ContactState &guess)
   {
-    ContactState &state  = increment.end;
-    SolverReport &report = increment.record.report;
-    state                = guess;
-    report               = {};
+    solvers::ContactState &state  = increment.end;
+    solvers::SolverReport &report = increment.record.report;
+    state                         = guess;
+    report                        = {};
     if (state.v.size() == 0)
       {
         report.converged  = true;
@@ -118,7 +118,7 @@ namespace conetact
         increment.motions = history.free_motions();
         return "";
       }
-    const ContactProblem problem = history.problem(increment.load);
+    const solvers::ContactProblem problem = history.problem(increment.load);
     if (const std::string why = no_equilibrium(problem, increment);
         !why.empty())
       return why;
@@ -136,22 +136,24 @@ namespace conetact
   }
 
   void
-  IncrementAnalysis::take_result(PendingIncrement     &increment,
-                                 const ContactProblem &problem)
+  IncrementAnalysis::take_result(PendingIncrement              &increment,
+                                 const solvers::ContactProblem &problem)
   {
-    ContactState &state = increment.end;
-    if (problem.system->form == Form::stiffness)
-      state.u = elastic_part(problem, state);
+    solvers::ContactState &state = increment.end;
+    if (problem.system->form == solvers::Form::stiffness)
+      state.u = solvers::elastic_part(problem, state);
     const unsigned int number = increment.record.increment;
     if (scene.fclib_increments.count(number) +
           scene.text_increments.count(number) >
         0)
-      increment.record.condensed = std::make_shared<const CondensedIncrement>(
-        CondensedIncrement{problem,
-                           increment.record.report.substeps == 1 ?
-                             std::optional<ContactState>(state) :
-                             std::nullopt});
-    increment.record.errors = kanno_errors(problem, state);
+      increment.record.condensed =
+        std::make_shared<const output::CondensedIncrement>(
+          output::CondensedIncrement{problem,
+                                     increment.record.report.substeps == 1 ?
+                                       std::optional<solvers::ContactState>(
+                                         state) :
+                                       std::nullopt});
+    increment.record.errors = solvers::kanno_errors(problem, state);
     history.advance(state);
     increment.state   = history.of_candidates(state, increment.before);
     increment.contact = history.displacements();
@@ -161,17 +163,18 @@ namespace conetact
   }
 
   std::string
-  IncrementAnalysis::no_equilibrium(const ContactProblem   &problem,
-                                    const PendingIncrement &increment)
+  IncrementAnalysis::no_equilibrium(const solvers::ContactProblem &problem,
+                                    const PendingIncrement        &increment)
   {
     if (problem.system->null_space.cols() == 0)
       return "";
     if (!existence)
-      existence = std::make_unique<ExistenceCheck>(make_existence_check(model));
+      existence = std::make_unique<solvers::ExistenceCheck>(
+        contact::make_existence_check(model));
     // at the start of the increment the reactions balance the load on the null
     // space
-    const Existence result =
-      existence->check(resultants_of(problem, model),
+    const solvers::Existence result =
+      existence->check(contact::resultants_of(problem, model),
                        -increment.before.start().r.head(
                          problem.system->n_contact_unknowns()),
                        history.largest_force());
@@ -183,8 +186,8 @@ namespace conetact
   Eigen::MatrixXd
   IncrementAnalysis::deformations(const std::vector<PendingIncrement> &batch)
   {
-    std::vector<const LoadCase *> cases;
-    std::vector<Eigen::VectorXd>  primal;
+    std::vector<const contact::LoadCase *> cases;
+    std::vector<Eigen::VectorXd>           primal;
     for (const PendingIncrement &increment : batch)
       {
         cases.push_back(&increment.load);
@@ -201,10 +204,10 @@ namespace conetact
     using Outcome = Step::Outcome;
     if (batch.empty())
       return {};
-    const Eigen::MatrixXd        w       = deformations(batch);
-    const std::size_t            n_right = recover_all(batch, w);
-    std::vector<IncrementRecord> finished;
-    Step                         step;
+    const Eigen::MatrixXd                w       = deformations(batch);
+    const std::size_t                    n_right = recover_all(batch, w);
+    std::vector<output::IncrementRecord> finished;
+    Step                                 step;
     for (std::size_t i = 0; i < n_right && step.outcome == Outcome::accepted;
          ++i)
       {
@@ -277,7 +280,7 @@ namespace conetact
   IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
   {
     constexpr unsigned int most_steps = 4;
-    Finding                finding    = acceptance.judge(increment, w);
+    verification::Finding  finding    = acceptance.judge(increment, w);
     bool                   corrected  = false;
     for (unsigned int step = 0;
          step < most_steps && error_of(finding) > .1 * scene.solver.tolerance;
@@ -287,7 +290,7 @@ namespace conetact
         const auto       refined = correct(better, w, finding);
         if (!refined)
           break; // the result at hand is judged as it is
-        Finding found = acceptance.judge(better, *refined);
+        verification::Finding found = acceptance.judge(better, *refined);
         if (!(error_of(found) < .5 * error_of(finding)))
           break;
         increment = std::move(better);
@@ -309,15 +312,15 @@ namespace conetact
   }
 
   std::optional<Eigen::VectorXd>
-  IncrementAnalysis::correct(PendingIncrement      &increment,
-                             const Eigen::VectorXd &w,
-                             const Finding         &finding)
+  IncrementAnalysis::correct(PendingIncrement            &increment,
+                             const Eigen::VectorXd       &w,
+                             const verification::Finding &finding)
   {
     // the relation holds for rounded matrices; the true one leaves forces
     // unbalanced, and contacts elsewhere than the recovered displacements
-    ElasticBackend &elastic = model.condensation();
+    contact::ElasticBackend &elastic = model.condensation();
     increment.load.f -= elastic.reduce_unbalanced(finding.unbalanced);
-    ContactState guess = increment.before.start();
+    solvers::ContactState guess = increment.before.start();
     if (model.is_dual())
       {
         const Eigen::VectorXd missed =
@@ -338,9 +341,9 @@ namespace conetact
   }
 
   std::string
-  IncrementAnalysis::name(const IncrementRecord &record) const
+  IncrementAnalysis::name(const output::IncrementRecord &record) const
   {
     return "Increment " + std::to_string(record.increment) + " of " +
            std::to_string(scene.times.size());
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -6,13 +6,13 @@
 #include "conetact/analysis/increment_analysis.h"
 #include "conetact/analysis/path_analysis.h"
 
-namespace conetact
+namespace conetact::analysis
 {
   std::unique_ptr<Analysis>
-  make_analysis(const Scene &scene, Log &log)
+  make_analysis(const application::Scene &scene, Log &log)
   {
     if (!scene.path.follows)
       return std::make_unique<IncrementAnalysis>(scene, log);
     return std::make_unique<PathAnalysis>(scene, log);
   }
-} // namespace conetact
+} // namespace conetact::analysis

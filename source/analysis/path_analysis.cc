@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <set>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -27,14 +27,14 @@ namespace conetact
     bool
     is_nothing(const Eigen::VectorXd &x, const Eigen::VectorXd &f)
     {
-      return largest(x) <= 1e-14 * largest(f);
+      return solvers::largest(x) <= 1e-14 * solvers::largest(f);
     }
 
     bool
-    numbers_are_unique(const ContactPoints &points)
+    numbers_are_unique(const contact::ContactPoints &points)
     {
       std::set<unsigned int> numbers;
-      for (const ContactPoint &point : points)
+      for (const contact::ContactPoint &point : points)
         if (!numbers.insert(point.node->node).second)
           return false;
       return true;
@@ -43,7 +43,7 @@ namespace conetact
 
 
 
-  PathAnalysis::PathAnalysis(const Scene &s, Log &l)
+  PathAnalysis::PathAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
     , initial_gap(model.points.layout().n_nodes())
     , names_are_unique(numbers_are_unique(model.points))
@@ -52,7 +52,7 @@ namespace conetact
     options.tolerance = scene.solver.tolerance;
     options.cohesion.resize(initial_gap.size());
     Eigen::Index i = 0;
-    for (const ContactPoint &point : model.points)
+    for (const contact::ContactPoint &point : model.points)
       {
         initial_gap[i]        = point.node->gap;
         options.cohesion[i++] = point.node->cohesion;
@@ -82,8 +82,8 @@ namespace conetact
     if (model.motions.unresisted().cols() == 0)
       return;
     std::vector<bool> touches(scene.bodies.names.size(), false);
-    for (const ContactPoint &point : model.points)
-      if (const ContactNode &node = *point.node;
+    for (const contact::ContactPoint &point : model.points)
+      if (const pairing::ContactNode &node = *point.node;
           node.gap <= touching * node.spacing)
         {
           touches[node.body] = true;
@@ -101,7 +101,7 @@ namespace conetact
 
 
 
-  const ContactSystem &
+  const solvers::ContactSystem &
   PathAnalysis::system()
   {
     if (!stiffness)
@@ -156,7 +156,7 @@ namespace conetact
     result.mechanical = mean(a.mechanical, b.mechanical);
     for (std::size_t i = 0; i < a.each_load.size(); ++i)
       {
-        const Resultant &x = a.each_load[i], &y = b.each_load[i];
+        const output::Resultant &x = a.each_load[i], &y = b.each_load[i];
         result.each_load.push_back({x.force + part * (y.force - x.force),
                                     x.moment + part * (y.moment - x.moment)});
       }
@@ -173,13 +173,14 @@ namespace conetact
 
 
 
-  std::unique_ptr<PathFollower>
-  PathAnalysis::make_follower(std::shared_ptr<const ContactSystem> system,
-                              const Eigen::VectorXd               &gap) const
+  std::unique_ptr<load_path::PathFollower>
+  PathAnalysis::make_follower(
+    std::shared_ptr<const solvers::ContactSystem> system,
+    const Eigen::VectorXd                        &gap) const
   {
     return scene.bodies.dim == 2 ?
-             make_event_follower(system, gap, options) :
-             make_bracketing_follower(system, gap, options);
+             load_path::make_event_follower(system, gap, options) :
+             load_path::make_bracketing_follower(system, gap, options);
   }
 
 
@@ -193,9 +194,9 @@ namespace conetact
     events.emplace(folder);
     system();
     write_problem_texts();
-    Eigen::VectorXd gap      = initial_gap.cwiseMax(0.);
-    const auto      follower = make_follower(stiffness->system(), gap);
-    PathResult      result;
+    Eigen::VectorXd       gap      = initial_gap.cwiseMax(0.);
+    const auto            follower = make_follower(stiffness->system(), gap);
+    load_path::PathResult result;
     try
       {
         result = follow(*follower);
@@ -217,17 +218,17 @@ namespace conetact
   {
     if (scene.text_increments.empty())
       return;
-    StoredProblem stored;
+    solvers::StoredProblem stored;
     stored.problem.system = stiffness->system();
     stored.problem.gap    = initial_gap.cwiseMax(0.);
-    if (largest(options.cohesion) > 0)
+    if (solvers::largest(options.cohesion) > 0)
       stored.cohesion = options.cohesion;
     const auto write = [&](const unsigned int     number,
                            const Eigen::VectorXd &from,
                            const Eigen::VectorXd &to) {
       stored.problem.load = from;
       stored.rate         = (to - from) / (stored.end - stored.begin);
-      write_problem_text(folder, number, stored);
+      output::write_problem_text(folder, number, stored);
     };
     Eigen::VectorXd f = case_at(0).f;
     if (const Eigen::VectorXd nothing = multiply(system(), unloaded());
@@ -247,22 +248,22 @@ namespace conetact
 
 
 
-  PathResult
-  PathAnalysis::follow(PathFollower &follower)
+  load_path::PathResult
+  PathAnalysis::follow(load_path::PathFollower &follower)
   {
-    Case       begin  = case_at(0);
-    double     start  = 0;
-    PathResult result = apply_constant_loads(follower, begin);
+    Case                  begin  = case_at(0);
+    double                start  = 0;
+    load_path::PathResult result = apply_constant_loads(follower, begin);
     for (const double end : scene.times)
       {
-        if (result.outcome != PathOutcome::target_reached &&
-            result.outcome != PathOutcome::no_further_change)
+        if (result.outcome != load_path::PathOutcome::target_reached &&
+            result.outcome != load_path::PathOutcome::no_further_change)
           return result;
         Case         next   = case_at(end);
         const double length = end - start;
         result              = follower.follow(
           {begin.f, (next.f - begin.f) / length, start, end},
-          [&](const PathPoint &point) {
+          [&](const load_path::PathPoint &point) {
             record(point,
                    between(begin, next, (point.parameter - start) / length),
                    point.parameter);
@@ -288,30 +289,31 @@ namespace conetact
 
 
   /* From nothing: interferences are part of what is applied. */
-  PathResult
-  PathAnalysis::apply_constant_loads(PathFollower &follower,
-                                     const Case   &constant)
+  load_path::PathResult
+  PathAnalysis::apply_constant_loads(load_path::PathFollower &follower,
+                                     const Case              &constant)
   {
     last.v                        = unloaded();
     last.r                        = Eigen::VectorXd::Zero(last.v.size());
     const Eigen::VectorXd nothing = multiply(system(), last.v);
 
-    PathResult result;
-    result.outcome = PathOutcome::target_reached;
+    load_path::PathResult result;
+    result.outcome = load_path::PathOutcome::target_reached;
     if (is_nothing(constant.f - nothing, constant.f))
       return result;
-    constant_stage    = true;
-    PathPoint reached = last;
-    result            = follower.follow(
-      {nothing, constant.f - nothing, 0, 1}, [&](const PathPoint &point) {
-        for (const PathChange &change : point.changes)
+    constant_stage               = true;
+    load_path::PathPoint reached = last;
+    result                       = follower.follow(
+      {nothing, constant.f - nothing, 0, 1},
+      [&](const load_path::PathPoint &point) {
+        for (const load_path::PathChange &change : point.changes)
           log.note(to_text(point.parameter) + " of the constant loads: node " +
                    node_name(change.node) + " " + state_name(change.from) +
                    " -> " + state_name(change.to));
         reached = point;
       });
-    if (result.outcome != PathOutcome::target_reached &&
-        result.outcome != PathOutcome::no_further_change)
+    if (result.outcome != load_path::PathOutcome::target_reached &&
+        result.outcome != load_path::PathOutcome::no_further_change)
       {
         last = reached;
         return result;
@@ -325,7 +327,9 @@ namespace conetact
 
 
   void
-  PathAnalysis::record(const PathPoint &point, const Case &at, const double t)
+  PathAnalysis::record(const load_path::PathPoint &point,
+                       const Case                 &at,
+                       const double                t)
   {
     // Nodes that touch before anything acts get their states at p = 0.
     if (n_records == 0 && t == 0 && !point.changes.empty())
@@ -333,7 +337,7 @@ namespace conetact
         last = point;
         return add_events(point);
       }
-    PendingIncrement pending{{},
+    PendingIncrement         pending{{},
                              at.forces,
                              at.mechanical,
                              at.load,
@@ -344,18 +348,18 @@ namespace conetact
                              history,
                              history,
                              {}};
-    IncrementRecord &record  = pending.record;
-    record.each_load         = at.each_load;
-    record.increment         = ++n_records;
-    record.time              = t;
-    record.report.converged  = true;
-    record.report.solver     = "load path";
-    record.report.iterations = 1;
-    pending.contact          = point.v;
-    pending.state.v          = point.v - last.v;
-    pending.state.r          = point.r;
-    const double zero        = noise * largest(point.r);
-    const double rest        = noise * largest(point.v);
+    output::IncrementRecord &record = pending.record;
+    record.each_load                = at.each_load;
+    record.increment                = ++n_records;
+    record.time                     = t;
+    record.report.converged         = true;
+    record.report.solver            = "load path";
+    record.report.iterations        = 1;
+    pending.contact                 = point.v;
+    pending.state.v                 = point.v - last.v;
+    pending.state.r                 = point.r;
+    const double zero               = noise * solvers::largest(point.r);
+    const double rest               = noise * solvers::largest(point.v);
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       {
         const Eigen::Index k = system().normal(i);
@@ -366,10 +370,11 @@ namespace conetact
             .norm();
         pending.state.v[k] = point.v[k];
         pending.contact[k] -= initial_gap[i];
-        pending.state.node.push_back(point.r[k] <= zero ? NodeState::open :
-                                     slip > rest        ? NodeState::slip :
-                                                          NodeState::stick);
-        if (pending.state.node.back() == NodeState::open &&
+        pending.state.node.push_back(point.r[k] <= zero ?
+                                       solvers::NodeState::open :
+                                     slip > rest ? solvers::NodeState::slip :
+                                                   solvers::NodeState::stick);
+        if (pending.state.node.back() == solvers::NodeState::open &&
             options.cohesion[i] == 0) // but for rounding
           pending.state.r
             .segment(system().first[static_cast<std::size_t>(i)],
@@ -390,9 +395,9 @@ namespace conetact
 
 
   void
-  PathAnalysis::take_primal(const Case       &at,
-                            const PathPoint  &point,
-                            PendingIncrement &pending)
+  PathAnalysis::take_primal(const Case                 &at,
+                            const load_path::PathPoint &point,
+                            PendingIncrement           &pending)
   {
     pending.motions = Eigen::VectorXd::Zero(model.motions.n_free());
     if (!model.is_dual())
@@ -409,10 +414,10 @@ namespace conetact
 
   /* Forces that the recovered displacements leave unbalanced strain the bodies
      a little more, at the same reactions. */
-  Finding
+  verification::Finding
   PathAnalysis::judge(PendingIncrement &pending, Eigen::VectorXd &w)
   {
-    Finding finding = acceptance.judge(pending, w);
+    verification::Finding finding = acceptance.judge(pending, w);
     for (unsigned int step = 0;
          step < 2 && finding.equilibrium > .1 * scene.solver.tolerance;
          ++step)
@@ -421,7 +426,7 @@ namespace conetact
           w + model.condensation().correction(finding.unbalanced,
                                               Eigen::VectorXd::Zero(
                                                 pending.primal.size()));
-        Finding found = acceptance.judge(pending, refined);
+        verification::Finding found = acceptance.judge(pending, refined);
         if (!(found.equilibrium < .5 * finding.equilibrium) ||
             found.residual > std::max(finding.residual, scene.solver.tolerance))
           break;
@@ -438,8 +443,8 @@ namespace conetact
   {
     if (waiting.empty())
       return;
-    std::vector<const LoadCase *> cases;
-    std::vector<Eigen::VectorXd>  primal;
+    std::vector<const contact::LoadCase *> cases;
+    std::vector<Eigen::VectorXd>           primal;
     for (const Waiting &w : waiting)
       {
         cases.push_back(&w.pending.load);
@@ -447,15 +452,15 @@ namespace conetact
       }
     acceptance.set_stiffness(*model.condensation().system(),
                              model.working_set());
-    const Eigen::MatrixXd        w = model.condensation().expand(cases, primal);
-    std::vector<IncrementRecord> finished;
-    std::string                  failure;
+    const Eigen::MatrixXd w = model.condensation().expand(cases, primal);
+    std::vector<output::IncrementRecord> finished;
+    std::string                          failure;
     for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
       {
-        PendingIncrement &pending = waiting[i].pending;
-        Eigen::VectorXd   wi      = w.col(static_cast<Eigen::Index>(i));
-        const Finding     finding = judge(pending, wi);
-        const std::string why     = complete(pending, finding, wi);
+        PendingIncrement           &pending = waiting[i].pending;
+        Eigen::VectorXd             wi = w.col(static_cast<Eigen::Index>(i));
+        const verification::Finding finding = judge(pending, wi);
+        const std::string           why     = complete(pending, finding, wi);
         if (why.empty())
           finished.push_back(std::move(pending.record));
         else
@@ -473,10 +478,10 @@ namespace conetact
 
 
   void
-  PathAnalysis::add_events(const PathPoint &point)
+  PathAnalysis::add_events(const load_path::PathPoint &point)
   {
-    std::vector<EventTable::Change> changes;
-    for (const PathChange &change : point.changes)
+    std::vector<output::EventTable::Change> changes;
+    for (const load_path::PathChange &change : point.changes)
       changes.push_back({node_name(change.node),
                          state_name(change.from),
                          state_name(change.to)});
@@ -487,21 +492,22 @@ namespace conetact
 
 
   void
-  PathAnalysis::report_outcome(const PathResult &result)
+  PathAnalysis::report_outcome(const load_path::PathResult &result)
   {
     PathEnd end{result, {}, on_the_way, constant_stage};
-    if (result.outcome == PathOutcome::limit_load)
+    if (result.outcome == load_path::PathOutcome::limit_load)
       {
         std::vector<bool> touching;
         for (std::size_t i = 0; i < model.points.size(); ++i)
           touching.push_back(last.state.empty() ||
-                             last.state[i] != PathState::open);
-        end.mechanism = name_mechanism(model, result.mechanism, touching);
+                             last.state[i] != load_path::PathState::open);
+        end.mechanism =
+          contact::name_mechanism(model, result.mechanism, touching);
         write_mechanism(result.mechanism, end.parameter());
       }
     const std::string sentence = outcome_sentence(end, model, scene);
     events->finish(end.parameter(), outcome_words(end));
-    if (result.outcome == PathOutcome::not_converged)
+    if (result.outcome == load_path::PathOutcome::not_converged)
       throw AnalysisError(sentence);
     log.say(sentence);
   }
@@ -527,12 +533,12 @@ namespace conetact
   PathAnalysis::write_mechanism(const Eigen::VectorXd &velocity, const double t)
   {
     Eigen::VectorXd u = mechanism_displacements(velocity);
-    if (const double size = largest(u); size > 0)
+    if (const double size = solvers::largest(u); size > 0)
       u /= size;
     std::vector<std::pair<std::string, std::string>> blocks;
     for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
       {
-        const std::string body = safe_name(scene.bodies.names[b]);
+        const std::string body = output::safe_name(scene.bodies.names[b]);
         blocks.emplace_back(body, mechanism_file(b));
         scene.bodies.structures[b]->write_graphics(
           u.segment(model.coordinates.offset(b),
@@ -540,7 +546,7 @@ namespace conetact
           t,
           folder / blocks.back().second);
       }
-    PvdFile(folder / "mechanism.pvd").add(t, blocks);
+    output::PvdFile(folder / "mechanism.pvd").add(t, blocks);
   }
 
 
@@ -562,7 +568,8 @@ namespace conetact
   {
     return scene.bodies.names.size() == 1 ?
              "mechanism.vtu" :
-             "mechanism-" + safe_name(scene.bodies.names[body]) + ".vtu";
+             "mechanism-" + output::safe_name(scene.bodies.names[body]) +
+               ".vtu";
   }
 
 
@@ -570,8 +577,8 @@ namespace conetact
   std::string
   PathAnalysis::node_name(const Eigen::Index i) const
   {
-    const ContactNode &node   = *model.points[i].node;
-    const std::string  number = std::to_string(node.node);
+    const pairing::ContactNode &node   = *model.points[i].node;
+    const std::string           number = std::to_string(node.node);
     return names_are_unique ? number :
                               scene.contact_names[node.contact] + ":" + number;
   }
@@ -579,8 +586,8 @@ namespace conetact
 
 
   std::string
-  PathAnalysis::name(const IncrementRecord &record) const
+  PathAnalysis::name(const output::IncrementRecord &record) const
   {
     return "Point " + std::to_string(record.increment) + " of the path";
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -6,7 +6,7 @@
 #include "conetact/base/text.h"
 #include "conetact/output/csv.h"
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -14,7 +14,7 @@ namespace conetact
     at_parameter(const PathEnd &end)
     {
       std::string text;
-      append_number(text, end.result.parameter);
+      output::append_number(text, end.result.parameter);
       return end.constant ?
                "when " + text + " of what acts at t = 0 is applied" :
                "at p = " + text;
@@ -22,7 +22,9 @@ namespace conetact
 
     /** "; nodes 1, 2 of contact 'floor' slide, node 3 ... stays". */
     std::string
-    motion(const PathEnd &end, const ContactModel &model, const Scene &scene)
+    motion(const PathEnd               &end,
+           const contact::ContactModel &model,
+           const application::Scene    &scene)
     {
       std::string text;
       const auto  add = [&](const std::vector<std::size_t> &nodes,
@@ -30,7 +32,7 @@ namespace conetact
                            const char                     *several) {
         if (!nodes.empty())
           text += (text.empty() ? ": " : ", ") +
-                  name_nodes(model, scene.contact_names, nodes) +
+                  contact::name_nodes(model, scene.contact_names, nodes) +
                   (nodes.size() == 1 ? one : several);
       };
       add(end.mechanism->slide, " slides", " slide");
@@ -45,23 +47,23 @@ namespace conetact
 
 
   const char *
-  state_name(const PathState state)
+  state_name(const load_path::PathState state)
   {
     switch (state)
       {
-        case PathState::open:
+        case load_path::PathState::open:
           return "open";
-        case PathState::stick:
+        case load_path::PathState::stick:
           return "stick";
-        case PathState::slip_plus:
+        case load_path::PathState::slip_plus:
           return "slip+";
-        case PathState::slip_minus:
+        case load_path::PathState::slip_minus:
           return "slip-";
-        case PathState::slip:
+        case load_path::PathState::slip:
           return "slip";
-        case PathState::open_plus:
+        case load_path::PathState::open_plus:
           return "open+";
-        case PathState::open_minus:
+        case load_path::PathState::open_minus:
           return "open-";
       }
     return "";
@@ -74,16 +76,16 @@ namespace conetact
   {
     switch (end.result.outcome)
       {
-        case PathOutcome::target_reached:
+        case load_path::PathOutcome::target_reached:
           return "target reached" + end.on_the_way;
-        case PathOutcome::no_further_change:
+        case load_path::PathOutcome::no_further_change:
           return "no further change" + end.on_the_way;
-        case PathOutcome::limit_load:
+        case load_path::PathOutcome::limit_load:
           return "limit load: " + end.mechanism->kind + end.on_the_way +
                  (end.constant ? " under the constant loads" : "");
-        case PathOutcome::turning_point:
+        case load_path::PathOutcome::turning_point:
           return "turning point" + end.on_the_way;
-        case PathOutcome::not_converged:
+        case load_path::PathOutcome::not_converged:
           return "not converged" + end.on_the_way;
       }
     return "";
@@ -92,33 +94,33 @@ namespace conetact
 
 
   std::string
-  outcome_sentence(const PathEnd      &end,
-                   const ContactModel &model,
-                   const Scene        &scene)
+  outcome_sentence(const PathEnd               &end,
+                   const contact::ContactModel &model,
+                   const application::Scene    &scene)
   {
     const std::string at = at_parameter(end), &reason = end.result.reason;
     switch (end.result.outcome)
       {
-        case PathOutcome::target_reached:
+        case load_path::PathOutcome::target_reached:
           return "Target reached " + at + end.on_the_way + ".";
-        case PathOutcome::no_further_change:
+        case load_path::PathOutcome::no_further_change:
           return "Target reached " + at + end.on_the_way +
                  "; no further change of the contact states for any larger p. "
                  "This is no limit load.";
-        case PathOutcome::limit_load:
+        case load_path::PathOutcome::limit_load:
           return "Limit load " + at + end.on_the_way +
                  (reason.empty() ? "" : " (" + reason + ")") +
                  ", a mechanism of " + end.mechanism->kind +
                  motion(end, model, scene) + ".";
-        case PathOutcome::turning_point:
+        case load_path::PathOutcome::turning_point:
           return "Turning point " + at + end.on_the_way +
                  ": the path goes on only if the load decreases" +
                  (reason.empty() ? "." : "; " + reason + ".");
-        case PathOutcome::not_converged:
+        case load_path::PathOutcome::not_converged:
           return "The path is not converged " + at + end.on_the_way +
                  (reason.empty() ? "" : ": " + reason) +
                  ". All events before it are on disk.";
       }
     return "";
   }
-} // namespace conetact
+} // namespace conetact::analysis

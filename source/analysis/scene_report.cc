@@ -10,12 +10,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
     void
-    report_pairing(const std::string &name, const Pairing &found, Log &log)
+    report_pairing(const std::string      &name,
+                   const pairing::Pairing &found,
+                   Log                    &log)
     {
       const unsigned int n_free = found.n_nodes - found.n_paired;
       std::string        text   = "Contact " + name + ": " +
@@ -32,9 +34,9 @@ namespace conetact
   } // namespace
 
   void
-  report_shared_bodies(const Bodies      &bodies,
-                       const unsigned int n_shared,
-                       Log               &log)
+  report_shared_bodies(const contact::Bodies &bodies,
+                       const unsigned int     n_shared,
+                       Log                   &log)
   {
     const auto n_at_rest =
       std::count(bodies.at_rest.begin(), bodies.at_rest.end(), true);
@@ -46,9 +48,11 @@ namespace conetact
   }
 
   void
-  report_sizes(const Scene &scene, const ContactModel &model, Log &log)
+  report_sizes(const application::Scene    &scene,
+               const contact::ContactModel &model,
+               Log                         &log)
   {
-    const Bodies &bodies = scene.bodies;
+    const contact::Bodies &bodies = scene.bodies;
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
       log.say("Body " + bodies.names[b] + ": " +
               bodies.structures[b]->description());
@@ -68,7 +72,7 @@ namespace conetact
         log.note("skipped: " + std::to_string(elements - matrices) + " of " +
                  std::to_string(elements) + " cell matrices of body " +
                  bodies.names[b] + ", congruent to others");
-    const ContactSystem &layout = model.points.layout();
+    const solvers::ContactSystem &layout = model.points.layout();
     log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
             std::to_string(layout.n_unknowns()) + " unknowns of " +
             std::to_string(model.coordinates.n_unknowns()) + ", " +
@@ -109,9 +113,11 @@ namespace conetact
 
 
   void
-  report_loads(const NodalLoads &loads, const unsigned int dim, Log &log)
+  report_loads(const bodies::NodalLoads &loads,
+               const unsigned int        dim,
+               Log                      &log)
   {
-    for (const NodalLoads::Largest &load : loads.largest())
+    for (const bodies::NodalLoads::Largest &load : loads.largest())
       {
         Tensor<1, 3> force, moment; // in the plane rotations are about z
         for (unsigned int d = 0; d < dim; ++d)
@@ -130,7 +136,9 @@ namespace conetact
 
 
   void
-  report_cost(const Scene &scene, const ContactModel &model, Log &log)
+  report_cost(const application::Scene    &scene,
+              const contact::ContactModel &model,
+              Log                         &log)
   {
     const Cost cost =
       estimate_cost(model, scene.times.size(), scene.n_drawings());
@@ -141,7 +149,7 @@ namespace conetact
     log.say("estimate: " + to_text(cost.factor.flops) +
             " floating-point operations to factorise, " +
             to_text(std::round(10 * cost.seconds) / 10) + " s in all");
-    if (scene.condenser != &default_condenser())
+    if (scene.condenser != &backends::default_condenser())
       log.say("estimate: at least, for " + std::string(scene.condenser->name) +
               " tells nothing before it is done");
     if (cost.memory_bytes > machine_memory())
@@ -151,11 +159,11 @@ namespace conetact
 
 
   void
-  report_skips(const Scene      &scene,
-               ContactModel     &model,
-               const NodalLoads &loads,
-               const GrowingSet &set,
-               Log              &log)
+  report_skips(const application::Scene  &scene,
+               contact::ContactModel     &model,
+               const bodies::NodalLoads  &loads,
+               const contact::GrowingSet &set,
+               Log                       &log)
   {
     const auto n_increments = static_cast<unsigned int>(scene.times.size());
     const auto note         = [&log](const unsigned int n_done,
@@ -185,4 +193,4 @@ namespace conetact
                std::to_string(set.size()) + " at the end, " +
                std::to_string(set.n_extensions()) + " times larger");
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -6,7 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -14,7 +14,7 @@ namespace conetact
     constexpr double largest_difference = 1e-10;
 
     std::string
-    name(const std::vector<unsigned int> &which, const Bodies &bodies)
+    name(const std::vector<unsigned int> &which, const contact::Bodies &bodies)
     {
       std::vector<std::string> names;
       for (const unsigned int body : which)
@@ -26,10 +26,10 @@ namespace conetact
 
 
   void
-  verify_condensation(ContactModel    &model,
-                      const Condenser &own,
-                      const Condenser &other,
-                      Log             &log)
+  verify_condensation(contact::ContactModel     &model,
+                      const backends::Condenser &own,
+                      const backends::Condenser &other,
+                      Log                       &log)
   {
     const auto found = model.compare_stiffness(other);
     if (found.empty())
@@ -50,4 +50,4 @@ namespace conetact
             "that are nearly flat, and contrasts of its stiffness.");
       }
   }
-} // namespace conetact
+} // namespace conetact::analysis

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::analysis
 {
   namespace
   {
@@ -19,7 +19,7 @@ namespace conetact
     constexpr double large_strain      = .1;
   } // namespace
 
-  Warnings::Warnings(const ContactModel &m, Log &l)
+  Warnings::Warnings(const contact::ContactModel &m, Log &l)
     : model(m)
     , log(l)
   {}
@@ -32,20 +32,20 @@ namespace conetact
   }
 
   bool
-  Warnings::is_determinate(const std::vector<NodeState> &states)
+  Warnings::is_determinate(const std::vector<solvers::NodeState> &states)
   {
     const Eigen::MatrixXd G = model.motions.null_space();
     if (G.cols() == 0)
       return true;
-    const ContactSystem &layout = model.points.layout();
-    std::vector<Index>   opposing;
+    const solvers::ContactSystem &layout = model.points.layout();
+    std::vector<Index>            opposing;
     for (Index i = 0; i < layout.n_nodes(); ++i)
       {
-        const NodeState state = states[static_cast<std::size_t>(i)];
-        if (state == NodeState::open)
+        const solvers::NodeState state = states[static_cast<std::size_t>(i)];
+        if (state == solvers::NodeState::open)
           continue;
         opposing.push_back(layout.normal(i));
-        if (state == NodeState::stick)
+        if (state == solvers::NodeState::stick)
           for (Index k = 0; k < layout.n_tangents(i); ++k)
             opposing.push_back(layout.first[static_cast<std::size_t>(i)] + k);
       }
@@ -60,7 +60,7 @@ namespace conetact
     const double least = svd.singularValues().minCoeff();
     if (least > 1e-9 * std::max(1., svd.singularValues().maxCoeff()))
       return true;
-    const RigidMotions::Motion motion =
+    const contact::RigidMotions::Motion motion =
       model.motions.motion(svd.matrixV().rightCols(1));
     once("position",
          "body '" + model.bodies.names[motion.body] + "' may move " +
@@ -77,7 +77,7 @@ namespace conetact
   Warnings::largest_strain(const unsigned int     body,
                            const Eigen::VectorXd &w) const
   {
-    const Structure   &structure = *model.bodies.structures[body];
+    const bodies::Structure &structure = *model.bodies.structures[body];
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
     const Index        offset  = model.coordinates.offset(body);
     double             largest = 0;
@@ -109,7 +109,7 @@ namespace conetact
         const double      size   = 2 * model.motions.size(body);
         const Index       offset = model.coordinates.offset(body);
         const Index       n      = model.coordinates.offset(body + 1) - offset;
-        const double      most   = largest(w.segment(offset, n));
+        const double      most   = solvers::largest(w.segment(offset, n));
         const std::string theory =
           " Small-strain theory is wrong there: results are those of the "
           "undeformed body.";
@@ -130,4 +130,4 @@ namespace conetact
                    theory);
       }
   }
-} // namespace conetact
+} // namespace conetact::analysis

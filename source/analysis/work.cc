@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <utility>
 
-namespace conetact
+namespace conetact::analysis
 {
   void
-  Work::add(const SolverReport &report)
+  Work::add(const solvers::SolverReport &report)
   {
     contact_solves += report.iterations;
     dense_factorizations += report.factorizations;
@@ -37,4 +37,4 @@ namespace conetact
         (text.empty() ? "work: " : ", ") + std::to_string(count) + " " + what;
     return text;
   }
-} // namespace conetact
+} // namespace conetact::analysis

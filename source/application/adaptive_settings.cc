@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::application
 {
   void
   declare_adaptive(dealii::ParameterHandler &prm)
@@ -40,14 +40,16 @@ namespace conetact
   }
 
   void
-  check_adaptive(const AdaptiveSettings               &settings,
-                 const std::vector<const Structure *> &bodies)
+  check_adaptive(const AdaptiveSettings                       &settings,
+                 const std::vector<const bodies::Structure *> &bodies)
   {
     if (settings.cycles > 0 &&
-        std::all_of(bodies.begin(), bodies.end(), [](const Structure *body) {
-          return body->matrix_count().elements == 0;
-        }))
+        std::all_of(bodies.begin(),
+                    bodies.end(),
+                    [](const bodies::Structure *body) {
+                      return body->matrix_count().elements == 0;
+                    }))
       throw InputError("Adaptive refinement: no body has a mesh to refine, "
                        "frames keep their members. Set it to 0.");
   }
-} // namespace conetact
+} // namespace conetact::application

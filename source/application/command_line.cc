@@ -7,7 +7,7 @@
 
 #include <getopt.h>
 
-namespace conetact
+namespace conetact::application
 {
   namespace
   {
@@ -101,4 +101,4 @@ converged, all increments before it are on disk; 3 cannot write.
     line.scene = argv[optind];
     return line;
   }
-} // namespace conetact
+} // namespace conetact::application

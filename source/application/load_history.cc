@@ -7,7 +7,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
-namespace conetact
+namespace conetact::application
 {
   namespace
   {
@@ -83,4 +83,4 @@ namespace conetact
                    to_number(prm.get("Increments"), "Time/Increments"));
     return times;
   }
-} // namespace conetact
+} // namespace conetact::application

@@ -11,14 +11,13 @@
 #include "conetact/bodies/body_table.h"
 #include "conetact/contact/held_nodes.h"
 #include "conetact/output/problem_files.h"
-#include "conetact/pairing/pairing_table.h"
 
 #include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
 
-namespace conetact
+namespace conetact::application
 {
   namespace
   {
@@ -146,11 +145,11 @@ namespace conetact
   {
     declare_names(prm);
     declare_adaptive(prm);
-    declare_each(prm, "Body", bodies.names, declare_body);
-    declare_each(prm, "Obstacle", obstacle_names, declare_obstacle);
-    declare_each(prm, "Contact", contact_names, declare_contact);
-    declare_each(prm, "Support", support_names, declare_support);
-    declare_each(prm, "Load", load_names, declare_load);
+    declare_each(prm, "Body", bodies.names, bodies::declare_body);
+    declare_each(prm, "Obstacle", obstacle_names, pairing::declare_obstacle);
+    declare_each(prm, "Contact", contact_names, pairing::declare_contact);
+    declare_each(prm, "Support", support_names, bodies::declare_support);
+    declare_each(prm, "Load", load_names, bodies::declare_load);
     prm.enter_subsection("Time");
     declare_time(prm);
     prm.leave_subsection();
@@ -215,46 +214,48 @@ namespace conetact
     prm.enter_subsection("Output");
     vtu_every = static_cast<unsigned int>(prm.get_integer("VTU"));
     const auto increments_of = [&](const std::string &entry) {
-      return parse_problem_increments(prm.get(entry),
-                                      static_cast<unsigned int>(times.size()),
-                                      "Output, " + entry);
+      return output::parse_problem_increments(prm.get(entry),
+                                              static_cast<unsigned int>(
+                                                times.size()),
+                                              "Output, " + entry);
     };
     fclib_increments = increments_of("FCLib increments");
     text_increments  = increments_of("Text increments");
-    check_fclib_is_there(fclib_increments);
+    output::check_fclib_is_there(fclib_increments);
     prm.leave_subsection();
     leave_out_far_nodes &= fclib_increments.empty() && text_increments.empty();
   }
 
   void
-  Scene::build(const std::vector<Refinements> &refinements)
+  Scene::build(const std::vector<bodies::Refinements> &refinements)
   {
     const unsigned int dim    = bodies.dim;
     const auto         folder = file.parent_path();
     create_each(prm, "Body", bodies.names, [&](const std::string &name) {
       const std::size_t b = structures.size();
-      structures.push_back(
-        create_body(prm,
-                    dim,
-                    folder,
-                    name,
-                    refinements.empty() ? Refinements() : refinements[b]));
+      structures.push_back(bodies::create_body(prm,
+                                               dim,
+                                               folder,
+                                               name,
+                                               refinements.empty() ?
+                                                 bodies::Refinements() :
+                                                 refinements[b]));
       bodies.structures.push_back(structures.back().get());
     });
     create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {
-      obstacles.push_back(create_obstacle(prm, name, dim));
+      obstacles.push_back(pairing::create_obstacle(prm, name, dim));
     });
     create_each(prm, "Support", support_names, [&](const std::string &name) {
-      bodies.supports.push_back(
-        create_support(prm, name, dim, bodies.names, bodies.structures));
+      bodies.supports.push_back(bodies::create_support(
+        prm, name, dim, bodies.names, bodies.structures));
     });
     create_each(prm, "Load", load_names, [&](const std::string &name) {
       loads.push_back(
-        create_load(prm, name, dim, bodies.names, bodies.structures));
+        bodies::create_load(prm, name, dim, bodies.names, bodies.structures));
     });
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
-      contacts.push_back(
-        create_contact(prm, name, bodies.names, bodies.structures, obstacles));
+      contacts.push_back(pairing::create_contact(
+        prm, name, bodies.names, bodies.structures, obstacles));
       if (dim == 2 && contacts.back().second_friction)
         throw InputError("Contact '" + name +
                          "', Second friction coefficient: "
@@ -269,15 +270,18 @@ namespace conetact
         if (pair)
           contact_sides.push_back(contact_names[c] + "_master");
       }
-    ContactNodes found =
-      find_contact_nodes(contacts, bodies.names, bodies.structures, dim);
-    bodies.contact_nodes = std::move(found.nodes);
-    pairings             = std::move(found.pairings);
-    align_with_supports(bodies);
+    pairing::ContactNodes found = pairing::find_contact_nodes(contacts,
+                                                              bodies.names,
+                                                              bodies.structures,
+                                                              dim);
+    bodies.contact_nodes        = std::move(found.nodes);
+    pairings                    = std::move(found.pairings);
+    contact::align_with_supports(bodies);
     std::vector<bool> is_mean;
-    for (const Contact &contact : contacts)
-      is_mean.push_back(pairing_of(contact, bodies.structures).takes_means);
-    give_up_held_nodes(bodies, is_mean);
+    for (const pairing::Contact &contact : contacts)
+      is_mean.push_back(
+        pairing::pairing_of(contact, bodies.structures).takes_means);
+    contact::give_up_held_nodes(bodies, is_mean);
     bodies.at_rest = bodies_at_rest();
     check_path();
     check_adaptive(adaptive, bodies.structures);
@@ -287,13 +291,13 @@ namespace conetact
   Scene::bodies_at_rest() const
   {
     std::vector<bool> at_rest(bodies.structures.size(), true);
-    for (const Load &load : loads)
+    for (const bodies::Load &load : loads)
       if (!load.is_zero())
         at_rest[load.body] = false;
-    for (const Support &support : bodies.supports)
+    for (const bodies::Support &support : bodies.supports)
       if (!support.is_still())
         at_rest[support.body] = false;
-    for (const Contact &contact : contacts) // also one that stays open
+    for (const pairing::Contact &contact : contacts) // also one that stays open
       {
         at_rest[contact.body] = false;
         if (contact.obstacle == nullptr)
@@ -324,19 +328,19 @@ namespace conetact
     return file.stem().string();
   }
 
-  NodalLoads
+  bodies::NodalLoads
   Scene::nodal_loads() const
   {
-    return NodalLoads(loads, bodies.structures, bodies.dim);
+    return bodies::NodalLoads(loads, bodies.structures, bodies.dim);
   }
 
-  std::vector<Actions>
+  std::vector<bodies::Actions>
   Scene::actions(const double t) const
   {
-    std::vector<Actions> result(bodies.structures.size());
-    for (const Load &load : loads)
+    std::vector<bodies::Actions> result(bodies.structures.size());
+    for (const bodies::Load &load : loads)
       if (auto action = load.action(t))
         result[load.body].push_back(std::move(*action));
     return result;
   }
-} // namespace conetact
+} // namespace conetact::application

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::application
 {
   namespace
   {
@@ -25,17 +25,17 @@ namespace conetact
     {
       double          start = 0;
       Eigen::VectorXd first = values(0.);
-      double          size  = largest(first);
+      double          size  = solvers::largest(first);
       for (const double end : times)
         {
           const Eigen::VectorXd last = values(end);
-          size                       = std::max(size, largest(last));
+          size                       = std::max(size, solvers::largest(last));
           for (const double part : parts)
             {
               const Eigen::VectorXd bend =
                 values(start + part * (end - start)) -
                 (first + part * (last - first));
-              if (!(largest(bend) <= 1e-11 * size))
+              if (!(solvers::largest(bend) <= 1e-11 * size))
                 throw InputError(
                   entry + ": it is not linear in t between t = " +
                   to_text(start) + " and t = " + to_text(end) +
@@ -65,23 +65,24 @@ namespace conetact
       throw InputError("Adaptive refinement: the Solver/Method of this scene "
                        "follows a path on one mesh. Set it to 0, or choose "
                        "another method.");
-    const bool cohesive =
-      std::any_of(bodies.contact_nodes.begin(),
-                  bodies.contact_nodes.end(),
-                  [](const ContactNode &node) { return node.cohesion > 0; });
+    const bool cohesive = std::any_of(bodies.contact_nodes.begin(),
+                                      bodies.contact_nodes.end(),
+                                      [](const pairing::ContactNode &node) {
+                                        return node.cohesion > 0;
+                                      });
     if (cohesive && !(path.follows && bodies.dim == 2))
       throw InputError(
         "Contact, Cohesion: only Solver/Method = load path in 2D knows "
         "cohesion. Leave it 0, or choose that method.");
     if (!path.follows)
       {
-        if (path.law == PathLaw::holonomic)
+        if (path.law == load_path::PathLaw::holonomic)
           throw InputError("Solver/Law: the holonomic law is one of "
                            "Method = load path. Choose that method, or "
                            "Law = incremental.");
         return;
       }
-    if (bodies.dim == 3 && path.law == PathLaw::holonomic)
+    if (bodies.dim == 3 && path.law == load_path::PathLaw::holonomic)
       throw InputError("Solver/Law: the holonomic law is for 2D. Choose "
                        "incremental.");
     if (bodies.contact_nodes.empty())
@@ -97,11 +98,11 @@ namespace conetact
   void
   Scene::check_stages() const
   {
-    for (const Load &load : loads)
+    for (const bodies::Load &load : loads)
       {
         if (!load.uses_time())
           continue;
-        const Structure &structure = *bodies.structures[load.body];
+        const bodies::Structure &structure = *bodies.structures[load.body];
         check_linear(times,
                      "Load '" + load.name + "', Value",
                      [&](const double t) {
@@ -111,7 +112,7 @@ namespace conetact
                        return f;
                      });
       }
-    for (const Support &support : bodies.supports)
+    for (const bodies::Support &support : bodies.supports)
       {
         const auto &nodes = support.surface.nodes;
         const auto  check = [&](const Expression  &expression,
@@ -129,10 +130,10 @@ namespace conetact
         };
         for (const Expression &e : support.displacement)
           check(e, "Displacement");
-        for (const Support::Rotation &rotation : support.rotations)
+        for (const bodies::Support::Rotation &rotation : support.rotations)
           check(rotation.angle, "Rotation");
       }
-    for (const Obstacle &obstacle : obstacles)
+    for (const pairing::Obstacle &obstacle : obstacles)
       if (moves(obstacle.displacement))
         check_linear(times,
                      "Obstacle '" + obstacle.name + "', Displacement",
@@ -148,7 +149,7 @@ namespace conetact
   Scene::prestress() const
   {
     std::vector<Eigen::Index> offset = {0};
-    for (const Structure *structure : bodies.structures)
+    for (const bodies::Structure *structure : bodies.structures)
       offset.push_back(offset.back() + structure->n_dofs());
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(offset.back());
     const auto      add    = [&](const unsigned int  body,
@@ -160,16 +161,18 @@ namespace conetact
                         bodies.structures[body]->n_components()) +
                c] += force[c];
     };
-    for (const ContactNode &node : bodies.contact_nodes)
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
       if (node.prestress > 0)
         {
-          for_each_side(node,
-                        [&](const unsigned int body,
-                            const unsigned int i,
-                            const double       weight) {
-                          add(body, i, -weight * node.prestress * node.n);
-                        });
+          pairing::for_each_side(node,
+                                 [&](const unsigned int body,
+                                     const unsigned int i,
+                                     const double       weight) {
+                                   add(body,
+                                       i,
+                                       -weight * node.prestress * node.n);
+                                 });
         }
     return forces;
   }
-} // namespace conetact
+} // namespace conetact::application

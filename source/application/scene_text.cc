@@ -11,7 +11,7 @@
 #include <sstream>
 #include <utility>
 
-namespace conetact
+namespace conetact::application
 {
   namespace
   {
@@ -422,4 +422,4 @@ namespace conetact
         throw InputError(start + sentence(prm, line, message));
       }
   }
-} // namespace conetact
+} // namespace conetact::application

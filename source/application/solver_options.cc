@@ -6,7 +6,7 @@
 #include "conetact/base/text.h"
 #include "conetact/solvers/solver_table.h"
 
-namespace conetact
+namespace conetact::application
 {
   namespace
   {
@@ -14,26 +14,38 @@ namespace conetact
     struct SmoothingRow
     {
       const char *name;
-      double SmoothingOptions::*member;
-      double                    upper; ///< all are positive
-      const char               *text;
+      double solvers::SmoothingOptions::*member;
+      double                             upper; ///< all are positive
+      const char                        *text;
     };
     const std::vector<SmoothingRow> smoothing_table = {
-      {"rho", &SmoothingOptions::rho, 1, "Step reduction of the line search."},
-      {"sigma", &SmoothingOptions::sigma, .5, "Sufficient decrease."},
+      {"rho",
+       &solvers::SmoothingOptions::rho,
+       1,
+       "Step reduction of the line search."},
+      {"sigma", &solvers::SmoothingOptions::sigma, .5, "Sufficient decrease."},
       {"kappa",
-       &SmoothingOptions::kappa,
+       &solvers::SmoothingOptions::kappa,
        1e300,
        "Bound of smoothing m and regularisation eps by the squared residual."},
       {"kappahat",
-       &SmoothingOptions::kappahat,
+       &solvers::SmoothingOptions::kappahat,
        1e300,
        "Bound of m by the smallest eigenvalue."},
-      {"eta", &SmoothingOptions::eta, 1, "Decrease of the bound beta."},
-      {"etabar", &SmoothingOptions::etabar, 1, "Decrease of m and eps."},
-      {"m0", &SmoothingOptions::m0, 1e300, "First smoothing."},
-      {"eps0", &SmoothingOptions::eps0, 1e300, "First regularisation."},
-      {"beta0", &SmoothingOptions::beta0, 1e300, "First bound beta."}};
+      {"eta",
+       &solvers::SmoothingOptions::eta,
+       1,
+       "Decrease of the bound beta."},
+      {"etabar",
+       &solvers::SmoothingOptions::etabar,
+       1,
+       "Decrease of m and eps."},
+      {"m0", &solvers::SmoothingOptions::m0, 1e300, "First smoothing."},
+      {"eps0",
+       &solvers::SmoothingOptions::eps0,
+       1e300,
+       "First regularisation."},
+      {"beta0", &solvers::SmoothingOptions::beta0, 1e300, "First bound beta."}};
 
     const std::string load_path = "load path";
     const std::string load_path_text =
@@ -44,13 +56,13 @@ namespace conetact
     declare_condensation(dealii::ParameterHandler &prm)
     {
       std::vector<std::string> names, lines;
-      for (const Condenser &row : condenser_table())
+      for (const backends::Condenser &row : backends::condenser_table())
         {
           names.push_back(row.name);
           lines.push_back(std::string(row.name) + ": " + row.description);
         }
       prm.declare_entry("Condensation",
-                        default_condenser().name,
+                        backends::default_condenser().name,
                         dealii::Patterns::Selection(join(names, "|")),
                         "What condenses the stiffness of bodies to their "
                         "contact nodes. " +
@@ -72,9 +84,9 @@ namespace conetact
   declare_solver(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    const SolverOptions      defaults;
-    std::vector<std::string> methods, lines;
-    for (const SolverRow &row : solver_table())
+    const solvers::SolverOptions defaults;
+    std::vector<std::string>     methods, lines;
+    for (const solvers::SolverRow &row : solvers::solver_table())
       {
         methods.push_back(row.name);
         lines.push_back(std::string(row.name) + ": " + row.description);
@@ -111,10 +123,10 @@ namespace conetact
     prm.leave_subsection();
   }
 
-  SolverOptions
+  solvers::SolverOptions
   create_solver_options(dealii::ParameterHandler &prm)
   {
-    SolverOptions options;
+    solvers::SolverOptions options;
     options.may_be_rigid = false;
     if (prm.get("Method") != load_path)
       options.method = prm.get("Method");
@@ -128,10 +140,10 @@ namespace conetact
     return options;
   }
 
-  const Condenser &
+  const backends::Condenser &
   chosen_condenser(dealii::ParameterHandler &prm)
   {
-    return condenser_named(prm.get("Condensation"));
+    return backends::condenser_named(prm.get("Condensation"));
   }
 
   PathSettings
@@ -139,8 +151,9 @@ namespace conetact
   {
     PathSettings settings;
     settings.follows = prm.get("Method") == load_path;
-    settings.law =
-      prm.get("Law") == "holonomic" ? PathLaw::holonomic : PathLaw::incremental;
+    settings.law     = prm.get("Law") == "holonomic" ?
+                         load_path::PathLaw::holonomic :
+                         load_path::PathLaw::incremental;
     return settings;
   }
-} // namespace conetact
+} // namespace conetact::application

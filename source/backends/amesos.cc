@@ -17,7 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -133,4 +133,4 @@ namespace conetact
                                std::to_string(error) + ".");
     return x;
   }
-} // namespace conetact
+} // namespace conetact::backends

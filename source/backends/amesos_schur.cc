@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <new>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -186,4 +186,4 @@ namespace conetact
   {
     return n_new < n_schur;
   }
-} // namespace conetact
+} // namespace conetact::backends

@@ -8,7 +8,7 @@
 
 #include <stdexcept>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -176,4 +176,4 @@ namespace conetact
              condenser_named("amesos_klu") :
              mumps;
   }
-} // namespace conetact
+} // namespace conetact::backends

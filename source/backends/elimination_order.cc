@@ -10,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -172,4 +172,4 @@ namespace conetact
       places[i] = next_place[vertex_of[i]]++;
     return places;
   }
-} // namespace conetact
+} // namespace conetact::backends

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -135,4 +135,4 @@ namespace conetact
       forces.row(added[static_cast<std::size_t>(k)]) += f.row(k);
     return solver->expand(forces, u_base);
   }
-} // namespace conetact
+} // namespace conetact::backends

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -69,4 +69,4 @@ namespace conetact
     if (!(energy > rounding * without_signs)) // nor if it is not a number
       throw SingularMatrix(node_of[static_cast<std::size_t>(where)]);
   }
-} // namespace conetact
+} // namespace conetact::backends

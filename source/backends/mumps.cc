@@ -9,7 +9,7 @@
 #include <new>
 #include <stdexcept>
 
-namespace conetact
+namespace conetact::backends
 {
   Mumps::Mumps()
   {
@@ -93,4 +93,4 @@ namespace conetact
                                std::to_string(error) + " (" +
                                std::to_string(info(2)) + ").");
   }
-} // namespace conetact
+} // namespace conetact::backends

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <string>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -365,4 +365,4 @@ namespace conetact
   {
     return implementation->work;
   }
-} // namespace conetact
+} // namespace conetact::backends

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace conetact
+namespace conetact::backends
 {
   using Eigen::Index;
   using SparseMatrix = Eigen::SparseMatrix<double>;
@@ -88,4 +88,4 @@ namespace conetact
       }
     return scale;
   }
-} // namespace conetact
+} // namespace conetact::backends

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace conetact
+namespace conetact::backends
 {
   namespace
   {
@@ -101,7 +101,7 @@ namespace conetact
   {
     const MatrixXd S = factor->take_schur_complement();
     P                = inverse_without_motions(
-          S, orthonormal_basis(motions(retained, Eigen::all))) /
+          S, solvers::orthonormal_basis(motions(retained, Eigen::all))) /
         scale;
   }
 
@@ -153,4 +153,4 @@ namespace conetact
     const MatrixXd w = P * factor->reduce(b);
     return place.transpose() * factor->expand(b / scale, w);
   }
-} // namespace conetact
+} // namespace conetact::backends

@@ -12,7 +12,7 @@
 
 #include <deal.II/grid/tria.h>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::ParameterHandler;
   namespace Patterns = dealii::Patterns;
@@ -181,4 +181,4 @@ namespace conetact
     return find_row(body_table(), prm.get("Kind"))
       .create(prm, dim, folder, name, refinements);
   }
-} // namespace conetact
+} // namespace conetact::bodies

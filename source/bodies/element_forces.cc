@@ -3,7 +3,7 @@
 
 #include "conetact/bodies/element_forces.h"
 
-namespace conetact
+namespace conetact::bodies
 {
   void
   multiply(const std::vector<unsigned int> &dofs,
@@ -55,4 +55,4 @@ namespace conetact
     for (Eigen::Index i = 0; i < n; ++i)
       f[dofs[static_cast<std::size_t>(i)]] += local[i];
   }
-} // namespace conetact
+} // namespace conetact::bodies

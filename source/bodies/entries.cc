@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::bodies
 {
   unsigned int
   find_body(const std::string              &body,
@@ -58,4 +58,4 @@ namespace conetact
                        std::to_string(n) + ", separated by ';'.");
     return expressions;
   }
-} // namespace conetact
+} // namespace conetact::bodies

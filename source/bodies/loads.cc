@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -222,4 +222,4 @@ namespace conetact
     load.value = parse_components(value, n, in + "Value");
     return load;
   }
-} // namespace conetact
+} // namespace conetact::bodies

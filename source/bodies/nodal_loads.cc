@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -142,4 +142,4 @@ namespace conetact
       if (std::abs(sum) <= round_off * size)
         sum = 0;
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::ParameterHandler;
   using dealii::Tensor;
@@ -160,4 +160,4 @@ namespace conetact
       }
     return tags;
   }
-} // namespace conetact
+} // namespace conetact::bodies

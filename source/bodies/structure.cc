@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-namespace conetact
+namespace conetact::bodies
 {
   std::vector<Tensor<1, 3>>
   smooth_patches(const std::vector<Tensor<1, 3>> &face_normals)
@@ -37,4 +37,4 @@ namespace conetact
         }
     return normals;
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -213,4 +213,4 @@ namespace conetact
       }
     return support;
   }
-} // namespace conetact
+} // namespace conetact::bodies

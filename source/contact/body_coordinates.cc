@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -56,7 +56,7 @@ namespace conetact
     reserve(static_cast<std::size_t>(coordinates.n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
-        const Structure &structure = *bodies.structures[body];
+        const bodies::Structure &structure = *bodies.structures[body];
         first_unknown.push_back(static_cast<Eigen::Index>(unknowns.size()));
         for (unsigned int i = 0; i < structure.n_nodes(); ++i)
           {
@@ -106,10 +106,10 @@ namespace conetact
   BodyCoordinates::add_rotations(const unsigned int body,
                                  const unsigned int node)
   {
-    const Structure   &structure = *bodies.structures[body];
-    const NodeRule    *rule      = coordinates.rule(body, node);
-    const unsigned int dim = bodies.dim, n = structure.n_components();
-    bool               any_held = false;
+    const bodies::Structure &structure = *bodies.structures[body];
+    const NodeRule          *rule      = coordinates.rule(body, node);
+    const unsigned int       dim = bodies.dim, n = structure.n_components();
+    bool                     any_held = false;
     for (unsigned int c = dim; c < n; ++c)
       any_held = any_held || is_held(rule, c);
     for (unsigned int c = dim; c < n; ++c)
@@ -168,4 +168,4 @@ namespace conetact
       }
     return p;
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -9,7 +9,7 @@
 #include <map>
 #include <numeric>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -73,10 +73,10 @@ namespace conetact
           const auto motions = mean_motions(model, t);
           for (std::size_t i = 0; i < points.size(); ++i)
             {
-              const ContactNode &node = *points[i].node;
-              const Tensor<1, 3> opponent =
+              const pairing::ContactNode &node = *points[i].node;
+              const Tensor<1, 3>          opponent =
                 node.obstacle != nullptr ? node.obstacle->displacement_at(t) :
-                                           motions[node.master];
+                                                    motions[node.master];
               closest[index(i)] =
                 std::min(closest[index(i)],
                          gaps[index(i)] +
@@ -133,8 +133,9 @@ namespace conetact
           for (unsigned int body = 0; body < model.bodies.structures.size();
                ++body)
             {
-              const Structure &structure = *model.bodies.structures[body];
-              Tensor<1, 3>     resultant;
+              const bodies::Structure &structure =
+                *model.bodies.structures[body];
+              Tensor<1, 3> resultant;
               for (unsigned int i = 0; i < structure.n_nodes(); ++i)
                 for (unsigned int c = 0; c < model.bodies.dim; ++c)
                   resultant[c] += f[model.coordinates.dof(body, i) + c];
@@ -205,7 +206,8 @@ namespace conetact
 
     /** The set, or all candidates where it is hardly smaller. */
     WorkingSet
-    worthwhile(const ContactSystem &candidates, const std::vector<bool> &chosen)
+    worthwhile(const solvers::ContactSystem &candidates,
+               const std::vector<bool>      &chosen)
     {
       WorkingSet set(candidates, nodes_of(chosen));
       if (2 * set.layout().n_unknowns() > candidates.n_unknowns())
@@ -221,7 +223,7 @@ namespace conetact
                     const std::function<VectorXd(const double t)> &forces,
                     const std::vector<double>                     &times)
   {
-    const ContactSystem &candidates = model.points.layout();
+    const solvers::ContactSystem &candidates = model.points.layout();
     // Which nodes hold a mechanism is not known beforehand.
     if (candidates.n_unknowns() < fewest_unknowns || model.may_be_mechanism())
       return WorkingSet(candidates);
@@ -277,8 +279,8 @@ namespace conetact
   void
   join(ContactModel &model, const VectorXd &gaps)
   {
-    const ContactSystem     &candidates = model.points.layout();
-    const std::vector<Index> nodes      = penetrating(model, gaps);
+    const solvers::ContactSystem &candidates = model.points.layout();
+    const std::vector<Index>      nodes      = penetrating(model, gaps);
     if (model.extend(nodes))
       return;
     std::vector<bool> chosen(static_cast<std::size_t>(candidates.n_nodes()));
@@ -288,4 +290,4 @@ namespace conetact
       chosen[static_cast<std::size_t>(i)] = true;
     model.choose(worthwhile(candidates, chosen));
   }
-} // namespace conetact
+} // namespace conetact::contact

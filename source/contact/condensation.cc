@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -79,13 +79,13 @@ namespace conetact
     }
   } // namespace
 
-  Condensation::Condensation(const ElasticSystem   &e,
-                             const NodeRules       &supports,
-                             const ContactPoints   &p,
-                             const WorkingSet      &s,
-                             const Eigen::MatrixXd &null_space,
-                             const bool             find_mechanisms,
-                             const Condenser       &condenser)
+  Condensation::Condensation(const ElasticSystem       &e,
+                             const NodeRules           &supports,
+                             const ContactPoints       &p,
+                             const WorkingSet          &s,
+                             const Eigen::MatrixXd     &null_space,
+                             const bool                 find_mechanisms,
+                             const backends::Condenser &condenser)
     : elastic(e)
     , points(p)
     , coordinates(elastic.bodies, supports, &points)
@@ -100,19 +100,19 @@ namespace conetact
       // MUMPS has thresholds of its own, which know no units.
       stiffness_scale = mean_diagonal(matrix.upper);
       matrix.upper /= stiffness_scale;
-      solver = std::make_unique<ExtendedSchur>(matrix.upper,
-                                               n,
-                                               matrix.node_of,
-                                               condenser);
+      solver = std::make_unique<backends::ExtendedSchur>(matrix.upper,
+                                                         n,
+                                                         matrix.node_of,
+                                                         condenser);
     }
 
-    auto system    = std::make_shared<ContactSystem>(set.layout());
+    auto system    = std::make_shared<solvers::ContactSystem>(set.layout());
     system->matrix = solver->base().take_schur_complement();
     system->matrix *= stiffness_scale;
     // Frames may have motions that nobody has named; those of other bodies
     // are rigid, and known to the last digit.
     system->null_space = find_mechanisms && n > 0 && n <= largest_rank_search ?
-                           null_space_basis(system->matrix) :
+                           solvers::null_space_basis(system->matrix) :
                            set.gather(null_space);
     contact_system     = system;
   }
@@ -147,7 +147,7 @@ namespace conetact
     for (const Eigen::Index c : added.unknowns())
       unknowns.push_back(place.indices()[coordinates.n_unknowns() -
                                          coordinates.n_contact_unknowns() + c]);
-    auto system = std::make_shared<ContactSystem>(set.layout());
+    auto system = std::make_shared<solvers::ContactSystem>(set.layout());
     // The factor knows the scaled matrix only.
     system->matrix = contact_system->matrix / stiffness_scale;
     solver->extend(unknowns, system->matrix);
@@ -164,7 +164,7 @@ namespace conetact
   // Bodies that meet obstacles only do not see each other: each has rows of
   // its own.
   std::vector<StiffnessDifference>
-  Condensation::compare(const Condenser &other) const
+  Condensation::compare(const backends::Condenser &other) const
   {
     Sorted matrix = sorted(elastic, coordinates, set_last(coordinates, set));
     matrix.upper /= stiffness_scale;
@@ -303,12 +303,12 @@ namespace conetact
     return coordinates.expand(expand_unknowns(-b, primal, reduced));
   }
 
-  FactorEstimate
-  estimate_condensation(const ElasticSystem &elastic,
-                        const NodeRules     &supports,
-                        const ContactPoints &points,
-                        const WorkingSet    &set,
-                        const Condenser     &condenser)
+  backends::FactorEstimate
+  estimate_condensation(const ElasticSystem       &elastic,
+                        const NodeRules           &supports,
+                        const ContactPoints       &points,
+                        const WorkingSet          &set,
+                        const backends::Condenser &condenser)
   {
     const Coordinates coordinates(elastic.bodies, supports, &points);
     const Sorted      matrix =
@@ -317,4 +317,4 @@ namespace conetact
                               set.layout().n_unknowns(),
                               matrix.node_of);
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -29,7 +29,7 @@ namespace conetact
 
   ContactModel::ContactModel(const Bodies              &b,
                              const std::vector<double> &times,
-                             const Condenser           &by)
+                             const backends::Condenser &by)
     : bodies(b)
     , rules(bodies, times)
     , points(bodies, rules, times)
@@ -52,7 +52,7 @@ namespace conetact
     // times.
     const bool pairs = std::any_of(bodies.contact_nodes.begin(),
                                    bodies.contact_nodes.end(),
-                                   [](const ContactNode &node) {
+                                   [](const pairing::ContactNode &node) {
                                      return !node.masters.empty();
                                    });
     // mechanisms are found in a stiffness only
@@ -83,7 +83,7 @@ namespace conetact
     if (!placement.isZero(0))
       {
         const Eigen::VectorXd rigid = motions.field(placement);
-        const double          zero  = deformation_rounding * largest(rigid);
+        const double zero = deformation_rounding * solvers::largest(rigid);
         prescribed -= coordinates.held_part(rigid);
         prescribed = prescribed.unaryExpr(
           [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
@@ -101,7 +101,7 @@ namespace conetact
         LoadCase heat =
           condensation().reduce(thermal,
                                 Eigen::VectorXd::Zero(prescribed.size()));
-        const ContactSystem &system = *condensation().system();
+        const solvers::ContactSystem &system = *condensation().system();
         for (Eigen::Index j = system.n_contact_unknowns();
              j < system.n_unknowns();
              ++j)
@@ -164,7 +164,7 @@ namespace conetact
   }
 
   std::string
-  ContactModel::singular_sentence(const SingularMatrix &error) const
+  ContactModel::singular_sentence(const backends::SingularMatrix &error) const
   {
     std::string text = "Some part of a body can move although supports and "
                        "contact nodes hold all bodies";
@@ -188,7 +188,7 @@ namespace conetact
   {
     return std::any_of(bodies.structures.begin(),
                        bodies.structures.end(),
-                       [](const Structure *structure) {
+                       [](const bodies::Structure *structure) {
                          return structure->may_be_mechanism();
                        });
   }
@@ -208,7 +208,7 @@ namespace conetact
                                           condenser);
   }
 
-  FactorEstimate
+  backends::FactorEstimate
   ContactModel::estimate_factor() const
   {
     if (is_dual())
@@ -226,7 +226,7 @@ namespace conetact
         if (!condensed)
           condensed = make_backend();
       }
-    catch (const SingularMatrix &error)
+    catch (const backends::SingularMatrix &error)
       {
         throw InputError(singular_sentence(error));
       }
@@ -234,13 +234,13 @@ namespace conetact
   }
 
   std::vector<StiffnessDifference>
-  ContactModel::compare_stiffness(const Condenser &other)
+  ContactModel::compare_stiffness(const backends::Condenser &other)
   {
     try
       {
         return condensation().compare(other);
       }
-    catch (const SingularMatrix &error)
+    catch (const backends::SingularMatrix &error)
       {
         throw AnalysisError(std::string(other.name) +
                             " finds what Solver/Condensation did not: " +
@@ -262,10 +262,10 @@ namespace conetact
     return condensation().extend(nodes);
   }
 
-  SchurWork
+  backends::SchurWork
   ContactModel::work() const
   {
-    SchurWork sum = former_work;
+    backends::SchurWork sum = former_work;
     if (condensed)
       sum += condensed->work();
     return sum;
@@ -290,8 +290,8 @@ namespace conetact
   Eigen::VectorXd
   ContactHistory::shift() const
   {
-    const ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd      s      = -q;
+    const solvers::ContactSystem &layout = model->points.layout();
+    Eigen::VectorXd               s      = -q;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       s[layout.normal(i)] = initial_gap[i];
     return s;
@@ -302,15 +302,15 @@ namespace conetact
   Eigen::VectorXd
   ContactHistory::offset_at(const LoadCase &load) const
   {
-    const ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd      sum    = load.offset + shift();
-    const double         moved =
-      conetact::largest(load.placement) + conetact::largest(load.prescribed);
+    const solvers::ContactSystem &layout = model->points.layout();
+    Eigen::VectorXd               sum    = load.offset + shift();
+    const double moved = conetact::solvers::largest(load.placement) +
+                         conetact::solvers::largest(load.prescribed);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       {
         const Eigen::Index k = layout.normal(i);
         if (std::abs(sum[k]) <=
-            position_rounding *
+            solvers::position_rounding *
               (std::abs(initial_gap[i]) + std::abs(load.offset[k]) + moved))
           sum[k] = 0;
       }
@@ -320,29 +320,29 @@ namespace conetact
   Eigen::VectorXd
   ContactHistory::gaps() const
   {
-    const ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd      gap    = initial_gap;
+    const solvers::ContactSystem &layout = model->points.layout();
+    Eigen::VectorXd               gap    = initial_gap;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       gap[i] += q[layout.normal(i)];
     return gap;
   }
 
-  ContactProblem
+  solvers::ContactProblem
   ContactHistory::problem(const LoadCase &load)
   {
-    const auto       &system = model->condensation().system();
-    const WorkingSet &set    = model->working_set();
-    ContactProblem    problem;
+    const auto             &system = model->condensation().system();
+    const WorkingSet       &set    = model->working_set();
+    solvers::ContactProblem problem;
     problem.system               = system;
     problem.load                 = load.f;
     problem.gap                  = gaps()(set.nodes());
     problem.reference_force      = rounding_of_past * largest;
     const Eigen::VectorXd offset = set.gather(offset_at(load));
     const Eigen::Index    k      = system->n_motions;
-    if (system->form == Form::stiffness)
+    if (system->form == solvers::Form::stiffness)
       {
         problem.offset = offset;
-        largest        = std::max(largest, conetact::largest(load.f));
+        largest        = std::max(largest, conetact::solvers::largest(load.f));
         return problem;
       }
     // unknown is what motions change from there on
@@ -350,19 +350,19 @@ namespace conetact
     if (k > 0)
       problem.load += system->matrix.rightCols(k) * base;
     // In compliance form f has forces in its balance rows only.
-    largest = std::max(largest, conetact::largest(load.f.tail(k)));
+    largest = std::max(largest, conetact::solvers::largest(load.f.tail(k)));
     return problem;
   }
 
-  ContactState
+  solvers::ContactState
   ContactHistory::start() const
   {
-    const WorkingSet     &set    = model->working_set();
-    const ContactSystem  &layout = set.layout();
-    const Eigen::VectorXd gap    = gaps()(set.nodes());
-    const Eigen::Index    n      = layout.n_unknowns();
-    const Eigen::Index    k      = model->is_dual() ? a.size() : 0;
-    ContactState          state;
+    const WorkingSet             &set    = model->working_set();
+    const solvers::ContactSystem &layout = set.layout();
+    const Eigen::VectorXd         gap    = gaps()(set.nodes());
+    const Eigen::Index            n      = layout.n_unknowns();
+    const Eigen::Index            k      = model->is_dual() ? a.size() : 0;
+    solvers::ContactState         state;
     state.v = Eigen::VectorXd::Zero(n + k);
     state.r = Eigen::VectorXd::Zero(n + k);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
@@ -378,13 +378,13 @@ namespace conetact
   }
 
   void
-  ContactHistory::advance(const ContactState &end)
+  ContactHistory::advance(const solvers::ContactState &end)
   {
-    const WorkingSet     &set    = model->working_set();
-    const ContactSystem  &layout = set.layout();
-    const Eigen::Index    n      = layout.n_unknowns();
-    const Eigen::VectorXd gap    = initial_gap(set.nodes());
-    Eigen::VectorXd       own    = set.gather(q) + end.v.head(n);
+    const WorkingSet             &set    = model->working_set();
+    const solvers::ContactSystem &layout = set.layout();
+    const Eigen::Index            n      = layout.n_unknowns();
+    const Eigen::VectorXd         gap    = initial_gap(set.nodes());
+    Eigen::VectorXd               own    = set.gather(q) + end.v.head(n);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       // v has slips of the increment, but the gap itself.
       own[layout.normal(i)] = end.v[layout.normal(i)] - gap[i];
@@ -421,17 +421,17 @@ namespace conetact
     model->working_set().scatter(own, q);
   }
 
-  ContactState
-  ContactHistory::of_candidates(const ContactState   &end,
-                                const ContactHistory &before) const
+  solvers::ContactState
+  ContactHistory::of_candidates(const solvers::ContactState &end,
+                                const ContactHistory        &before) const
   {
-    const WorkingSet    &set    = model->working_set();
-    const ContactSystem &layout = model->points.layout();
+    const WorkingSet             &set    = model->working_set();
+    const solvers::ContactSystem &layout = model->points.layout();
     // Candidates outside the set are open; their slip is what they moved by.
-    ContactState state{q - before.q, r, set.scatter(end.node)};
+    solvers::ContactState state{q - before.q, r, set.scatter(end.node)};
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       state.v[layout.normal(i)] = initial_gap[i] + q[layout.normal(i)];
     set.scatter(end.v.head(set.layout().n_unknowns()), state.v);
     return state;
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <set>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -34,12 +34,12 @@ namespace conetact
     void
     add_both_tangents(ContactPoint &point)
     {
-      const ContactNode &node = *point.node;
-      point.mu                = node.mu_1 == node.mu_2 ? node.mu_1 :
-                                node.mu_1 > 0 && node.mu_2 > 0 ?
-                                                         std::sqrt(node.mu_1 * node.mu_2) :
-                                                         std::max(node.mu_1, node.mu_2);
-      const auto add          = [&](const Tensor<1, 3> &axis, const double mu) {
+      const pairing::ContactNode &node = *point.node;
+      point.mu                         = node.mu_1 == node.mu_2 ? node.mu_1 :
+                                         node.mu_1 > 0 && node.mu_2 > 0 ?
+                                                                  std::sqrt(node.mu_1 * node.mu_2) :
+                                                                  std::max(node.mu_1, node.mu_2);
+      const auto add = [&](const Tensor<1, 3> &axis, const double mu) {
         if (mu > 0)
           add_cone(point, axis, point.mu / mu);
         else
@@ -53,7 +53,7 @@ namespace conetact
     void
     add_one_tangent(ContactPoint &point, const Tensor<1, 3> &tangent)
     {
-      const ContactNode &node = *point.node;
+      const pairing::ContactNode &node = *point.node;
       // The ellipse (r_1 / mu_1)^2 + (r_2 / mu_2)^2 = r_n^2, cut along the
       // tangent; without friction along one axis a segment of the other one.
       const auto along = [&](const Tensor<1, 3> &axis, const double mu) {
@@ -79,7 +79,7 @@ namespace conetact
     : bodies(b)
     , supports(s)
   {
-    for (const ContactNode &node : bodies.contact_nodes)
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
       add(node, times);
     number();
   }
@@ -90,9 +90,9 @@ namespace conetact
      beforehand, and the friction against it is a load on the support. Where
      nothing slides a reaction along it would be undetermined. */
   bool
-  ContactPoints::slides_along_supports(const NodeRule            &rule,
-                                       const ContactNode         &node,
-                                       const std::vector<double> &times) const
+  ContactPoints::slides_along_supports(const NodeRule             &rule,
+                                       const pairing::ContactNode &node,
+                                       const std::vector<double>  &times) const
   {
     if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
       return false;
@@ -135,7 +135,8 @@ namespace conetact
 
 
   void
-  ContactPoints::add(const ContactNode &node, const std::vector<double> &times)
+  ContactPoints::add(const pairing::ContactNode &node,
+                     const std::vector<double>  &times)
   {
     const NodeRule                 *rule = supports.find(node.body, node.node);
     const std::vector<Tensor<1, 3>> held =
@@ -190,4 +191,4 @@ namespace conetact
           shared_nodes = true;
       }
   }
-} // namespace conetact
+} // namespace conetact::contact

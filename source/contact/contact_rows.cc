@@ -7,13 +7,13 @@
 #include <cmath>
 #include <map>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
     /** (n, t1, t2) components of a vector in space. */
     Tensor<1, 3>
-    in_frame(const ContactNode &node, const Tensor<1, 3> &v)
+    in_frame(const pairing::ContactNode &node, const Tensor<1, 3> &v)
     {
       return Tensor<1, 3>({v * node.n, v * node.t1, v * node.t2});
     }
@@ -41,7 +41,7 @@ namespace conetact
 
     /** Where the reaction acts on the other side, undeformed. */
     Point<3>
-    foot_of(const Bodies &bodies, const ContactNode &node)
+    foot_of(const Bodies &bodies, const pairing::ContactNode &node)
     {
       if (node.masters.empty())
         return node.position - node.gap * node.n;
@@ -54,7 +54,7 @@ namespace conetact
 
     /** And on its own side. */
     Point<3>
-    acting_at(const Bodies &bodies, const ContactNode &node)
+    acting_at(const Bodies &bodies, const pairing::ContactNode &node)
     {
       Tensor<1, 3> off;
       for (const auto &[slave, weight] : node.slaves)
@@ -81,8 +81,8 @@ namespace conetact
   {
     for (const ContactPoint &point : model.points)
       {
-        const ContactNode &node = *point.node;
-        ContactRow         row;
+        const pairing::ContactNode &node = *point.node;
+        output::ContactRow          row;
         row.contact  = node.contact;
         row.node     = node.node;
         row.position = node.position;
@@ -97,24 +97,24 @@ namespace conetact
       }
   }
 
-  std::vector<ContactRow>
-  ContactRows::rows(const ContactState    &state,
-                    const Eigen::VectorXd &q,
-                    const Eigen::VectorXd &u,
-                    const double           t,
-                    const bool             whole)
+  std::vector<output::ContactRow>
+  ContactRows::rows(const solvers::ContactState &state,
+                    const Eigen::VectorXd       &q,
+                    const Eigen::VectorXd       &u,
+                    const double                 t,
+                    const bool                   whole)
   {
-    const ContactSystem    &layout = model.points.layout();
-    std::vector<ContactRow> rows   = last;
+    const solvers::ContactSystem   &layout = model.points.layout();
+    std::vector<output::ContactRow> rows   = last;
     const auto at = [&](const unsigned int body, const unsigned int node) {
       return model.displacement(u, body, node);
     };
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
-        const ContactPoint &point = model.points[i];
-        const ContactNode  &node  = *point.node;
-        const auto          index = static_cast<Eigen::Index>(i);
-        ContactRow         &row   = rows[i];
+        const ContactPoint         &point = model.points[i];
+        const pairing::ContactNode &node  = *point.node;
+        const auto                  index = static_cast<Eigen::Index>(i);
+        output::ContactRow         &row   = rows[i];
 
         const Tensor<1, 3> other =
           in_frame(node,
@@ -135,13 +135,13 @@ namespace conetact
         // Solvers see no slip of nodes without cone, and of parts only that of
         // the last.
         if ((layout.n_tangents(index) == 0 || !whole) &&
-            row.state != NodeState::open)
-          row.state =
-            std::hypot(row.du[1], row.du[2]) >
-                position_rounding * (row.position.norm() + node.spacing +
-                                     at(node.body, node.node).norm()) ?
-              NodeState::slip :
-              NodeState::stick;
+            row.state != solvers::NodeState::open)
+          row.state = std::hypot(row.du[1], row.du[2]) >
+                          solvers::position_rounding *
+                            (row.position.norm() + node.spacing +
+                             at(node.body, node.node).norm()) ?
+                        solvers::NodeState::slip :
+                        solvers::NodeState::stick;
       }
     last = rows;
     append_masters(rows);
@@ -149,20 +149,20 @@ namespace conetact
   }
 
   void
-  ContactRows::append_masters(std::vector<ContactRow> &rows) const
+  ContactRows::append_masters(std::vector<output::ContactRow> &rows) const
   {
     struct Sum
     {
-      ContactRow   row;
-      Tensor<1, 3> normal, reaction, u, du; // in space
-      double       weight = 0, largest = 0;
+      output::ContactRow row;
+      Tensor<1, 3>       normal, reaction, u, du; // in space
+      double             weight = 0, largest = 0;
     };
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
-        const ContactNode &node     = *model.points[i].node;
-        const ContactRow  &row      = last[i];
-        const auto         in_space = [&](const Tensor<1, 3> &v) {
+        const pairing::ContactNode &node     = *model.points[i].node;
+        const output::ContactRow   &row      = last[i];
+        const auto                  in_space = [&](const Tensor<1, 3> &v) {
           return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;
         };
         for (const auto &[master, weight] : node.masters)
@@ -195,12 +195,13 @@ namespace conetact
       }
     for (auto &[key, sum] : sums)
       {
-        ContactRow &row          = sum.row;
-        row.contact              = master_side[key.first];
-        row.master               = true;
-        row.normal               = sum.normal / sum.normal.norm();
-        std::tie(row.t1, row.t2) = tangents(row.normal, model.bodies.dim);
-        const auto in_row        = [&](const Tensor<1, 3> &v) {
+        output::ContactRow &row = sum.row;
+        row.contact             = master_side[key.first];
+        row.master              = true;
+        row.normal              = sum.normal / sum.normal.norm();
+        std::tie(row.t1, row.t2) =
+          pairing::tangents(row.normal, model.bodies.dim);
+        const auto in_row = [&](const Tensor<1, 3> &v) {
           return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
         };
         row.gap /= sum.weight;
@@ -210,4 +211,4 @@ namespace conetact
         rows.push_back(row);
       }
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::contact
 {
   Coordinates::Coordinates(const Bodies        &b,
                            const NodeRules     &r,
@@ -19,7 +19,7 @@ namespace conetact
     , dof_offset(1, 0)
     , node_offset(1, 0)
   {
-    for (const Structure *structure : bodies.structures)
+    for (const bodies::Structure *structure : bodies.structures)
       {
         dof_offset.push_back(dof_offset.back() + structure->n_dofs());
         node_offset.push_back(node_offset.back() + structure->n_nodes());
@@ -76,11 +76,11 @@ namespace conetact
   void
   Coordinates::number_node(const unsigned int body, const unsigned int node)
   {
-    const Structure   &structure = *bodies.structures[body];
-    const std::size_t  n         = node_offset[body] + node;
-    const NodeRule    *rule      = rule_of_node[n];
-    const Eigen::Index before    = n_free;
-    first_unknown[n]             = n_free;
+    const bodies::Structure &structure = *bodies.structures[body];
+    const std::size_t        n         = node_offset[body] + node;
+    const NodeRule          *rule      = rule_of_node[n];
+    const Eigen::Index       before    = n_free;
+    first_unknown[n]                   = n_free;
     // Bodies that nothing reaches are not solved.
     if (bodies.is_at_rest(body))
       return;
@@ -262,4 +262,4 @@ namespace conetact
             force = 0;
           }
   }
-} // namespace conetact
+} // namespace conetact::contact

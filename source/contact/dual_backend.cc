@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -53,12 +53,12 @@ namespace conetact
     }
   } // namespace
 
-  DualBackend::DualBackend(const ElasticSystem &e,
-                           const ContactPoints &p,
-                           const Coordinates   &c,
-                           const RigidMotions  &m,
-                           const WorkingSet    &s,
-                           const Condenser     &by,
+  DualBackend::DualBackend(const ElasticSystem       &e,
+                           const ContactPoints       &p,
+                           const Coordinates         &c,
+                           const RigidMotions        &m,
+                           const WorkingSet          &s,
+                           const backends::Condenser &by,
                            const Empty)
     : elastic(e)
     , points(p)
@@ -73,12 +73,12 @@ namespace conetact
     find_parts();
   }
 
-  DualBackend::DualBackend(const ElasticSystem &e,
-                           const ContactPoints &p,
-                           const Coordinates   &c,
-                           const RigidMotions  &m,
-                           const WorkingSet    &s,
-                           const Condenser     &by)
+  DualBackend::DualBackend(const ElasticSystem       &e,
+                           const ContactPoints       &p,
+                           const Coordinates         &c,
+                           const RigidMotions        &m,
+                           const WorkingSet          &s,
+                           const backends::Condenser &by)
     : DualBackend(e, p, c, m, s, by, Empty())
   {
     find_motions();
@@ -99,20 +99,20 @@ namespace conetact
     Index              row = 0;
     for (const Index i : set.nodes())
       {
-        const ContactNode &node = *points[i].node;
+        const pairing::ContactNode &node = *points[i].node;
         for (const Tensor<1, 3> &dual : points[i].dual)
           {
-            for_each_side(node,
-                          [&](const unsigned int body,
-                              const unsigned int i,
-                              const double       weight) {
-                            append(own,
-                                   row,
-                                   coordinates.dof(body, i),
-                                   dim,
-                                   weight * dual,
-                                   entries);
-                          });
+            pairing::for_each_side(node,
+                                   [&](const unsigned int body,
+                                       const unsigned int i,
+                                       const double       weight) {
+                                     append(own,
+                                            row,
+                                            coordinates.dof(body, i),
+                                            dim,
+                                            weight * dual,
+                                            entries);
+                                   });
             ++row;
           }
       }
@@ -165,8 +165,8 @@ namespace conetact
   DualBackend::retain_anchors(const unsigned int body,
                               std::vector<bool> &kept) const
   {
-    const Structure      &structure = *elastic.bodies.structures[body];
-    std::vector<Point<3>> chosen    = {structure.position(0)};
+    const bodies::Structure &structure = *elastic.bodies.structures[body];
+    std::vector<Point<3>>    chosen    = {structure.position(0)};
     for (unsigned int k = 0; k < elastic.bodies.dim; ++k)
       {
         unsigned int best     = 0;
@@ -240,17 +240,17 @@ namespace conetact
     for (Part &part : parts)
       {
         const Uncondensed body = stiffness_of(part, all);
-        part.element =
-          std::make_unique<SuperElement>(body.upper,
-                                         body.node_of,
-                                         part.retained,
-                                         body_motions[part.bodies[0]].R,
-                                         condenser);
+        part.element           = std::make_unique<backends::SuperElement>(
+          body.upper,
+          body.node_of,
+          part.retained,
+          body_motions[part.bodies[0]].R,
+          condenser);
       }
   }
 
   std::vector<StiffnessDifference>
-  DualBackend::compare(const Condenser &other) const
+  DualBackend::compare(const backends::Condenser &other) const
   {
     const SparseMatrix               all = assemble(elastic, own);
     std::vector<StiffnessDifference> result;
@@ -259,10 +259,12 @@ namespace conetact
         if (part.retained.empty())
           continue;
         const auto [upper, node_of] = stiffness_of(part, all);
-        const MatrixXd K =
-          SuperElement::stiffness(upper, node_of, part.retained, condenser);
-        const MatrixXd difference =
-          K - SuperElement::stiffness(upper, node_of, part.retained, other);
+        const MatrixXd K            = backends::SuperElement::stiffness(upper,
+                                                             node_of,
+                                                             part.retained,
+                                                             condenser);
+        const MatrixXd difference   = K - backends::SuperElement::stiffness(
+                                          upper, node_of, part.retained, other);
         result.push_back(
           {part.bodies,
            difference.cwiseAbs().maxCoeff() / K.cwiseAbs().maxCoeff()});
@@ -340,10 +342,10 @@ namespace conetact
   void
   DualBackend::assemble_system()
   {
-    auto        system = std::make_shared<ContactSystem>(set.layout());
+    auto        system = std::make_shared<solvers::ContactSystem>(set.layout());
     const Index n = H.rows(), k = motions.n_free();
     MatrixXd    all_G = MatrixXd::Zero(n, k), all_C = MatrixXd::Zero(k, k);
-    system->form      = Form::compliance;
+    system->form      = solvers::Form::compliance;
     system->n_motions = k;
     for (Index j = 0; j < k; ++j)
       system->first.push_back(system->first.back() + 1);
@@ -522,36 +524,36 @@ namespace conetact
     return static_cast<unsigned int>(n);
   }
 
-  SchurWork
+  backends::SchurWork
   DualBackend::work() const
   {
-    SchurWork sum;
+    backends::SchurWork sum;
     for (const Part &part : parts)
       sum += part.element->solver().work();
     return sum;
   }
 
-  FactorEstimate
-  DualBackend::estimate(const ElasticSystem &elastic,
-                        const ContactPoints &points,
-                        const Coordinates   &coordinates,
-                        const RigidMotions  &motions,
-                        const WorkingSet    &set,
-                        const Condenser     &condenser)
+  backends::FactorEstimate
+  DualBackend::estimate(const ElasticSystem       &elastic,
+                        const ContactPoints       &points,
+                        const Coordinates         &coordinates,
+                        const RigidMotions        &motions,
+                        const WorkingSet          &set,
+                        const backends::Condenser &condenser)
   {
     const DualBackend dual(
       elastic, points, coordinates, motions, set, condenser, Empty());
-    const SparseMatrix all = assemble(elastic, dual.own);
-    FactorEstimate     sum;
+    const SparseMatrix       all = assemble(elastic, dual.own);
+    backends::FactorEstimate sum;
     for (const Part &part : dual.parts)
       {
         const Uncondensed body = dual.stiffness_of(part, all);
-        sum += SuperElement::estimate(body.upper,
-                                      body.node_of,
-                                      part.retained,
-                                      condenser);
+        sum += backends::SuperElement::estimate(body.upper,
+                                                body.node_of,
+                                                part.retained,
+                                                condenser);
         sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
       }
     return sum;
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -3,7 +3,7 @@
 
 #include "conetact/contact/elastic_backend.h"
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -82,4 +82,4 @@ namespace conetact
     for (Known &known : basis)
       known.load.f = reduce_forces(known.load.b);
   }
-} // namespace conetact
+} // namespace conetact::contact

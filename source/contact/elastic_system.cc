@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -205,7 +205,9 @@ namespace conetact
      * the u without part across all of them with sum (u.e) e = sum d_e e.
      */
     Tensor<1, 3>
-    far_end(const Support &support, const SurfaceNode &node, const double t)
+    far_end(const bodies::Support     &support,
+            const bodies::SurfaceNode &node,
+            const double               t)
     {
       Tensor<1, 3>    right;
       Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
@@ -225,12 +227,12 @@ namespace conetact
     : bodies(b)
     , dof_offset(1, 0)
   {
-    for (const Structure *structure : bodies.structures)
+    for (const bodies::Structure *structure : bodies.structures)
       dof_offset.push_back(dof_offset.back() + structure->n_dofs());
     std::vector<unsigned int> n_foundations_of(bodies.structures.size());
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
-        const Support &support = bodies.supports[s];
+        const bodies::Support &support = bodies.supports[s];
         if (!support.stiffness || bodies.is_at_rest(support.body))
           continue;
         // Equal bodies are told by their foundations one by one, in this order.
@@ -254,7 +256,7 @@ namespace conetact
   }
 
   void
-  ElasticSystem::for_each_element(const ElementVisitor &visit) const
+  ElasticSystem::for_each_element(const bodies::ElementVisitor &visit) const
   {
     std::vector<unsigned int> shifted;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
@@ -293,7 +295,7 @@ namespace conetact
       {
         if (bodies.is_at_rest(body))
           continue;
-        const Structure &structure = *bodies.structures[body];
+        const bodies::Structure &structure = *bodies.structures[body];
         part.setZero(structure.n_dofs());
         // Bodies multiply by themselves: a continuum takes out what a cell
         // moves as a whole, which an assembled K u would round.
@@ -316,7 +318,7 @@ namespace conetact
         magnitude.assign(matrix, matrix + dofs.size() * dofs.size());
         for (double &entry : magnitude)
           entry = std::abs(entry);
-        multiply(dofs, magnitude.data(), size, local, sum);
+        bodies::multiply(dofs, magnitude.data(), size, local, sum);
       });
     return sum;
   }
@@ -326,7 +328,7 @@ namespace conetact
   {
     Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), local;
     for (const Spring &spring : springs)
-      multiply(spring.dofs, spring.matrix.data(), u, local, f);
+      bodies::multiply(spring.dofs, spring.matrix.data(), u, local, f);
     return f;
   }
 
@@ -339,7 +341,8 @@ namespace conetact
       {
         if (spring.place >= f.size())
           f.resize(spring.place + 1, Eigen::VectorXd::Zero(u.size()));
-        multiply(spring.dofs, spring.matrix.data(), u, local, f[spring.place]);
+        bodies::multiply(
+          spring.dofs, spring.matrix.data(), u, local, f[spring.place]);
       }
     return f;
   }
@@ -347,23 +350,23 @@ namespace conetact
   Eigen::VectorXd
   ElasticSystem::ground(const std::size_t s, const double t) const
   {
-    Eigen::VectorXd  moved     = Eigen::VectorXd::Zero(dof_offset.back());
-    const Support   &support   = bodies.supports[s];
-    const Structure &structure = *bodies.structures[support.body];
-    const auto       dof = [&](const unsigned int node, const unsigned int c) {
+    Eigen::VectorXd          moved   = Eigen::VectorXd::Zero(dof_offset.back());
+    const bodies::Support   &support = bodies.supports[s];
+    const bodies::Structure &structure = *bodies.structures[support.body];
+    const auto dof = [&](const unsigned int node, const unsigned int c) {
       return dof_offset[support.body] +
              node * static_cast<Eigen::Index>(structure.n_components()) + c;
     };
     if (support.is_still())
       return moved;
-    for (const SurfaceNode &node : support.surface.nodes)
+    for (const bodies::SurfaceNode &node : support.surface.nodes)
       {
         const Tensor<1, 3> motion = far_end(support, node, t);
         for (unsigned int c = 0; c < bodies.dim; ++c)
           moved[dof(node.node, c)] = motion[c];
       }
     // The springs stand in all dofs, those of hanging nodes, too.
-    for (const HangingNode &hanging : structure.hanging_nodes())
+    for (const bodies::HangingNode &hanging : structure.hanging_nodes())
       for (unsigned int c = 0; c < bodies.dim; ++c)
         for (const auto &[master, weight] : hanging.masters)
           moved[dof(hanging.node, c)] += weight * moved[dof(master, c)];
@@ -376,14 +379,15 @@ namespace conetact
     Eigen::VectorXd f = Eigen::VectorXd::Zero(dof_offset.back()), local;
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
-        const Support &support = bodies.supports[s];
+        const bodies::Support &support = bodies.supports[s];
         if (!support.stiffness || support.is_still())
           continue;
         // Springs pull by K_s (ground - u): the part of the ground is a load.
         const Eigen::VectorXd moved = ground(s, t);
         for (const Spring &spring : springs)
           if (spring.support == s)
-            multiply(spring.dofs, spring.matrix.data(), moved, local, f);
+            bodies::multiply(
+              spring.dofs, spring.matrix.data(), moved, local, f);
       }
     return f;
   }
@@ -401,11 +405,11 @@ namespace conetact
           const Eigen::VectorXd stretch = all[s].ground - u;
           for (const Spring &spring : springs)
             if (spring.support == s)
-              multiply(spring.dofs,
-                       spring.matrix.data(),
-                       stretch,
-                       local,
-                       all[s].forces);
+              bodies::multiply(spring.dofs,
+                               spring.matrix.data(),
+                               stretch,
+                               local,
+                               all[s].forces);
         }
     return all;
   }
@@ -452,4 +456,4 @@ namespace conetact
       });
     return upper;
   }
-} // namespace conetact
+} // namespace conetact::contact

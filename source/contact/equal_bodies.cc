@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <set>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -22,7 +22,7 @@ namespace conetact
     constexpr double round_off = 1e-12;
 
     Eigen::Matrix3Xd
-    positions(const Structure &body)
+    positions(const bodies::Structure &body)
     {
       Eigen::Matrix3Xd x(3, body.n_nodes());
       for (unsigned int i = 0; i < body.n_nodes(); ++i)
@@ -65,7 +65,7 @@ namespace conetact
       for (std::size_t body = 0; body < n_bodies; ++body)
         {
           const Index n                 = own.end(body) - own.begin(body);
-          p.segment(own.begin(body), n) = numbers_without_order(n);
+          p.segment(own.begin(body), n) = backends::numbers_without_order(n);
         }
       return p;
     }
@@ -98,12 +98,12 @@ namespace conetact
   body_axes(const Bodies &bodies)
   {
     std::vector<Tensor<2, 3>> axes;
-    for (const Structure *body : bodies.structures)
+    for (const bodies::Structure *body : bodies.structures)
       {
-        const Structure *first =
+        const bodies::Structure *first =
           *std::find_if(bodies.structures.begin(),
                         bodies.structures.end(),
-                        [&](const Structure *other) {
+                        [&](const bodies::Structure *other) {
                           return other->n_nodes() == body->n_nodes();
                         });
         axes.push_back(rotation(positions(*first), positions(*body)));
@@ -156,4 +156,4 @@ namespace conetact
                  groups.end());
     return groups;
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -5,7 +5,7 @@
 
 #include "conetact/contact/candidates.h"
 
-namespace conetact
+namespace conetact::contact
 {
   GrowingSet::GrowingSet(ContactModel &m)
     : model(m)
@@ -44,4 +44,4 @@ namespace conetact
     model.choose(WorkingSet(model.points.layout()));
     return true;
   }
-} // namespace conetact
+} // namespace conetact::contact

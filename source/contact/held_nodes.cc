@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -20,13 +20,14 @@ namespace conetact
     {
       using Key = std::pair<unsigned int, unsigned int>;
       std::map<Key, std::vector<Tensor<1, 3>>> held;
-      for (const Support &support : bodies.supports)
+      for (const bodies::Support &support : bodies.supports)
         if (!support.stiffness)
-          for (const SurfaceNode &node : support.surface.nodes)
-            for (const Support::Held &along : support.directions_at(node))
+          for (const bodies::SurfaceNode &node : support.surface.nodes)
+            for (const bodies::Support::Held &along :
+                 support.directions_at(node))
               held[{support.body, node.node}].push_back(along.direction);
       std::vector<bool> result;
-      for (const ContactNode &node : bodies.contact_nodes)
+      for (const pairing::ContactNode &node : bodies.contact_nodes)
         {
           std::vector<Tensor<1, 3>> basis; // orthonormal
           for (Tensor<1, 3> e : held[{node.body, node.node}])
@@ -54,13 +55,13 @@ namespace conetact
     }
 
     Weights
-    slaves_of(const ContactNode &node)
+    slaves_of(const pairing::ContactNode &node)
     {
       return node.slaves.empty() ? Weights{{node.node, 1.}} : node.slaves;
     }
 
     void
-    take(ContactNode &taker, const ContactNode &giver)
+    take(pairing::ContactNode &taker, const pairing::ContactNode &giver)
     {
       const double part = giver.area / (taker.area + giver.area);
       taker.slaves      = mean(slaves_of(taker), part, slaves_of(giver));
@@ -73,7 +74,7 @@ namespace conetact
   void
   give_up_held_nodes(Bodies &bodies, const std::vector<bool> &is_mean)
   {
-    std::vector<ContactNode> &nodes = bodies.contact_nodes;
+    std::vector<pairing::ContactNode> &nodes = bodies.contact_nodes;
     if (std::count(is_mean.begin(), is_mean.end(), true) == 0)
       return;
     const std::vector<bool>  held = held_along_normals(bodies);
@@ -88,7 +89,7 @@ namespace conetact
                nodes[j].position.distance(nodes[i].position) <
                  nodes[takers[i]].position.distance(nodes[i].position)))
             takers[i] = j;
-    std::vector<ContactNode> left;
+    std::vector<pairing::ContactNode> left;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (takers[i] != none)
         take(nodes[takers[i]], nodes[i]);
@@ -97,4 +98,4 @@ namespace conetact
         left.push_back(std::move(nodes[i]));
     nodes = std::move(left);
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -3,7 +3,7 @@
 
 #include "conetact/contact/linear_map.h"
 
-namespace conetact
+namespace conetact::contact
 {
   Eigen::VectorXd
   LinearMap::expand(const Eigen::VectorXd &q) const
@@ -31,4 +31,4 @@ namespace conetact
       }
     return result;
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -106,7 +106,7 @@ namespace conetact
     std::map<unsigned int, std::vector<std::string>> of_contact;
     for (const std::size_t i : nodes)
       {
-        const ContactNode &node = *model.points[i].node;
+        const pairing::ContactNode &node = *model.points[i].node;
         of_contact[node.contact].push_back(std::to_string(node.node));
       }
     std::vector<std::string> texts;
@@ -122,4 +122,4 @@ namespace conetact
       }
     return join(texts);
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -79,19 +79,19 @@ namespace conetact
 
     if (std::none_of(bodies.contact_nodes.begin(),
                      bodies.contact_nodes.end(),
-                     [](const ContactNode &node) {
+                     [](const pairing::ContactNode &node) {
                        return !node.masters.empty();
                      }))
       return;
 
     using Key = std::pair<unsigned int, unsigned int>;
     std::map<Key, std::vector<Tensor<1, 3>>> held;
-    for (const Support &support : bodies.supports)
+    for (const bodies::Support &support : bodies.supports)
       if (!support.stiffness)
-        for (const SurfaceNode &node : support.surface.nodes)
-          for (const Support::Held &along : support.directions_at(node))
+        for (const bodies::SurfaceNode &node : support.surface.nodes)
+          for (const bodies::Support::Held &along : support.directions_at(node))
             held[{support.body, node.node}].push_back(along.direction);
-    for (ContactNode &node : bodies.contact_nodes)
+    for (pairing::ContactNode &node : bodies.contact_nodes)
       {
         const auto found = held.find({node.body, node.node});
         if (node.masters.empty() || found == held.end())
@@ -101,7 +101,7 @@ namespace conetact
           // the facets.
           if (std::abs(node.n * e) < largest_facet_angle)
             node.n -= (node.n * e) * e;
-        set_frame(node, node.n / node.n.norm(), bodies.dim);
+        pairing::set_frame(node, node.n / node.n.norm(), bodies.dim);
       }
   }
 
@@ -131,16 +131,17 @@ namespace conetact
 
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       // Surfaces do not list hanging nodes: no support holds one.
-      for (const HangingNode &h : bodies.structures[body]->hanging_nodes())
+      for (const bodies::HangingNode &h :
+           bodies.structures[body]->hanging_nodes())
         rule_of(body, h.node).masters = h.masters;
 
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)
       {
-        const Support &support = bodies.supports[s];
+        const bodies::Support &support = bodies.supports[s];
         // Springs are elements, not rules.
         if (support.stiffness)
           continue;
-        for (const SurfaceNode &node : support.surface.nodes)
+        for (const bodies::SurfaceNode &node : support.surface.nodes)
           {
             for (const auto &[direction, e] : support.directions_at(node))
               hold(rule_of(support.body, node.node), {direction, {{s, e, 1.}}});
@@ -282,4 +283,4 @@ namespace conetact
           }
       }
   }
-} // namespace conetact
+} // namespace conetact::contact

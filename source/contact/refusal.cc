@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -16,7 +16,7 @@ namespace conetact
      * way, 0 for others.
      */
     double
-    side_of(const unsigned int body, const ContactNode &node)
+    side_of(const unsigned int body, const pairing::ContactNode &node)
     {
       if (node.body == body)
         return 1;
@@ -25,12 +25,12 @@ namespace conetact
 
     /** Sum of the slips of a body at the contacts that stay touching. */
     Tensor<1, 3>
-    slip_direction(const Existence    &refusal,
-                   const ContactModel &model,
-                   const unsigned int  body)
+    slip_direction(const solvers::Existence &refusal,
+                   const ContactModel       &model,
+                   const unsigned int        body)
     {
-      const ContactSystem &layout = model.working_set().layout();
-      Tensor<1, 3>         sum;
+      const solvers::ContactSystem &layout = model.working_set().layout();
+      Tensor<1, 3>                  sum;
       for (const Eigen::Index i : refusal.tight)
         {
           const auto          k = static_cast<std::size_t>(i);
@@ -46,7 +46,7 @@ namespace conetact
 
     /** The rigid motion of the proof: the body that moves most. */
     RigidMotions::Motion
-    rigid_motion(const Existence &refusal, const ContactModel &model)
+    rigid_motion(const solvers::Existence &refusal, const ContactModel &model)
     {
       return model.motions.motion(model.working_set()
                                     .gather(model.motions.null_space())
@@ -55,7 +55,7 @@ namespace conetact
     }
 
     std::string
-    what_happens(const Existence &refusal, const ContactModel &model)
+    what_happens(const solvers::Existence &refusal, const ContactModel &model)
     {
       RigidMotions::Motion motion = rigid_motion(refusal, model);
       const std::string    body =
@@ -64,14 +64,14 @@ namespace conetact
         {
           // The proof dilates, as friction is not associated: its normal part
           // and its small turn are no motion of the body.
-          case Motion::slides:
+          case solvers::Motion::slides:
             motion.translation = slip_direction(refusal, model, motion.body);
             motion.rotation    = Tensor<1, 3>();
             return body + "slides " + describe(motion);
-          case Motion::tips:
+          case solvers::Motion::tips:
             motion.translation = Tensor<1, 3>();
             return body + "tips over, turning " + describe(motion);
-          case Motion::turns:
+          case solvers::Motion::turns:
             motion.translation = Tensor<1, 3>();
             return body + "turns " + describe(motion);
           default:
@@ -80,28 +80,30 @@ namespace conetact
     }
   } // namespace
 
-  ExistenceCheck
+  solvers::ExistenceCheck
   make_existence_check(ContactModel &model)
   {
-    std::vector<ExistenceCheck::Frame> frames;
+    std::vector<solvers::ExistenceCheck::Frame> frames;
     for (const Eigen::Index i : model.working_set().nodes())
       {
-        const auto           &directions = model.points[i].directions;
-        ExistenceCheck::Frame frame(
+        const auto                    &directions = model.points[i].directions;
+        solvers::ExistenceCheck::Frame frame(
           3, static_cast<Eigen::Index>(directions.size()));
         for (Eigen::Index c = 0; c < frame.cols(); ++c)
           for (unsigned int d = 0; d < 3; ++d)
             frame(d, c) = directions[static_cast<std::size_t>(c)][d];
         frames.push_back(frame);
       }
-    return ExistenceCheck(model.condensation().system(), std::move(frames));
+    return solvers::ExistenceCheck(model.condensation().system(),
+                                   std::move(frames));
   }
 
   Eigen::VectorXd
-  resultants_of(const ContactProblem &problem, const ContactModel &model)
+  resultants_of(const solvers::ContactProblem &problem,
+                const ContactModel            &model)
   {
-    const ContactSystem &system = *problem.system;
-    if (system.form == Form::stiffness)
+    const solvers::ContactSystem &system = *problem.system;
+    if (system.form == solvers::Form::stiffness)
       return problem.load;
     // Any f with these resultants will do: the check asks for nothing but N^T
     // f. This is the shortest.
@@ -112,13 +114,13 @@ namespace conetact
   }
 
   std::string
-  describe(const Existence &refusal, const ContactModel &model)
+  describe(const solvers::Existence &refusal, const ContactModel &model)
   {
     std::string text = what_happens(refusal, model);
     if (refusal.fraction > 1e-9)
       return text + ": of this increment's load " +
-             (refusal.motion == Motion::slides ||
-                  refusal.motion == Motion::turns ?
+             (refusal.motion == solvers::Motion::slides ||
+                  refusal.motion == solvers::Motion::turns ?
                 "friction" :
                 "contact") +
              " can carry at most " + to_text(refusal.fraction);
@@ -127,4 +129,4 @@ namespace conetact
              to_text(*refusal.friction_needed) + " would be needed to hold it";
     return text + ": no friction could hold it";
   }
-} // namespace conetact
+} // namespace conetact::contact

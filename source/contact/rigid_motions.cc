@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
@@ -44,7 +44,7 @@ namespace conetact
     }
 
     RigidMotions::Motion
-    frame_of(const unsigned int body, const Structure &structure)
+    frame_of(const unsigned int body, const bodies::Structure &structure)
     {
       RigidMotions::Motion frame{body, {}, {}, {}, 0};
       const unsigned int   n = structure.n_nodes();
@@ -185,11 +185,12 @@ namespace conetact
   RigidMotions::find_resisted()
   {
     Eigen::MatrixXd springs = Eigen::MatrixXd::Zero(held.rows(), held.cols());
-    for (const Support &support : bodies.supports)
+    for (const bodies::Support &support : bodies.supports)
       if (support.stiffness)
-        for (const SurfaceNode &node : support.surface.nodes)
+        for (const bodies::SurfaceNode &node : support.surface.nodes)
           if ((*support.stiffness)(node.position) > 0)
-            for (const Support::Held &along : support.directions_at(node))
+            for (const bodies::Support::Held &along :
+                 support.directions_at(node))
               {
                 const Eigen::RowVectorXd r =
                   row(support.body, node.position, along.direction);
@@ -208,17 +209,18 @@ namespace conetact
     for (const ContactPoint &point : points)
       for (const Tensor<1, 3> &dual : point.dual)
         {
-          const ContactNode &node = *point.node;
-          for_each_side(node,
-                        [&](const unsigned int body,
-                            const unsigned int node_number,
-                            const double       weight) {
-                          seen_by_contacts.row(i) +=
-                            row(body,
-                                bodies.structures[body]->position(node_number),
-                                weight * dual) *
-                            free_modes.middleRows(body * n_one, n_one);
-                        });
+          const pairing::ContactNode &node = *point.node;
+          pairing::for_each_side(node,
+                                 [&](const unsigned int body,
+                                     const unsigned int node_number,
+                                     const double       weight) {
+                                   seen_by_contacts.row(i) +=
+                                     row(body,
+                                         bodies.structures[body]->position(
+                                           node_number),
+                                         weight * dual) *
+                                     free_modes.middleRows(body * n_one, n_one);
+                                 });
           ++i;
         }
   }
@@ -234,7 +236,7 @@ namespace conetact
   RigidMotions::refuse_loose_bodies() const
   {
     std::vector<bool> reached(bodies.structures.size(), false);
-    for (const ContactNode &node : bodies.contact_nodes)
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
       {
         reached[node.body] = true;
         if (!node.masters.empty())
@@ -311,9 +313,9 @@ namespace conetact
       {
         if (amounts.segment(body * n_one, n_one).isZero(0))
           continue;
-        const Structure   &structure = *bodies.structures[body];
-        const unsigned int n_c       = structure.n_components();
-        Index              dof       = offset[body];
+        const bodies::Structure &structure = *bodies.structures[body];
+        const unsigned int       n_c       = structure.n_components();
+        Index                    dof       = offset[body];
         for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
           {
             const Tensor<1, 3> displacement = at(amounts, body, i);
@@ -336,9 +338,9 @@ namespace conetact
     Amounts sum = Amounts::Zero(held.rows());
     for (unsigned int body = 0; body < frames.size(); ++body)
       {
-        const Structure   &structure = *bodies.structures[body];
-        const unsigned int n_c       = structure.n_components();
-        Index              dof       = offset[body];
+        const bodies::Structure &structure = *bodies.structures[body];
+        const unsigned int       n_c       = structure.n_components();
+        Index                    dof       = offset[body];
         for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
           {
             Tensor<1, 3> force;
@@ -397,4 +399,4 @@ namespace conetact
               direction_text(motion.rotation);
     return text;
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -5,12 +5,12 @@
 
 #include <numeric>
 
-namespace conetact
+namespace conetact::contact
 {
   namespace
   {
     std::vector<Eigen::Index>
-    all_nodes(const ContactSystem &candidates)
+    all_nodes(const solvers::ContactSystem &candidates)
     {
       std::vector<Eigen::Index> nodes(
         static_cast<std::size_t>(candidates.n_nodes()));
@@ -21,8 +21,8 @@ namespace conetact
 
 
 
-  WorkingSet::WorkingSet(const ContactSystem      &candidates,
-                         std::vector<Eigen::Index> nodes)
+  WorkingSet::WorkingSet(const solvers::ContactSystem &candidates,
+                         std::vector<Eigen::Index>     nodes)
     : whole(nodes == all_nodes(candidates))
     , member(static_cast<std::size_t>(candidates.n_nodes()), false)
     , chosen(std::move(nodes))
@@ -44,7 +44,7 @@ namespace conetact
 
 
 
-  WorkingSet::WorkingSet(const ContactSystem &candidates)
+  WorkingSet::WorkingSet(const solvers::ContactSystem &candidates)
     : WorkingSet(candidates, all_nodes(candidates))
   {}
 
@@ -68,10 +68,10 @@ namespace conetact
 
 
 
-  std::vector<NodeState>
-  WorkingSet::gather(const std::vector<NodeState> &of_candidates) const
+  std::vector<solvers::NodeState>
+  WorkingSet::gather(const std::vector<solvers::NodeState> &of_candidates) const
   {
-    std::vector<NodeState> own;
+    std::vector<solvers::NodeState> own;
     if (!of_candidates.empty())
       for (const Eigen::Index i : chosen)
         own.push_back(of_candidates[static_cast<std::size_t>(i)]);
@@ -80,13 +80,14 @@ namespace conetact
 
 
 
-  std::vector<NodeState>
-  WorkingSet::scatter(const std::vector<NodeState> &own) const
+  std::vector<solvers::NodeState>
+  WorkingSet::scatter(const std::vector<solvers::NodeState> &own) const
   {
     // Nodes outside the set carry nothing.
-    std::vector<NodeState> of_candidates(member.size(), NodeState::open);
+    std::vector<solvers::NodeState> of_candidates(member.size(),
+                                                  solvers::NodeState::open);
     for (std::size_t k = 0; k < own.size(); ++k)
       of_candidates[static_cast<std::size_t>(chosen[k])] = own[k];
     return of_candidates;
   }
-} // namespace conetact
+} // namespace conetact::contact

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace conetact
+namespace conetact::exchange
 {
   using Eigen::Index;
   using Eigen::VectorXd;
@@ -139,4 +139,4 @@ namespace conetact
     result.setFromTriplets(entries.begin(), entries.end());
     return result;
   }
-} // namespace conetact
+} // namespace conetact::exchange

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace conetact
+namespace conetact::exchange
 {
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -147,4 +147,4 @@ namespace conetact
     const VectorXd x = solve(VectorXd(H * r + f), b);
     return {x.head(M.rows()), x.tail(G.cols())};
   }
-} // namespace conetact
+} // namespace conetact::exchange

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-namespace conetact
+namespace conetact::exchange
 {
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -114,17 +114,17 @@ namespace conetact
 
 
 
-    std::optional<ContactState>
-    read_state(const std::string    &path,
-               const std::string    &group,
-               const ContactProblem &problem)
+    std::optional<solvers::ContactState>
+    read_state(const std::string             &path,
+               const std::string             &group,
+               const solvers::ContactProblem &problem)
     {
       const Hdf5File file(path);
       if (!file.has(group + "/r"))
         return {};
-      const FclibOrder order(*problem.system);
-      const Index      n = problem.system->n_unknowns();
-      ContactState     state;
+      const FclibOrder      order(*problem.system);
+      const Index           n = problem.system->n_unknowns();
+      solvers::ContactState state;
       state.r = order.from_file(read_vector(file, group + "/r", n));
       state.v = file.has(group + "/u") ?
                   order.from_file(read_vector(file, group + "/u", n)) :
@@ -135,7 +135,7 @@ namespace conetact
 
 
 
-  ContactProblem
+  solvers::ContactProblem
   read_fclib(const std::string &path)
   {
     const Hdf5File file(path);
@@ -146,14 +146,14 @@ namespace conetact
     check_matrix(file, local.W);
     read_friction(file, is_global ? "/fclib_global/" : "/fclib_local/", local);
 
-    auto system  = std::make_shared<ContactSystem>();
-    system->form = Form::compliance;
+    auto system  = std::make_shared<solvers::ContactSystem>();
+    system->form = solvers::Form::compliance;
     for (Index i = local.dim; i <= local.W.rows(); i += local.dim)
       system->first.push_back(i);
     system->mu = local.mu;
     const FclibOrder order(*system);
     system->matrix = order.from_file(local.W);
-    ContactProblem problem;
+    solvers::ContactProblem problem;
     problem.load   = order.from_file(local.q);
     problem.gap    = VectorXd::Zero(system->n_nodes());
     problem.system = system;
@@ -162,17 +162,19 @@ namespace conetact
 
 
 
-  std::optional<ContactState>
-  read_fclib_solution(const std::string &file, const ContactProblem &problem)
+  std::optional<solvers::ContactState>
+  read_fclib_solution(const std::string             &file,
+                      const solvers::ContactProblem &problem)
   {
     return read_state(file, "/solution", problem);
   }
 
 
 
-  std::optional<ContactState>
-  read_fclib_guess(const std::string &file, const ContactProblem &problem)
+  std::optional<solvers::ContactState>
+  read_fclib_guess(const std::string             &file,
+                   const solvers::ContactProblem &problem)
   {
     return read_state(file, "/guesses/1", problem);
   }
-} // namespace conetact
+} // namespace conetact::exchange

@@ -20,7 +20,7 @@ extern "C"
 #include <fclib.h>
 }
 
-namespace conetact
+namespace conetact::exchange
 {
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -59,7 +59,7 @@ namespace conetact
 
 
     int
-    space_dimension(const ContactSystem &system)
+    space_dimension(const solvers::ContactSystem &system)
     {
       const Index tangents = system.n_nodes() > 0 ? system.n_tangents(0) : 0;
       for (Index i = 0; i < system.n_nodes(); ++i)
@@ -79,7 +79,7 @@ namespace conetact
     /** Arrays of a solution or guess in the order of the file. */
     struct Arrays
     {
-      Arrays(const FclibOrder &order, const ContactState &state)
+      Arrays(const FclibOrder &order, const solvers::ContactState &state)
         : u(order.to_file(state.v))
         , r(order.to_file(state.r))
       {}
@@ -98,10 +98,10 @@ namespace conetact
 
 
     void
-    write_problem(const ContactProblem &problem,
-                  const int             dim,
-                  const std::string    &title,
-                  const fs::path       &file)
+    write_problem(const solvers::ContactProblem &problem,
+                  const int                      dim,
+                  const std::string             &title,
+                  const fs::path                &file)
     {
       const FclibOrder order(*problem.system);
       MatrixXd         W  = order.to_file(problem.system->matrix);
@@ -132,9 +132,9 @@ namespace conetact
 
 
     void
-    write_solution(const FclibOrder   &order,
-                   const ContactState &solution,
-                   const fs::path     &file)
+    write_solution(const FclibOrder            &order,
+                   const solvers::ContactState &solution,
+                   const fs::path              &file)
     {
       Arrays arrays(order, solution);
       if (const Hdf5File old(file); old.has("/fclib_global"))
@@ -169,11 +169,11 @@ namespace conetact
    * Motions that foundations resist follow from the reactions,
    * a = C^{-1} (G^T r + b), and add to the compliance.
    */
-  ContactProblem
-  without_motions(const ContactProblem &problem)
+  solvers::ContactProblem
+  without_motions(const solvers::ContactProblem &problem)
   {
-    const ContactSystem &given = *problem.system;
-    const Eigen::Index   n = given.n_contact_unknowns(), k = given.n_motions;
+    const solvers::ContactSystem &given = *problem.system;
+    const Eigen::Index n = given.n_contact_unknowns(), k = given.n_motions;
     if (k == 0)
       return problem;
     const Eigen::LLT<MatrixXd> C(given.matrix.bottomRightCorner(k, k));
@@ -182,24 +182,24 @@ namespace conetact
         "A body of the scene is held by contact alone: its compliance is not "
         "finite, and FCLib knows no other form.");
     const MatrixXd G      = given.matrix.topRightCorner(n, k);
-    auto           system = std::make_shared<ContactSystem>(given);
+    auto           system = std::make_shared<solvers::ContactSystem>(given);
     system->n_motions     = 0;
     system->first.resize(system->first.size() - static_cast<std::size_t>(k));
     const MatrixXd W =
       given.matrix.topLeftCorner(n, n) + G * C.solve(MatrixXd(G.transpose()));
-    system->matrix        = .5 * (W + W.transpose());
-    ContactProblem result = problem;
-    result.system         = system;
+    system->matrix                 = .5 * (W + W.transpose());
+    solvers::ContactProblem result = problem;
+    result.system                  = system;
     result.load = problem.load.head(n) - G * C.solve(problem.load.tail(k));
     return result;
   }
 
 
 
-  ContactProblem
-  compliance_form(const ContactProblem &problem)
+  solvers::ContactProblem
+  compliance_form(const solvers::ContactProblem &problem)
   {
-    if (problem.system->form == Form::compliance)
+    if (problem.system->form == solvers::Form::compliance)
       return without_motions(problem);
     const MatrixXd &K     = problem.system->matrix;
     const VectorXd  scale = K.diagonal().unaryExpr(
@@ -210,14 +210,14 @@ namespace conetact
       throw InputError(
         "The stiffness of the contact nodes is singular (a body that contact "
         "alone holds): it has no inverse, and FCLib knows no other form.");
-    auto           system = std::make_shared<ContactSystem>(*problem.system);
+    auto system = std::make_shared<solvers::ContactSystem>(*problem.system);
     const MatrixXd W =
       scale.asDiagonal() * llt.solve(MatrixXd(scale.asDiagonal()));
-    system->form       = Form::compliance;
+    system->form       = solvers::Form::compliance;
     system->matrix     = .5 * (W + W.transpose());
     system->null_space = MatrixXd();
 
-    ContactProblem result = problem;
+    solvers::ContactProblem result = problem;
     result.load =
       scale.asDiagonal() * llt.solve(scale.asDiagonal() * problem.load);
     if (problem.offset.size() > 0)
@@ -230,17 +230,17 @@ namespace conetact
 
 
   void
-  write_fclib(const ContactProblem &given,
-              const std::string    &file,
-              const ContactState   *solution,
-              const ContactState   *guess,
-              const std::string    &title)
+  write_fclib(const solvers::ContactProblem &given,
+              const std::string             &file,
+              const solvers::ContactState   *solution,
+              const solvers::ContactState   *guess,
+              const std::string             &title)
   {
-    const int            dim     = space_dimension(*given.system);
-    const ContactProblem problem = compliance_form(given);
-    const FclibOrder     order(*problem.system);
-    const auto           n = static_cast<std::uintmax_t>(problem.load.size());
-    const QuietHdf5      quiet;
+    const int                     dim     = space_dimension(*given.system);
+    const solvers::ContactProblem problem = compliance_form(given);
+    const FclibOrder              order(*problem.system);
+    const auto      n = static_cast<std::uintmax_t>(problem.load.size());
+    const QuietHdf5 quiet;
     write_atomically(file, [&](const fs::path &temporary) {
       check_target(file, temporary, 13 * n * n + 1000000);
       write_problem(problem, dim, title, temporary);
@@ -259,10 +259,10 @@ namespace conetact
 
 
   void
-  store_fclib_solution(const ContactProblem &problem,
-                       const ContactState   &solution,
-                       const std::string    &from,
-                       const std::string    &to)
+  store_fclib_solution(const solvers::ContactProblem &problem,
+                       const solvers::ContactState   &solution,
+                       const std::string             &from,
+                       const std::string             &to)
   {
     const QuietHdf5 quiet;
     write_atomically(to, [&](const fs::path &temporary) {
@@ -279,4 +279,4 @@ namespace conetact
       write_solution(FclibOrder(*problem.system), solution, temporary);
     });
   }
-} // namespace conetact
+} // namespace conetact::exchange

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <type_traits>
 
-namespace conetact
+namespace conetact::exchange
 {
   QuietHdf5::QuietHdf5()
   {
@@ -136,4 +136,4 @@ namespace conetact
   {
     return read<double>(name, size);
   }
-} // namespace conetact
+} // namespace conetact::exchange

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace conetact
+namespace conetact::load_path
 {
   namespace
   {
@@ -34,24 +34,24 @@ namespace conetact
     constexpr unsigned int most_near = 8;
 
     PathState
-    path_state(const NodeState state)
+    path_state(const solvers::NodeState state)
     {
-      return state == NodeState::open  ? PathState::open :
-             state == NodeState::stick ? PathState::stick :
-                                         PathState::slip;
+      return state == solvers::NodeState::open  ? PathState::open :
+             state == solvers::NodeState::stick ? PathState::stick :
+                                                  PathState::slip;
     }
 
     class BracketingFollower : public PathFollower
     {
     public:
-      BracketingFollower(std::shared_ptr<const ContactSystem> system,
-                         const VectorXd                      &gap,
-                         const PathOptions                   &options);
+      BracketingFollower(std::shared_ptr<const solvers::ContactSystem> system,
+                         const VectorXd                               &gap,
+                         const PathOptions                            &options);
       PathResult
       follow(const PathStage &stage, const PathVisitor &visit) override;
 
     private:
-      using States = std::vector<NodeState>;
+      using States = std::vector<solvers::NodeState>;
       /** An increment from `now`. */
       struct Trial
       {
@@ -88,15 +88,15 @@ namespace conetact
       mechanism(const VectorXd           &guess,
                 const std::vector<Index> &touching) const;
 
-      std::shared_ptr<const ContactSystem> system;
-      PathOptions                          options;
-      std::unique_ptr<ContactSolver>       solver;
-      ExistenceCheck                       existence;
+      std::shared_ptr<const solvers::ContactSystem> system;
+      PathOptions                                   options;
+      std::unique_ptr<solvers::ContactSolver>       solver;
+      solvers::ExistenceCheck                       existence;
 
-      PathStage stage;
-      double    range = 1; ///< of the stage
-      Existence refusal;   ///< of the load at the end of the stage
-      double    bound = 0; ///< no load beyond it can be balanced
+      PathStage          stage;
+      double             range = 1; ///< of the stage
+      solvers::Existence refusal;   ///< of the load at the end of the stage
+      double             bound = 0; ///< no load beyond it can be balanced
 
       PathPoint    now;
       States       states; ///< of the increments after `now`
@@ -108,18 +108,18 @@ namespace conetact
 
 
     BracketingFollower::BracketingFollower(
-      std::shared_ptr<const ContactSystem> s,
-      const VectorXd                      &gap,
-      const PathOptions                   &o)
+      std::shared_ptr<const solvers::ContactSystem> s,
+      const VectorXd                               &gap,
+      const PathOptions                            &o)
       : system(std::move(s))
       , options(o)
       , existence(system)
     {
-      SolverOptions of_increments;
+      solvers::SolverOptions of_increments;
       of_increments.tolerance = options.tolerance;
       // Parts of an increment would have another answer, and hide a change.
       of_increments.max_substeps = 1;
-      solver                     = make_solver(of_increments);
+      solver                     = solvers::make_solver(of_increments);
       now.v = now.r = VectorXd::Zero(system->n_unknowns());
       for (Index i = 0; i < system->n_nodes(); ++i)
         now.v[system->normal(i)] = gap[i];
@@ -138,12 +138,12 @@ namespace conetact
     BracketingFollower::Trial
     BracketingFollower::increment(const double parameter)
     {
-      const Index    n = system->n_nodes();
-      ContactProblem problem;
-      VectorXd       slipped = now.v; // before the increment
-      problem.system         = system;
+      const Index             n = system->n_nodes();
+      solvers::ContactProblem problem;
+      VectorXd                slipped = now.v; // before the increment
+      problem.system                  = system;
       problem.gap.resize(n);
-      ContactState state;
+      solvers::ContactState state;
       state.v = VectorXd::Zero(now.v.size());
       for (Index i = 0; i < n; ++i)
         {
@@ -157,11 +157,12 @@ namespace conetact
       state.r                 = now.r;
       state.node              = states;
 
-      Trial              trial;
-      const SolverReport report = solver->solve(problem, state);
-      trial.parameter           = parameter;
-      trial.converged           = report.converged &&
-                        contact_residual(problem, state) <= options.tolerance;
+      Trial                       trial;
+      const solvers::SolverReport report = solver->solve(problem, state);
+      trial.parameter                    = parameter;
+      trial.converged =
+        report.converged &&
+        solvers::contact_residual(problem, state) <= options.tolerance;
       trial.reason = report.reason;
       trial.v      = state.v + slipped;
       trial.r      = state.r;
@@ -187,8 +188,9 @@ namespace conetact
       for (Index i = 0; i < system->n_nodes(); ++i)
         {
           const auto k = static_cast<std::size_t>(i);
-          if (system->n_tangents(i) < 2 || trial.states[k] != NodeState::slip ||
-              states[k] != NodeState::slip)
+          if (system->n_tangents(i) < 2 ||
+              trial.states[k] != solvers::NodeState::slip ||
+              states[k] != solvers::NodeState::slip)
             continue;
           const Eigen::Vector2d a = now.r.segment<2>(system->first[k]),
                                 b = trial.r.segment<2>(system->first[k]);
@@ -426,7 +428,7 @@ namespace conetact
           factor.setThreshold(1e-8);
           free = R * factor.compute(closing).kernel();
         }
-      const MatrixXd basis = orthonormal_basis(free);
+      const MatrixXd basis = solvers::orthonormal_basis(free);
       VectorXd       v     = basis * (basis.transpose() * guess);
       if (!(v.norm() > 1e-6 * guess.norm()))
         v = R * (R.transpose() * guess);
@@ -437,12 +439,12 @@ namespace conetact
 
 
   std::unique_ptr<PathFollower>
-  make_bracketing_follower(std::shared_ptr<const ContactSystem> system,
-                           const VectorXd                      &gap,
-                           const PathOptions                   &options)
+  make_bracketing_follower(std::shared_ptr<const solvers::ContactSystem> system,
+                           const VectorXd                               &gap,
+                           const PathOptions &options)
   {
     return std::make_unique<BracketingFollower>(std::move(system),
                                                 gap,
                                                 options);
   }
-} // namespace conetact
+} // namespace conetact::load_path

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace conetact
+namespace conetact::load_path
 {
   namespace
   {
@@ -27,9 +27,9 @@ namespace conetact
 
 
 
-  EventFollower::EventFollower(std::shared_ptr<const ContactSystem> s,
-                               const VectorXd                      &gap,
-                               const PathOptions                   &o)
+  EventFollower::EventFollower(std::shared_ptr<const solvers::ContactSystem> s,
+                               const VectorXd    &gap,
+                               const PathOptions &o)
     : contact(std::move(s))
     , options(o)
     , system(*contact, options.cohesion)
@@ -59,8 +59,8 @@ namespace conetact
   EventFollower::check_start(const PathStage &s) const
   {
     const VectorXd start = system.scale.cwiseProduct(s.load);
-    if (largest(start - now.load) >
-        1e-9 * std::max(largest(start), largest(now.load)))
+    if (solvers::largest(start - now.load) >
+        1e-9 * std::max(solvers::largest(start), solvers::largest(now.load)))
       throw std::invalid_argument(
         "A stage of a load path must start with the loads that the stage "
         "before it ended with, the first one with none but K (0, gap).");
@@ -118,7 +118,8 @@ namespace conetact
     if (stops.empty())
       return false;
     const double step = stops.front().step;
-    if (step * largest(velocity) > value_tolerance * largest(now.v))
+    if (step * solvers::largest(velocity) >
+        value_tolerance * solvers::largest(now.v))
       {
         now.v += step * velocity;
         plateau      = true;
@@ -137,9 +138,9 @@ namespace conetact
   bool
   EventFollower::solve_beyond(const double p, std::string &reason)
   {
-    VectorXd       slipped = system.scale.cwiseProduct(now.v);
-    ContactState   state;
-    ContactProblem problem;
+    VectorXd                slipped = system.scale.cwiseProduct(now.v);
+    solvers::ContactState   state;
+    solvers::ContactProblem problem;
     state.v        = slipped;
     state.r        = now.r.cwiseQuotient(system.scale);
     problem.system = contact;
@@ -154,19 +155,19 @@ namespace conetact
     // K (slipped + v) = r + f with the law on v alone.
     problem.load =
       stage.load + (p - stage.begin) * stage.rate - contact->matrix * slipped;
-    SolverOptions solver_options;
+    solvers::SolverOptions solver_options;
     solver_options.tolerance = options.tolerance;
-    const SolverReport report =
-      make_solver(solver_options)->solve(problem, state);
+    const solvers::SolverReport report =
+      solvers::make_solver(solver_options)->solve(problem, state);
     reason = report.reason;
     if (!report.converged)
       return false;
     for (std::size_t i = 0; i < now.scheme.size(); ++i)
       {
         const Index t        = system.tangent[i];
-        now.scheme[i].closed = state.node[i] != NodeState::open;
+        now.scheme[i].closed = state.node[i] != solvers::NodeState::open;
         now.scheme[i].slip   = 0;
-        if (t >= 0 && state.node[i] == NodeState::slip)
+        if (t >= 0 && state.node[i] == solvers::NodeState::slip)
           now.scheme[i].slip = state.v(t) > 0 ? 1 : -1;
       }
     now.v = (slipped + state.v).cwiseQuotient(system.scale);
@@ -322,7 +323,7 @@ namespace conetact
               continue;
             result.outcome   = PathOutcome::limit_load;
             result.mechanism = system.scale.cwiseProduct(rates.v);
-            result.mechanism /= largest(result.mechanism);
+            result.mechanism /= solvers::largest(result.mechanism);
             return result;
           }
 
@@ -358,10 +359,10 @@ namespace conetact
 
 
   std::unique_ptr<PathFollower>
-  make_event_follower(std::shared_ptr<const ContactSystem> system,
-                      const Eigen::VectorXd               &gap,
-                      const PathOptions                   &options)
+  make_event_follower(std::shared_ptr<const solvers::ContactSystem> system,
+                      const Eigen::VectorXd                        &gap,
+                      const PathOptions                            &options)
   {
     return std::make_unique<EventFollower>(std::move(system), gap, options);
   }
-} // namespace conetact
+} // namespace conetact::load_path

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace conetact
+namespace conetact::load_path
 {
   namespace
   {
@@ -16,11 +16,11 @@ namespace conetact
 
     /** Residual of the laws of contact and friction, as forces. */
     VectorXd
-    law_residual(const ContactSystem &system,
-                 const PathOptions   &options,
-                 const PathPoint     &before,
-                 const PathPoint     &point,
-                 const double         rho)
+    law_residual(const solvers::ContactSystem &system,
+                 const PathOptions            &options,
+                 const PathPoint              &before,
+                 const PathPoint              &point,
+                 const double                  rho)
     {
       VectorXd result(system.n_unknowns());
       for (Index i = 0; i < system.n_nodes(); ++i)
@@ -52,11 +52,11 @@ namespace conetact
 
 
   double
-  path_residual(const ContactSystem &system,
-                const PathOptions   &options,
-                const VectorXd      &load,
-                const PathPoint     &before,
-                const PathPoint     &point)
+  path_residual(const solvers::ContactSystem &system,
+                const PathOptions            &options,
+                const VectorXd               &load,
+                const PathPoint              &before,
+                const PathPoint              &point)
   {
     if (system.n_unknowns() == 0)
       return 0;
@@ -73,4 +73,4 @@ namespace conetact
     const double scale = std::max(point.r.norm(), load.norm());
     return error == 0 ? 0. : error / scale;
   }
-} // namespace conetact
+} // namespace conetact::load_path

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::load_path
 {
   namespace
   {
@@ -59,9 +59,10 @@ namespace conetact
   {
     // Scaled quantities compare from node to node: what vanishes does so beside
     // the largest.
-    const double v_zero = value_tolerance * largest(now.v);
+    const double v_zero = value_tolerance * solvers::largest(now.v);
     const double r_zero =
-      value_tolerance * std::max(largest(now.r), largest(now.load));
+      value_tolerance *
+      std::max(solvers::largest(now.r), solvers::largest(now.load));
     const bool    holonomic = law == PathLaw::holonomic;
     CriticalNodes result(now.scheme.size());
     for (std::size_t i = 0; i < now.scheme.size(); ++i)
@@ -124,7 +125,7 @@ namespace conetact
           return;
         const bool turned =
           law == PathLaw::holonomic &&
-          std::abs(now.v(t)) > value_tolerance * largest(now.v);
+          std::abs(now.v(t)) > value_tolerance * solvers::largest(now.v);
         c.plus = c.minus = !turned;
       }
   }
@@ -137,9 +138,11 @@ namespace conetact
                     const VectorXd     &r_rate,
                     const double        noise) const
   {
-    const double v_size = largest(now.v), v_fast = largest(v_rate);
-    const double r_size = largest(now.r), r_fast = largest(r_rate);
-    const bool   holonomic = law == PathLaw::holonomic;
+    const double v_size  = solvers::largest(now.v),
+                 v_fast  = solvers::largest(v_rate);
+    const double r_size  = solvers::largest(now.r),
+                 r_fast  = solvers::largest(r_rate);
+    const bool holonomic = law == PathLaw::holonomic;
 
     PathEvents result;
     // Critical quantities have been decided: what falls there is round-off.
@@ -251,4 +254,4 @@ namespace conetact
           system.is_free(static_cast<Index>(i), false))
         now.scheme[i].slip = now.critical[i].plus ? 0 : now.v(t) > 0 ? 1 : -1;
   }
-} // namespace conetact
+} // namespace conetact::load_path

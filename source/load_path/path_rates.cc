@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace conetact
+namespace conetact::load_path
 {
   namespace
   {
@@ -100,9 +100,10 @@ namespace conetact
     bool
     RateProblem::corrected(const Rates &rates, Scheme &next) const
     {
-      const double v_limit = rate_tolerance * largest(rates.v);
+      const double v_limit = rate_tolerance * solvers::largest(rates.v);
       const double r_limit =
-        rate_tolerance * std::max(largest(rates.r), largest(load_rate));
+        rate_tolerance *
+        std::max(solvers::largest(rates.r), solvers::largest(load_rate));
       next = rates.scheme;
       for (std::size_t i = 0; i < next.size(); ++i)
         if (critical[i].any())
@@ -212,7 +213,7 @@ namespace conetact
           cover(a) = p.side == 0 ? 1 : mu + 1;
           rank(a)  = p.side == 0 ? 0 : 1;
         }
-      if (!solve_lcp(M, q, cover, rank, z))
+      if (!solvers::solve_lcp(M, q, cover, rank, z))
         return false;
       for (Index a = 0; a < n; ++a)
         {
@@ -257,7 +258,7 @@ namespace conetact
         {
           rates.outcome = RateOutcome::mechanism;
           rates.v       = rates.factor.motion(rates.v);
-          rates.v /= largest(rates.v);
+          rates.v /= solvers::largest(rates.v);
           rates.r.setZero();
         }
       return rates;
@@ -274,4 +275,4 @@ namespace conetact
   {
     return RateProblem(system, critical, load_rate).solve(scheme);
   }
-} // namespace conetact
+} // namespace conetact::load_path

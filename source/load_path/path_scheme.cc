@@ -10,7 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace conetact
+namespace conetact::load_path
 {
   namespace
   {
@@ -35,7 +35,7 @@ namespace conetact
     constexpr int n_refinements = 2;
 
     VectorXd
-    node_scales(const ContactSystem &system)
+    node_scales(const solvers::ContactSystem &system)
     {
       const double all =
         system.matrix.trace() /
@@ -55,12 +55,12 @@ namespace conetact
 
 
 
-  PathSystem::PathSystem(const ContactSystem &contact, const Vector &c)
+  PathSystem::PathSystem(const solvers::ContactSystem &contact, const Vector &c)
     : scale(node_scales(contact))
     , mu(contact.mu)
     , cohesion(c.size() > 0 ? c : Vector::Zero(contact.n_nodes()).eval())
   {
-    if (contact.form != Form::stiffness)
+    if (contact.form != solvers::Form::stiffness)
       throw std::invalid_argument(
         "The load path needs the stiffness form of a contact problem.");
     for (Index i = 0; i < contact.n_nodes(); ++i)
@@ -75,9 +75,9 @@ namespace conetact
       }
     K          = scale.asDiagonal() * contact.matrix * scale.asDiagonal();
     null_space = contact.null_space.cols() > 0 ?
-                   orthonormal_basis(scale.cwiseInverse().asDiagonal() *
-                                     contact.null_space) :
-                   null_space_basis(K);
+                   solvers::orthonormal_basis(
+                     scale.cwiseInverse().asDiagonal() * contact.null_space) :
+                   solvers::null_space_basis(K);
     // Mechanisms must be singular to the last digit.
     K -= null_space * (null_space.transpose() * K).eval();
     K -= ((K * null_space) * null_space.transpose()).eval();
@@ -320,4 +320,4 @@ namespace conetact
     r = *K * v;
     clean(r, false);
   }
-} // namespace conetact
+} // namespace conetact::load_path

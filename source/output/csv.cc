@@ -10,7 +10,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace conetact
+namespace conetact::output
 {
   void
   append_number(std::string &text, const double number)
@@ -33,15 +33,15 @@ namespace conetact
 
 
   const char *
-  state_name(const NodeState state)
+  state_name(const solvers::NodeState state)
   {
     switch (state)
       {
-        case NodeState::open:
+        case solvers::NodeState::open:
           return "open";
-        case NodeState::stick:
+        case solvers::NodeState::stick:
           return "stick";
-        case NodeState::slip:
+        case solvers::NodeState::slip:
           return "slip";
       }
     return "";
@@ -161,4 +161,4 @@ namespace conetact
   {
     text += '\n';
   }
-} // namespace conetact
+} // namespace conetact::output

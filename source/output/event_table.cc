@@ -6,7 +6,7 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/output/csv.h"
 
-namespace conetact
+namespace conetact::output
 {
   EventTable::EventTable(const std::filesystem::path &folder)
     : file(folder / "events.csv")
@@ -55,4 +55,4 @@ namespace conetact
     row.end();
     write();
   }
-} // namespace conetact
+} // namespace conetact::output

@@ -12,7 +12,7 @@
 #include <regex>
 #include <sstream>
 
-namespace conetact
+namespace conetact::output
 {
   namespace
   {
@@ -241,4 +241,4 @@ namespace conetact
     write_atomically(run.folder / name, contact_vtu(record));
     contact.add(record.time, {{"contact", name}});
   }
-} // namespace conetact
+} // namespace conetact::output

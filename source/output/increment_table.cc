@@ -8,7 +8,7 @@
 #include <array>
 #include <set>
 
-namespace conetact
+namespace conetact::output
 {
   namespace
   {
@@ -137,4 +137,4 @@ namespace conetact
     csv.end();
     return text;
   }
-} // namespace conetact
+} // namespace conetact::output

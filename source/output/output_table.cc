@@ -8,7 +8,7 @@
 #include "conetact/output/problem_texts.h"
 #include "conetact/output/tables.h"
 
-namespace conetact
+namespace conetact::output
 {
   namespace
   {
@@ -44,4 +44,4 @@ namespace conetact
        create<Graphics>}};
     return table;
   }
-} // namespace conetact
+} // namespace conetact::output

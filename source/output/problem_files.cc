@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <regex>
 
-namespace conetact
+namespace conetact::output
 {
   namespace
   {
@@ -80,7 +80,7 @@ namespace conetact
       "increment " + std::to_string(record.increment);
     try
       {
-        write_fclib(
+        exchange::write_fclib(
           condensed.problem,
           (folder / problem_file_name(record.increment, "hdf5")).string(),
           condensed.solution ? &*condensed.solution : nullptr,
@@ -150,7 +150,7 @@ namespace conetact
 
 
   void
-  check_problem_is_writable(const ContactSystem &system)
+  check_problem_is_writable(const solvers::ContactSystem &system)
   {
     if (system.n_nodes() == 0)
       refuse("no node may touch anything, there is no contact problem.");
@@ -166,4 +166,4 @@ namespace conetact
                " free tangents with friction, contact 0 has " +
                std::to_string(tangents) + ".");
   }
-} // namespace conetact
+} // namespace conetact::output

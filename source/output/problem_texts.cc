@@ -6,7 +6,7 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/output/problem_files.h"
 
-namespace conetact
+namespace conetact::output
 {
   ProblemTexts::ProblemTexts(const RunDescription &description)
     : folder(description.folder)
@@ -23,7 +23,7 @@ namespace conetact
     for (const IncrementRecord &record : finished)
       if (record.condensed && increments.count(record.increment) > 0)
         {
-          StoredProblem stored;
+          solvers::StoredProblem stored;
           stored.problem = record.condensed->problem;
           write_problem_text(folder, record.increment, stored);
         }
@@ -32,11 +32,11 @@ namespace conetact
 
 
   void
-  write_problem_text(const std::filesystem::path &folder,
-                     const unsigned int           number,
-                     const StoredProblem         &stored)
+  write_problem_text(const std::filesystem::path  &folder,
+                     const unsigned int            number,
+                     const solvers::StoredProblem &stored)
   {
     write_atomically(folder / problem_file_name(number, "txt"),
-                     to_problem_text(stored));
+                     solvers::to_problem_text(stored));
   }
-} // namespace conetact
+} // namespace conetact::output

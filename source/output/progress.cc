@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <iostream>
 
-namespace conetact
+namespace conetact::output
 {
   namespace
   {
@@ -113,4 +113,4 @@ namespace conetact
       std::cout << progress_line(record, n_increments, end, elapsed.count())
                 << std::endl;
   }
-} // namespace conetact
+} // namespace conetact::output

@@ -3,7 +3,7 @@
 
 #include "conetact/output/reaction_table.h"
 
-namespace conetact
+namespace conetact::output
 {
   namespace
   {
@@ -91,4 +91,4 @@ namespace conetact
     add(csv, row.acts, "acts_x", "acts_y", "acts_z");
     csv.end();
   }
-} // namespace conetact
+} // namespace conetact::output

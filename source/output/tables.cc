@@ -6,7 +6,7 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 
-namespace conetact
+namespace conetact::output
 {
   Tables::Tables(const RunDescription &run)
     : folder(run.folder)
@@ -68,4 +68,4 @@ namespace conetact
                      });
     bytes += reactions_text.size() + increments_text.size();
   }
-} // namespace conetact
+} // namespace conetact::output

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -248,4 +248,4 @@ namespace conetact
         add_triangle(polygon[0], polygon[i - 1], polygon[i], level, points);
     return points;
   }
-} // namespace conetact
+} // namespace conetact::pairing

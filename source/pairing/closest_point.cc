@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -259,4 +259,4 @@ namespace conetact
       }
     return best;
   }
-} // namespace conetact
+} // namespace conetact::pairing

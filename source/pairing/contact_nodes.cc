@@ -7,14 +7,13 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
-#include "conetact/pairing/pairing_table.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -50,10 +49,10 @@ namespace conetact
 
     /** Diagonal of the box around two bodies. */
     double
-    size_of(const Structure &one, const Structure &other)
+    size_of(const bodies::Structure &one, const bodies::Structure &other)
     {
       Point<3> low = one.position(0), high = low;
-      for (const Structure *body : {&one, &other})
+      for (const bodies::Structure *body : {&one, &other})
         for (unsigned int node = 0; node < body->n_nodes(); ++node)
           for (unsigned int d = 0; d < 3; ++d)
             {
@@ -65,7 +64,7 @@ namespace conetact
 
     /** Largest distance of a node from the origin. */
     double
-    reach_of(const Structure &body)
+    reach_of(const bodies::Structure &body)
     {
       double reach = 0;
       for (unsigned int node = 0; node < body.n_nodes(); ++node)
@@ -76,8 +75,8 @@ namespace conetact
     /** Positions are known to their rounding: a gap below it is none. A body
      * that is turned with its master must not touch it node after node. */
     double
-    rounding_of_gaps(const Contact                        &contact,
-                     const std::vector<const Structure *> &structures)
+    rounding_of_gaps(const Contact                                &contact,
+                     const std::vector<const bodies::Structure *> &structures)
     {
       constexpr double eps = std::numeric_limits<double>::epsilon();
       if (contact.gap ||
@@ -108,21 +107,21 @@ namespace conetact
     }
 
     void
-    find_master(dealii::ParameterHandler             &prm,
-                const std::string                    &in,
-                const std::vector<std::string>       &bodies,
-                const std::vector<const Structure *> &structures,
-                Contact                              &contact)
+    find_master(dealii::ParameterHandler                     &prm,
+                const std::string                            &in,
+                const std::vector<std::string>               &bodies,
+                const std::vector<const bodies::Structure *> &structures,
+                Contact                                      &contact)
     {
       if (!prm.get("Obstacle").empty())
         throw InputError(in + "Obstacle: there is a Master body too. Leave one "
                               "of them empty.");
       contact.master =
-        find_body(prm.get("Master body"), bodies, in + "Master body");
-      contact.master_ids      = find_boundary(prm.get("Master boundary ids"),
-                                         *structures[contact.master],
-                                         bodies[contact.master],
-                                         in + "Master boundary ids");
+        bodies::find_body(prm.get("Master body"), bodies, in + "Master body");
+      contact.master_ids = bodies::find_boundary(prm.get("Master boundary ids"),
+                                                 *structures[contact.master],
+                                                 bodies[contact.master],
+                                                 in + "Master boundary ids");
       const std::string reach = prm.get("Reach");
       contact.reach = reach.empty() ? size_of(*structures[contact.body],
                                               *structures[contact.master]) :
@@ -135,9 +134,9 @@ namespace conetact
                          "' is a frame and its master a continuum. Exchange "
                          "them: the continuum's nodes meet the frame.");
       if (contact.body == contact.master)
-        for (const SurfaceNode &a :
+        for (const bodies::SurfaceNode &a :
              structures[contact.body]->surface(contact.ids).nodes)
-          for (const SurfaceNode &b :
+          for (const bodies::SurfaceNode &b :
                structures[contact.body]->surface(contact.master_ids).nodes)
             // A node against itself would be 0 = 0.
             if (a.node == b.node)
@@ -382,20 +381,20 @@ namespace conetact
   }
 
   Contact
-  create_contact(dealii::ParameterHandler             &prm,
-                 const std::string                    &name,
-                 const std::vector<std::string>       &bodies,
-                 const std::vector<const Structure *> &structures,
-                 const std::vector<Obstacle>          &obstacles)
+  create_contact(dealii::ParameterHandler                     &prm,
+                 const std::string                            &name,
+                 const std::vector<std::string>               &bodies,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::vector<Obstacle>                  &obstacles)
   {
     const std::string in = "Contact '" + name + "', ";
     Contact           contact;
     contact.name = name;
-    contact.body = find_body(prm.get("Body"), bodies, in + "Body");
-    contact.ids  = find_boundary(prm.get("Boundary ids"),
-                                *structures[contact.body],
-                                bodies[contact.body],
-                                in + "Boundary ids");
+    contact.body = bodies::find_body(prm.get("Body"), bodies, in + "Body");
+    contact.ids  = bodies::find_boundary(prm.get("Boundary ids"),
+                                        *structures[contact.body],
+                                        bodies[contact.body],
+                                        in + "Boundary ids");
     if (prm.get("Master body").empty())
       contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
     else
@@ -427,10 +426,10 @@ namespace conetact
   }
 
   ContactNodes
-  find_contact_nodes(const std::vector<Contact>           &contacts,
-                     const std::vector<std::string>       &bodies,
-                     const std::vector<const Structure *> &structures,
-                     const unsigned int                    dim)
+  find_contact_nodes(const std::vector<Contact>                   &contacts,
+                     const std::vector<std::string>               &bodies,
+                     const std::vector<const bodies::Structure *> &structures,
+                     const unsigned int                            dim)
   {
     ContactNodes                                                      result;
     std::multimap<std::pair<unsigned int, unsigned int>, std::size_t> known;
@@ -471,4 +470,4 @@ namespace conetact
       }
     return result;
   }
-} // namespace conetact
+} // namespace conetact::pairing

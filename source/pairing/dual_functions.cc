@@ -5,7 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace conetact
+namespace conetact::pairing
 {
   Eigen::MatrixXd
   dual_functions(const Eigen::MatrixXd &mass, const Eigen::VectorXd &areas)
@@ -33,4 +33,4 @@ namespace conetact
     return areas.cwiseQuotient(size).asDiagonal() * inverse *
            size.cwiseInverse().asDiagonal();
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -85,7 +85,7 @@ namespace conetact
     }
 
     FaceNet::Face
-    make_face(const Structure &body, const SurfaceFace &from)
+    make_face(const bodies::Structure &body, const bodies::SurfaceFace &from)
     {
       FaceNet::Face face;
       face.nodes   = from.nodes;
@@ -125,11 +125,12 @@ namespace conetact
     }
   } // namespace
 
-  FaceNet::FaceNet(const Structure &body, const Surface &surface)
+  FaceNet::FaceNet(const bodies::Structure &body,
+                   const bodies::Surface   &surface)
     : faces_at_node(body.n_nodes())
     , tree({})
   {
-    for (const SurfaceFace &face : surface.faces)
+    for (const bodies::SurfaceFace &face : surface.faces)
       {
         for (const unsigned int node : face.nodes)
           faces_at_node[node].push_back(faces.size());
@@ -157,7 +158,7 @@ namespace conetact
         const auto see = [&](const std::size_t other) {
           const Tensor<1, 3> &n = faces[other].outward;
           to_others             = std::max(to_others, angle(face.outward, n));
-          if (const auto mean = smooth_patches({face.outward, n});
+          if (const auto mean = bodies::smooth_patches({face.outward, n});
               mean.size() == 1)
             // Facets of one smooth surface: the true normal at their edge lies
             // between both.
@@ -202,10 +203,10 @@ namespace conetact
   }
 
   void
-  FaceNet::join_hanging_edges(const Structure &body)
+  FaceNet::join_hanging_edges(const bodies::Structure &body)
   {
     std::map<unsigned int, std::set<unsigned int>> followed;
-    for (const HangingNode &hanging : body.hanging_nodes())
+    for (const bodies::HangingNode &hanging : body.hanging_nodes())
       for (const auto &[master, weight] : hanging.masters)
         followed[hanging.node].insert(master);
     // parts of an edge and the whole hang on the same nodes in the end
@@ -332,4 +333,4 @@ namespace conetact
       balls.push_back({face.centre, face.radius});
     return balls;
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -122,4 +122,4 @@ namespace conetact
              (arm - forward * unit_direction).norm() <= meeting;
     });
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -17,7 +17,8 @@ namespace conetact
     constexpr double sliver = 1e-14;
   } // namespace
 
-  FacingParts::FacingParts(const Structure &master, const BoundaryIds &ids)
+  FacingParts::FacingParts(const bodies::Structure   &master,
+                           const bodies::BoundaryIds &ids)
     : net(master, master.surface(ids))
     , whole(master, master.surface(master.boundary_ids()))
   {}
@@ -97,4 +98,4 @@ namespace conetact
       }
     return parts;
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -40,8 +40,8 @@ namespace conetact
       return cosine;
     }
 
-    Surface
-    whole_boundary(const Structure &body)
+    bodies::Surface
+    whole_boundary(const bodies::Structure &body)
     {
       return body.surface(body.boundary_ids());
     }
@@ -90,18 +90,20 @@ namespace conetact
       std::vector<Tensor<1, 3>> normals;
       for (const FaceNet::Closest &at : feature)
         normals.push_back(at.normal);
-      return smooth_patches(normals).size() > 1;
+      return bodies::smooth_patches(normals).size() > 1;
     }
   } // namespace
 
-  MasterSurface::MasterSurface(const Structure &body, const BoundaryIds &ids)
+  MasterSurface::MasterSurface(const bodies::Structure   &body,
+                               const bodies::BoundaryIds &ids)
     : net(body, body.surface(ids))
     , every_face(net.all().size())
   {
     std::iota(every_face.begin(), every_face.end(), std::size_t{0});
     for (const FaceNet::Face &face : net.all())
       typical_size += face.size / static_cast<double>(every_face.size());
-    if (const Surface boundary = whole_boundary(body); !boundary.two_sided)
+    if (const bodies::Surface boundary = whole_boundary(body);
+        !boundary.two_sided)
       whole = std::make_unique<FaceNet>(body, boundary);
   }
 
@@ -295,4 +297,4 @@ namespace conetact
       }
     return best;
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -13,7 +13,7 @@
 #include <map>
 #include <set>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -35,13 +35,13 @@ namespace conetact
 
     /** In 2D lengths are areas over the thickness of the slave. */
     double
-    thickness_of(const Surface                    &surface,
+    thickness_of(const bodies::Surface            &surface,
                  const std::vector<FaceNet::Face> &faces)
     {
       if (faces.front().corners.size() > 2)
         return 1;
       double area = 0, length = 0;
-      for (const SurfaceNode &node : surface.nodes)
+      for (const bodies::SurfaceNode &node : surface.nodes)
         area += node.area;
       for (const FaceNet::Face &face : faces)
         length += face.size;
@@ -61,7 +61,7 @@ namespace conetact
     class Mortar
     {
     public:
-      Mortar(const Contact &c, const std::vector<const Structure *> &s)
+      Mortar(const Contact &c, const std::vector<const bodies::Structure *> &s)
         : contact(c)
         , structures(s)
         , one_by_one(contact, structures)
@@ -85,7 +85,7 @@ namespace conetact
           if (row.area > 0)
             rows_of.emplace(row.node, &row);
         PairedNodes found;
-        for (const SurfaceNode &s : one_by_one.slave_surface().nodes)
+        for (const bodies::SurfaceNode &s : one_by_one.slave_surface().nodes)
           {
             const auto [begin, end]  = rows_of.equal_range(s.node);
             const std::size_t before = found.nodes.size();
@@ -197,7 +197,7 @@ namespace conetact
       }
 
       ContactNode
-      mean(const SurfaceNode &s, const MortarRow &row)
+      mean(const bodies::SurfaceNode &s, const MortarRow &row)
       {
         ContactNode node = one_by_one.free_node(s);
         node.area        = thickness * row.area;
@@ -234,21 +234,21 @@ namespace conetact
         return sum;
       }
 
-      const Contact                        &contact;
-      const std::vector<const Structure *> &structures;
-      NodeToFace                            one_by_one;
-      FaceNet                               slave;
-      FacingParts                           facing;
-      MortarRows                            rows;
-      double                                thickness;
-      std::set<unsigned int>                seen;
+      const Contact                                &contact;
+      const std::vector<const bodies::Structure *> &structures;
+      NodeToFace                                    one_by_one;
+      FaceNet                                       slave;
+      FacingParts                                   facing;
+      MortarRows                                    rows;
+      double                                        thickness;
+      std::set<unsigned int>                        seen;
     };
   } // namespace
 
   PairedNodes
-  pair_by_mortar(const Contact                        &contact,
-                 const std::vector<const Structure *> &structures)
+  pair_by_mortar(const Contact                                &contact,
+                 const std::vector<const bodies::Structure *> &structures)
   {
     return Mortar(contact, structures).nodes();
   }
-} // namespace conetact
+} // namespace conetact::pairing

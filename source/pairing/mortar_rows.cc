@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -129,10 +129,10 @@ namespace conetact
   }
 
   void
-  MortarRows::give_up(const std::vector<HangingNode> &hanging)
+  MortarRows::give_up(const std::vector<bodies::HangingNode> &hanging)
   {
-    std::map<unsigned int, const HangingNode *> follows;
-    for (const HangingNode &node : hanging)
+    std::map<unsigned int, const bodies::HangingNode *> follows;
+    for (const bodies::HangingNode &node : hanging)
       follows[node.node] = &node;
     const std::size_t n = rows.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -176,4 +176,4 @@ namespace conetact
         rows[i].area = 0;
       }
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
     /** The longest edge of the faces at each node of a surface. */
     std::map<unsigned int, double>
-    spacings(const Surface &surface, const Structure &body)
+    spacings(const bodies::Surface &surface, const bodies::Structure &body)
     {
       std::map<unsigned int, double> result;
-      for (const SurfaceFace &face : surface.faces)
+      for (const bodies::SurfaceFace &face : surface.faces)
         {
           double     longest = 0;
           const auto edge    = [&](const std::size_t i, const std::size_t j) {
@@ -33,7 +33,8 @@ namespace conetact
           for (const unsigned int node : face.nodes)
             result[node] = std::max(result[node], longest);
         }
-      for (const SurfaceNode &node : surface.nodes) // of frames without faces
+      for (const bodies::SurfaceNode &node :
+           surface.nodes) // of frames without faces
         result.insert({node.node, std::sqrt(node.area)});
       return result;
     }
@@ -45,8 +46,9 @@ namespace conetact
     return contact.interference.value_or(.25 * face_size);
   }
 
-  NodeToFace::NodeToFace(const Contact                        &c,
-                         const std::vector<const Structure *> &structures)
+  NodeToFace::NodeToFace(
+    const Contact                                &c,
+    const std::vector<const bodies::Structure *> &structures)
     : contact(c)
     , body(*structures[contact.body])
     , surface(body.surface(contact.ids))
@@ -57,7 +59,7 @@ namespace conetact
   }
 
   ContactNode
-  NodeToFace::free_node(const SurfaceNode &s) const
+  NodeToFace::free_node(const bodies::SurfaceNode &s) const
   {
     ContactNode node;
     node.body     = contact.body;
@@ -70,7 +72,7 @@ namespace conetact
   }
 
   std::optional<ContactNode>
-  NodeToFace::find(const SurfaceNode &s)
+  NodeToFace::find(const bodies::SurfaceNode &s)
   {
     ContactNode node = free_node(s);
     if (!(contact.obstacle ? face_obstacle(node) : face_master(node, s)))
@@ -91,7 +93,7 @@ namespace conetact
   }
 
   bool
-  NodeToFace::face_master(ContactNode &node, const SurfaceNode &s)
+  NodeToFace::face_master(ContactNode &node, const bodies::SurfaceNode &s)
   {
     auto normals = s.normals;
     if (surface.two_sided)
@@ -127,12 +129,13 @@ namespace conetact
   }
 
   PairedNodes
-  pair_nodes_with_faces(const Contact                        &contact,
-                        const std::vector<const Structure *> &structures)
+  pair_nodes_with_faces(
+    const Contact                                &contact,
+    const std::vector<const bodies::Structure *> &structures)
   {
     NodeToFace  pairing(contact, structures);
     PairedNodes found;
-    for (const SurfaceNode &s : pairing.slave_surface().nodes)
+    for (const bodies::SurfaceNode &s : pairing.slave_surface().nodes)
       {
         ++found.n_nodes;
         if (auto node = pairing.find(s))
@@ -142,4 +145,4 @@ namespace conetact
     found.deepest  = pairing.deepest_node();
     return found;
   }
-} // namespace conetact
+} // namespace conetact::pairing

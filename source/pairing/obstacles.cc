@@ -11,7 +11,7 @@
 #include <limits>
 #include <utility>
 
-namespace conetact
+namespace conetact::pairing
 {
   namespace
   {
@@ -425,4 +425,4 @@ namespace conetact
                        " functions of t, separated by ';', or a single 0.");
     return obstacle;
   }
-} // namespace conetact
+} // namespace conetact::pairing

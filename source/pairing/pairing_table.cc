@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/pairing/pairing_table.h"
-
 #include "conetact/pairing/mortar.h"
 #include "conetact/pairing/node_to_face.h"
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::pairing
 {
   const std::vector<PairingRow> &
   pairings()
@@ -28,12 +26,12 @@ namespace conetact
   }
 
   const PairingRow &
-  pairing_of(const Contact                        &contact,
-             const std::vector<const Structure *> &structures)
+  pairing_of(const Contact                                &contact,
+             const std::vector<const bodies::Structure *> &structures)
   {
-    const auto has_faces = [&](const unsigned int body,
-                               const BoundaryIds &ids) {
-      const Surface surface = structures[body]->surface(ids);
+    const auto has_faces = [&](const unsigned int         body,
+                               const bodies::BoundaryIds &ids) {
+      const bodies::Surface surface = structures[body]->surface(ids);
       return !surface.two_sided && !surface.faces.empty();
     };
     const bool faces = contact.obstacle == nullptr &&
@@ -46,4 +44,4 @@ namespace conetact
                            return row.name == name;
                          });
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::pairing
 {
   ProjectionPlane::ProjectionPlane(const Point<3>     &through,
                                    const Tensor<1, 3> &unit_normal,
@@ -139,4 +139,4 @@ namespace conetact
                                         std::abs(g.topRows<2>().determinant());
     return seen;
   }
-} // namespace conetact
+} // namespace conetact::pairing

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::pairing
 {
   double
   true_gap(const MovedNode &moved)
@@ -58,4 +58,4 @@ namespace conetact
            "them move less, or let the obstacle start nearer to where it "
            "ends";
   }
-} // namespace conetact
+} // namespace conetact::pairing

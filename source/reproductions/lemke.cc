@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace conetact
+namespace conetact::reproductions
 {
   namespace
   {
@@ -38,15 +38,16 @@ namespace conetact
 
 
 
-    class Lemke : public PathFollower
+    class Lemke : public load_path::PathFollower
     {
     public:
-      Lemke(std::shared_ptr<const ContactSystem> s,
-            PathOptions                          path,
-            LemkeOptions                         o);
+      Lemke(std::shared_ptr<const solvers::ContactSystem> s,
+            load_path::PathOptions                        path,
+            LemkeOptions                                  o);
 
-      PathResult
-      follow(const PathStage &stage, const PathVisitor &visit) override;
+      load_path::PathResult
+      follow(const load_path::PathStage   &stage,
+             const load_path::PathVisitor &visit) override;
 
     private:
       // columns: x, z, p, then the constant part and the tightening
@@ -63,21 +64,21 @@ namespace conetact
       VectorXd
       in_pairs(const VectorXd &forces) const;
       void
-      set_up(const PathStage &stage);
+      set_up(const load_path::PathStage &stage);
       Index
       leading_row(const Index column) const;
       void
       pivot(const Index row, const Index column);
-      PathPoint
+      load_path::PathPoint
       point(const VectorXd &basic) const;
-      PathState
+      load_path::PathState
       state(const Index node) const;
       void
-      finish(const PathStage   &stage,
-             const Index        column,
-             const bool         ray,
-             const PathVisitor &visit,
-             PathResult        &result);
+      finish(const load_path::PathStage   &stage,
+             const Index                   column,
+             const bool                    ray,
+             const load_path::PathVisitor &visit,
+             load_path::PathResult        &result);
 
       std::string
       name(const Index variable) const;
@@ -86,26 +87,26 @@ namespace conetact
       void
       show_table() const;
 
-      std::shared_ptr<const ContactSystem> system;
-      PathOptions                          path_options;
-      LemkeOptions                         options;
-      std::vector<Pair>                    pairs;
-      Index                                n;
-      MatrixXd                             R, table;
-      std::vector<Index>                   basis;  ///< variable of each row
-      std::vector<bool>                    active; ///< z of a pair is not zero
+      std::shared_ptr<const solvers::ContactSystem> system;
+      load_path::PathOptions                        path_options;
+      LemkeOptions                                  options;
+      std::vector<Pair>                             pairs;
+      Index                                         n;
+      MatrixXd                                      R, table;
+      std::vector<Index> basis;  ///< variable of each row
+      std::vector<bool>  active; ///< z of a pair is not zero
     };
 
 
 
-    Lemke::Lemke(std::shared_ptr<const ContactSystem> s,
-                 PathOptions                          path,
-                 LemkeOptions                         o)
+    Lemke::Lemke(std::shared_ptr<const solvers::ContactSystem> s,
+                 load_path::PathOptions                        path,
+                 LemkeOptions                                  o)
       : system(std::move(s))
       , path_options(std::move(path))
       , options(std::move(o))
     {
-      if (system->form != Form::stiffness)
+      if (system->form != solvers::Form::stiffness)
         throw std::invalid_argument("Lemke's method needs the stiffness form.");
       for (Index i = 0; i < system->n_nodes(); ++i)
         if (system->n_tangents(i) > 1)
@@ -148,7 +149,7 @@ namespace conetact
 
 
     void
-    Lemke::set_up(const PathStage &stage)
+    Lemke::set_up(const load_path::PathStage &stage)
     {
       table.resize(n, 2 * n + 3);
       table.leftCols(n).setIdentity();
@@ -206,7 +207,7 @@ namespace conetact
 
 
 
-    PathState
+    load_path::PathState
     Lemke::state(const Index node) const
     {
       bool open = false;
@@ -218,24 +219,24 @@ namespace conetact
             slip += pairs[a].side;
           }
       if (open)
-        return slip == 0 ? PathState::open :
-               slip > 0  ? PathState::open_plus :
-                           PathState::open_minus;
-      return slip == 0 ? PathState::stick :
-             slip > 0  ? PathState::slip_plus :
-                         PathState::slip_minus;
+        return slip == 0 ? load_path::PathState::open :
+               slip > 0  ? load_path::PathState::open_plus :
+                           load_path::PathState::open_minus;
+      return slip == 0 ? load_path::PathState::stick :
+             slip > 0  ? load_path::PathState::slip_plus :
+                         load_path::PathState::slip_minus;
     }
 
 
 
     /** Displacements and reactions where the basic variables have values. */
-    PathPoint
+    load_path::PathPoint
     Lemke::point(const VectorXd &basic) const
     {
       VectorXd x = VectorXd::Zero(2 * n + 1);
       for (Index i = 0; i < n; ++i)
         x(basis[static_cast<std::size_t>(i)]) = basic(i);
-      PathPoint result;
+      load_path::PathPoint result;
       result.v = VectorXd::Zero(system->n_unknowns());
       result.r = result.v;
       for (Index a = 0; a < n; ++a)
@@ -301,11 +302,11 @@ namespace conetact
 
     /** Takes p out of the basis; `column` would have entered. */
     void
-    Lemke::finish(const PathStage   &stage,
-                  const Index        column,
-                  const bool         ray,
-                  const PathVisitor &visit,
-                  PathResult        &result)
+    Lemke::finish(const load_path::PathStage   &stage,
+                  const Index                   column,
+                  const bool                    ray,
+                  const load_path::PathVisitor &visit,
+                  load_path::PathResult        &result)
     {
       const auto found = std::find(basis.begin(), basis.end(), p_column());
       const auto row   = found - basis.begin();
@@ -319,7 +320,7 @@ namespace conetact
               say(
                 "ray, the leading element in the row of p is zero: mechanism");
               const VectorXd rates = -table.col(column);
-              result.outcome       = PathOutcome::limit_load;
+              result.outcome       = load_path::PathOutcome::limit_load;
               result.mechanism     = point(rates).v;
               if (column >= n && column < 2 * n)
                 {
@@ -337,29 +338,32 @@ namespace conetact
       say(ray ? "criterion 2: a ray, no further change" :
                 "criterion 1: p has passed its target");
       // without the tightening
-      PathPoint end    = point(table.col(p_column() + 1) -
-                            (stage.end - stage.begin) * table.col(p_column()));
-      end.parameter    = stage.end;
-      PathPoint before = end;
+      load_path::PathPoint end =
+        point(table.col(p_column() + 1) -
+              (stage.end - stage.begin) * table.col(p_column()));
+      end.parameter               = stage.end;
+      load_path::PathPoint before = end;
       end.residual =
-        path_residual(*system,
-                      path_options,
-                      stage.load + (stage.end - stage.begin) * stage.rate,
-                      before,
-                      end);
+        load_path::path_residual(*system,
+                                 path_options,
+                                 stage.load +
+                                   (stage.end - stage.begin) * stage.rate,
+                                 before,
+                                 end);
       if (visit)
         visit(end);
-      result.outcome =
-        ray ? PathOutcome::no_further_change : PathOutcome::target_reached;
+      result.outcome   = ray ? load_path::PathOutcome::no_further_change :
+                               load_path::PathOutcome::target_reached;
       result.parameter = stage.end;
     }
 
 
 
-    PathResult
-    Lemke::follow(const PathStage &stage, const PathVisitor &visit)
+    load_path::PathResult
+    Lemke::follow(const load_path::PathStage   &stage,
+                  const load_path::PathVisitor &visit)
     {
-      PathResult result;
+      load_path::PathResult result;
       result.parameter = stage.begin;
       set_up(stage);
       if (right_hand_side().minCoeff() < 0)
@@ -399,10 +403,10 @@ namespace conetact
                               "back to its start.";
               return result;
             }
-          length               = next;
-          result.parameter     = stage.begin + length;
-          const Index     pair = left % n;
-          const PathState from =
+          length                          = next;
+          result.parameter                = stage.begin + length;
+          const Index                pair = left % n;
+          const load_path::PathState from =
             state(pairs[static_cast<std::size_t>(pair)].node);
           pivot(row, column);
           say("step " + std::to_string(k) +
@@ -410,7 +414,7 @@ namespace conetact
               " leaves, " + name(column) + " has entered");
           show_table();
           active[static_cast<std::size_t>(pair)] = left < n;
-          PathPoint event                        = point(right_hand_side());
+          load_path::PathPoint event             = point(right_hand_side());
           event.parameter                        = result.parameter;
           const Index node = pairs[static_cast<std::size_t>(pair)].node;
           event.changes    = {{node, from, state(node)}};
@@ -425,11 +429,11 @@ namespace conetact
 
 
 
-  std::unique_ptr<PathFollower>
-  make_lemke_follower(std::shared_ptr<const ContactSystem> system,
-                      const PathOptions                   &path_options,
-                      const LemkeOptions                  &options)
+  std::unique_ptr<load_path::PathFollower>
+  make_lemke_follower(std::shared_ptr<const solvers::ContactSystem> system,
+                      const load_path::PathOptions &path_options,
+                      const LemkeOptions           &options)
   {
     return std::make_unique<Lemke>(std::move(system), path_options, options);
   }
-} // namespace conetact
+} // namespace conetact::reproductions

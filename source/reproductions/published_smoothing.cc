@@ -6,14 +6,14 @@
 #include "conetact/solvers/smoothing_iteration.h"
 #include "conetact/solvers/stiffness_form.h"
 
-namespace conetact
+namespace conetact::reproductions
 {
   namespace
   {
-    SmoothingOptions
+    solvers::SmoothingOptions
     options_of(const PublishedSet &set)
     {
-      SmoothingOptions options;
+      solvers::SmoothingOptions options;
       options.kappa  = 1;
       options.eta    = set.eta;
       options.etabar = set.etabar;
@@ -40,30 +40,30 @@ namespace conetact
 
 
   PublishedRun
-  solve_as_published(const ContactProblem &problem,
-                     const PublishedSet   &set,
-                     const double          tolerance)
+  solve_as_published(const solvers::ContactProblem &problem,
+                     const PublishedSet            &set,
+                     const double                   tolerance)
   {
     // the paper's form, in which free motions are no unknowns of their own
     if (problem.system->n_motions > 0)
       {
-        const StiffnessForm form(problem.system);
+        const solvers::StiffnessForm form(problem.system);
         if (form.exists())
           return solve_as_published(form.eliminate(problem), set, tolerance);
       }
-    LinearRelation relation(problem.system, false);
+    solvers::LinearRelation relation(problem.system, false);
     relation.set_load(problem);
-    ContactState state;
+    solvers::ContactState state;
     state.v = state.r = Eigen::VectorXd::Zero(problem.system->n_unknowns());
-    SmoothingIteration iteration(relation, options_of(set), state);
-    PublishedRun       run;
+    solvers::SmoothingIteration iteration(relation, options_of(set), state);
+    PublishedRun                run;
     if (!iteration.advance(tolerance))
       run.failure = iteration.failure();
     iteration.get(state);
     run.iterations = iteration.n_iterations();
     run.natural    = iteration.residual();
-    run.errors     = kanno_errors(problem, state);
-    run.residual   = contact_residual(problem, state);
+    run.errors     = solvers::kanno_errors(problem, state);
+    run.residual   = solvers::contact_residual(problem, state);
     return run;
   }
-} // namespace conetact
+} // namespace conetact::reproductions

@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -346,4 +346,4 @@ namespace conetact
   {
     return std::make_unique<ActiveSet>(options);
   }
-} // namespace conetact
+} // namespace conetact::solvers

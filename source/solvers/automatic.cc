@@ -11,7 +11,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -488,4 +488,4 @@ namespace conetact
   {
     return std::make_unique<Automatic>(options);
   }
-} // namespace conetact
+} // namespace conetact::solvers

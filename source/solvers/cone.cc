@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -156,4 +156,4 @@ namespace conetact
     result.head(n) = (mu * result(n) / norm) * r.head(n);
     return result;
   }
-} // namespace conetact
+} // namespace conetact::solvers

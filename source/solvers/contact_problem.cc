@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -256,4 +256,4 @@ namespace conetact
       }
     return result;
   }
-} // namespace conetact
+} // namespace conetact::solvers

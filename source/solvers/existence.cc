@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace conetact
+namespace conetact::solvers
 {
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -342,4 +342,4 @@ namespace conetact
       }
     return true;
   }
-} // namespace conetact
+} // namespace conetact::solvers

@@ -14,7 +14,7 @@
 #include <sstream>
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -258,4 +258,4 @@ namespace conetact
   {
     return std::make_unique<GaussSeidel>(options);
   }
-} // namespace conetact
+} // namespace conetact::solvers

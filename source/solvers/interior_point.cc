@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -344,4 +344,4 @@ namespace conetact
     measure();
     return length > 1e-8;
   }
-} // namespace conetact
+} // namespace conetact::solvers

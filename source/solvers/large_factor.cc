@@ -5,7 +5,7 @@
 
 #include <lapacke.h>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -56,4 +56,4 @@ namespace conetact
       LAPACK_COL_MAJOR, 'N', n, 1, dense.data(), n, pivots.data(), x.data(), n);
     return x;
   }
-} // namespace conetact
+} // namespace conetact::solvers

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -162,4 +162,4 @@ namespace conetact
       }
     return false;
   }
-} // namespace conetact
+} // namespace conetact::solvers

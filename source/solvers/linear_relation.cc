@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -254,4 +254,4 @@ namespace conetact
     state.r = alpha * p.cwiseProduct(scale);
     state.v = alpha * d.cwiseQuotient(scale);
   }
-} // namespace conetact
+} // namespace conetact::solvers

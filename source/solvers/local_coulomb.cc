@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -236,4 +236,4 @@ namespace conetact
     v << basis * slide.u_t, 0;
     r << basis * slide.r_t, std::max(slide.r_n, 0.);
   }
-} // namespace conetact
+} // namespace conetact::solvers

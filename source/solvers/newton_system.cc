@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -285,4 +285,4 @@ namespace conetact
       dp(unknown[a]) = x(static_cast<Index>(a));
     return true;
   }
-} // namespace conetact
+} // namespace conetact::solvers

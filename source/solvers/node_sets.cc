@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -390,4 +390,4 @@ namespace conetact
       }
     return result;
   }
-} // namespace conetact
+} // namespace conetact::solvers

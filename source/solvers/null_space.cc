@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -109,4 +109,4 @@ namespace conetact
       basis.row(i) *= scale[i] > 0 ? scale[i] : 1.;
     return orthonormal_basis(basis, 1e-14);
   }
-} // namespace conetact
+} // namespace conetact::solvers

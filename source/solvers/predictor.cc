@@ -3,7 +3,7 @@
 
 #include "conetact/solvers/predictor.h"
 
-namespace conetact
+namespace conetact::solvers
 {
   std::optional<ContactState>
   Predictor::predict(const ContactState    &start,
@@ -38,4 +38,4 @@ namespace conetact
     dv          = end.v - start.v;
     dr          = end.r - start.r;
   }
-} // namespace conetact
+} // namespace conetact::solvers

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -245,4 +245,4 @@ namespace conetact
       refuse("there is no block '" + blocks.begin()->first + "'.");
     return stored;
   }
-} // namespace conetact
+} // namespace conetact::solvers

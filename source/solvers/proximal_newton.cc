@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -137,4 +137,4 @@ namespace conetact
       }
     return residual;
   }
-} // namespace conetact
+} // namespace conetact::solvers

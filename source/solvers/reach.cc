@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::solvers
 {
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -170,4 +170,4 @@ namespace conetact
     result.z = z * size;
     return result;
   }
-} // namespace conetact
+} // namespace conetact::solvers

@@ -13,7 +13,7 @@
 #include <optional>
 #include <sstream>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -229,4 +229,4 @@ namespace conetact
   {
     return std::make_unique<RedundantContacts>(options);
   }
-} // namespace conetact
+} // namespace conetact::solvers

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -196,4 +196,4 @@ namespace conetact
     match(A, numbers);
     return gmres(A, b, std::max(precision, 3e-5f), x);
   }
-} // namespace conetact
+} // namespace conetact::solvers

@@ -8,7 +8,7 @@
 #include <limits>
 #include <sstream>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -468,4 +468,4 @@ namespace conetact
       p -= relation.offset();
     relation.from_scaled(p, x.d, state);
   }
-} // namespace conetact
+} // namespace conetact::solvers

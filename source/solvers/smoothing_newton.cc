@@ -3,7 +3,7 @@
 
 #include "conetact/solvers/smoothing_newton.h"
 
-namespace conetact
+namespace conetact::solvers
 {
   SmoothingNewton::SmoothingNewton(const SolverOptions &solver_options)
     : options(solver_options)
@@ -68,4 +68,4 @@ namespace conetact
   {
     return std::make_unique<SmoothingNewton>(options);
   }
-} // namespace conetact
+} // namespace conetact::solvers

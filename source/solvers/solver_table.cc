@@ -10,7 +10,7 @@
 
 #include <stdexcept>
 
-namespace conetact
+namespace conetact::solvers
 {
   const std::vector<SolverRow> &
   solver_table()
@@ -47,4 +47,4 @@ namespace conetact
     throw std::invalid_argument("there is no solver '" + options.method +
                                 "'; there are: " + names);
   }
-} // namespace conetact
+} // namespace conetact::solvers

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   SparseRelation::SparseRelation(const LinearRelation &linear_relation)
     : relation(linear_relation)
@@ -23,4 +23,4 @@ namespace conetact
     M.resize(A.rows(), A.cols());
     M.setFromTriplets(entries.begin(), entries.end());
   }
-} // namespace conetact
+} // namespace conetact::solvers

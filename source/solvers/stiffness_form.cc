@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace conetact
+namespace conetact::solvers
 {
   using Eigen::Index;
   using Eigen::MatrixXd;
@@ -143,4 +143,4 @@ namespace conetact
     end.r.tail(k) = a;
     return end;
   }
-} // namespace conetact
+} // namespace conetact::solvers

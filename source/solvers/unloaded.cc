@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   namespace
   {
@@ -120,4 +120,4 @@ namespace conetact
       state.v(system.normal(i)) = std::max(0., state.v(system.normal(i)));
     return state;
   }
-} // namespace conetact
+} // namespace conetact::solvers

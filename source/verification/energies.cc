@@ -3,7 +3,7 @@
 
 #include "conetact/verification/energies.h"
 
-namespace conetact
+namespace conetact::verification
 {
   namespace
   {
@@ -29,10 +29,10 @@ namespace conetact
   } // namespace
 
   void
-  Energies::add(const ContactPoints &points,
-                const Claim         &claim,
-                const Finding       &finding,
-                IncrementRecord     &record)
+  Energies::add(const contact::ContactPoints &points,
+                const Claim                  &claim,
+                const Finding                &finding,
+                output::IncrementRecord      &record)
   {
     State now;
     now.u = finding.u;
@@ -54,7 +54,7 @@ namespace conetact
     record.strain_energy = .5 * claim.w.dot(finding.internal);
     record.external_work = trapezoid(last.forces, now.forces, last.u, now.u);
     for (std::size_t s = 0; s < now.foundations.size(); ++s)
-      if (Foundation &f = now.foundations[s]; f.forces.size() > 0)
+      if (contact::Foundation &f = now.foundations[s]; f.forces.size() > 0)
         {
           fill(last.foundations[s].forces, f.forces.size());
           fill(last.foundations[s].ground, f.forces.size());
@@ -69,7 +69,7 @@ namespace conetact
     record.dissipation = record.contact_work_normal = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const ContactPoint &point = points[i];
+        const contact::ContactPoint &point = points[i];
         now.reactions.push_back(reaction(point, claim.r));
         now.obstacles.push_back(
           point.node->obstacle != nullptr ?
@@ -93,4 +93,4 @@ namespace conetact
       }
     last = std::move(now);
   }
-} // namespace conetact
+} // namespace conetact::verification

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::verification
 {
   namespace
   {
@@ -34,7 +34,7 @@ namespace conetact
     }
 
     Point<3>
-    centre_of(const Structure &structure)
+    centre_of(const bodies::Structure &structure)
     {
       Point<3>           centre;
       const unsigned int n = structure.n_nodes();
@@ -47,17 +47,17 @@ namespace conetact
     class Collector
     {
     public:
-      Collector(const Bodies &b, ExternalForces &e)
+      Collector(const contact::Bodies &b, ExternalForces &e)
         : bodies(b)
         , all(e)
       {
-        for (const Structure *structure : bodies.structures)
+        for (const bodies::Structure *structure : bodies.structures)
           centres.push_back(centre_of(*structure));
         all.bodies.resize(bodies.structures.size());
       }
 
       void
-      act(Resultant          &resultant,
+      act(output::Resultant  &resultant,
           const unsigned int  body,
           const Point<3>     &p,
           const Tensor<1, 3> &force,
@@ -83,15 +83,15 @@ namespace conetact
 
       /** Forces on all dofs, nodes of one body or of all. */
       void
-      act(Resultant             &resultant,
-          const Coordinates     &plain,
-          const Eigen::VectorXd &forces)
+      act(output::Resultant          &resultant,
+          const contact::Coordinates &plain,
+          const Eigen::VectorXd      &forces)
       {
         for (unsigned int body = 0; body < bodies.structures.size(); ++body)
           {
-            const Structure   &structure = *bodies.structures[body];
-            const unsigned int n_c       = structure.n_components();
-            Eigen::Index       dof       = plain.offset(body);
+            const bodies::Structure &structure = *bodies.structures[body];
+            const unsigned int       n_c       = structure.n_components();
+            Eigen::Index             dof       = plain.offset(body);
             for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
               act(resultant,
                   body,
@@ -102,20 +102,20 @@ namespace conetact
       }
 
     private:
-      const Bodies         &bodies;
-      ExternalForces       &all;
-      std::vector<Point<3>> centres;
+      const contact::Bodies &bodies;
+      ExternalForces        &all;
+      std::vector<Point<3>>  centres;
     };
 
     /** Forces along what supports hold, each by the first that holds it. */
     void
-    collect_supports(const Bodies          &bodies,
-                     const Coordinates     &plain,
-                     const Eigen::VectorXd &rest,
-                     Collector             &collector,
-                     ExternalForces        &all)
+    collect_supports(const contact::Bodies      &bodies,
+                     const contact::Coordinates &plain,
+                     const Eigen::VectorXd      &rest,
+                     Collector                  &collector,
+                     ExternalForces             &all)
     {
-      for (const NodeRule &rule : plain.rules().rules())
+      for (const contact::NodeRule &rule : plain.rules().rules())
         {
           const Eigen::Index dof = plain.dof(rule.body, rule.node);
           const Point<3> p = bodies.structures[rule.body]->position(rule.node);
@@ -123,7 +123,7 @@ namespace conetact
           // K w less all that acts is what a rigid support must add. Free
           // directions of the same node are none of its business: there an
           // imbalance stays one.
-          for (const HeldDirection &h : rule.held)
+          for (const contact::HeldDirection &h : rule.held)
             {
               const Tensor<1, 3> part = (force * h.direction) * h.direction;
               collector.act(all.supports[h.terms.front().support],
@@ -133,7 +133,7 @@ namespace conetact
               for (unsigned int c = 0; c < bodies.dim; ++c)
                 all.held[dof + c] += part[c];
             }
-          for (const NodeRule::HeldRotation &h : rule.rotations)
+          for (const contact::NodeRule::HeldRotation &h : rule.rotations)
             {
               Tensor<1, 3> moment;
               moment[bodies.dim == 2 ? 2 : h.component - bodies.dim] =
@@ -162,7 +162,7 @@ namespace conetact
   }
 
   Tensor<1, 3>
-  reaction(const ContactPoint &point, const Eigen::VectorXd &r)
+  reaction(const contact::ContactPoint &point, const Eigen::VectorXd &r)
   {
     Tensor<1, 3> force;
     for (std::size_t k = 0; k < point.dual.size(); ++k)
@@ -171,21 +171,21 @@ namespace conetact
   }
 
   ExternalForces
-  external_forces(const Bodies                  &bodies,
-                  const Coordinates             &plain,
-                  const ContactPoints           &points,
-                  const Eigen::VectorXd         &rest,
-                  const std::vector<Foundation> &foundations,
-                  const Eigen::VectorXd         &loads,
-                  const Eigen::VectorXd         &r)
+  external_forces(const contact::Bodies                  &bodies,
+                  const contact::Coordinates             &plain,
+                  const contact::ContactPoints           &points,
+                  const Eigen::VectorXd                  &rest,
+                  const std::vector<contact::Foundation> &foundations,
+                  const Eigen::VectorXd                  &loads,
+                  const Eigen::VectorXd                  &r)
   {
     ExternalForces all;
     all.held.setZero(rest.size());
     all.supports.resize(bodies.supports.size());
     Collector collector(bodies, all);
-    for (const ContactPoint &point : points)
+    for (const contact::ContactPoint &point : points)
       {
-        const ContactNode &node = *point.node;
+        const pairing::ContactNode &node = *point.node;
         if (node.contact >= all.contacts.size())
           {
             all.contacts.resize(node.contact + 1);
@@ -195,17 +195,18 @@ namespace conetact
         // The opposite force, shared as the displacements of the masters are:
         // no work is lost where the gap stays as it is. Slaves come first.
         std::size_t n_slaves = std::max<std::size_t>(node.slaves.size(), 1);
-        for_each_side(node,
-                      [&](const unsigned int body,
-                          const unsigned int i,
-                          const double       weight) {
-                        auto &sides = n_slaves > 0 ? all.contacts : all.masters;
-                        n_slaves -= n_slaves > 0 ? 1 : 0;
-                        collector.act(sides[node.contact],
-                                      body,
-                                      bodies.structures[body]->position(i),
-                                      weight * force);
-                      });
+        pairing::for_each_side(
+          node,
+          [&](const unsigned int body,
+              const unsigned int i,
+              const double       weight) {
+            auto &sides = n_slaves > 0 ? all.contacts : all.masters;
+            n_slaves -= n_slaves > 0 ? 1 : 0;
+            collector.act(sides[node.contact],
+                          body,
+                          bodies.structures[body]->position(i),
+                          weight * force);
+          });
       }
     collect_supports(bodies, plain, rest, collector, all);
     for (std::size_t s = 0; s < foundations.size(); ++s)
@@ -214,4 +215,4 @@ namespace conetact
     collector.act(all.loads, plain, loads);
     return all;
   }
-} // namespace conetact
+} // namespace conetact::verification

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace conetact
+namespace conetact::verification
 {
   namespace
   {
@@ -31,7 +31,7 @@ namespace conetact
     }
 
     std::string
-    place(const Bodies &bodies, const ContactPoint &point)
+    place(const contact::Bodies &bodies, const contact::ContactPoint &point)
     {
       return "the contact node at " + to_text(point.node->position) +
              " of body '" + bodies.names[point.node->body] + "' ";
@@ -48,12 +48,12 @@ namespace conetact
     std::vector<double> reach;     ///< largest coordinate + displacement
   };
 
-  Verification::Verification(const Bodies        &b,
-                             const ElasticSystem &e,
-                             const Coordinates   &p,
-                             const RigidMotions  &m,
-                             const ContactPoints &contacts,
-                             const double         tol)
+  Verification::Verification(const contact::Bodies        &b,
+                             const contact::ElasticSystem &e,
+                             const contact::Coordinates   &p,
+                             const contact::RigidMotions  &m,
+                             const contact::ContactPoints &contacts,
+                             const double                  tol)
     : bodies(b)
     , elastic(e)
     , plain(p)
@@ -77,14 +77,16 @@ namespace conetact
         displacement[c] = u[plain.dof(body, node) + c];
       return displacement;
     };
-    for (const ContactPoint &point : points)
+    for (const contact::ContactPoint &point : points)
       {
-        const ContactNode &node = *point.node;
-        Tensor<1, 3>       d;
-        for_each_side(node,
-                      [&](const unsigned int body,
-                          const unsigned int i,
-                          const double weight) { d += weight * at(body, i); });
+        const pairing::ContactNode &node = *point.node;
+        Tensor<1, 3>                d;
+        pairing::for_each_side(node,
+                               [&](const unsigned int body,
+                                   const unsigned int i,
+                                   const double       weight) {
+                                 d += weight * at(body, i);
+                               });
         if (node.obstacle != nullptr)
           d -= node.obstacle->displacement_at(t);
         for (std::size_t k = 0; k < point.dual.size(); ++k)
@@ -100,10 +102,10 @@ namespace conetact
     scales.history = history;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
-        const Structure   &structure    = *bodies.structures[body];
-        const unsigned int n_c          = structure.n_components();
-        Index              dof          = plain.offset(body);
-        double             largest_load = 0, coordinate = 0, moved = 0;
+        const bodies::Structure &structure    = *bodies.structures[body];
+        const unsigned int       n_c          = structure.n_components();
+        Index                    dof          = plain.offset(body);
+        double                   largest_load = 0, coordinate = 0, moved = 0;
         for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
           {
             const auto size = [&](const VectorXd &f) {
@@ -205,9 +207,9 @@ namespace conetact
   {
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const ContactPoint &point = points[i];
-        const ContactNode  &node  = *point.node;
-        const unsigned int  other =
+        const contact::ContactPoint &point = points[i];
+        const pairing::ContactNode  &node  = *point.node;
+        const unsigned int           other =
           node.masters.empty() ? node.body : node.master;
         // A light body on a heavily loaded one is judged by its own forces.
         const double F = std::min(scales.force[node.body], scales.force[other]);
@@ -249,7 +251,7 @@ namespace conetact
         };
         force(-r_n, "is pulled by its contact");
         force(r_t.norm() - std::max(limit, 0.), "carries more than friction");
-        if (claim.states[i] == NodeState::open)
+        if (claim.states[i] == solvers::NodeState::open)
           {
             // The zeros of open nodes are exact: all of what exceeds rounding
             // counts.
@@ -262,9 +264,10 @@ namespace conetact
         // Each part of an increment slips its own way; their sum obeys nothing
         // but the cone.
         if (claim.whole && nt > 0 && point.mu > 0 &&
-            claim.states[i] == NodeState::stick)
+            claim.states[i] == solvers::NodeState::stick)
           length(slip.norm(), "sticks and slips");
-        if (claim.whole && nt > 0 && claim.states[i] == NodeState::slip)
+        if (claim.whole && nt > 0 &&
+            claim.states[i] == solvers::NodeState::slip)
           {
             force(limit - r_t.norm(), "slips below the limit of friction");
             const double shortest = position + (k > 0 ? tolerance * F / k : 0.);
@@ -301,19 +304,20 @@ namespace conetact
     out.foundations = elastic.foundations(out.u, claim.t);
     out.internal    = elastic.structure_forces(claim.w);
     VectorXd rest   = out.internal - claim.loads;
-    for (const Foundation &foundation : out.foundations)
+    for (const contact::Foundation &foundation : out.foundations)
       if (foundation.forces.size() > 0)
         rest -= foundation.forces;
-    for (const ContactPoint &point : points)
+    for (const contact::ContactPoint &point : points)
       {
         const Tensor<1, 3> force = reaction(point, claim.r);
-        for_each_side(*point.node,
-                      [&](const unsigned int body,
-                          const unsigned int node,
-                          const double       weight) {
-                        for (unsigned int c = 0; c < bodies.dim; ++c)
-                          rest[plain.dof(body, node) + c] -= weight * force[c];
-                      });
+        pairing::for_each_side(*point.node,
+                               [&](const unsigned int body,
+                                   const unsigned int node,
+                                   const double       weight) {
+                                 for (unsigned int c = 0; c < bodies.dim; ++c)
+                                   rest[plain.dof(body, node) + c] -=
+                                     weight * force[c];
+                               });
       }
     out.unbalanced = rest;
     // Reactions of supports are read at the nodes that carry them.
@@ -337,4 +341,4 @@ namespace conetact
     for (std::size_t body = 0; body < history.size(); ++body)
       history[body] = std::max(history[body], finding.largest_force[body]);
   }
-} // namespace conetact
+} // namespace conetact::verification

@@ -16,6 +16,9 @@
  */
 namespace conetact
 {
+  using namespace pairing;
+  using namespace solvers;
+
   struct RandomOptions
   {
     Form         form     = Form::stiffness;

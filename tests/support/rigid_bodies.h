@@ -22,6 +22,9 @@
  */
 namespace conetact
 {
+  using namespace contact;
+  using namespace solvers;
+
   struct RigidBlock
   {
     Eigen::Vector3d centre;

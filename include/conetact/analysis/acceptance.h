@@ -14,7 +14,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * What the verification says of increments, and what goes to the tables of
@@ -23,10 +23,12 @@ namespace conetact
   class Acceptance
   {
   public:
-    Acceptance(const Scene &scene, const ContactModel &model, Log &log);
+    Acceptance(const application::Scene    &scene,
+               const contact::ContactModel &model,
+               Log                         &log);
 
     /** `w`: deformation of all dofs at the end of the increment. */
-    Finding
+    verification::Finding
     judge(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
 
     /**
@@ -35,10 +37,10 @@ namespace conetact
      * Increments come in their order, each once.
      */
     std::string
-    complete(PendingIncrement      &increment,
-             const Finding         &finding,
-             const Eigen::VectorXd &w,
-             const bool             drawn);
+    complete(PendingIncrement            &increment,
+             const verification::Finding &finding,
+             const Eigen::VectorXd       &w,
+             const bool                   drawn);
 
     /** Displacements of all dofs. */
     Eigen::VectorXd
@@ -47,42 +49,45 @@ namespace conetact
 
     /** Stiffness of each contact node in a system of contact unknowns. */
     void
-    set_stiffness(const ContactSystem &system, const WorkingSet &set);
+    set_stiffness(const solvers::ContactSystem &system,
+                  const contact::WorkingSet    &set);
 
   private:
-    Claim
+    verification::Claim
     claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
     std::string
-    wrong_gap(const PendingIncrement &increment,
-              const Finding          &finding,
-              const Eigen::VectorXd  &w,
-              const Eigen::VectorXd  &u) const;
+    wrong_gap(const PendingIncrement      &increment,
+              const verification::Finding &finding,
+              const Eigen::VectorXd       &w,
+              const Eigen::VectorXd       &u) const;
     Tensor<1, 3>
-    relative(const ContactNode     &node,
-             const Eigen::VectorXd &u,
-             const double           t) const;
+    relative(const pairing::ContactNode &node,
+             const Eigen::VectorXd      &u,
+             const double                t) const;
     std::string
-    wrong_at_supports(const PendingIncrement &increment,
-                      const Finding          &finding) const;
+    wrong_at_supports(const PendingIncrement      &increment,
+                      const verification::Finding &finding) const;
     std::string
-    wrong_foot(const PendingIncrement &increment, const Finding &finding) const;
+    wrong_foot(const PendingIncrement      &increment,
+               const verification::Finding &finding) const;
     std::string
     wrong_turn(const PendingIncrement &increment) const;
     void
-    add_resultants(IncrementRecord &record, const Finding &finding);
+    add_resultants(output::IncrementRecord     &record,
+                   const verification::Finding &finding);
     void
-    add_displacements(IncrementRecord       &record,
-                      const Eigen::VectorXd &u,
-                      const Eigen::VectorXd &w) const;
+    add_displacements(output::IncrementRecord &record,
+                      const Eigen::VectorXd   &u,
+                      const Eigen::VectorXd   &w) const;
 
-    const Scene        &scene;
-    const ContactModel &model;
-    Verification        verification;
-    ContactRows         contact_rows;
-    Energies            energies;
-    Warnings            warnings;
-    double              largest_force = 0; ///< sum on a body so far
+    const application::Scene    &scene;
+    const contact::ContactModel &model;
+    verification::Verification   verification;
+    contact::ContactRows         contact_rows;
+    verification::Energies       energies;
+    Warnings                     warnings;
+    double                       largest_force = 0; ///< sum on a body so far
   };
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

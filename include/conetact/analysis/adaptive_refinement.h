@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * Elements of each body (by their number) with the largest errors of all
@@ -30,7 +30,7 @@ namespace conetact
   {
   public:
     /** Of each body, from the scene's own mesh to the one at hand. */
-    const std::vector<Refinements> &
+    const std::vector<bodies::Refinements> &
     refinements() const
     {
       return marked;
@@ -47,16 +47,16 @@ namespace conetact
      * next one. Throws WriteError, AnalysisError at a non-finite number.
      */
     void
-    advance(const Scene                 &scene,
-            const IncrementRecord       &last,
-            const std::filesystem::path &folder,
-            Log                         &log);
+    advance(const application::Scene      &scene,
+            const output::IncrementRecord &last,
+            const std::filesystem::path   &folder,
+            Log                           &log);
 
   private:
-    std::vector<Refinements> marked;
-    unsigned int             n_done = 0;
-    std::string              table;
+    std::vector<bodies::Refinements> marked;
+    unsigned int                     n_done = 0;
+    std::string                      table;
   };
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

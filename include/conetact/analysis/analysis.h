@@ -16,7 +16,7 @@
 #include <memory>
 #include <vector>
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * What all analyses of a scene share: its contact model, loads and history,
@@ -26,7 +26,7 @@ namespace conetact
   {
   public:
     /** Throws InputError where a body is not held. */
-    Analysis(const Scene &scene, Log &log);
+    Analysis(const application::Scene &scene, Log &log);
     virtual ~Analysis() = default;
 
     /** The contact nodes that are condensed to begin with. */
@@ -69,7 +69,7 @@ namespace conetact
     work() const;
 
     /** The last increment with its displacements, of adaptive scenes only. */
-    const IncrementRecord &
+    const output::IncrementRecord &
     last_increment() const
     {
       return final_record;
@@ -92,31 +92,31 @@ namespace conetact
     apply_loads(PendingIncrement &increment);
     /** Its record. Returns why it is not accepted; empty: it is. */
     std::string
-    complete(PendingIncrement      &increment,
-             const Finding         &finding,
-             const Eigen::VectorXd &w);
+    complete(PendingIncrement            &increment,
+             const verification::Finding &finding,
+             const Eigen::VectorXd       &w);
     void
-    write(const std::vector<IncrementRecord> &finished);
+    write(const std::vector<output::IncrementRecord> &finished);
     /** "Increment 3 of 5", for messages. */
     virtual std::string
-    name(const IncrementRecord &record) const = 0;
+    name(const output::IncrementRecord &record) const = 0;
     /** Why there is no result, as a sentence. */
     std::string
-    failed(const IncrementRecord &record, const std::string &why) const;
+    failed(const output::IncrementRecord &record, const std::string &why) const;
 
-    const Scene                         &scene;
-    Log                                 &log;
-    ContactModel                         model;
-    NodalLoads                           loads;
-    const Eigen::VectorXd                prestress; ///< all dofs [force]
-    ContactHistory                       history;
-    GrowingSet                           set;
-    Acceptance                           acceptance;
-    RunDescription                       description;
-    IncrementRecord                      final_record; ///< of adaptive scenes
-    std::vector<std::unique_ptr<Output>> outputs;
-    Work                                 done;
+    const application::Scene &scene;
+    Log                      &log;
+    contact::ContactModel     model;
+    bodies::NodalLoads        loads;
+    const Eigen::VectorXd     prestress; ///< all dofs [force]
+    contact::ContactHistory   history;
+    contact::GrowingSet       set;
+    Acceptance                acceptance;
+    output::RunDescription    description;
+    output::IncrementRecord   final_record; ///< of adaptive scenes
+    std::vector<std::unique_ptr<output::Output>> outputs;
+    Work                                         done;
   };
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

@@ -8,15 +8,15 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::analysis
 {
   /** What an analysis will take, at most but for rounding. */
   struct Cost
   {
-    FactorEstimate factor;
-    double         stiffness_bytes = 0; ///< condensed, dense
-    double         memory_bytes    = 0; ///< of the process
-    double         seconds         = 0; ///< on this machine, within a factor 2
+    backends::FactorEstimate factor;
+    double                   stiffness_bytes = 0; ///< condensed, dense
+    double                   memory_bytes    = 0; ///< of the process
+    double seconds = 0; ///< on this machine, within a factor 2
   };
 
   /**
@@ -25,9 +25,9 @@ namespace conetact
    * follows from the rate of a dense product, measured for some milliseconds.
    */
   Cost
-  estimate_cost(const ContactModel &model,
-                const std::size_t   n_increments,
-                const std::size_t   n_drawings);
+  estimate_cost(const contact::ContactModel &model,
+                const std::size_t            n_increments,
+                const std::size_t            n_drawings);
 
   /** "12.3 MB". */
   std::string
@@ -36,6 +36,6 @@ namespace conetact
   /** Of this process until now [bytes]. */
   double
   peak_memory();
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * The loop over load increments: each is reduced to the contact nodes and
@@ -24,7 +24,7 @@ namespace conetact
   {
   public:
     /** Throws InputError. */
-    IncrementAnalysis(const Scene &scene, Log &log);
+    IncrementAnalysis(const application::Scene &scene, Log &log);
     void
     run(const std::filesystem::path &folder, const bool quiet) override;
 
@@ -54,12 +54,14 @@ namespace conetact
     start(const unsigned int k);
     /** Returns why there is no result; empty: there is. */
     std::string
-    solve_contact(PendingIncrement &increment, const ContactState &guess);
+    solve_contact(PendingIncrement            &increment,
+                  const solvers::ContactState &guess);
     std::string
-    no_equilibrium(const ContactProblem   &problem,
-                   const PendingIncrement &increment);
+    no_equilibrium(const solvers::ContactProblem &problem,
+                   const PendingIncrement        &increment);
     void
-    take_result(PendingIncrement &increment, const ContactProblem &problem);
+    take_result(PendingIncrement              &increment,
+                const solvers::ContactProblem &problem);
     /** Recovers displacements, checks and writes. */
     Step
     finish(std::vector<PendingIncrement> &batch);
@@ -78,17 +80,17 @@ namespace conetact
     check(PendingIncrement &increment, Eigen::VectorXd w);
     /** The deformation once more, better; none: no contact solution there. */
     std::optional<Eigen::VectorXd>
-    correct(PendingIncrement      &increment,
-            const Eigen::VectorXd &w,
-            const Finding         &finding);
+    correct(PendingIncrement            &increment,
+            const Eigen::VectorXd       &w,
+            const verification::Finding &finding);
     std::string
-    name(const IncrementRecord &record) const override;
+    name(const output::IncrementRecord &record) const override;
 
-    std::unique_ptr<ContactSolver>  solver;
-    std::unique_ptr<ExistenceCheck> existence; ///< of floating bodies
+    std::unique_ptr<solvers::ContactSolver>  solver;
+    std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
     unsigned int first_unsure = 0;     ///< increments before the last one
     bool         correcting   = false; ///< increments need refinement
   };
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

@@ -6,11 +6,11 @@
 
 #include "conetact/analysis/analysis.h"
 
-namespace conetact
+namespace conetact::analysis
 {
   /** The analysis that the scene's Solver/Method asks for. */
   std::unique_ptr<Analysis>
-  make_analysis(const Scene &scene, Log &log);
-} // namespace conetact
+  make_analysis(const application::Scene &scene, Log &log);
+} // namespace conetact::analysis
 
 #endif

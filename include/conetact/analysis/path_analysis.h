@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * The load-parameter path of a scene, [P]: what acts at t = 0 is applied
@@ -25,7 +25,7 @@ namespace conetact
   {
   public:
     /** Throws InputError. */
-    PathAnalysis(const Scene &scene, Log &log);
+    PathAnalysis(const application::Scene &scene, Log &log);
     void
     check_history() override;
     void
@@ -38,11 +38,11 @@ namespace conetact
     /** Everything that acts at an end of a stage. */
     struct Case
     {
-      Eigen::VectorXd        forces, mechanical; ///< nodal, all dofs [force]
-      std::vector<Resultant> each_load;
-      LoadCase               load;
-      Eigen::VectorXd        relation; ///< load of the system, v = (u_t, g)
-      Eigen::VectorXd        f;        ///< total: K v = r + f with v = (u_t, g)
+      Eigen::VectorXd forces, mechanical; ///< nodal, all dofs [force]
+      std::vector<output::Resultant> each_load;
+      contact::LoadCase              load;
+      Eigen::VectorXd relation; ///< load of the system, v = (u_t, g)
+      Eigen::VectorXd f;        ///< total: K v = r + f with v = (u_t, g)
     };
     Case
     case_at(const double t);
@@ -50,36 +50,37 @@ namespace conetact
     between(const Case &a, const Case &b, const double part);
 
     /** In stiffness form, made when first asked for. */
-    const ContactSystem &
+    const solvers::ContactSystem &
     system();
-    std::unique_ptr<PathFollower>
-    make_follower(std::shared_ptr<const ContactSystem> system,
-                  const Eigen::VectorXd               &gap) const;
+    std::unique_ptr<load_path::PathFollower>
+    make_follower(std::shared_ptr<const solvers::ContactSystem> system,
+                  const Eigen::VectorXd                        &gap) const;
     /** What Output/Text increments asks for. */
     void
     write_problem_texts();
     Eigen::VectorXd
     unloaded();
-    PathResult
-    follow(PathFollower &follower);
-    PathResult
-    apply_constant_loads(PathFollower &follower, const Case &constant);
+    load_path::PathResult
+    follow(load_path::PathFollower &follower);
+    load_path::PathResult
+    apply_constant_loads(load_path::PathFollower &follower,
+                         const Case              &constant);
     void
-    record(const PathPoint &point, const Case &at, const double t);
+    record(const load_path::PathPoint &point, const Case &at, const double t);
     void
-    take_primal(const Case       &at,
-                const PathPoint  &point,
-                PendingIncrement &pending);
-    Finding
+    take_primal(const Case                 &at,
+                const load_path::PathPoint &point,
+                PendingIncrement           &pending);
+    verification::Finding
     judge(PendingIncrement &pending, Eigen::VectorXd &w);
     Eigen::VectorXd
     mechanism_displacements(const Eigen::VectorXd &velocity);
     void
     flush();
     void
-    add_events(const PathPoint &point);
+    add_events(const load_path::PathPoint &point);
     void
-    report_outcome(const PathResult &result);
+    report_outcome(const load_path::PathResult &result);
     void
     write_mechanism(const Eigen::VectorXd &velocity, const double t);
     void
@@ -89,25 +90,25 @@ namespace conetact
     std::string
     node_name(const Eigen::Index i) const;
     std::string
-    name(const IncrementRecord &record) const override;
+    name(const output::IncrementRecord &record) const override;
 
     struct Waiting
     {
-      PendingIncrement pending;
-      PathPoint        point;
+      PendingIncrement     pending;
+      load_path::PathPoint point;
     };
-    Eigen::VectorXd              initial_gap; ///< of each contact node, signed
-    PathOptions                  options;
-    std::optional<StiffnessForm> stiffness;
-    std::vector<Waiting>         waiting;
-    PathPoint                    last; ///< of the path
-    std::optional<EventTable>    events;
-    std::filesystem::path        folder;
-    bool                         names_are_unique; ///< node numbers
-    bool                         constant_stage = false;
-    std::string                  on_the_way; ///< jumps and plateaus
-    unsigned int                 n_records = 0;
+    Eigen::VectorXd        initial_gap; ///< of each contact node, signed
+    load_path::PathOptions options;
+    std::optional<solvers::StiffnessForm> stiffness;
+    std::vector<Waiting>                  waiting;
+    load_path::PathPoint                  last; ///< of the path
+    std::optional<output::EventTable>     events;
+    std::filesystem::path                 folder;
+    bool                                  names_are_unique; ///< node numbers
+    bool                                  constant_stage = false;
+    std::string                           on_the_way; ///< jumps and plateaus
+    unsigned int                          n_records = 0;
   };
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

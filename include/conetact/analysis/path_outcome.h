@@ -11,17 +11,17 @@
 #include <optional>
 #include <string>
 
-namespace conetact
+namespace conetact::analysis
 {
   /** open, stick, slip+, slip- or slip. */
   const char *
-  state_name(const PathState state);
+  state_name(const load_path::PathState state);
 
   /** How a path ended. */
   struct PathEnd
   {
-    PathResult               result;
-    std::optional<Mechanism> mechanism; ///< at a limit load
+    load_path::PathResult             result;
+    std::optional<contact::Mechanism> mechanism; ///< at a limit load
     std::string on_the_way;       ///< " after a jump at p = 2", or nothing
     bool        constant = false; ///< not all that acts at p = 0 was applied
     double
@@ -37,9 +37,9 @@ namespace conetact
 
   /** The same as a sentence that names loads and nodes. */
   std::string
-  outcome_sentence(const PathEnd      &end,
-                   const ContactModel &model,
-                   const Scene        &scene);
-} // namespace conetact
+  outcome_sentence(const PathEnd               &end,
+                   const contact::ContactModel &model,
+                   const application::Scene    &scene);
+} // namespace conetact::analysis
 
 #endif

@@ -7,22 +7,22 @@
 #include "conetact/contact/contact_model.h"
 #include "conetact/output/output.h"
 
-namespace conetact
+namespace conetact::analysis
 {
   /** An increment whose displacements are still to be recovered. */
   struct PendingIncrement
   {
-    IncrementRecord record;
-    Eigen::VectorXd forces;     ///< nodal loads, all dofs
-    Eigen::VectorXd mechanical; ///< those without thermal ones
-    LoadCase        load;
-    ContactState    state;
-    Eigen::VectorXd contact; ///< displacements of contact unknowns
-    Eigen::VectorXd primal;  ///< as ElasticBackend::expand() takes it
-    Eigen::VectorXd motions; ///< amounts of the free motions
-    ContactHistory  before, after;
-    ContactState    end; ///< of the working set alone
+    output::IncrementRecord record;
+    Eigen::VectorXd         forces;     ///< nodal loads, all dofs
+    Eigen::VectorXd         mechanical; ///< those without thermal ones
+    contact::LoadCase       load;
+    solvers::ContactState   state;
+    Eigen::VectorXd         contact; ///< displacements of contact unknowns
+    Eigen::VectorXd         primal;  ///< as ElasticBackend::expand() takes it
+    Eigen::VectorXd         motions; ///< amounts of the free motions
+    contact::ContactHistory before, after;
+    solvers::ContactState   end; ///< of the working set alone
   };
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

@@ -9,36 +9,42 @@
 #include "conetact/contact/contact_model.h"
 #include "conetact/contact/growing_set.h"
 
-namespace conetact
+namespace conetact::analysis
 {
   /** Sizes and what will be skipped, to the log. */
   void
-  report_sizes(const Scene &scene, const ContactModel &model, Log &log);
+  report_sizes(const application::Scene    &scene,
+               const contact::ContactModel &model,
+               Log                         &log);
 
   /**
    * Sums of the nodal forces of each load, as far as they are known, to the
    * log: what is meant for one node may act on several.
    */
   void
-  report_loads(const NodalLoads &loads, const unsigned int dim, Log &log);
+  report_loads(const bodies::NodalLoads &loads,
+               const unsigned int        dim,
+               Log                      &log);
 
   /** Memory and time it will take, to the log; nothing is factorised. */
   void
-  report_cost(const Scene &scene, const ContactModel &model, Log &log);
+  report_cost(const application::Scene    &scene,
+              const contact::ContactModel &model,
+              Log                         &log);
 
   /** That `n_shared` bodies equal others and are not condensed. */
   void
-  report_shared_bodies(const Bodies      &bodies,
-                       const unsigned int n_shared,
-                       Log               &log);
+  report_shared_bodies(const contact::Bodies &bodies,
+                       const unsigned int     n_shared,
+                       Log                   &log);
 
   /** What the increments were spared, to the log. */
   void
-  report_skips(const Scene      &scene,
-               ContactModel     &model,
-               const NodalLoads &loads,
-               const GrowingSet &set,
-               Log              &log);
-} // namespace conetact
+  report_skips(const application::Scene  &scene,
+               contact::ContactModel     &model,
+               const bodies::NodalLoads  &loads,
+               const contact::GrowingSet &set,
+               Log                       &log);
+} // namespace conetact::analysis
 
 #endif

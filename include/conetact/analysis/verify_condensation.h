@@ -7,7 +7,7 @@
 #include "conetact/base/log.h"
 #include "conetact/contact/contact_model.h"
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * Condenses the bodies of `model`, which `own` condenses, once more by
@@ -16,10 +16,10 @@ namespace conetact
    * more than 1e-10.
    */
   void
-  verify_condensation(ContactModel    &model,
-                      const Condenser &own,
-                      const Condenser &other,
-                      Log             &log);
-} // namespace conetact
+  verify_condensation(contact::ContactModel     &model,
+                      const backends::Condenser &own,
+                      const backends::Condenser &other,
+                      Log                       &log);
+} // namespace conetact::analysis
 
 #endif

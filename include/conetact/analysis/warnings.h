@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * What the reader of a result must know, each said once: displacements that
@@ -20,14 +20,14 @@ namespace conetact
   class Warnings
   {
   public:
-    Warnings(const ContactModel &model, Log &log);
+    Warnings(const contact::ContactModel &model, Log &log);
 
     /**
      * False where a motion exists that no closed contact, friction below its
      * limit or support opposes: forces are determined, positions are not.
      */
     bool
-    is_determinate(const std::vector<NodeState> &states);
+    is_determinate(const std::vector<solvers::NodeState> &states);
     /** `amounts` of rigid motions, deformation w of all dofs. */
     void
     check_size(const Eigen::VectorXd &amounts, const Eigen::VectorXd &w);
@@ -40,10 +40,10 @@ namespace conetact
     double
     largest_strain(const unsigned int body, const Eigen::VectorXd &w) const;
 
-    const ContactModel   &model;
-    Log                  &log;
-    std::set<std::string> said;
+    const contact::ContactModel &model;
+    Log                         &log;
+    std::set<std::string>        said;
   };
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::analysis
 {
   /**
    * What an analysis has done, in numbers that are the same on every machine:
@@ -18,19 +18,19 @@ namespace conetact
    */
   struct Work
   {
-    SchurWork    elastic;                  ///< with the elastic system
-    unsigned int contact_solves       = 0; ///< linear, or sweeps
-    unsigned int dense_factorizations = 0; ///< of contact unknowns
-    unsigned int load_integrations    = 0;
-    OutputWork   outputs;
+    backends::SchurWork elastic;                  ///< with the elastic system
+    unsigned int        contact_solves       = 0; ///< linear, or sweeps
+    unsigned int        dense_factorizations = 0; ///< of contact unknowns
+    unsigned int        load_integrations    = 0;
+    output::OutputWork  outputs;
 
     void
-    add(const SolverReport &report);
+    add(const solvers::SolverReport &report);
   };
 
   /** "work: 1 factorisations of the elastic system, ...", in one line. */
   std::string
   describe(const Work &work);
-} // namespace conetact
+} // namespace conetact::analysis
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::application
 {
   /** How a scene is refined where its errors are large. */
   struct AdaptiveSettings
@@ -27,8 +27,8 @@ namespace conetact
 
   /** Throws InputError where there is nothing to refine. */
   void
-  check_adaptive(const AdaptiveSettings               &settings,
-                 const std::vector<const Structure *> &bodies);
-} // namespace conetact
+  check_adaptive(const AdaptiveSettings                       &settings,
+                 const std::vector<const bodies::Structure *> &bodies);
+} // namespace conetact::application
 
 #endif

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::application
 {
   /** What the user typed. */
   struct CommandLine
@@ -28,6 +28,6 @@ namespace conetact
   /** Throws InputError. */
   CommandLine
   parse_command_line(const int argc, char *const argv[]);
-} // namespace conetact
+} // namespace conetact::application
 
 #endif

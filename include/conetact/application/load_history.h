@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::application
 {
   /** Entries of `subsection Time`. */
   void
@@ -17,6 +17,6 @@ namespace conetact
   /** Ascending times at which increments end. Throws InputError. */
   std::vector<double>
   create_times(dealii::ParameterHandler &prm);
-} // namespace conetact
+} // namespace conetact::application
 
 #endif

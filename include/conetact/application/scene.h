@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::application
 {
   /**
    * A scene file, read and checked, with all objects it names. The file is
@@ -40,7 +40,7 @@ namespace conetact
      * contacts, supports, loads. Throws InputError.
      */
     void
-    build(const std::vector<Refinements> &refinements = {});
+    build(const std::vector<bodies::Refinements> &refinements = {});
 
     /** All entries with their documentation, or just their values. */
     std::string
@@ -53,10 +53,10 @@ namespace conetact
     name() const;
 
     /** Nodal forces of all loads, to be integrated when asked for. */
-    NodalLoads
+    bodies::NodalLoads
     nodal_loads() const;
     /** The loads of each body at time t, for its stresses. */
-    std::vector<Actions>
+    std::vector<bodies::Actions>
     actions(const double t) const;
     /** Prestress of all contacts, on all dofs of all bodies [force]. */
     Eigen::VectorXd
@@ -68,21 +68,21 @@ namespace conetact
     void
     check_stages() const;
 
-    Bodies                   bodies;
+    contact::Bodies          bodies;
     std::vector<std::string> contact_names, support_names, load_names;
     /**
      * Names of all contacts, then of the masters' sides of pairs, with their
      * index there (a contact with an obstacle: its own).
      */
-    std::vector<std::string>  contact_sides;
-    std::vector<unsigned int> master_side;
-    std::vector<Pairing>      pairings; ///< of each contact
-    std::vector<double>       times;
-    SolverOptions             solver;
-    const Condenser          *condenser = &default_condenser();
-    PathSettings              path;
-    AdaptiveSettings          adaptive;
-    unsigned int              vtu_every = 1;
+    std::vector<std::string>      contact_sides;
+    std::vector<unsigned int>     master_side;
+    std::vector<pairing::Pairing> pairings; ///< of each contact
+    std::vector<double>           times;
+    solvers::SolverOptions        solver;
+    const backends::Condenser    *condenser = &backends::default_condenser();
+    PathSettings                  path;
+    AdaptiveSettings              adaptive;
+    unsigned int                  vtu_every = 1;
     /** Increments that are drawn. */
     std::size_t
     n_drawings() const
@@ -122,12 +122,12 @@ namespace conetact
     std::string              text; ///< of the file
     std::vector<std::string> obstacle_names;
 
-    mutable dealii::ParameterHandler        prm;
-    std::vector<std::unique_ptr<Structure>> structures;
-    std::vector<Obstacle>                   obstacles;
-    std::vector<Contact>                    contacts;
-    std::vector<Load>                       loads;
+    mutable dealii::ParameterHandler                prm;
+    std::vector<std::unique_ptr<bodies::Structure>> structures;
+    std::vector<pairing::Obstacle>                  obstacles;
+    std::vector<pairing::Contact>                   contacts;
+    std::vector<bodies::Load>                       loads;
   };
-} // namespace conetact
+} // namespace conetact::application
 
 #endif

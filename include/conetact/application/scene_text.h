@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::application
 {
   /**
    * Reads a scene's text with the handler. With `skip_undefined`, entries and
@@ -30,6 +30,6 @@ namespace conetact
   parse_override(dealii::ParameterHandler &prm,
                  const std::string        &override,
                  const bool                skip_undefined);
-} // namespace conetact
+} // namespace conetact::application
 
 #endif

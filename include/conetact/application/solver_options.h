@@ -10,13 +10,13 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-namespace conetact
+namespace conetact::application
 {
   /** How a load parameter is followed instead of increments. */
   struct PathSettings
   {
-    bool    follows = false; ///< else increments, with SolverOptions::method
-    PathLaw law     = PathLaw::incremental;
+    bool follows = false; ///< else increments, with SolverOptions::method
+    load_path::PathLaw law = load_path::PathLaw::incremental;
   };
 
   /** Entries of `subsection Solver`. */
@@ -24,12 +24,12 @@ namespace conetact
   declare_solver(dealii::ParameterHandler &prm);
 
   /** Throws InputError. */
-  SolverOptions
+  solvers::SolverOptions
   create_solver_options(dealii::ParameterHandler &prm);
-  const Condenser &
+  const backends::Condenser &
   chosen_condenser(dealii::ParameterHandler &prm);
   PathSettings
   create_path_settings(dealii::ParameterHandler &prm);
-} // namespace conetact
+} // namespace conetact::application
 
 #endif

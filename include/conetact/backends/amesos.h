@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * One matrix, factorised by a direct solver of Trilinos' Amesos on this
@@ -48,6 +48,6 @@ namespace conetact
     struct Implementation;
     std::unique_ptr<Implementation> implementation;
   };
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

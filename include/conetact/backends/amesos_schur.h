@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * The Schur complement by the factor of A_FF alone: A_FF^-1 A_FC by blocks of
@@ -85,6 +85,6 @@ namespace conetact
     MatrixXd                S;
     mutable SchurWork       done;
   };
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

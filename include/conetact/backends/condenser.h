@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * A way to condense stiffness that a scene may name: one row of
@@ -47,6 +47,6 @@ namespace conetact
   /** One that shares no step with it, to compare with. */
   const Condenser &
   independent_of(const Condenser &condenser);
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

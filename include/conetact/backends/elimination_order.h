@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * A fill-reducing order of the first `n_eliminated` unknowns of the
@@ -22,6 +22,6 @@ namespace conetact
   elimination_order(const Eigen::SparseMatrix<double> &upper,
                     const Eigen::Index                 n_eliminated,
                     const std::vector<unsigned int>   &node_of);
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

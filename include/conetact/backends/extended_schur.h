@@ -6,7 +6,7 @@
 
 #include "conetact/backends/condenser.h"
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * A Schur complement to which eliminated unknowns N can be added with the
@@ -75,6 +75,6 @@ namespace conetact
     std::vector<Eigen::Index>    added;
     Eigen::MatrixXd              L, B; ///< D = L L^T, B = L^-1 X
   };
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::backends
 {
   /** Numbers between -1 and 1, the same in every run and on every machine. */
   Eigen::VectorXd
@@ -37,6 +37,6 @@ namespace conetact
   refuse_free_motion(const Eigen::SparseMatrix<double> &upper,
                      const Eigen::VectorXd             &v,
                      const std::vector<unsigned int>   &node_of);
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

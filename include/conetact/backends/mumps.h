@@ -6,7 +6,7 @@
 
 #include <dmumps_c.h>
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * One instance of the direct solver MUMPS for symmetric positive definite
@@ -55,6 +55,6 @@ namespace conetact
     void
     throw_errors() const;
   };
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * MUMPS factorises A once, with the unknowns C ordered last, and returns the
@@ -46,6 +46,6 @@ namespace conetact
     struct Implementation;
     std::unique_ptr<Implementation> implementation;
   };
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace conetact
+namespace conetact::backends
 {
   /** The matrix is not positive definite on the eliminated unknowns. */
   struct SingularMatrix : std::runtime_error
@@ -127,6 +127,6 @@ namespace conetact
    */
   std::vector<double>
   uneven_scale(const Eigen::Index n_eliminated, const Eigen::Index n);
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::backends
 {
   /**
    * A body by itself, condensed to the unknowns it keeps (those of nodes that
@@ -92,6 +92,6 @@ namespace conetact
     std::unique_ptr<SchurSolver>             factor;
     Eigen::MatrixXd                          P;
   };
-} // namespace conetact
+} // namespace conetact::backends
 
 #endif

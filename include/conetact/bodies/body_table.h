@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** One row for each kind of body. */
   struct BodyRow
@@ -46,6 +46,6 @@ namespace conetact
               const std::filesystem::path &folder,
               const std::string           &name,
               const Refinements           &refinements = {});
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

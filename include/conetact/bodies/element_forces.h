@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** f += k u on the dofs of one element, k symmetric; `local` is room. */
   void
@@ -31,6 +31,6 @@ namespace conetact
                     const Eigen::VectorXd           &u,
                     Eigen::VectorXd                 &local,
                     Eigen::VectorXd                 &f);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

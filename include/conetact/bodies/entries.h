@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** Index of a body by name. Throws InputError that names the entry. */
   unsigned int
@@ -34,6 +34,6 @@ namespace conetact
   parse_components(const std::string &text,
                    const std::size_t  n,
                    const std::string &entry);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

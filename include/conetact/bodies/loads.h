@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** Forces on a body, a function of position and time. */
   struct Load
@@ -66,6 +66,6 @@ namespace conetact
               const unsigned int                    dim,
               const std::vector<std::string>       &bodies,
               const std::vector<const Structure *> &structures);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

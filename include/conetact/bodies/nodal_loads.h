@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Nodal forces of all loads of a scene [force]. Each load is integrated once
@@ -96,6 +96,6 @@ namespace conetact
     Eigen::Index                          room;
     unsigned int                          evaluations = 0, integrations = 0;
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Where a body stands in the scene: as generated or read, it is scaled,
@@ -52,6 +52,6 @@ namespace conetact
   /** 'id: condition ; ...'. Throws InputError that names the entry. */
   std::vector<BoundaryTag>
   parse_tags(const std::string &text, const std::string &entry);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

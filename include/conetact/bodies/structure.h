@@ -4,8 +4,7 @@
 #ifndef conetact_bodies_structure_h
 #define conetact_bodies_structure_h
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
+#include "conetact/base/points.h"
 
 #include <Eigen/Core>
 
@@ -16,11 +15,8 @@
 #include <utility>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
-  using dealii::Point;
-  using dealii::Tensor;
-
   /** Boundary ids as scenes write them. */
   using BoundaryIds = std::set<unsigned int>;
 
@@ -288,6 +284,6 @@ namespace conetact
     virtual std::string
     description() const = 0;
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * What holds a body on some of its boundary: displacements prescribed along
@@ -74,6 +74,6 @@ namespace conetact
                  const unsigned int                    dim,
                  const std::vector<std::string>       &bodies,
                  const std::vector<const Structure *> &structures);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "conetact/contact/coordinates.h"
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * Unknowns p of each body by itself, in its own axes: @f$ u = B p @f$ but for
@@ -83,6 +83,6 @@ namespace conetact
     std::vector<std::size_t>  first_of_node; ///< by numbers of nodes
     std::vector<Unknown>      unknowns;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * Contact nodes that may touch under the given loads, by a cheap guess that
@@ -39,6 +39,6 @@ namespace conetact
    */
   void
   join(ContactModel &model, const Eigen::VectorXd &gaps);
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /** Places of unknowns; empty: as they are. */
   using Places = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic>;
@@ -32,20 +32,20 @@ namespace conetact
      * Throws SingularMatrix if a body can move although the contact nodes of
      * the set are fixed.
      */
-    Condensation(const ElasticSystem   &elastic,
-                 const NodeRules       &supports,
-                 const ContactPoints   &points,
-                 const WorkingSet      &set,
-                 const Eigen::MatrixXd &null_space,
-                 const bool             find_mechanisms,
-                 const Condenser       &condenser);
+    Condensation(const ElasticSystem       &elastic,
+                 const NodeRules           &supports,
+                 const ContactPoints       &points,
+                 const WorkingSet          &set,
+                 const Eigen::MatrixXd     &null_space,
+                 const bool                 find_mechanisms,
+                 const backends::Condenser &condenser);
 
     const WorkingSet &
     working_set() const override
     {
       return set;
     }
-    const std::shared_ptr<const ContactSystem> &
+    const std::shared_ptr<const solvers::ContactSystem> &
     system() const override
     {
       return contact_system;
@@ -75,13 +75,13 @@ namespace conetact
     {
       return 0;
     }
-    SchurWork
+    backends::SchurWork
     work() const override
     {
       return solver->base().work();
     }
     std::vector<StiffnessDifference>
-    compare(const Condenser &other) const override;
+    compare(const backends::Condenser &other) const override;
 
   protected:
     void
@@ -110,24 +110,24 @@ namespace conetact
                     const Eigen::MatrixXd &contact,
                     const Eigen::MatrixXd &reduced) const;
 
-    const ElasticSystem                 &elastic;
-    const ContactPoints                 &points;
-    const Coordinates                    coordinates;
-    WorkingSet                           set;
-    std::unique_ptr<ExtendedSchur>       solver;
-    std::shared_ptr<const ContactSystem> contact_system;
+    const ElasticSystem                          &elastic;
+    const ContactPoints                          &points;
+    const Coordinates                             coordinates;
+    WorkingSet                                    set;
+    std::unique_ptr<backends::ExtendedSchur>      solver;
+    std::shared_ptr<const solvers::ContactSystem> contact_system;
 
     Eigen::MatrixXd rigid; ///< null space in the unknowns of all candidates
     Places          place; ///< of unknowns in the solver, those of the set last
   };
 
   /** What the factorisation of a condensation will take. */
-  FactorEstimate
-  estimate_condensation(const ElasticSystem &elastic,
-                        const NodeRules     &supports,
-                        const ContactPoints &points,
-                        const WorkingSet    &set,
-                        const Condenser     &condenser);
-} // namespace conetact
+  backends::FactorEstimate
+  estimate_condensation(const ElasticSystem       &elastic,
+                        const NodeRules           &supports,
+                        const ContactPoints       &points,
+                        const WorkingSet          &set,
+                        const backends::Condenser &condenser);
+} // namespace conetact::contact
 
 #endif

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * A scene's bodies made ready for contact solvers: rules of nodes, contact
@@ -23,9 +23,10 @@ namespace conetact
   {
   public:
     /** `times` are those of the increments. Throws InputError. */
-    ContactModel(const Bodies              &bodies,
-                 const std::vector<double> &times,
-                 const Condenser           &condenser = default_condenser());
+    ContactModel(
+      const Bodies              &bodies,
+      const std::vector<double> &times,
+      const backends::Condenser &condenser = backends::default_condenser());
 
     const Bodies       &bodies;
     const NodeRules     rules;       ///< what supports and hanging nodes leave
@@ -55,10 +56,10 @@ namespace conetact
      * where one of both takes it for singular.
      */
     std::vector<StiffnessDifference>
-    compare_stiffness(const Condenser &other);
+    compare_stiffness(const backends::Condenser &other);
 
     /** What its factorisation will take. */
-    FactorEstimate
+    backends::FactorEstimate
     estimate_factor() const;
 
     /**
@@ -99,7 +100,7 @@ namespace conetact
     may_be_mechanism() const;
 
     /** Work with all elastic factors so far. */
-    SchurWork
+    backends::SchurWork
     work() const;
 
   private:
@@ -110,15 +111,15 @@ namespace conetact
     std::unique_ptr<ElasticBackend>
     make_backend() const;
     std::string
-    singular_sentence(const SingularMatrix &error) const;
+    singular_sentence(const backends::SingularMatrix &error) const;
     Eigen::VectorXd
     offset(const LoadCase &load, const double t) const;
 
-    const Condenser                &condenser;
+    const backends::Condenser      &condenser;
     bool                            dual;
     WorkingSet                      chosen;
     std::unique_ptr<ElasticBackend> condensed;
-    SchurWork                       former_work; ///< before condensed anew
+    backends::SchurWork             former_work; ///< before condensed anew
   };
 
   /**
@@ -132,10 +133,10 @@ namespace conetact
     explicit ContactHistory(ContactModel &model);
 
     /** The increment that ends with `load`. */
-    ContactProblem
+    solvers::ContactProblem
     problem(const LoadCase &load);
     /** Where it starts: v = (0, gap), reactions and states so far. */
-    ContactState
+    solvers::ContactState
     start() const;
     /**
      * Free motions that the problem is written about, so that its unknowns are
@@ -148,7 +149,7 @@ namespace conetact
     }
     /** Takes over the end of an increment. */
     void
-    advance(const ContactState &end);
+    advance(const solvers::ContactState &end);
     /**
      * Displacements of all candidates, once they are known: those outside the
      * working set are taken over.
@@ -156,8 +157,9 @@ namespace conetact
     void
     recover(const Eigen::VectorXd &displacements);
     /** `end` of an increment for all candidates that began at `before`. */
-    ContactState
-    of_candidates(const ContactState &end, const ContactHistory &before) const;
+    solvers::ContactState
+    of_candidates(const solvers::ContactState &end,
+                  const ContactHistory        &before) const;
 
     /** Relative displacements of all contact unknowns since the start. */
     const Eigen::VectorXd &
@@ -191,14 +193,14 @@ namespace conetact
     Eigen::VectorXd
     offset_at(const LoadCase &load) const;
 
-    ContactModel          *model;
-    Eigen::VectorXd        initial_gap; ///< of each node with unknowns
-    Eigen::VectorXd        q, r;
-    Eigen::VectorXd        elastic; ///< without offset, stiffness form
-    Eigen::VectorXd        a, base; ///< free motions
-    std::vector<NodeState> states;
-    double                 largest = 0; ///< reaction or load so far [force]
+    ContactModel                   *model;
+    Eigen::VectorXd                 initial_gap; ///< of each node with unknowns
+    Eigen::VectorXd                 q, r;
+    Eigen::VectorXd                 elastic; ///< without offset, stiffness form
+    Eigen::VectorXd                 a, base; ///< free motions
+    std::vector<solvers::NodeState> states;
+    double largest = 0; ///< reaction or load so far [force]
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

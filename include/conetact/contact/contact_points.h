@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * A node and what it may touch. Its contact unknowns are the components of
@@ -22,27 +22,29 @@ namespace conetact
    */
   struct ContactPoint
   {
-    const ContactNode        *node = nullptr;
-    std::vector<Tensor<1, 3>> directions;
-    std::vector<Tensor<1, 3>> dual; ///< dual[i] . directions[j] = (i == j)
-    std::vector<Tensor<1, 3>> frictionless; ///< tangents that nothing holds
-    double                    mu    = 0;
-    Eigen::Index              first = 0; ///< of its unknowns
+    const pairing::ContactNode *node = nullptr;
+    std::vector<Tensor<1, 3>>   directions;
+    std::vector<Tensor<1, 3>>   dual; ///< dual[i] . directions[j] = (i == j)
+    std::vector<Tensor<1, 3>>   frictionless; ///< tangents that nothing holds
+    double                      mu    = 0;
+    Eigen::Index                first = 0; ///< of its unknowns
   };
 
   /** Displacement of a contact node relative to what it may touch, at time t.
    * `at(body, node)` is that of a node. */
   template <typename DisplacementAt>
   Tensor<1, 3>
-  relative_displacement(const ContactNode    &node,
-                        const DisplacementAt &at,
-                        const double          t)
+  relative_displacement(const pairing::ContactNode &node,
+                        const DisplacementAt       &at,
+                        const double                t)
   {
     Tensor<1, 3> v;
-    for_each_side(node,
-                  [&](const unsigned int body,
-                      const unsigned int i,
-                      const double weight) { v += weight * at(body, i); });
+    pairing::for_each_side(node,
+                           [&](const unsigned int body,
+                               const unsigned int i,
+                               const double       weight) {
+                             v += weight * at(body, i);
+                           });
     if (node.obstacle != nullptr)
       v -= node.obstacle->displacement_at(t);
     return v;
@@ -92,7 +94,7 @@ namespace conetact
     }
 
     /** Offsets `first` and coefficients `mu` of all unknowns; no matrix. */
-    const ContactSystem &
+    const solvers::ContactSystem &
     layout() const
     {
       return contact_layout;
@@ -140,22 +142,22 @@ namespace conetact
 
   private:
     bool
-    slides_along_supports(const NodeRule            &rule,
-                          const ContactNode         &node,
-                          const std::vector<double> &times) const;
+    slides_along_supports(const NodeRule             &rule,
+                          const pairing::ContactNode &node,
+                          const std::vector<double>  &times) const;
     void
-    add(const ContactNode &node, const std::vector<double> &times);
+    add(const pairing::ContactNode &node, const std::vector<double> &times);
     void
     number();
 
     const Bodies             &bodies;
     const NodeRules          &supports;
     std::vector<ContactPoint> points;
-    ContactSystem             contact_layout;
+    solvers::ContactSystem    contact_layout;
     unsigned int              n_held_normals  = 0;
     bool                      prescribed_slip = false;
     bool                      shared_nodes    = false;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

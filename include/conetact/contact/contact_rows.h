@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * Translates the solver's unknowns of contact nodes into the terms of users:
@@ -32,23 +32,23 @@ namespace conetact
      * of all its parts. `state`: end of the increment; `q`: displacements of
      * the contact unknowns since the start; `u`: all dofs; `t`: time.
      */
-    std::vector<ContactRow>
-    rows(const ContactState    &state,
-         const Eigen::VectorXd &q,
-         const Eigen::VectorXd &u,
-         const double           t,
-         const bool             whole = true);
+    std::vector<output::ContactRow>
+    rows(const solvers::ContactState &state,
+         const Eigen::VectorXd       &q,
+         const Eigen::VectorXd       &u,
+         const double                 t,
+         const bool                   whole = true);
 
   private:
     void
-    append_masters(std::vector<ContactRow> &rows) const;
+    append_masters(std::vector<output::ContactRow> &rows) const;
 
-    const ContactModel       &model;
-    std::vector<unsigned int> master_side;  ///< of each contact
-    std::vector<ContactRow>   last;         ///< of the increment before
-    std::vector<Tensor<1, 3>> other_before; ///< its displacements along
-                                            ///< directions without a cone
+    const ContactModel             &model;
+    std::vector<unsigned int>       master_side;  ///< of each contact
+    std::vector<output::ContactRow> last;         ///< of the increment before
+    std::vector<Tensor<1, 3>>       other_before; ///< its displacements along
+                                                  ///< directions without a cone
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

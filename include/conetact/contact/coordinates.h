@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * The linear map @f$ u = C q + d(t) @f$ from the unknowns q of equilibrium
@@ -140,6 +140,6 @@ namespace conetact
     std::vector<Eigen::Index> own_unknown;   ///< of each dof, or -1
     std::vector<unsigned int> node_of_unknown;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * Bodies that condense themselves, and contacts as rows H over them:
@@ -37,19 +37,19 @@ namespace conetact
      * `coordinates` are those of the bodies without contacts. Throws
      * SingularMatrix. All but `set` must outlive the object.
      */
-    DualBackend(const ElasticSystem &elastic,
-                const ContactPoints &points,
-                const Coordinates   &coordinates,
-                const RigidMotions  &motions,
-                const WorkingSet    &set,
-                const Condenser     &condenser);
+    DualBackend(const ElasticSystem       &elastic,
+                const ContactPoints       &points,
+                const Coordinates         &coordinates,
+                const RigidMotions        &motions,
+                const WorkingSet          &set,
+                const backends::Condenser &condenser);
 
     const WorkingSet &
     working_set() const override
     {
       return set;
     }
-    const std::shared_ptr<const ContactSystem> &
+    const std::shared_ptr<const solvers::ContactSystem> &
     system() const override
     {
       return contact_system;
@@ -71,19 +71,19 @@ namespace conetact
     factor_bytes() const override;
     unsigned int
     n_shared_bodies() const override;
-    SchurWork
+    backends::SchurWork
     work() const override;
     std::vector<StiffnessDifference>
-    compare(const Condenser &other) const override;
+    compare(const backends::Condenser &other) const override;
 
     /** What the factorisations would take; nothing is factorised. */
-    static FactorEstimate
-    estimate(const ElasticSystem &elastic,
-             const ContactPoints &points,
-             const Coordinates   &coordinates,
-             const RigidMotions  &motions,
-             const WorkingSet    &set,
-             const Condenser     &condenser);
+    static backends::FactorEstimate
+    estimate(const ElasticSystem       &elastic,
+             const ContactPoints       &points,
+             const Coordinates         &coordinates,
+             const RigidMotions        &motions,
+             const WorkingSet          &set,
+             const backends::Condenser &condenser);
 
   protected:
     void
@@ -103,9 +103,9 @@ namespace conetact
     /** A body, or several equal ones. */
     struct Part
     {
-      std::vector<unsigned int>     bodies;
-      std::vector<Index>            retained; ///< of each body's own unknowns
-      std::unique_ptr<SuperElement> element;
+      std::vector<unsigned int> bodies;
+      std::vector<Index>        retained; ///< of each body's own unknowns
+      std::unique_ptr<backends::SuperElement> element;
     };
     /** The stiffness of one of them in its own unknowns. */
     struct Uncondensed
@@ -162,27 +162,27 @@ namespace conetact
     struct Empty
     {};
     /** Without factors, for an estimate. */
-    DualBackend(const ElasticSystem &elastic,
-                const ContactPoints &points,
-                const Coordinates   &coordinates,
-                const RigidMotions  &motions,
-                const WorkingSet    &set,
-                const Condenser     &condenser,
+    DualBackend(const ElasticSystem       &elastic,
+                const ContactPoints       &points,
+                const Coordinates         &coordinates,
+                const RigidMotions        &motions,
+                const WorkingSet          &set,
+                const backends::Condenser &condenser,
                 const Empty);
 
-    const ElasticSystem                 &elastic;
-    const ContactPoints                 &points;
-    const Coordinates                   &coordinates;
-    const RigidMotions                  &motions;
-    WorkingSet                           set;
-    const Condenser                     &condenser;
-    BodyCoordinates                      own;
-    Eigen::SparseMatrix<double>          H; ///< of own unknowns
-    std::vector<Part>                    parts;
-    std::vector<BodyMotions>             body_motions;
-    MatrixXd                             unseen; ///< motions, orthonormal
-    std::shared_ptr<const ContactSystem> contact_system;
+    const ElasticSystem        &elastic;
+    const ContactPoints        &points;
+    const Coordinates          &coordinates;
+    const RigidMotions         &motions;
+    WorkingSet                  set;
+    const backends::Condenser  &condenser;
+    BodyCoordinates             own;
+    Eigen::SparseMatrix<double> H; ///< of own unknowns
+    std::vector<Part>           parts;
+    std::vector<BodyMotions>    body_motions;
+    MatrixXd                    unseen; ///< motions, orthonormal
+    std::shared_ptr<const solvers::ContactSystem> contact_system;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

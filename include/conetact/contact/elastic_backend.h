@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /** A load case, seen by the contact unknowns of a working set. */
   struct LoadCase
@@ -57,7 +57,7 @@ namespace conetact
     virtual const WorkingSet &
     working_set() const = 0;
     /** The relation of contact unknowns, cones, motions without resistance. */
-    virtual const std::shared_ptr<const ContactSystem> &
+    virtual const std::shared_ptr<const solvers::ContactSystem> &
     system() const = 0;
 
     /**
@@ -102,7 +102,7 @@ namespace conetact
     virtual unsigned int
     n_shared_bodies() const = 0;
     /** Work with the factors so far. */
-    virtual SchurWork
+    virtual backends::SchurWork
     work() const = 0;
 
     /**
@@ -110,7 +110,7 @@ namespace conetact
      * largest difference of an entry over the largest entry, body by body.
      */
     virtual std::vector<StiffnessDifference>
-    compare(const Condenser &other) const = 0;
+    compare(const backends::Condenser &other) const = 0;
 
   protected:
     /** Fills b, f and q of one load case. */
@@ -140,6 +140,6 @@ namespace conetact
     std::vector<Known> basis;
     unsigned int       n_reduced = 0;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

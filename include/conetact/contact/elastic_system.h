@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /** What an elastic support does, on all dofs. */
   struct Foundation
@@ -34,7 +34,7 @@ namespace conetact
 
     /** Elements of all bodies and springs, dofs counted over all bodies. */
     void
-    for_each_element(const ElementVisitor &visit) const;
+    for_each_element(const bodies::ElementVisitor &visit) const;
 
     /** K u, the forces that hold the displacements u [force]. */
     Eigen::VectorXd
@@ -82,6 +82,6 @@ namespace conetact
    */
   Eigen::SparseMatrix<double>
   assemble(const ElasticSystem &system, const LinearMap &coordinates);
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

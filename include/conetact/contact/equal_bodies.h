@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /** Whether two bodies have as many nodes: others cannot be equal. */
   bool
@@ -31,6 +31,6 @@ namespace conetact
    */
   std::vector<std::vector<unsigned int>>
   find_equal_bodies(const ElasticSystem &elastic, const BodyCoordinates &own);
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * The working set of a model as it grows: candidates that would penetrate
@@ -55,6 +55,6 @@ namespace conetact
     std::size_t   n_first;
     unsigned int  n_extended = 0;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * A contact node that a support holds along its normal has no reaction of
@@ -19,6 +19,6 @@ namespace conetact
    */
   void
   give_up_held_nodes(Bodies &bodies, const std::vector<bool> &is_mean);
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

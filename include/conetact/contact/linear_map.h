@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /** A sparse linear map @f$ u = C q @f$, written row by row. */
   class LinearMap
@@ -67,6 +67,6 @@ namespace conetact
     std::vector<Entry>       entries;
     std::vector<std::size_t> row_start = {0};
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

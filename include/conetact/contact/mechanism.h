@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /** What happens at a limit load, read from the velocity of the contacts. */
   struct Mechanism
@@ -35,6 +35,6 @@ namespace conetact
   name_nodes(const ContactModel             &model,
              const std::vector<std::string> &contact_names,
              const std::vector<std::size_t> &nodes);
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

@@ -13,16 +13,16 @@
 #include <utility>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /** The bodies of a scene, what holds them and where they may touch. */
   struct Bodies
   {
-    unsigned int                   dim = 2;
-    std::vector<std::string>       names;
-    std::vector<const Structure *> structures;
-    std::vector<Support>           supports;
-    std::vector<ContactNode>       contact_nodes;
+    unsigned int                           dim = 2;
+    std::vector<std::string>               names;
+    std::vector<const bodies::Structure *> structures;
+    std::vector<bodies::Support>           supports;
+    std::vector<pairing::ContactNode>      contact_nodes;
 
     /** Bodies that nothing reaches and that are not solved; empty: none. */
     std::vector<bool> at_rest;
@@ -153,6 +153,6 @@ namespace conetact
     std::vector<NodeRule>  sorted;
     std::vector<Redundant> redundant;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

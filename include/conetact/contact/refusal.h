@@ -9,10 +9,10 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::contact
 {
   /** The existence check of a model's contact system, in its node frames. */
-  ExistenceCheck
+  solvers::ExistenceCheck
   make_existence_check(ContactModel &model);
 
   /**
@@ -20,7 +20,8 @@ namespace conetact
    * motions as the load of a problem.
    */
   Eigen::VectorXd
-  resultants_of(const ContactProblem &problem, const ContactModel &model);
+  resultants_of(const solvers::ContactProblem &problem,
+                const ContactModel            &model);
 
   /**
    * What happens physically where no equilibrium exists: "body 'block' slides
@@ -28,7 +29,7 @@ namespace conetact
    * 0.62".
    */
   std::string
-  describe(const Existence &refusal, const ContactModel &model);
-} // namespace conetact
+  describe(const solvers::Existence &refusal, const ContactModel &model);
+} // namespace conetact::contact
 
 #endif

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * Small rigid motions of the bodies, in closed form: displacements are kept
@@ -166,6 +166,6 @@ namespace conetact
   /** "along (1, 0, 0)", "about (0, 0, 1)", "along ... and about ...". */
   std::string
   describe(const RigidMotions::Motion &motion);
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

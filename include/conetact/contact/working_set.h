@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::contact
 {
   /**
    * The contact nodes that are condensed, some or all of those that may touch
@@ -19,10 +19,10 @@ namespace conetact
   {
   public:
     /** `candidates`: their layout; `nodes`: indices there, in any order. */
-    WorkingSet(const ContactSystem      &candidates,
-               std::vector<Eigen::Index> nodes);
+    WorkingSet(const solvers::ContactSystem &candidates,
+               std::vector<Eigen::Index>     nodes);
     /** All candidates, in their order. */
-    explicit WorkingSet(const ContactSystem &candidates);
+    explicit WorkingSet(const solvers::ContactSystem &candidates);
 
     bool
     is_all() const
@@ -45,7 +45,7 @@ namespace conetact
       return static_cast<Eigen::Index>(member.size());
     }
     /** Offsets and friction coefficients of the set; no matrix. */
-    const ContactSystem &
+    const solvers::ContactSystem &
     layout() const
     {
       return own_layout;
@@ -64,17 +64,17 @@ namespace conetact
     void
     scatter(const Eigen::VectorXd &own, Eigen::VectorXd &of_candidates) const;
     /** States: none where there are none; the rest is open. */
-    std::vector<NodeState>
-    gather(const std::vector<NodeState> &of_candidates) const;
-    std::vector<NodeState>
-    scatter(const std::vector<NodeState> &own) const;
+    std::vector<solvers::NodeState>
+    gather(const std::vector<solvers::NodeState> &of_candidates) const;
+    std::vector<solvers::NodeState>
+    scatter(const std::vector<solvers::NodeState> &own) const;
 
   private:
     bool                      whole;
     std::vector<bool>         member;
     std::vector<Eigen::Index> chosen, own_unknowns;
-    ContactSystem             own_layout;
+    solvers::ContactSystem    own_layout;
   };
-} // namespace conetact
+} // namespace conetact::contact
 
 #endif

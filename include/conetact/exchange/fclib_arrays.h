@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::exchange
 {
   /** Larger contact problems than this do not fit as dense matrices. */
   constexpr int max_contact_unknowns = 20000;
@@ -30,6 +30,6 @@ namespace conetact
   read_matrix(const Hdf5File    &file,
               const std::string &folder,
               const std::string &name);
-} // namespace conetact
+} // namespace conetact::exchange
 
 #endif

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace conetact
+namespace conetact::exchange
 {
   /**
    * Contact problems as files of FCLib, the exchange format of the field
@@ -32,17 +32,19 @@ namespace conetact
    * inconsistent, and for what we do not treat (local problems with equality
    * constraints).
    */
-  ContactProblem
+  solvers::ContactProblem
   read_fclib(const std::string &file);
 
   /**
    * The solution in the file, and its first guess, if there are any. Entries
    * that the file lacks follow from u = W r + q. Throws like read_fclib().
    */
-  std::optional<ContactState>
-  read_fclib_solution(const std::string &file, const ContactProblem &problem);
-  std::optional<ContactState>
-  read_fclib_guess(const std::string &file, const ContactProblem &problem);
+  std::optional<solvers::ContactState>
+  read_fclib_solution(const std::string             &file,
+                      const solvers::ContactProblem &problem);
+  std::optional<solvers::ContactState>
+  read_fclib_guess(const std::string             &file,
+                   const solvers::ContactProblem &problem);
 
   /**
    * Writes the problem, and a solution and a guess if they are given, as a new
@@ -52,11 +54,11 @@ namespace conetact
    * tangents, or none; WriteError if the file cannot be written.
    */
   void
-  write_fclib(const ContactProblem &problem,
-              const std::string    &file,
-              const ContactState   *solution = nullptr,
-              const ContactState   *guess    = nullptr,
-              const std::string    &title    = "Conetact");
+  write_fclib(const solvers::ContactProblem &problem,
+              const std::string             &file,
+              const solvers::ContactState   *solution = nullptr,
+              const solvers::ContactState   *guess    = nullptr,
+              const std::string             &title    = "Conetact");
 
   /**
    * Copies `from` to `to` (which may be the same file) with this solution in
@@ -65,15 +67,15 @@ namespace conetact
    * Throws WriteError.
    */
   void
-  store_fclib_solution(const ContactProblem &problem,
-                       const ContactState   &solution,
-                       const std::string    &from,
-                       const std::string    &to);
+  store_fclib_solution(const solvers::ContactProblem &problem,
+                       const solvers::ContactState   &solution,
+                       const std::string             &from,
+                       const std::string             &to);
 
   /** The same problem in compliance form; throws InputError if K is singular.
    */
-  ContactProblem
-  compliance_form(const ContactProblem &problem);
-} // namespace conetact
+  solvers::ContactProblem
+  compliance_form(const solvers::ContactProblem &problem);
+} // namespace conetact::exchange
 
 #endif

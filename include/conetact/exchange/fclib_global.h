@@ -8,7 +8,7 @@
 
 #include <Eigen/SparseLU>
 
-namespace conetact
+namespace conetact::exchange
 {
   /**
    * A global problem of FCLib: velocities v of bodies, contacts and bilateral
@@ -53,6 +53,6 @@ namespace conetact
     Eigen::VectorXd         f, b, w;
     Eigen::SparseLU<Sparse> lu;
   };
-} // namespace conetact
+} // namespace conetact::exchange
 
 #endif

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::exchange
 {
   /**
    * An HDF5 file open for reading. FCLib ends the process when a dataset is
@@ -65,6 +65,6 @@ namespace conetact
     H5E_auto2_t function = nullptr;
     void       *data     = nullptr;
   };
-} // namespace conetact
+} // namespace conetact::exchange
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-namespace conetact
+namespace conetact::exchange
 {
   /**
    * From our order of the unknowns of a contact, (t1, [t2,] n), to that of
@@ -17,7 +17,7 @@ namespace conetact
   class FclibOrder
   {
   public:
-    explicit FclibOrder(const ContactSystem &system)
+    explicit FclibOrder(const solvers::ContactSystem &system)
       : indices(system.n_unknowns())
     {
       for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
@@ -57,6 +57,6 @@ namespace conetact
   private:
     Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1> indices; ///< ours
   };
-} // namespace conetact
+} // namespace conetact::exchange
 
 #endif

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-namespace conetact
+namespace conetact::load_path
 {
   /**
    * Follows a load parameter from one change of contact state to the next, [P]:
@@ -20,9 +20,9 @@ namespace conetact
   class EventFollower : public PathFollower
   {
   public:
-    EventFollower(std::shared_ptr<const ContactSystem> system,
-                  const Eigen::VectorXd               &gap,
-                  const PathOptions                   &options);
+    EventFollower(std::shared_ptr<const solvers::ContactSystem> system,
+                  const Eigen::VectorXd                        &gap,
+                  const PathOptions                            &options);
 
     PathResult
     follow(const PathStage &stage, const PathVisitor &visit) override;
@@ -50,10 +50,10 @@ namespace conetact
     void
     emit(const PathVisitor &visit, const bool always);
 
-    std::shared_ptr<const ContactSystem> contact;
-    PathOptions                          options;
-    PathSystem                           system;
-    RatioTest                            ratio_test;
+    std::shared_ptr<const solvers::ContactSystem> contact;
+    PathOptions                                   options;
+    PathSystem                                    system;
+    RatioTest                                     ratio_test;
 
     PathPosition now;
     SchemeFactor factor; ///< of its scheme
@@ -64,6 +64,6 @@ namespace conetact
     bool      plateau = false, jumped = false;
     PathPoint last; ///< the point visited last
   };
-} // namespace conetact
+} // namespace conetact::load_path
 
 #endif

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::load_path
 {
   /** Which displacement the friction law looks at. */
   enum class PathLaw
@@ -113,11 +113,11 @@ namespace conetact
    * with cohesion. Cohesion acts on open nodes too, as in [P].
    */
   double
-  path_residual(const ContactSystem   &system,
-                const PathOptions     &options,
-                const Eigen::VectorXd &load,
-                const PathPoint       &before,
-                const PathPoint       &point);
+  path_residual(const solvers::ContactSystem &system,
+                const PathOptions            &options,
+                const Eigen::VectorXd        &load,
+                const PathPoint              &before,
+                const PathPoint              &point);
 
   /**
    * The exact follower of 2D problems (at most one tangent a node), event by
@@ -126,18 +126,18 @@ namespace conetact
    * start where the one before it ended.
    */
   std::unique_ptr<PathFollower>
-  make_event_follower(std::shared_ptr<const ContactSystem> system,
-                      const Eigen::VectorXd               &gap,
-                      const PathOptions                   &options);
+  make_event_follower(std::shared_ptr<const solvers::ContactSystem> system,
+                      const Eigen::VectorXd                        &gap,
+                      const PathOptions                            &options);
 
   /**
    * The follower of 3D problems: increments of the SOCLCP, changes of state
    * bracketed by bisection to 1e-8 of the stage. Incremental law, no cohesion.
    */
   std::unique_ptr<PathFollower>
-  make_bracketing_follower(std::shared_ptr<const ContactSystem> system,
-                           const Eigen::VectorXd               &gap,
-                           const PathOptions                   &options);
-} // namespace conetact
+  make_bracketing_follower(std::shared_ptr<const solvers::ContactSystem> system,
+                           const Eigen::VectorXd                        &gap,
+                           const PathOptions &options);
+} // namespace conetact::load_path
 
 #endif

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::load_path
 {
   /** Where a path stands, in the scaled quantities of PathSystem. */
   struct PathPosition
@@ -90,6 +90,6 @@ namespace conetact
 
   /** Quantities below this share of the largest have vanished. */
   constexpr double value_tolerance = 1e-12;
-} // namespace conetact
+} // namespace conetact::load_path
 
 #endif

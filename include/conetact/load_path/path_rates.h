@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::load_path
 {
   /** What is undecided at a node. */
   struct CriticalNode
@@ -60,6 +60,6 @@ namespace conetact
 
   /** Rates below this share of the largest count as none. */
   constexpr double rate_tolerance = 1e-11;
-} // namespace conetact
+} // namespace conetact::load_path
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::load_path
 {
   /**
    * Working schemes of a 2D contact problem and the linear systems they stand
@@ -44,7 +44,7 @@ namespace conetact
     using Vector = Eigen::VectorXd;
 
     /** Throws std::invalid_argument for compliance form or two tangents. */
-    PathSystem(const ContactSystem &system, const Vector &cohesion);
+    PathSystem(const solvers::ContactSystem &system, const Vector &cohesion);
 
     Index
     n_nodes() const
@@ -156,6 +156,6 @@ namespace conetact
     Eigen::MatrixXd        motions;     ///< of a mechanism, held softly
     Eigen::MatrixXd        coordinates; ///< v -> its share of the motions
   };
-} // namespace conetact
+} // namespace conetact::load_path
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::output
 {
   /** Appends a number with 15 significant digits, as %.15g does; -0 as 0. */
   void
@@ -16,7 +16,7 @@ namespace conetact
 
   /** The word of a state in tables: open, stick or slip. */
   const char *
-  state_name(const NodeState state);
+  state_name(const solvers::NodeState state);
 
   /** Contacts and bodies in names of columns and files: only A-Z a-z 0-9 - _ .
    */
@@ -87,6 +87,6 @@ namespace conetact
     const std::string &where;
     bool               first = true;
   };
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

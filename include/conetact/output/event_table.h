@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * `events.csv` of a load path, columns `event,parameter,node,from,to`: a row
@@ -39,6 +39,6 @@ namespace conetact
     std::string                 text;
     unsigned int                n = 0;
   };
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * A ParaView collection: which file shows which time. Rewritten with each
@@ -59,6 +59,6 @@ namespace conetact
     PvdFile              contact;
     unsigned int         drawings = 0;
   };
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * `increments.csv`: one row an increment: how it was solved, how well
@@ -31,6 +31,6 @@ namespace conetact
   private:
     const RunDescription run;
   };
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

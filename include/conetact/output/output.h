@@ -15,25 +15,25 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::output
 {
   /** A contact node at the end of an increment. */
   struct ContactRow
   {
-    unsigned int contact = 0; ///< index into RunDescription::contacts
-    unsigned int node    = 0; ///< number in its body
-    Point<3>     position;    ///< undeformed [length]
-    Tensor<1, 3> normal;      ///< from the obstacle to the body
-    Tensor<1, 3> t1, t2;      ///< tangents (2D: t2 = e_z)
-    double       area = 0;    ///< tributary area [length^2]
-    double       gap  = 0;    ///< at the end of the increment [length]
-    Tensor<1, 3> u;           ///< (u_n, u_t1, u_t2), total, relative [length]
-    Tensor<1, 3> du;          ///< the same of this increment
-    Tensor<1, 3> reaction;    ///< (r_n, r_t1, r_t2) on the body [force]
-    Point<3>     foot;        ///< where it acts on the other side [length]
-    Point<3>     acts;        ///< where it acts on the body [length]
-    NodeState    state  = NodeState::open;
-    bool         master = false; ///< the other side of a pair of bodies
+    unsigned int       contact = 0; ///< index into RunDescription::contacts
+    unsigned int       node    = 0; ///< number in its body
+    Point<3>           position;    ///< undeformed [length]
+    Tensor<1, 3>       normal;      ///< from the obstacle to the body
+    Tensor<1, 3>       t1, t2;      ///< tangents (2D: t2 = e_z)
+    double             area = 0;    ///< tributary area [length^2]
+    double             gap  = 0;    ///< at the end of the increment [length]
+    Tensor<1, 3>       u;  ///< (u_n, u_t1, u_t2), total, relative [length]
+    Tensor<1, 3>       du; ///< the same of this increment
+    Tensor<1, 3>       reaction; ///< (r_n, r_t1, r_t2) on the body [force]
+    Point<3>           foot;     ///< where it acts on the other side [length]
+    Point<3>           acts;     ///< where it acts on the body [length]
+    solvers::NodeState state  = solvers::NodeState::open;
+    bool               master = false; ///< the other side of a pair of bodies
   };
 
   /** Force [force] and moment about the origin [force x length]. */
@@ -46,19 +46,20 @@ namespace conetact
   /** An increment as its contact nodes see it. */
   struct CondensedIncrement
   {
-    ContactProblem              problem;
-    std::optional<ContactState> solution; ///< none if it was solved in parts
+    solvers::ContactProblem problem;
+    std::optional<solvers::ContactState>
+      solution; ///< none if it was solved in parts
   };
 
   /** All that is known of a finished increment. */
   struct IncrementRecord
   {
-    unsigned int increment = 0; ///< counts from 1
-    double       time      = 0;
-    SolverReport report;
-    KannoErrors  errors;
-    double       equilibrium = 0; ///< uncondensed residual, relative
-    double       balance     = 0; ///< sum of all resultants, relative
+    unsigned int          increment = 0; ///< counts from 1
+    double                time      = 0;
+    solvers::SolverReport report;
+    solvers::KannoErrors  errors;
+    double                equilibrium = 0; ///< uncondensed residual, relative
+    double                balance     = 0; ///< sum of all resultants, relative
 
     /** The same of each body, where there are several. */
     std::vector<double> body_balance;
@@ -82,7 +83,7 @@ namespace conetact
      * displacements), its loads.
      */
     std::vector<Eigen::VectorXd> displacements, deformations;
-    std::vector<Actions>         actions;
+    std::vector<bodies::Actions> actions;
 
     /** Where a file of it is wanted. */
     std::shared_ptr<const CondensedIncrement> condensed;
@@ -91,16 +92,16 @@ namespace conetact
   /** What the outputs need to know before the first increment. */
   struct RunDescription
   {
-    std::filesystem::path          folder;   ///< exists and is writable
-    std::vector<std::string>       contacts; ///< names
-    std::vector<std::string>       supports; ///< names
-    std::vector<std::string>       loads;    ///< names
-    std::vector<std::string>       bodies;   ///< names
-    std::vector<const Structure *> structures;
-    unsigned int                   dim          = 2;
-    unsigned int                   n_increments = 0; ///< 0: not known yet
-    double                         end          = 0; ///< time of the last one
-    unsigned int                   vtu_every    = 1; ///< 0: never
+    std::filesystem::path                  folder;   ///< exists and is writable
+    std::vector<std::string>               contacts; ///< names
+    std::vector<std::string>               supports; ///< names
+    std::vector<std::string>               loads;    ///< names
+    std::vector<std::string>               bodies;   ///< names
+    std::vector<const bodies::Structure *> structures;
+    unsigned int                           dim = 2;
+    unsigned int n_increments                  = 0; ///< 0: not known yet
+    double       end                           = 0; ///< time of the last one
+    unsigned int vtu_every                     = 1; ///< 0: never
 
     /** Increments whose condensed problem is written. */
     std::set<unsigned int> fclib_increments, text_increments;
@@ -137,6 +138,6 @@ namespace conetact
       return {};
     }
   };
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

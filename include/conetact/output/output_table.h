@@ -6,7 +6,7 @@
 
 #include "conetact/output/output.h"
 
-namespace conetact
+namespace conetact::output
 {
   /** One row for each kind of output. */
   struct OutputRow
@@ -17,6 +17,6 @@ namespace conetact
   };
   const std::vector<OutputRow> &
   output_table();
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * `problem-0001.hdf5`: the condensed problem of chosen increments as a local
@@ -62,7 +62,7 @@ namespace conetact
    * bodies, contacts with different numbers of tangents, no contact at all.
    */
   void
-  check_problem_is_writable(const ContactSystem &system);
-} // namespace conetact
+  check_problem_is_writable(const solvers::ContactSystem &system);
+} // namespace conetact::output
 
 #endif

@@ -7,7 +7,7 @@
 #include "conetact/output/output.h"
 #include "conetact/solvers/problem_text.h"
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * `problem-0001.txt`: the condensed problem of chosen increments in the
@@ -29,9 +29,9 @@ namespace conetact
 
   /** The file of an increment, or of a stage of a load path. */
   void
-  write_problem_text(const std::filesystem::path &folder,
-                     const unsigned int           number,
-                     const StoredProblem         &stored);
-} // namespace conetact
+  write_problem_text(const std::filesystem::path  &folder,
+                     const unsigned int            number,
+                     const solvers::StoredProblem &stored);
+} // namespace conetact::output
 
 #endif

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <string>
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * One line with a progress bar for each finished increment on a terminal;
@@ -40,6 +40,6 @@ namespace conetact
                 const unsigned int     n_increments,
                 const double           end,
                 const double           elapsed);
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * `reactions.csv`: one row for each contact node and increment. Coordinates
@@ -39,6 +39,6 @@ namespace conetact
 
     const RunDescription run;
   };
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::output
 {
   /**
    * `reactions.csv` and `increments.csv`, rewritten from the text of all
@@ -40,6 +40,6 @@ namespace conetact
     std::string                 reactions_text, increments_text;
     std::uint64_t               bytes = 0;
   };
-} // namespace conetact
+} // namespace conetact::output
 
 #endif

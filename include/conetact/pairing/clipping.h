@@ -4,14 +4,12 @@
 #ifndef conetact_pairing_clipping_h
 #define conetact_pairing_clipping_h
 
-#include <deal.II/base/point.h>
+#include "conetact/base/points.h"
 
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
-  using dealii::Point;
-
   /**
    * Convex polygons in a plane, anticlockwise, and intervals of its first
    * axis (two points, the lower one first): what faces of bodies in space and
@@ -58,6 +56,6 @@ namespace conetact
    */
   std::vector<PlanePoint>
   gauss_points(const Polygon &polygon, const unsigned int level);
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

@@ -4,18 +4,14 @@
 #ifndef conetact_pairing_closest_point_h
 #define conetact_pairing_closest_point_h
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
+#include "conetact/base/points.h"
 
 #include <array>
 #include <optional>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
-  using dealii::Point;
-  using dealii::Tensor;
-
   /**
    * The point of a face, a segment, a triangle or a bilinear quadrilateral,
    * that is nearest to p. Corners are in deal.II's order.
@@ -57,6 +53,6 @@ namespace conetact
   Tensor<1, 3>
   nearest_in_cone(const Tensor<1, 3>              &direction,
                   const std::vector<Tensor<1, 3>> &cone);
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /**
    * Boundary ids of a body that may touch an obstacle or another body, with
@@ -24,13 +24,13 @@ namespace conetact
    */
   struct Contact
   {
-    std::string     name;
-    unsigned int    body = 0; ///< index
-    BoundaryIds     ids;
-    const Obstacle *obstacle = nullptr; ///< none: a master body
-    unsigned int    master   = 0;       ///< index of the master body
-    BoundaryIds     master_ids;
-    double          reach = 0; ///< of the search for master faces [length]
+    std::string         name;
+    unsigned int        body = 0; ///< index
+    bodies::BoundaryIds ids;
+    const Obstacle     *obstacle = nullptr; ///< none: a master body
+    unsigned int        master   = 0;       ///< index of the master body
+    bodies::BoundaryIds master_ids;
+    double              reach = 0; ///< of the search for master faces [length]
     /** Between a normal of the node and that of the master, reversed [rad]. */
     double largest_angle = M_PI / 3;
     /** Overlap at the start; none: a quarter of a face. [length] */
@@ -114,11 +114,11 @@ namespace conetact
   void
   declare_contact(dealii::ParameterHandler &prm);
   Contact
-  create_contact(dealii::ParameterHandler             &prm,
-                 const std::string                    &name,
-                 const std::vector<std::string>       &bodies,
-                 const std::vector<const Structure *> &structures,
-                 const std::vector<Obstacle>          &obstacles);
+  create_contact(dealii::ParameterHandler                     &prm,
+                 const std::string                            &name,
+                 const std::vector<std::string>               &bodies,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::vector<Obstacle>                  &obstacles);
 
   /** Tangents of the convention above. */
   std::pair<Tensor<1, 3>, Tensor<1, 3>>
@@ -143,6 +143,28 @@ namespace conetact
     std::optional<Deep> deepest; ///< of those deeper than allowed
   };
 
+  /** A way to find what the nodes of a contact may touch. */
+  struct PairingRow
+  {
+    std::string name, description;
+    PairedNodes (*pair)(
+      const Contact                                &contact,
+      const std::vector<const bodies::Structure *> &structures);
+    bool takes_means; ///< over faces; else each node by itself
+  };
+
+  /** What `Pairing` in a contact may be; the first one is the default. */
+  const std::vector<PairingRow> &
+  pairings();
+
+  /**
+   * How a contact is paired: as it says, but nodes that meet an obstacle, and
+   * surfaces without faces or with two sides, one by one.
+   */
+  const PairingRow &
+  pairing_of(const Contact                                &contact,
+             const std::vector<const bodies::Structure *> &structures);
+
   /** What was found for a contact; gaps of its paired nodes [length]. */
   struct Pairing
   {
@@ -162,10 +184,10 @@ namespace conetact
    * negative.
    */
   ContactNodes
-  find_contact_nodes(const std::vector<Contact>           &contacts,
-                     const std::vector<std::string>       &bodies,
-                     const std::vector<const Structure *> &structures,
-                     const unsigned int                    dim);
-} // namespace conetact
+  find_contact_nodes(const std::vector<Contact>                   &contacts,
+                     const std::vector<std::string>               &bodies,
+                     const std::vector<const bodies::Structure *> &structures,
+                     const unsigned int                            dim);
+} // namespace conetact::pairing
 
 #endif

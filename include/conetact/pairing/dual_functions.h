@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace conetact
+namespace conetact::pairing
 {
   /**
    * Dual functions of a face on the part of it that is covered,
@@ -19,6 +19,6 @@ namespace conetact
    */
   Eigen::MatrixXd
   dual_functions(const Eigen::MatrixXd &mass, const Eigen::VectorXd &areas);
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

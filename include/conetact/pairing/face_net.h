@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /**
    * The faces of a surface and how they are joined: which faces meet at an
@@ -57,7 +57,7 @@ namespace conetact
         return beside.norm() <= 1.1 * radius + turn * arm.norm();
       }
     };
-    FaceNet(const Structure &body, const Surface &surface);
+    FaceNet(const bodies::Structure &body, const bodies::Surface &surface);
 
     const std::vector<Face> &
     all() const
@@ -110,7 +110,7 @@ namespace conetact
     void
     join_edges();
     void
-    join_hanging_edges(const Structure &body);
+    join_hanging_edges(const bodies::Structure &body);
     void
     measure_turns();
 
@@ -122,6 +122,6 @@ namespace conetact
   /** What a tree needs of faces. */
   std::vector<FaceTree::Ball>
   balls_of(const std::vector<FaceNet::Face> &faces);
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

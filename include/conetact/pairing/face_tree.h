@@ -4,17 +4,13 @@
 #ifndef conetact_pairing_face_tree_h
 #define conetact_pairing_face_tree_h
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
+#include "conetact/base/points.h"
 
 #include <functional>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
-  using dealii::Point;
-  using dealii::Tensor;
-
   /**
    * A tree of balls around faces, so that what is near a point or a line is
    * found without looking at all faces. Lengths as in the coordinates.
@@ -60,6 +56,6 @@ namespace conetact
     std::vector<std::size_t> order;
     std::vector<Branch>      branches;
   };
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

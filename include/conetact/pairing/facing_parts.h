@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /**
    * The faces of a master surface, and which parts of them a slave face sees
@@ -29,7 +29,8 @@ namespace conetact
       bool   inside;       ///< whether a face may be inside the body at all
     };
 
-    FacingParts(const Structure &master, const BoundaryIds &ids);
+    FacingParts(const bodies::Structure   &master,
+                const bodies::BoundaryIds &ids);
 
     const std::vector<FaceNet::Face> &
     faces() const
@@ -70,6 +71,6 @@ namespace conetact
     FaceNet net;
     FaceNet whole; ///< boundary of the body
   };
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /**
    * The faces of a body that nodes of another one may touch: node to segment
@@ -32,7 +32,8 @@ namespace conetact
       bool   inside;       ///< whether a node may be inside the body at all
     };
 
-    MasterSurface(const Structure &body, const BoundaryIds &ids);
+    MasterSurface(const bodies::Structure   &body,
+                  const bodies::BoundaryIds &ids);
 
     struct Foot
     {
@@ -92,6 +93,6 @@ namespace conetact
     double                   typical_size = 0; ///< mean [length]
     std::unique_ptr<FaceNet> whole; ///< boundary; none: the surface has no side
   };
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /**
    * Mortar pairing with dual functions: the relative displacement of slave
@@ -28,8 +28,8 @@ namespace conetact
    * (2011) 569-734; Popp, Gitterle, Gee, Wall, IJNME 83 (2010) 1428-1465.)
    */
   PairedNodes
-  pair_by_mortar(const Contact                        &contact,
-                 const std::vector<const Structure *> &structures);
-} // namespace conetact
+  pair_by_mortar(const Contact                                &contact,
+                 const std::vector<const bodies::Structure *> &structures);
+} // namespace conetact::pairing
 
 #endif

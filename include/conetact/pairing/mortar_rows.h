@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /** Integrals over the faces at a node of a slave surface, on one side of its
    * sharp edge if it has one. */
@@ -50,7 +50,7 @@ namespace conetact
     join(const std::size_t face);
     /** Hanging nodes have no rows: those that they follow take theirs. */
     void
-    give_up(const std::vector<HangingNode> &hanging);
+    give_up(const std::vector<bodies::HangingNode> &hanging);
     /** Rows of next to no area give it to neighbours. */
     void
     give_up_small();
@@ -67,6 +67,6 @@ namespace conetact
     std::multimap<unsigned int, std::size_t> rows_at; ///< nodes
     std::vector<std::vector<std::size_t>>    row_of;  ///< faces' corners
   };
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

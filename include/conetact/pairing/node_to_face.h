@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /** How deep a node may start in its opponent [length]. */
   double
@@ -25,10 +25,10 @@ namespace conetact
   class NodeToFace
   {
   public:
-    NodeToFace(const Contact                        &contact,
-               const std::vector<const Structure *> &structures);
+    NodeToFace(const Contact                                &contact,
+               const std::vector<const bodies::Structure *> &structures);
 
-    const Surface &
+    const bodies::Surface &
     slave_surface() const
     {
       return surface;
@@ -36,10 +36,10 @@ namespace conetact
 
     /** A node of the contact without its opponent. */
     ContactNode
-    free_node(const SurfaceNode &s) const;
+    free_node(const bodies::SurfaceNode &s) const;
     /** A node with its gap and normal, unless it stays free. */
     std::optional<ContactNode>
-    find(const SurfaceNode &s);
+    find(const bodies::SurfaceNode &s);
     /** Takes down a node that starts too deep. */
     void
     judge(const ContactNode &node, const double face_size);
@@ -54,11 +54,11 @@ namespace conetact
     bool
     face_obstacle(ContactNode &node);
     bool
-    face_master(ContactNode &node, const SurfaceNode &s);
+    face_master(ContactNode &node, const bodies::SurfaceNode &s);
 
     const Contact                   &contact;
-    const Structure                 &body;
-    Surface                          surface;
+    const bodies::Structure         &body;
+    bodies::Surface                  surface;
     std::map<unsigned int, double>   spacing;
     std::optional<MasterSurface>     master;
     std::optional<PairedNodes::Deep> deepest;
@@ -66,8 +66,9 @@ namespace conetact
 
   /** All nodes of a contact. */
   PairedNodes
-  pair_nodes_with_faces(const Contact                        &contact,
-                        const std::vector<const Structure *> &structures);
-} // namespace conetact
+  pair_nodes_with_faces(
+    const Contact                                &contact,
+    const std::vector<const bodies::Structure *> &structures);
+} // namespace conetact::pairing
 
 #endif

@@ -5,19 +5,16 @@
 #define conetact_pairing_obstacles_h
 
 #include "conetact/base/expression.h"
+#include "conetact/base/points.h"
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/point.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
-  using dealii::Point;
-  using dealii::Tensor;
-
   /**
    * Shape of a rigid obstacle: gap @f$g_0@f$ (positive: apart) and unit normal
    * @f$n@f$ from the obstacle to the body, from the closest point of its
@@ -90,6 +87,6 @@ namespace conetact
   create_obstacle(dealii::ParameterHandler &prm,
                   const std::string        &name,
                   const unsigned int        dim);
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

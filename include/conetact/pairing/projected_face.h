@@ -4,19 +4,16 @@
 #ifndef conetact_pairing_projected_face_h
 #define conetact_pairing_projected_face_h
 
+#include "conetact/base/points.h"
 #include "conetact/pairing/clipping.h"
-
-#include <deal.II/base/tensor.h>
 
 #include <Eigen/Core>
 
 #include <array>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
-  using dealii::Tensor;
-
   /** A plane with two axes in it; of bodies in 2D the first one is used. */
   struct ProjectionPlane
   {
@@ -88,6 +85,6 @@ namespace conetact
     Polygon               around;
     double                skew = 0;
   };
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

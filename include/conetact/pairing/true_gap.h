@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::pairing
 {
   /**
    * A node that may touch an obstacle, at the end of an increment. Contact is
@@ -48,6 +48,6 @@ namespace conetact
   /** What is wrong and what to do, for the user. */
   std::string
   to_sentence(const GapError &error);
-} // namespace conetact
+} // namespace conetact::pairing
 
 #endif

@@ -20,7 +20,7 @@
  * The tightening weight Fc [force] lets the first table be feasible; it changes
  * the problem: a prestress Fc and a cohesion (1 - mu) Fc of all nodes.
  */
-namespace conetact
+namespace conetact::reproductions
 {
   struct LemkeOptions
   {
@@ -41,10 +41,10 @@ namespace conetact
    * limit_load where the leading element in the row of p is zero; else
    * not_converged. Throws std::invalid_argument as make_event_follower() does.
    */
-  std::unique_ptr<PathFollower>
-  make_lemke_follower(std::shared_ptr<const ContactSystem> system,
-                      const PathOptions                   &path_options,
-                      const LemkeOptions                  &options);
-} // namespace conetact
+  std::unique_ptr<load_path::PathFollower>
+  make_lemke_follower(std::shared_ptr<const solvers::ContactSystem> system,
+                      const load_path::PathOptions &path_options,
+                      const LemkeOptions           &options);
+} // namespace conetact::reproductions
 
 #endif

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::reproductions
 {
   /**
    * Parameters of the published smoothing method. [K] does not print its own:
@@ -26,11 +26,11 @@ namespace conetact
   /** What [K] prints of an increment, and what it is worth. */
   struct PublishedRun
   {
-    unsigned int iterations = 0; ///< linear solves
-    double       natural    = 0; ///< norm of x - P(x - y), in mixed units
-    KannoErrors  errors;
-    double       residual = 0; ///< contact_residual(), without units
-    std::string  failure;      ///< why it gave up; empty: it has not
+    unsigned int         iterations = 0; ///< linear solves
+    double               natural = 0; ///< norm of x - P(x - y), in mixed units
+    solvers::KannoErrors errors;
+    double               residual = 0; ///< contact_residual(), without units
+    std::string          failure;      ///< why it gave up; empty: it has not
   };
 
   /**
@@ -43,9 +43,9 @@ namespace conetact
    * in smoothing_newton.h.
    */
   PublishedRun
-  solve_as_published(const ContactProblem &problem,
-                     const PublishedSet   &set,
-                     const double          tolerance = 1e-8);
-} // namespace conetact
+  solve_as_published(const solvers::ContactProblem &problem,
+                     const PublishedSet            &set,
+                     const double                   tolerance = 1e-8);
+} // namespace conetact::reproductions
 
 #endif

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Semismooth Newton method of Alart and Curnier (see NodeSets) with full
@@ -81,6 +81,6 @@ namespace conetact
 
   std::unique_ptr<ContactSolver>
   make_active_set(const SolverOptions &options);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

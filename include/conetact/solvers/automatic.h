@@ -11,7 +11,7 @@
 
 #include <optional>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * The order of methods that loses nothing: active set from the last states;
@@ -90,6 +90,6 @@ namespace conetact
 
   std::unique_ptr<ContactSolver>
   make_automatic(const SolverOptions &options);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

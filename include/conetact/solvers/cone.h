@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-namespace conetact
+namespace conetact::solvers
 {
   /** Vectors and matrices of one node live on the stack. */
   using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
@@ -62,6 +62,6 @@ namespace conetact
    */
   SmallVector
   project_on_friction_cone(const SmallVector &r, const double mu);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

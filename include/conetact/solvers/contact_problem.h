@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * One load increment of frictional contact as plain numbers, [K] (17) with
@@ -213,6 +213,6 @@ namespace conetact
   classify(const ContactProblem &problem,
            const ContactState   &state,
            const double          tolerance = 1e-12);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

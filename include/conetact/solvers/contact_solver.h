@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Parameters of the smoothing and regularisation method, Hayashi,
@@ -84,6 +84,6 @@ namespace conetact
     virtual SolverReport
     solve(const ContactProblem &problem, ContactState &state) = 0;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /** What a body does that nothing holds. */
   enum class Motion
@@ -128,6 +128,6 @@ namespace conetact
     std::vector<Frame>                   frames;
     Eigen::MatrixXd                      R;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

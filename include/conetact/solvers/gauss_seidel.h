@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Nonlinear block Gauss-Seidel: node after node takes the exact solution of
@@ -23,6 +23,6 @@ namespace conetact
    */
   std::unique_ptr<ContactSolver>
   make_gauss_seidel(const SolverOptions &options);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

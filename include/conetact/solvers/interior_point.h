@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Primal-dual interior point method for redundant contacts: where W is
@@ -100,6 +100,6 @@ namespace conetact
     Array                       q, x, z, residual;
     LargeFactor                 factor;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

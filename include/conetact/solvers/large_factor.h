@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * LU factors of matrices of one pattern, given as sparse ones: sparse factors
@@ -44,6 +44,6 @@ namespace conetact
     std::vector<int>                                 pivots;
     bool                                             analysed = false;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

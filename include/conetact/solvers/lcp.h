@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Solves the linear complementarity problem
@@ -22,6 +22,6 @@ namespace conetact
             const Eigen::VectorXd &cover,
             const Eigen::VectorXi &rank,
             Eigen::VectorXd       &z);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "conetact/solvers/contact_problem.h"
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Both forms of a ContactProblem as one linear relation without units,
@@ -124,6 +124,6 @@ namespace conetact
     bool   has_offset = false;
     double load_force = 0; ///< that is known before anything is solved
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

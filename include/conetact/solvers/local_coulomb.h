@@ -8,7 +8,7 @@
 
 #include <Eigen/Dense>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * The Coulomb problem of one single contact node, solved exactly: find
@@ -91,6 +91,6 @@ namespace conetact
     double        skew = 0; ///< w of the skew part [0 -w; w 0]
     Tangent normal_of_reaction, normal_of_slip; ///< r_n from r_t and from u_t
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

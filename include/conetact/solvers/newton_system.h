@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /** Linearised law of one node; sizes are those of the node. */
   struct NodeLaw
@@ -108,6 +108,6 @@ namespace conetact
     ReusedFactor       reused;
     unsigned int       factorizations = 0;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

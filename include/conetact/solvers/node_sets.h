@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * What the nodes are taken for in a step of the active set method, read off
@@ -75,6 +75,6 @@ namespace conetact
   /** States, and signs of slip in 2D: what makes two steps the same. */
   std::string
   signature(const NodeSets &sets);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Orthonormal basis (columns) of the null space of a symmetric positive
@@ -27,6 +27,6 @@ namespace conetact
   Eigen::MatrixXd
   orthonormal_basis(const Eigen::MatrixXd &columns,
                     const double           tolerance = 1e-10);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

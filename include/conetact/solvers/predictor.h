@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Where an increment may end: if its load changes as that of the increment
@@ -41,6 +41,6 @@ namespace conetact
     ContactState    last_start;
     Eigen::VectorXd last_end; ///< its reactions
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -9,7 +9,7 @@
 #include <iosfwd>
 #include <string>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * A contact problem that stands alone: an increment, or a stage of a load
@@ -49,6 +49,6 @@ namespace conetact
   /** Throws std::invalid_argument, a sentence, where the text is no problem. */
   StoredProblem
   read_problem_text(std::istream &text);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

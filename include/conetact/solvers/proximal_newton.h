@@ -9,7 +9,7 @@
 
 #include <functional>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Makes an estimate of redundant reactions exact: semismooth Newton steps on
@@ -56,6 +56,6 @@ namespace conetact
     LargeFactor           factor;
     unsigned int          factorizations = 0;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

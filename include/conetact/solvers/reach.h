@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace conetact
+namespace conetact::solvers
 {
   /** A friction coefficient that means "no slip whatever the reaction". */
   constexpr double no_slip_friction = std::numeric_limits<double>::infinity();
@@ -39,6 +39,6 @@ namespace conetact
                 const Eigen::MatrixXd &R,
                 const Eigen::VectorXd &c,
                 const Eigen::VectorXd &mu);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

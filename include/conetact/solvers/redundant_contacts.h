@@ -8,7 +8,7 @@
 
 #include <memory>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Contacts of many rigid bodies, in compliance form: W is sparse, of low
@@ -23,6 +23,6 @@ namespace conetact
   /** Whether contacts know only their neighbours: W with few entries. */
   bool
   is_sparse_compliance(const ContactSystem &system);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

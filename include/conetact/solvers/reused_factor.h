@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Solves the large systems of a Newton iteration, A x = b, by GMRES in single
@@ -69,6 +69,6 @@ namespace conetact
     Index              n_new          = 0;
     unsigned int       factorizations = 0;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * Smoothing and regularisation method for the second-order cone
@@ -154,6 +154,6 @@ namespace conetact
     bool                   inside     = false; ///< in the inner loop
     std::string            why;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <optional>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * The smoothing method ([K] (17), see SmoothingIteration) as a solver: it
@@ -38,6 +38,6 @@ namespace conetact
 
   std::unique_ptr<ContactSolver>
   make_smoothing_newton(const SolverOptions &options);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace conetact
+namespace conetact::solvers
 {
   /** One row for each method a scene may name. */
   struct SolverRow
@@ -24,6 +24,6 @@ namespace conetact
   /** Throws std::invalid_argument for a name that solver_table() has not. */
   std::unique_ptr<ContactSolver>
   make_solver(const SolverOptions &options);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

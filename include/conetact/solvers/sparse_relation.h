@@ -8,7 +8,7 @@
 
 #include <Eigen/Sparse>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * The scaled relation @f$d = M p + l@f$ of LinearRelation with M as a sparse
@@ -32,6 +32,6 @@ namespace conetact
     const LinearRelation &relation; ///< must outlive this object
     Matrix                M;
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "conetact/solvers/contact_problem.h"
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * The stiffness form of a system in compliance form, for methods that know
@@ -74,6 +74,6 @@ namespace conetact
     Eigen::MatrixXd added;     ///< to W, times -b
     Eigen::MatrixXd YG, S;     ///< S = (G_0^T Y G_0)^{-1}
   };
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace conetact
+namespace conetact::solvers
 {
   /**
    * The end of an increment in which no force presses any body and none is in
@@ -27,6 +27,6 @@ namespace conetact
    */
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start);
-} // namespace conetact
+} // namespace conetact::solvers
 
 #endif

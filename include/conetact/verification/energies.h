@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::verification
 {
   /**
    * Energies and works of increments [force x length], by the trapezoidal rule,
@@ -22,21 +22,21 @@ namespace conetact
   public:
     /** Writes those of an accepted increment; they come in their order. */
     void
-    add(const ContactPoints &points,
-        const Claim         &claim,
-        const Finding       &finding,
-        IncrementRecord     &record);
+    add(const contact::ContactPoints &points,
+        const Claim                  &claim,
+        const Finding                &finding,
+        output::IncrementRecord      &record);
 
   private:
     struct State
     {
-      Eigen::VectorXd           u, forces; ///< external, all dofs
-      std::vector<Foundation>   foundations;
-      std::vector<Tensor<1, 3>> reactions, obstacles;
-      Eigen::VectorXd           relative, r;
+      Eigen::VectorXd                  u, forces; ///< external, all dofs
+      std::vector<contact::Foundation> foundations;
+      std::vector<Tensor<1, 3>>        reactions, obstacles;
+      Eigen::VectorXd                  relative, r;
     };
     State last;
   };
-} // namespace conetact
+} // namespace conetact::verification
 
 #endif

@@ -10,16 +10,16 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::verification
 {
   /** Forces on one body that should balance, with their magnitudes. */
   struct Balance
   {
-    Resultant sum;         ///< moment about the body's centre
-    double    forces  = 0; ///< sum of magnitudes [force]
-    double    moments = 0; ///< sum of |arm x force| and |moment|
-    double    arms    = 0; ///< sum of |arm| |force| [force x length]
-    double    largest = 0; ///< force on a node [force]
+    output::Resultant sum;         ///< moment about the body's centre
+    double            forces  = 0; ///< sum of magnitudes [force]
+    double            moments = 0; ///< sum of |arm x force| and |moment|
+    double            arms    = 0; ///< sum of |arm| |force| [force x length]
+    double            largest = 0; ///< force on a node [force]
 
     /** What moments are compared with. */
     double
@@ -33,12 +33,14 @@ namespace conetact
    */
   struct ExternalForces
   {
-    std::vector<Balance>   bodies;
-    std::vector<Resultant> contacts; ///< reactions on the bodies, by contact
-    std::vector<Resultant> masters;  ///< the same on their master bodies
-    std::vector<Resultant> supports; ///< of each support, with foundations
-    Resultant              loads;
-    Eigen::VectorXd        held; ///< forces of rigid supports, all dofs
+    std::vector<Balance> bodies;
+    std::vector<output::Resultant>
+      contacts; ///< reactions on the bodies, by contact
+    std::vector<output::Resultant> masters; ///< the same on their master bodies
+    std::vector<output::Resultant>
+                      supports; ///< of each support, with foundations
+    output::Resultant loads;
+    Eigen::VectorXd   held; ///< forces of rigid supports, all dofs
   };
 
   /**
@@ -47,17 +49,17 @@ namespace conetact
    * without thermal ones, which cancel by themselves.
    */
   ExternalForces
-  external_forces(const Bodies                  &bodies,
-                  const Coordinates             &plain,
-                  const ContactPoints           &points,
-                  const Eigen::VectorXd         &rest,
-                  const std::vector<Foundation> &foundations,
-                  const Eigen::VectorXd         &loads,
-                  const Eigen::VectorXd         &r);
+  external_forces(const contact::Bodies                  &bodies,
+                  const contact::Coordinates             &plain,
+                  const contact::ContactPoints           &points,
+                  const Eigen::VectorXd                  &rest,
+                  const std::vector<contact::Foundation> &foundations,
+                  const Eigen::VectorXd                  &loads,
+                  const Eigen::VectorXd                  &r);
 
   /** Force on the body at a contact point. */
   Tensor<1, 3>
-  reaction(const ContactPoint &point, const Eigen::VectorXd &r);
-} // namespace conetact
+  reaction(const contact::ContactPoint &point, const Eigen::VectorXd &r);
+} // namespace conetact::verification
 
 #endif

@@ -12,21 +12,21 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::verification
 {
   /** What an increment claims: displacements R a + w and reactions. */
   struct Claim
   {
-    Eigen::VectorXd        amounts; ///< of all rigid motions
-    Eigen::VectorXd        w;       ///< deformation, all dofs [length]
-    Eigen::VectorXd        r;       ///< reactions of the contact unknowns
-    std::vector<NodeState> states;
-    Eigen::VectorXd        loads;      ///< nodal, all dofs [force]
-    Eigen::VectorXd        mechanical; ///< those without thermal ones
-    double                 t           = 0;
-    bool                   whole       = true; ///< not solved in parts
-    bool                   incremental = true; ///< law of the slip since
-                                               ///< before; else of all slip
+    Eigen::VectorXd                 amounts; ///< of all rigid motions
+    Eigen::VectorXd                 w;       ///< deformation, all dofs [length]
+    Eigen::VectorXd                 r; ///< reactions of the contact unknowns
+    std::vector<solvers::NodeState> states;
+    Eigen::VectorXd                 loads;      ///< nodal, all dofs [force]
+    Eigen::VectorXd                 mechanical; ///< those without thermal ones
+    double                          t     = 0;
+    bool                            whole = true; ///< not solved in parts
+    bool incremental                      = true; ///< law of the slip since
+                                                  ///< before; else of all slip
   };
 
   /** What the verification finds of a claim. */
@@ -42,7 +42,7 @@ namespace conetact
     Eigen::VectorXd     displacements; ///< of the contact unknowns, relative
     std::vector<double> largest_force; ///< external, on a node, of each body
     ExternalForces      external;
-    std::vector<Foundation> foundations; ///< by support
+    std::vector<contact::Foundation> foundations; ///< by support
   };
 
   /**
@@ -64,12 +64,12 @@ namespace conetact
   {
   public:
     /** What is given must outlive the object. */
-    Verification(const Bodies        &bodies,
-                 const ElasticSystem &elastic,
-                 const Coordinates   &plain,
-                 const RigidMotions  &motions,
-                 const ContactPoints &points,
-                 const double         tolerance);
+    Verification(const contact::Bodies        &bodies,
+                 const contact::ElasticSystem &elastic,
+                 const contact::Coordinates   &plain,
+                 const contact::RigidMotions  &motions,
+                 const contact::ContactPoints &points,
+                 const double                  tolerance);
 
     /**
      * Stiffness of the softer side of each point [force/length], 0: not known.
@@ -99,16 +99,16 @@ namespace conetact
     Eigen::VectorXd
     relative_displacements(const Eigen::VectorXd &u, const double t) const;
 
-    const Bodies        &bodies;
-    const ElasticSystem &elastic;
-    const Coordinates   &plain;
-    const RigidMotions  &motions;
-    const ContactPoints &points;
-    double               tolerance;
-    std::vector<double>  history; ///< largest force so far, of each body
-    Eigen::VectorXd      stiffness;
-    Eigen::VectorXd      before; ///< relative displacements
+    const contact::Bodies        &bodies;
+    const contact::ElasticSystem &elastic;
+    const contact::Coordinates   &plain;
+    const contact::RigidMotions  &motions;
+    const contact::ContactPoints &points;
+    double                        tolerance;
+    std::vector<double> history; ///< largest force so far, of each body
+    Eigen::VectorXd     stiffness;
+    Eigen::VectorXd     before; ///< relative displacements
   };
-} // namespace conetact
+} // namespace conetact::verification
 
 #endif

@@ -10,7 +10,7 @@
 #include <limits>
 #include <map>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -211,4 +211,4 @@ namespace conetact
 
   template class CellMatrices<2>;
   template class CellMatrices<3>;
-} // namespace conetact
+} // namespace conetact::bodies

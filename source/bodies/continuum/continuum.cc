@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-namespace conetact
+namespace conetact::bodies
 {
   using namespace dealii;
 
@@ -460,4 +460,4 @@ namespace conetact
 
   template class Continuum<2>;
   template class Continuum<3>;
-} // namespace conetact
+} // namespace conetact::bodies

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::bodies
 {
   using namespace dealii;
 
@@ -114,4 +114,4 @@ namespace conetact
 
   template struct Discretization<2>;
   template struct Discretization<3>;
-} // namespace conetact
+} // namespace conetact::bodies

@@ -6,7 +6,7 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::GeometryInfo;
   using dealii::Tensor;
@@ -202,4 +202,4 @@ namespace conetact
   template class DLinearElement<3>;
   template class LinearElement<2>;
   template class LinearElement<3>;
-} // namespace conetact
+} // namespace conetact::bodies

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::Point;
   using dealii::Tensor;
@@ -197,4 +197,4 @@ namespace conetact
   element_table<2>();
   template const std::vector<ElementRow<3>> &
   element_table<3>();
-} // namespace conetact
+} // namespace conetact::bodies

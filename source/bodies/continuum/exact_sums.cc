@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -57,4 +57,4 @@ namespace conetact
           k(j + c, j + d) = -sum_of_others(k, dim, j, c, d);
     k = k.unaryExpr([&](const double x) { return std::ldexp(x, exponent); });
   }
-} // namespace conetact
+} // namespace conetact::bodies

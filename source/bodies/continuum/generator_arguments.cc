@@ -14,7 +14,7 @@
 #include <optional>
 #include <set>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -457,4 +457,4 @@ namespace conetact
                        to_text(std::floor(machine_memory() / 1e6)) +
                        ". Make it coarser.");
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -204,4 +204,4 @@ namespace conetact
                      const Eigen::VectorXd &,
                      const double,
                      const std::filesystem::path &);
-} // namespace conetact
+} // namespace conetact::bodies

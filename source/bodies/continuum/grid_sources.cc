@@ -19,7 +19,7 @@
 #include <sstream>
 #include <tuple>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::GridIn;
   using dealii::Triangulation;
@@ -376,4 +376,4 @@ namespace conetact
   generate_or_read<2>(const MeshParameters &);
   template std::unique_ptr<Triangulation<3>>
   generate_or_read<3>(const MeshParameters &);
-} // namespace conetact
+} // namespace conetact::bodies

@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::GeometryInfo;
   using dealii::Point;
@@ -188,4 +188,4 @@ namespace conetact
   make_mesh<2>(const MeshParameters &);
   template std::unique_ptr<Triangulation<3>>
   make_mesh<3>(const MeshParameters &);
-} // namespace conetact
+} // namespace conetact::bodies

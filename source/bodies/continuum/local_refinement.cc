@@ -16,7 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::BoundingBox;
   using dealii::Point;
@@ -258,4 +258,4 @@ namespace conetact
   refine_elements<2>(Triangulation<2> &, const Refinements &);
   template void
   refine_elements<3>(Triangulation<3> &, const Refinements &);
-} // namespace conetact
+} // namespace conetact::bodies

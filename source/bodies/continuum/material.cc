@@ -7,7 +7,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::ParameterHandler;
   namespace Patterns = dealii::Patterns;
@@ -124,4 +124,4 @@ namespace conetact
     check(material, where);
     return material;
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::ParameterHandler;
   using dealii::Point;
@@ -249,4 +249,4 @@ namespace conetact
     prm.leave_subsection();
     return mesh;
   }
-} // namespace conetact
+} // namespace conetact::bodies

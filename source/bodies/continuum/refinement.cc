@@ -9,7 +9,7 @@
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/error_estimator.h>
 
-namespace conetact
+namespace conetact::bodies
 {
   template <int dim>
   std::vector<double>
@@ -33,4 +33,4 @@ namespace conetact
   squared_jumps<2>(const Discretization<2> &, const Eigen::VectorXd &);
   template std::vector<double>
   squared_jumps<3>(const Discretization<3> &, const Eigen::VectorXd &);
-} // namespace conetact
+} // namespace conetact::bodies

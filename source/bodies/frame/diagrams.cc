@@ -5,7 +5,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -154,4 +154,4 @@ namespace conetact
       }
     return result;
   }
-} // namespace conetact
+} // namespace conetact::bodies

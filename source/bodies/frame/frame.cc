@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -265,4 +265,4 @@ namespace conetact
                           n_beams) +
            " bars, " + std::to_string(n_nodes()) + " nodes";
   }
-} // namespace conetact
+} // namespace conetact::bodies

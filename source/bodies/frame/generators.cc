@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -187,4 +187,4 @@ namespace conetact
        &generate_double_layer_grid}};
     return table;
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -10,7 +10,7 @@
 
 #include <sstream>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -130,4 +130,4 @@ namespace conetact
     output.write_vtu(text);
     write_atomically(file, text.str());
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -8,7 +8,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -187,4 +187,4 @@ namespace conetact
         visit(dofs, matrix.data());
       }
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -221,4 +221,4 @@ namespace conetact
     // member.
     return k * to_local(u) - local_forces(load);
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::ParameterHandler;
   namespace Patterns = dealii::Patterns;
@@ -228,4 +228,4 @@ namespace conetact
     check(model, where);
     return model;
   }
-} // namespace conetact
+} // namespace conetact::bodies

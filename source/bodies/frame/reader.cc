@@ -11,7 +11,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace conetact
+namespace conetact::bodies
 {
   namespace
   {
@@ -244,4 +244,4 @@ namespace conetact
                        "'. Give one of: " + join(names) + ".");
     return static_cast<unsigned int>(found - names.begin());
   }
-} // namespace conetact
+} // namespace conetact::bodies

@@ -7,7 +7,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
-namespace conetact
+namespace conetact::bodies
 {
   using dealii::ParameterHandler;
 
@@ -170,4 +170,4 @@ namespace conetact
                        "'set Sections = pipe' and 'subsection Section pipe'.");
     return sections;
   }
-} // namespace conetact
+} // namespace conetact::bodies

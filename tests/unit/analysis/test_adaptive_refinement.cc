@@ -10,6 +10,8 @@
 #include "body_fixture.h"
 
 using namespace conetact;
+using namespace conetact::analysis;
+using namespace conetact::bodies;
 using namespace conetact::test;
 
 namespace

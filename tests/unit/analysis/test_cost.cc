@@ -6,6 +6,8 @@
 #include "scene_fixture.h"
 
 using namespace conetact;
+using namespace conetact::analysis;
+using namespace conetact::contact;
 
 TEST(Cost, OfASmallScene)
 {

@@ -6,6 +6,9 @@
 #include "scene_fixture.h"
 
 using namespace conetact;
+using namespace conetact::analysis;
+using namespace conetact::contact;
+using namespace conetact::load_path;
 
 namespace
 {

@@ -8,6 +8,10 @@
 #include "scene_fixture.h"
 
 using namespace conetact;
+using namespace conetact::analysis;
+using namespace conetact::application;
+using namespace conetact::contact;
+using namespace conetact::solvers;
 
 namespace
 {

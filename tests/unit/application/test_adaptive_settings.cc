@@ -6,6 +6,7 @@
 #include "scene_fixture.h"
 
 using namespace conetact;
+using namespace conetact::application;
 
 TEST(AdaptiveSettings, EntriesArrive)
 {

@@ -9,6 +9,7 @@
 #include "sentence.h"
 
 using namespace conetact;
+using namespace conetact::application;
 
 namespace
 {

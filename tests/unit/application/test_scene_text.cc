@@ -8,6 +8,7 @@
 #include "sentence.h"
 
 using namespace conetact;
+using namespace conetact::application;
 using dealii::ParameterHandler;
 
 namespace

@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 
 using namespace conetact;
+using namespace conetact::application;
+using namespace conetact::load_path;
+using namespace conetact::solvers;
 
 namespace
 {

@@ -13,6 +13,8 @@
 
 namespace conetact
 {
+  using namespace contact;
+
   struct System
   {
     Eigen::SparseMatrix<double> upper;

@@ -15,6 +15,10 @@
 namespace
 {
   using namespace conetact;
+  using namespace conetact::analysis;
+  using namespace conetact::application;
+  using namespace conetact::backends;
+  using namespace conetact::contact;
   using Eigen::Index;
   using Eigen::MatrixXd;
 

@@ -6,6 +6,7 @@
 #include "frame_fixture.h"
 
 using namespace conetact;
+using namespace conetact::bodies;
 using namespace conetact::test;
 
 namespace

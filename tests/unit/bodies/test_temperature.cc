@@ -9,6 +9,7 @@
 #include "frame_fixture.h"
 
 using namespace conetact;
+using namespace conetact::bodies;
 using namespace conetact::test;
 
 namespace

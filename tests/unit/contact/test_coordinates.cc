@@ -6,6 +6,8 @@
 #include "scene_fixture.h"
 
 using namespace conetact;
+using namespace conetact::bodies;
+using namespace conetact::contact;
 
 namespace
 {

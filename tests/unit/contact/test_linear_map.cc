@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace conetact;
+using namespace conetact::contact;
 
 // u_0 = 2 q_1, u_1 = 0, u_2 = q_0 - 3 q_1 + q_0
 TEST(LinearMap, ByRowsAndByColumns)

@@ -6,6 +6,10 @@
 #include "scene_fixture.h"
 
 using namespace conetact;
+using namespace conetact::application;
+using namespace conetact::bodies;
+using namespace conetact::contact;
+using namespace conetact::solvers;
 using test::expect_near;
 using test::vector;
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 using namespace conetact;
+using namespace conetact::contact;
+using namespace conetact::solvers;
 
 namespace
 {

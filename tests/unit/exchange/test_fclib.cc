@@ -26,6 +26,9 @@ extern "C"
 }
 
 using namespace conetact;
+using namespace conetact::contact;
+using namespace conetact::exchange;
+using namespace conetact::solvers;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 namespace fs = std::filesystem;

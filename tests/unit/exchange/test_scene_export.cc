@@ -16,6 +16,8 @@
 #include <sstream>
 
 using namespace conetact;
+using namespace conetact::exchange;
+using namespace conetact::solvers;
 namespace fs = std::filesystem;
 
 namespace

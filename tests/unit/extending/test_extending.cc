@@ -22,6 +22,11 @@
 #include <fstream>
 
 using namespace conetact;
+using namespace conetact::backends;
+using namespace conetact::bodies;
+using namespace conetact::output;
+using namespace conetact::pairing;
+using namespace conetact::solvers;
 
 namespace
 {

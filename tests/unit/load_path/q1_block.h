@@ -18,6 +18,8 @@
  */
 namespace conetact
 {
+  using namespace solvers;
+
   class Q1Block
   {
   public:

@@ -8,6 +8,8 @@
 #include <cmath>
 
 using namespace conetact;
+using namespace conetact::load_path;
+using namespace conetact::solvers;
 using Eigen::VectorXd;
 
 namespace

@@ -12,6 +12,8 @@
 #include "random_problem.h"
 
 using namespace conetact;
+using namespace conetact::load_path;
+using namespace conetact::solvers;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

@@ -10,6 +10,8 @@
 #include "sentence.h"
 
 using namespace conetact;
+using namespace conetact::output;
+using namespace conetact::solvers;
 
 namespace
 {

@@ -7,6 +7,7 @@
 #include "files.h"
 
 using namespace conetact;
+using namespace conetact::output;
 
 namespace
 {

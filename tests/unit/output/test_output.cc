@@ -23,6 +23,9 @@
 #include "files.h"
 
 using namespace conetact;
+using namespace conetact::bodies;
+using namespace conetact::output;
+using namespace conetact::solvers;
 namespace fs = std::filesystem;
 
 namespace

@@ -17,6 +17,8 @@
 #include <random>
 
 using namespace conetact;
+using namespace conetact::pairing;
+using namespace conetact::solvers;
 
 namespace
 {

@@ -9,6 +9,8 @@
 #include "body_fixture.h"
 
 using namespace conetact;
+using namespace conetact::bodies;
+using namespace conetact::pairing;
 
 namespace
 {

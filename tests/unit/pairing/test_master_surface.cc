@@ -11,6 +11,7 @@
 #include "faces_only.h"
 
 using namespace conetact;
+using namespace conetact::pairing;
 using test::FacesOnly;
 
 namespace

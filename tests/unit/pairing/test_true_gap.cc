@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace conetact;
+using namespace conetact::pairing;
 
 namespace
 {

@@ -9,6 +9,9 @@
 #include <stdexcept>
 
 using namespace conetact;
+using namespace conetact::load_path;
+using namespace conetact::reproductions;
+using namespace conetact::solvers;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

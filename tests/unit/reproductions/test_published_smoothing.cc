@@ -8,6 +8,8 @@
 #include "random_problem.h"
 
 using namespace conetact;
+using namespace conetact::reproductions;
+using namespace conetact::solvers;
 
 TEST(PublishedSmoothing, StopsOnItsOwnTolerance)
 {

@@ -8,6 +8,8 @@
 #include "random_problem.h"
 
 using namespace conetact;
+using namespace conetact::pairing;
+using namespace conetact::solvers;
 
 namespace
 {

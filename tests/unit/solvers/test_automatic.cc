@@ -11,6 +11,7 @@
 #include "random_problem.h"
 
 using namespace conetact;
+using namespace conetact::solvers;
 
 namespace
 {

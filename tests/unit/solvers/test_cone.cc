@@ -8,6 +8,8 @@
 #include "random_problem.h"
 
 using namespace conetact;
+using namespace conetact::contact;
+using namespace conetact::solvers;
 
 namespace
 {

@@ -12,6 +12,8 @@
 #include <cmath>
 
 using namespace conetact;
+using namespace conetact::bodies;
+using namespace conetact::solvers;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;

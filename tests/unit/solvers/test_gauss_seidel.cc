@@ -11,6 +11,7 @@
 #include <random>
 
 using namespace conetact;
+using namespace conetact::solvers;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

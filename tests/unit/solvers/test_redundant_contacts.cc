@@ -15,6 +15,8 @@
 #include "rigid_bodies.h"
 
 using namespace conetact;
+using namespace conetact::contact;
+using namespace conetact::solvers;
 using Eigen::VectorXd;
 
 namespace

@@ -8,6 +8,7 @@
 #include <numeric>
 
 using namespace conetact;
+using namespace conetact::solvers;
 
 namespace
 {

@@ -8,6 +8,7 @@
 #include "random_problem.h"
 
 using namespace conetact;
+using namespace conetact::solvers;
 
 namespace
 {

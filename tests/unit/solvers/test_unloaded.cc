@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace conetact;
+using namespace conetact::solvers;
 
 namespace
 {

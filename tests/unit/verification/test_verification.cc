@@ -14,6 +14,11 @@
 #include <fstream>
 
 using namespace conetact;
+using namespace conetact::application;
+using namespace conetact::bodies;
+using namespace conetact::contact;
+using namespace conetact::solvers;
+using namespace conetact::verification;
 
 namespace
 {

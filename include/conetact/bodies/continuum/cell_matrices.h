@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Stiffness matrices of all cells of a mesh of one material. Cells that are
@@ -80,6 +80,6 @@ namespace conetact
     typename Element::Matrix
     compute(const unsigned int cell) const;
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

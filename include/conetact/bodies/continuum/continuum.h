@@ -20,7 +20,7 @@ namespace dealii
   class Triangulation;
 }
 
-namespace conetact
+namespace conetact::bodies
 {
   template <int dim>
   struct Discretization;
@@ -110,6 +110,6 @@ namespace conetact
     std::unique_ptr<ElementFormulation<dim>>   element;
     CellMatrices<dim>                          matrices;
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

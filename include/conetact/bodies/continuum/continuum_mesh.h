@@ -11,7 +11,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Nodes and cells of a mesh as plain arrays, for what runs over all of them
@@ -62,6 +62,6 @@ namespace conetact
   {
     return to_space(Point<dim>(v));
   }
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

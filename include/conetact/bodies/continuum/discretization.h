@@ -16,7 +16,7 @@
 #include <memory>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Linear displacements on a mesh of quadrilaterals or hexahedra (FE_Q) or of
@@ -76,6 +76,6 @@ namespace conetact
     void
     find_boundary_faces();
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

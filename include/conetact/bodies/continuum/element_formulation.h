@@ -14,7 +14,7 @@
 #include <array>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * How the strains @f$\bar B u@f$ of a cell follow from the displacements of
@@ -198,6 +198,6 @@ namespace conetact
     StrainOfCell
     strain(const Vertices &vertices) const;
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** One row for each kind of element. */
   template <int dim>
@@ -27,6 +27,6 @@ namespace conetact
   template <int dim>
   const ElementRow<dim> &
   default_element(const bool simplices);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

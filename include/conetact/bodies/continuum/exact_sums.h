@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Rounds the stiffness k of an element without rotations, dof
@@ -19,6 +19,6 @@ namespace conetact
    */
   void
   make_sums_exact(Eigen::Ref<Eigen::MatrixXd> k, const int dim);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

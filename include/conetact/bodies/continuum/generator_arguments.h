@@ -6,7 +6,7 @@
 
 #include "conetact/bodies/continuum/mesh_parameters.h"
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * deal.II's mesh generators check their arguments in debug mode only; without
@@ -30,6 +30,6 @@ namespace conetact
                   const unsigned int    dim,
                   const double          n_cells,
                   const std::string    &entry);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -8,7 +8,7 @@
 #include "conetact/bodies/continuum/elements.h"
 #include "conetact/bodies/continuum/material.h"
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * VTU of the undeformed mesh with nodal fields: `displacement` (3), `stress`
@@ -28,6 +28,6 @@ namespace conetact
                   const Eigen::VectorXd         &temperature,
                   const double                   time,
                   const std::filesystem::path   &file);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -14,7 +14,7 @@ namespace dealii
   class Triangulation;
 }
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * The coarse mesh of quadrilaterals or hexahedra, by a generator's name (with
@@ -23,6 +23,6 @@ namespace conetact
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>
   generate_or_read(const MeshParameters &parameters);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

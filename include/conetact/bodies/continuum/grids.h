@@ -14,7 +14,7 @@ namespace dealii
   class Triangulation;
 }
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * The finished mesh of quadrilaterals or hexahedra: generated or read,
@@ -25,6 +25,6 @@ namespace conetact
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>
   make_mesh(const MeshParameters &parameters);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

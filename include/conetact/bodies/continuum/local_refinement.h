@@ -12,7 +12,7 @@ namespace dealii
   class Triangulation;
 }
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Refines a mesh that is neither scaled, rotated, moved nor tagged yet: cells
@@ -29,6 +29,6 @@ namespace conetact
   void
   refine_elements(dealii::Triangulation<dim, dim> &mesh,
                   const Refinements               &refinements);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Isotropic linear elasticity,
@@ -49,6 +49,6 @@ namespace conetact
   /** `body` is for messages: "Body 'block'". Throws InputError. */
   ElasticMaterial
   parse_material(dealii::ParameterHandler &prm, const std::string &body);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

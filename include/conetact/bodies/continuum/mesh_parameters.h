@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** The parsed entries of `subsection Mesh`. */
   struct MeshParameters
@@ -77,6 +77,6 @@ namespace conetact
              const unsigned int           dim,
              const std::filesystem::path &folder,
              const std::string           &body);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -9,7 +9,7 @@
 #include <vector>
 
 
-namespace conetact
+namespace conetact::bodies
 {
   template <int dim>
   struct Discretization;
@@ -23,6 +23,6 @@ namespace conetact
   template <int dim>
   std::vector<double>
   squared_jumps(const Discretization<dim> &body, const Eigen::VectorXd &u);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * What a cut through a member shows: the force and moment that the part
@@ -35,6 +35,6 @@ namespace conetact
                   const Member::Vector &deformation,
                   const MemberLoad     &load,
                   const unsigned int    n);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

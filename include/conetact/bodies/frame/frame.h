@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * A body of straight bars and Euler-Bernoulli beams,
@@ -138,6 +138,6 @@ namespace conetact
     std::vector<bool>   turns;           ///< whether a node's rotation is a dof
     double              size = 0;        ///< largest distance to the first node
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

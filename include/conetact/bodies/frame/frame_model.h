@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Cross section of members. Without moments of inertia the member is a bar,
@@ -62,6 +62,6 @@ namespace conetact
     std::vector<FrameNode>    nodes;
     std::vector<FrameMember>  members;
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** One row for each frame that a few numbers describe. */
   struct FrameGenerator
@@ -26,6 +26,6 @@ namespace conetact
   };
   const std::vector<FrameGenerator> &
   frame_generators();
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

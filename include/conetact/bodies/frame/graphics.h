@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** Of the twelve dofs of a member, with and without a rigid motion. */
   struct MemberMotion
@@ -33,6 +33,6 @@ namespace conetact
               const unsigned int               dim,
               const double                     time,
               const std::filesystem::path     &file);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /** What acts on a member between its nodes. */
   struct MemberLoad
@@ -113,6 +113,6 @@ namespace conetact
     double                      l;
     Eigen::Matrix3d             axes; ///< rows: local axes
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <string>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Entries of a frame in the body's subsection: `Sections`, a list of names
@@ -29,6 +29,6 @@ namespace conetact
               const unsigned int           dim,
               const std::filesystem::path &folder,
               const std::string           &body);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Adds nodes and members that a user wrote to a frame whose dimension and
@@ -56,6 +56,6 @@ namespace conetact
     FrameModel                         &model;
     std::map<std::string, unsigned int> numbers; ///< of nodes by name
   };
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif

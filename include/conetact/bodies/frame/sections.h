@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace conetact
+namespace conetact::bodies
 {
   /**
    * Entry `Sections`, a list of names. Each name that is read declares its own
@@ -24,6 +24,6 @@ namespace conetact
   parse_sections(dealii::ParameterHandler &prm,
                  const unsigned int        dim,
                  const std::string        &body);
-} // namespace conetact
+} // namespace conetact::bodies
 
 #endif
