@@ -17,6 +17,8 @@ FOLDERS = ("source", "include", "tests", "doc", "examples", "scripts", "benchmar
 def declared(code, name):
     """Each part of Class::member() stands in the headers; the first one as class, function or constant."""
     first, *rest = name.removesuffix("()").split("::")
+    if rest and f"namespace conetact::{first}\n" in code:
+        first, *rest = rest
     begin = rf"\b{first}\s*\(" if name.endswith("()") and not rest else rf"(class|struct|enum class|using)\s+{first}\b"
     return re.search(begin, code) and all(re.search(rf"\b{part}\b", code) for part in rest)
 

@@ -189,16 +189,18 @@ namespace
     const Block  block = assemble(n);
     const double t0    = seconds();
     const auto   places =
-      conetact::elimination_order(block.upper,
-                                  block.upper.cols() - block.n_schur,
-                                  block.node_of);
-    const double         t1 = seconds();
-    conetact::MumpsSchur solver(block.upper, block.n_schur, block.node_of);
-    const MatrixXd       S  = solver.take_schur_complement();
-    const double         t2 = seconds();
-    const MatrixXd       b  = MatrixXd::Ones(block.upper.cols(), 11);
-    const MatrixXd       r  = solver.reduce(b);
-    const double         t3 = seconds();
+      conetact::backends::elimination_order(block.upper,
+                                            block.upper.cols() - block.n_schur,
+                                            block.node_of);
+    const double                   t1 = seconds();
+    conetact::backends::MumpsSchur solver(block.upper,
+                                          block.n_schur,
+                                          block.node_of);
+    const MatrixXd                 S  = solver.take_schur_complement();
+    const double                   t2 = seconds();
+    const MatrixXd                 b  = MatrixXd::Ones(block.upper.cols(), 11);
+    const MatrixXd                 r  = solver.reduce(b);
+    const double                   t3 = seconds();
     solver.expand(b, r);
     const double t4 = seconds();
 
@@ -243,7 +245,7 @@ main(int argc, char **argv)
 
   const conetact::ProcessSession session(n_threads);
   const Block                    tiny = assemble(2); // starts MPI
-  conetact::MumpsSchur(tiny.upper, tiny.n_schur, tiny.node_of);
+  conetact::backends::MumpsSchur(tiny.upper, tiny.n_schur, tiny.node_of);
   std::printf("%s seconds; factor in GB; 11 right-hand sides; ratios to "
               "CHOLMOD with and without its analysis\n\n"
               "| n | unknowns | Schur | METIS | METIS and S | reduce | expand "

@@ -104,11 +104,11 @@ namespace conetact::contact
           {
             pairing::for_each_side(node,
                                    [&](const unsigned int body,
-                                       const unsigned int i,
+                                       const unsigned int number,
                                        const double       weight) {
                                      append(own,
                                             row,
-                                            coordinates.dof(body, i),
+                                            coordinates.dof(body, number),
                                             dim,
                                             weight * dual,
                                             entries);

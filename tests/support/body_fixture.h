@@ -17,6 +17,8 @@
 /** Bodies from the text of a scene, and sums over them. */
 namespace conetact::test
 {
+  using namespace bodies;
+
   /** Of "entry = value" separated by '|', the lines of a scene. */
   inline std::string
   lines(const std::string &entries)

@@ -8,6 +8,8 @@
 
 namespace conetact::test
 {
+  using namespace bodies;
+
   /** A body without elements: what a test needs of it is overridden. */
   class EmptyStructure : public Structure
   {

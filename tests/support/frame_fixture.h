@@ -13,6 +13,8 @@
 /** Frames from the text of a scene, loaded and held without contact. */
 namespace conetact::test
 {
+  using namespace bodies;
+
   /** Entries of subsections Frame and Section s, separated by '|'. */
   inline std::unique_ptr<Frame>
   make_frame(const unsigned int dim,

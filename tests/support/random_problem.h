@@ -16,7 +16,6 @@
  */
 namespace conetact
 {
-  using namespace pairing;
   using namespace solvers;
 
   struct RandomOptions

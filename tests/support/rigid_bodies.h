@@ -22,7 +22,6 @@
  */
 namespace conetact
 {
-  using namespace contact;
   using namespace solvers;
 
   struct RigidBlock

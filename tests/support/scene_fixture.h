@@ -12,6 +12,8 @@
 /** Scenes from their text, with frames that can be reckoned by hand. */
 namespace conetact::test
 {
+  using namespace application;
+
   /** Read and built; bodies, supports and contact nodes live in it. */
   inline std::unique_ptr<Scene>
   make_scene(const std::string &text)

@@ -13,7 +13,6 @@
 
 namespace conetact
 {
-  using namespace contact;
 
   struct System
   {

@@ -23,7 +23,7 @@ TEST(EliminationOrder, IsAPermutationWithNodesInOnePiece)
   const System           system = Lattice{{6, 5, 4}}.assemble();
   const Index            f      = system.upper.cols() - 40;
   const std::vector<int> places =
-    conetact::elimination_order(system.upper, f, system.node_of);
+    conetact::backends::elimination_order(system.upper, f, system.node_of);
   std::vector<int> sorted = places;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 0; i < sorted.size(); ++i)

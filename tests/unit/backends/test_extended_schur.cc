@@ -11,10 +11,10 @@
 
 namespace
 {
-  using conetact::Condenser;
-  using conetact::ExtendedSchur;
   using conetact::Lattice;
   using conetact::System;
+  using conetact::backends::Condenser;
+  using conetact::backends::ExtendedSchur;
   using Eigen::Index;
   using Eigen::MatrixXd;
 
@@ -85,7 +85,7 @@ namespace
 
   TEST(ExtendedSchur, AdditionsCompose)
   {
-    for (const Condenser &condenser : conetact::condenser_table())
+    for (const Condenser &condenser : conetact::backends::condenser_table())
       {
         SCOPED_TRACE(condenser.name);
         check_additions(condenser);

@@ -9,11 +9,11 @@
 
 namespace
 {
-  using conetact::Condenser;
-  using conetact::condenser_table;
   using conetact::Lattice;
-  using conetact::SingularMatrix;
   using conetact::System;
+  using conetact::backends::Condenser;
+  using conetact::backends::condenser_table;
+  using conetact::backends::SingularMatrix;
   using Eigen::Index;
 
   void
@@ -94,9 +94,9 @@ TEST(FreeMotion, RefusesAnEmptyRowAndANegativeDiagonal)
   indefinite.upper.insert(0, 1) = 2.;
   indefinite.node_of            = {0, 1, 2};
   // no stiffness is like that, and LU does not see it
-  EXPECT_THROW(conetact::default_condenser().create(indefinite.upper,
-                                                    1,
-                                                    {0, 1, 2}),
+  EXPECT_THROW(conetact::backends::default_condenser().create(indefinite.upper,
+                                                              1,
+                                                              {0, 1, 2}),
                SingularMatrix);
 }
 

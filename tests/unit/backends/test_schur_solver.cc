@@ -15,12 +15,12 @@
 
 namespace
 {
-  using conetact::Condenser;
-  using conetact::condenser_table;
   using conetact::Lattice;
-  using conetact::MumpsSchur;
   using conetact::ProcessSession;
   using conetact::System;
+  using conetact::backends::Condenser;
+  using conetact::backends::condenser_table;
+  using conetact::backends::MumpsSchur;
   using Eigen::Index;
   using Eigen::MatrixXd;
   using LongMatrix   = Eigen::Matrix<long double, -1, -1>;
@@ -250,9 +250,9 @@ namespace
   {
     const System system = membrane(n);
     const auto   solver =
-      conetact::condenser_named(condenser).create(system.upper,
-                                                  n,
-                                                  system.node_of);
+      conetact::backends::condenser_named(condenser).create(system.upper,
+                                                            n,
+                                                            system.node_of);
     const MatrixXd u_C       = MatrixXd::Ones(n, 1);
     const MatrixXd u         = solver->expand(MatrixXd::Zero(n * n, 1), u_C);
     const double   at_bottom = (solver->take_schur_complement() * u_C).sum();

@@ -34,7 +34,7 @@ namespace
    * all elements, in plane strain and plane stress.
    */
   std::vector<std::unique_ptr<Structure>>
-  bodies()
+  all_bodies()
   {
     const std::vector<std::pair<unsigned int, std::string>> meshes = {
       {2, square},
@@ -79,7 +79,7 @@ namespace
 
 TEST(Continuum, RigidMotionsMeetNoForce)
 {
-  for (const auto &body : bodies())
+  for (const auto &body : all_bodies())
     {
       const unsigned int    dim = body->n_components();
       const Eigen::VectorXd u   = interpolate(*body, [dim](const Point<3> &x) {
@@ -94,7 +94,7 @@ TEST(Continuum, RigidMotionsMeetNoForce)
 
 TEST(Continuum, UniformStrainIsExact)
 {
-  for (const auto &body : bodies())
+  for (const auto &body : all_bodies())
     {
       const Eigen::VectorXd u = interpolate(*body, [](const Point<3> &x) {
         return Tensor<1, 3>({.3 * x[0] + .1 * x[1] + .4 * x[2],
@@ -117,7 +117,7 @@ TEST(Continuum, UniformStrainIsExact)
 
 TEST(Continuum, ElementsAreExactlySymmetric)
 {
-  for (const auto &body : bodies())
+  for (const auto &body : all_bodies())
     body->for_each_element(
       [](const std::vector<unsigned int> &dofs, const double *matrix) {
         for (std::size_t i = 0; i < dofs.size(); ++i)
@@ -128,7 +128,7 @@ TEST(Continuum, ElementsAreExactlySymmetric)
 
 TEST(Continuum, TranslationsMeetNoForceToTheLastBit)
 {
-  for (const auto &body : bodies())
+  for (const auto &body : all_bodies())
     {
       const unsigned int dim = body->n_components();
       body->for_each_element(
@@ -160,7 +160,7 @@ TEST(Continuum, TranslationsMeetNoForceToTheLastBit)
 
 TEST(Continuum, OnlyRigidMotionsNeedNoEnergy)
 {
-  for (const auto &body : bodies())
+  for (const auto &body : all_bodies())
     {
       const Eigen::Index n_rigid = body->n_components() == 2 ? 3 : 6;
       body->for_each_element(
@@ -253,7 +253,7 @@ TEST(Continuum, RotatedBodyHasRotatedStiffness)
 
 TEST(Continuum, HangingNodesFollowLinearFields)
 {
-  for (const auto &body : bodies())
+  for (const auto &body : all_bodies())
     for (const HangingNode &node : body->hanging_nodes())
       {
         Tensor<1, 3> position;
@@ -327,7 +327,7 @@ TEST(Continuum, SurfaceOfBallWithHangingNodes)
 
 TEST(Continuum, TractionsHaveTheirResultants)
 {
-  for (const auto &body : bodies())
+  for (const auto &body : all_bodies())
     {
       // pressure all around, constant or of depth: Archimedes
       const unsigned int dim = body->n_components();

@@ -26,7 +26,6 @@ extern "C"
 }
 
 using namespace conetact;
-using namespace conetact::contact;
 using namespace conetact::exchange;
 using namespace conetact::solvers;
 using Eigen::MatrixXd;

@@ -11,7 +11,7 @@
 #include "conetact/bodies/body_table.h"
 #include "conetact/bodies/continuum/continuum.h"
 #include "conetact/output/output_table.h"
-#include "conetact/pairing/obstacles.h"
+#include "conetact/pairing/contact_nodes.h"
 #include "conetact/solvers/solver_table.h"
 
 #include <deal.II/grid/grid_generator.h>
@@ -19,7 +19,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+
+#include "body_fixture.h"
 
 using namespace conetact;
 using namespace conetact::backends;
@@ -350,6 +354,55 @@ namespace
   //! [output row]
 
 
+  //! [pairing]
+  /** Node to node, for meshes that match: each node meets the nearest one of
+   * the master, along the normal of its own surface. */
+  PairedNodes
+  pair_node_to_node(const Contact                        &contact,
+                    const std::vector<const Structure *> &structures)
+  {
+    const Surface slave = structures[contact.body]->surface(contact.ids);
+    const Surface master =
+      structures[contact.master]->surface(contact.master_ids);
+    PairedNodes found;
+    for (const SurfaceNode &s : slave.nodes)
+      {
+        const auto distance = [&](const SurfaceNode &m) {
+          return m.position.distance(s.position);
+        };
+        const SurfaceNode &nearest =
+          *std::min_element(master.nodes.begin(),
+                            master.nodes.end(),
+                            [&](const SurfaceNode &a, const SurfaceNode &b) {
+                              return distance(a) < distance(b);
+                            });
+        ContactNode node;
+        node.body     = contact.body;
+        node.node     = s.node;
+        node.position = s.position;
+        node.area     = s.area;
+        node.spacing  = std::sqrt(s.area);
+        node.n        = -s.normal;
+        node.gap      = (s.position - nearest.position) * node.n;
+        node.master   = contact.master;
+        node.masters  = {{nearest.node, 1.}};
+        found.nodes.push_back(std::move(node));
+      }
+    found.n_nodes = found.n_paired =
+      static_cast<unsigned int>(found.nodes.size());
+    return found;
+  }
+  //! [pairing]
+
+  //! [pairing row]
+  const PairingRow node_to_node_row = {
+    "node to node",
+    "each node meets the nearest node of the master, for meshes that match",
+    pair_node_to_node,
+    false};
+  //! [pairing row]
+
+
 
   //! [backend]
   /** Condenses by a dense Cholesky factorisation: for very small bodies. */
@@ -552,4 +605,26 @@ TEST(Extending, ABackend)
     solver->expand(b, Eigen::MatrixXd::Constant(1, 1, 3));
   EXPECT_LT((u - Eigen::Vector3d(1.5, 3, 3)).norm(), 1e-14);
   EXPECT_EQ(dense_row.estimate(upper, 1, {}).factor_bytes, 32);
+}
+
+TEST(Extending, APairing)
+{
+  const std::string mesh =
+    "Generator = subdivided_hyper_rectangle|Arguments = ";
+  const auto low  = test::make_body(2, mesh + "3, 1 : 0, 0 : 3, 1 : true");
+  const auto high = test::make_body(2, mesh + "3, 1 : 0, 1.5 : 3, 2 : true");
+  Contact    contact;
+  contact.ids        = {2};
+  contact.master     = 1;
+  contact.master_ids = {3};
+  const PairedNodes found =
+    node_to_node_row.pair(contact, {high.get(), low.get()});
+  ASSERT_EQ(found.nodes.size(), 4u);
+  for (const ContactNode &node : found.nodes)
+    {
+      EXPECT_EQ(node.gap, .5);
+      EXPECT_EQ(node.n[1], 1);
+      ASSERT_EQ(node.masters.size(), 1u);
+      EXPECT_EQ(low->position(node.masters[0].first)[0], node.position[0]);
+    }
 }

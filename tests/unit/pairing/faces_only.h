@@ -10,6 +10,8 @@
 
 namespace conetact::test
 {
+  using namespace bodies;
+
   /**
    * A body of which there is nothing but faces: nodes, and for each face its
    * nodes, turned outward, and its boundary id.

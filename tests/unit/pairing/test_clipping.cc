@@ -18,7 +18,6 @@
 
 using namespace conetact;
 using namespace conetact::pairing;
-using namespace conetact::solvers;
 
 namespace
 {
@@ -190,9 +189,11 @@ TEST(Clipping, ProjectedFaces)
           EXPECT_NEAR(seen.shape[i], n == 4 ? N4[i] : N3[i], 1e-12);
         EXPECT_NEAR(seen.height, plane.height(Point<3>(p)), 1e-12);
         if (n == 3)
-          EXPECT_NEAR(seen.stretch * measure(face.outline()),
-                      .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm(),
-                      1e-12);
+          {
+            EXPECT_NEAR(seen.stretch * measure(face.outline()),
+                        .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm(),
+                        1e-12);
+          }
       }
 }
 

@@ -8,7 +8,6 @@
 #include "random_problem.h"
 
 using namespace conetact;
-using namespace conetact::contact;
 using namespace conetact::solvers;
 
 namespace

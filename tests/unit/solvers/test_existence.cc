@@ -12,7 +12,6 @@
 #include <cmath>
 
 using namespace conetact;
-using namespace conetact::bodies;
 using namespace conetact::solvers;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;

@@ -11,7 +11,6 @@
 #include "random_problem.h"
 
 using namespace conetact;
-using namespace conetact::pairing;
 using namespace conetact::solvers;
 
 namespace

@@ -15,7 +15,6 @@
 #include "rigid_bodies.h"
 
 using namespace conetact;
-using namespace conetact::contact;
 using namespace conetact::solvers;
 using Eigen::VectorXd;
 
