@@ -89,7 +89,7 @@ namespace
     Scene scene(line);
     scene.build();
     for (auto _ : state)
-      ContactModel(scene.bodies, scene.times).condensation();
+      ContactModel(scene.bodies, scene.times).condense();
   }
   BENCHMARK(condensation)
     ->ArgName("n")

@@ -73,13 +73,13 @@ namespace
     Condensation::Load
     load(const double t)
     {
-      return model->condensation().reduce(scene.nodal_loads().at(t),
-                                          model->coordinates.prescribed(t));
+      return model->condense().reduce(scene.nodal_loads().at(t),
+                                      model->coordinates.prescribed(t));
     }
     const Eigen::MatrixXd &
     K()
     {
-      return model->condensation().system()->matrix;
+      return model->condense().system()->matrix;
     }
     ContactHistory
     history()

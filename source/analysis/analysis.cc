@@ -115,15 +115,13 @@ namespace conetact::analysis
   Analysis::prepare()
   {
     check_history();
-    const double bytes = model.condensation().factor_bytes();
+    const double bytes = model.condense().factor_bytes();
     log.time("condensation by " + std::string(scene.condenser->name) +
              ": order, factor and Schur complement" +
              (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
-    report_shared_bodies(scene.bodies,
-                         model.condensation().n_shared_bodies(),
-                         log);
+    report_shared_bodies(scene.bodies, model.condense().n_shared_bodies(), log);
     if (!scene.fclib_increments.empty())
-      output::check_problem_is_writable(*model.condensation().system());
+      output::check_problem_is_writable(*model.condense().system());
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
       throw InputError("Output, Text increments: no node may touch anything, "
                        "there is no contact problem. Leave the entry empty.");

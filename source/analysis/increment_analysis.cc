@@ -193,9 +193,8 @@ namespace conetact::analysis
         cases.push_back(&increment.load);
         primal.push_back(increment.primal);
       }
-    acceptance.set_stiffness(*model.condensation().system(),
-                             model.working_set());
-    return model.condensation().expand(cases, primal);
+    acceptance.set_stiffness(*model.condense().system(), model.working_set());
+    return model.condense().expand(cases, primal);
   }
 
   IncrementAnalysis::Step
@@ -318,7 +317,7 @@ namespace conetact::analysis
   {
     // the relation holds for rounded matrices; the true one leaves forces
     // unbalanced, and contacts elsewhere than the recovered displacements
-    contact::ElasticBackend &elastic = model.condensation();
+    contact::ElasticBackend &elastic = model.condense();
     increment.load.f -= elastic.reduce_unbalanced(finding.unbalanced);
     solvers::ContactState guess = increment.before.start();
     if (model.is_dual())

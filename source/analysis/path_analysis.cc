@@ -106,7 +106,7 @@ namespace conetact::analysis
   {
     if (!stiffness)
       {
-        stiffness.emplace(model.condensation().system());
+        stiffness.emplace(model.condense().system());
         if (!stiffness->exists())
           throw InputError(
             "Solver/Method: a load path needs contacts that do not depend on "
@@ -423,9 +423,9 @@ namespace conetact::analysis
          ++step)
       {
         const Eigen::VectorXd refined =
-          w + model.condensation().correction(finding.unbalanced,
-                                              Eigen::VectorXd::Zero(
-                                                pending.primal.size()));
+          w + model.condense().correction(finding.unbalanced,
+                                          Eigen::VectorXd::Zero(
+                                            pending.primal.size()));
         verification::Finding found = acceptance.judge(pending, refined);
         if (!(found.equilibrium < .5 * finding.equilibrium) ||
             found.residual > std::max(finding.residual, scene.solver.tolerance))
@@ -450,9 +450,8 @@ namespace conetact::analysis
         cases.push_back(&w.pending.load);
         primal.push_back(w.pending.primal);
       }
-    acceptance.set_stiffness(*model.condensation().system(),
-                             model.working_set());
-    const Eigen::MatrixXd w = model.condensation().expand(cases, primal);
+    acceptance.set_stiffness(*model.condense().system(), model.working_set());
+    const Eigen::MatrixXd w = model.condense().expand(cases, primal);
     std::vector<output::IncrementRecord> finished;
     std::string                          failure;
     for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
@@ -520,7 +519,7 @@ namespace conetact::analysis
   PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
   {
     if (!model.is_dual())
-      return model.condensation().correction(
+      return model.condense().correction(
         Eigen::VectorXd::Zero(model.coordinates.n_dofs()), velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);

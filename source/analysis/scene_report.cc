@@ -176,7 +176,7 @@ namespace conetact::analysis
     note(model.work().factorizations,
          n_increments,
          "factorisations, the stiffness stays the same");
-    note(model.condensation().n_reductions(),
+    note(model.condense().n_reductions(),
          n_increments,
          "load cases, combinations of others or bodies carried along");
     note(loads.n_integrations(),

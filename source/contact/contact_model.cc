@@ -92,16 +92,15 @@ namespace conetact::contact
       }
     LoadCase load;
     if (thermal.size() == 0)
-      load = condensation().reduce(all, prescribed);
+      load = condense().reduce(all, prescribed);
     else if (is_dual())
       {
-        load = condensation().reduce(all, prescribed);
+        load = condense().reduce(all, prescribed);
         // Heat presses no body as a whole: its forces cancel up to rounding,
         // and a free motion would take this rounding for a load.
         LoadCase heat =
-          condensation().reduce(thermal,
-                                Eigen::VectorXd::Zero(prescribed.size()));
-        const solvers::ContactSystem &system = *condensation().system();
+          condense().reduce(thermal, Eigen::VectorXd::Zero(prescribed.size()));
+        const solvers::ContactSystem &system = *condense().system();
         for (Eigen::Index j = system.n_contact_unknowns();
              j < system.n_unknowns();
              ++j)
@@ -111,7 +110,7 @@ namespace conetact::contact
         load.f += heat.f;
       }
     else
-      load = condensation().reduce(all + thermal, prescribed);
+      load = condense().reduce(all + thermal, prescribed);
     load.placement = placement;
     load.offset    = offset(load, t);
     return load;
@@ -219,7 +218,7 @@ namespace conetact::contact
   }
 
   ElasticBackend &
-  ContactModel::condensation()
+  ContactModel::condense()
   {
     try
       {
@@ -238,7 +237,7 @@ namespace conetact::contact
   {
     try
       {
-        return condensation().compare(other);
+        return condense().compare(other);
       }
     catch (const backends::SingularMatrix &error)
       {
@@ -259,7 +258,7 @@ namespace conetact::contact
   bool
   ContactModel::extend(const std::vector<Eigen::Index> &nodes)
   {
-    return condensation().extend(nodes);
+    return condense().extend(nodes);
   }
 
   backends::SchurWork
@@ -330,7 +329,7 @@ namespace conetact::contact
   solvers::ContactProblem
   ContactHistory::problem(const LoadCase &load)
   {
-    const auto             &system = model->condensation().system();
+    const auto             &system = model->condense().system();
     const WorkingSet       &set    = model->working_set();
     solvers::ContactProblem problem;
     problem.system               = system;

@@ -94,7 +94,7 @@ namespace conetact::contact
             frame(d, c) = directions[static_cast<std::size_t>(c)][d];
         frames.push_back(frame);
       }
-    return solvers::ExistenceCheck(model.condensation().system(),
+    return solvers::ExistenceCheck(model.condense().system(),
                                    std::move(frames));
   }
 

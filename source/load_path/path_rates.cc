@@ -48,6 +48,27 @@ namespace conetact::load_path
       bool
       lemke(const Scheme &guess, Scheme &result) const;
 
+      /** A gap or a slip whose rate is to be found, and its column among the
+       * unknowns that may move. */
+      struct Pair
+      {
+        std::size_t node;
+        int         side; ///< 0: gap, else slip
+        Index       column;
+      };
+      std::vector<Pair>
+      close_and_stick(Scheme &scheme, std::vector<Index> &columns) const;
+      struct Lcp
+      {
+        MatrixXd M;
+        VectorXd q, cover;
+        VectorXi rank;
+      };
+      Lcp
+      superpose(const SchemeFactor       &base,
+                const std::vector<Pair>  &pairs,
+                const std::vector<Index> &columns) const;
+
       const PathSystem    &system;
       const CriticalNodes &critical;
       const VectorXd      &load_rate;
@@ -139,6 +160,80 @@ namespace conetact::load_path
 
 
 
+    /** Closes and sticks all critical nodes of a scheme. */
+    std::vector<RateProblem::Pair>
+    RateProblem::close_and_stick(Scheme             &scheme,
+                                 std::vector<Index> &columns) const
+    {
+      std::vector<Pair> pairs;
+      for (std::size_t i = 0; i < scheme.size(); ++i)
+        {
+          const CriticalNode c = critical[i];
+          if (c.normal)
+            {
+              scheme[i].closed = true;
+              pairs.push_back({i, 0, static_cast<Index>(columns.size())});
+              columns.push_back(system.normal[i]);
+            }
+          if (system.tangent[i] < 0 || !(c.plus || c.minus) ||
+              system.is_free(static_cast<Index>(i), scheme[i].closed))
+            continue;
+          scheme[i].slip = 0;
+          for (const int side : {1, -1})
+            if (side > 0 ? c.plus : c.minus)
+              pairs.push_back({i, side, static_cast<Index>(columns.size())});
+          columns.push_back(system.tangent[i]);
+        }
+      return pairs;
+    }
+
+
+
+    /**
+     * From all critical nodes closed and stuck: z are the rates of gaps and
+     * slips that set in, x those of normal reactions and reserves, and
+     * @f$x = M z + q@f$ by superposition.
+     */
+    RateProblem::Lcp
+    RateProblem::superpose(const SchemeFactor       &base,
+                           const std::vector<Pair>  &pairs,
+                           const std::vector<Index> &columns) const
+    {
+      VectorXd v, r;
+      MatrixXd V, R;
+      base.rates(load_rate, v, r);
+      base.responses(columns, V, R);
+      const auto n = static_cast<Index>(pairs.size());
+      Lcp        lcp{MatrixXd(n, n), VectorXd(n), VectorXd(n), VectorXi(n)};
+      for (Index a = 0; a < n; ++a)
+        {
+          const Pair  &p  = pairs[static_cast<std::size_t>(a)];
+          const Index  rn = system.normal[p.node], rt = system.tangent[p.node];
+          const double mu        = system.mu(static_cast<Index>(p.node));
+          Eigen::RowVectorXd row = R.row(rn);
+          lcp.q(a)               = r(rn);
+          if (p.side != 0)
+            {
+              // mu r_n + s r_t, the reserve
+              row      = mu * row + p.side * R.row(rt);
+              lcp.q(a) = mu * lcp.q(a) + p.side * r(rt);
+            }
+          for (Index b = 0; b < n; ++b)
+            {
+              const Pair &pb = pairs[static_cast<std::size_t>(b)];
+              // a slip along -t moves its column backwards
+              lcp.M(a, b) = row(pb.column) * (pb.side < 0 ? -1 : 1);
+            }
+          // The covering vector tightens all contacts by 1, with a cohesion of
+          // 1: reserves grow by mu + 1, and by something without friction, too.
+          lcp.cover(a) = p.side == 0 ? 1 : mu + 1;
+          lcp.rank(a)  = p.side == 0 ? 0 : 1;
+        }
+      return lcp;
+    }
+
+
+
     /**
      * The rate problem as a linear complementarity problem in the rates of all
      * critical gaps and slips; rigid motions are held softly.
@@ -146,83 +241,24 @@ namespace conetact::load_path
     bool
     RateProblem::lemke(const Scheme &guess, Scheme &result) const
     {
-      struct Pair
-      {
-        std::size_t node;
-        int         side; ///< 0: gap, else slip
-        Index       column;
-      };
-      std::vector<Pair>  pairs;
-      std::vector<Index> columns;
       result = guess;
-      for (std::size_t i = 0; i < guess.size(); ++i)
-        {
-          const CriticalNode c = critical[i];
-          if (c.normal)
-            {
-              result[i].closed = true;
-              pairs.push_back({i, 0, static_cast<Index>(columns.size())});
-              columns.push_back(system.normal[i]);
-            }
-          if (system.tangent[i] < 0 || !(c.plus || c.minus) ||
-              system.is_free(static_cast<Index>(i), result[i].closed))
-            continue;
-          result[i].slip = 0;
-          for (const int side : {1, -1})
-            if (side > 0 ? c.plus : c.minus)
-              pairs.push_back({i, side, static_cast<Index>(columns.size())});
-          columns.push_back(system.tangent[i]);
-        }
-
-      // All critical nodes closed and stuck: from there z are the rates of gaps
-      // and slips that set in, x those of normal reactions and reserves, and x
-      // = M z + q by superposition.
-      const SchemeFactor base(system, result, true);
+      std::vector<Index>      columns;
+      const std::vector<Pair> pairs = close_and_stick(result, columns);
+      const SchemeFactor      base(system, result, true);
       if (!base.regular())
         return false;
-      VectorXd v, r;
-      MatrixXd V, R;
-      base.rates(load_rate, v, r);
-      base.responses(columns, V, R);
-      const auto n = static_cast<Index>(pairs.size());
-      MatrixXd   M(n, n);
-      VectorXd   q(n), cover(n), z;
-      VectorXi   rank(n);
-      for (Index a = 0; a < n; ++a)
-        {
-          const Pair  &p  = pairs[static_cast<std::size_t>(a)];
-          const auto   i  = static_cast<Index>(p.node);
-          const Index  rn = system.normal[p.node], rt = system.tangent[p.node];
-          const double mu        = system.mu(i);
-          Eigen::RowVectorXd row = R.row(rn);
-          q(a)                   = r(rn);
-          if (p.side != 0)
-            {
-              // mu r_n + s r_t, the reserve
-              row  = mu * row + p.side * R.row(rt);
-              q(a) = mu * q(a) + p.side * r(rt);
-            }
-          for (Index b = 0; b < n; ++b)
-            {
-              const Pair &pb = pairs[static_cast<std::size_t>(b)];
-              // a slip along -t moves its column backwards
-              M(a, b) = row(pb.column) * (pb.side < 0 ? -1 : 1);
-            }
-          // The covering vector tightens all contacts by 1, with a cohesion of
-          // 1: reserves grow by mu + 1, and by something without friction, too.
-          cover(a) = p.side == 0 ? 1 : mu + 1;
-          rank(a)  = p.side == 0 ? 0 : 1;
-        }
-      if (!solvers::solve_lcp(M, q, cover, rank, z))
+      const Lcp lcp = superpose(base, pairs, columns);
+      VectorXd  z;
+      if (!solvers::solve_lcp(lcp.M, lcp.q, lcp.cover, lcp.rank, z))
         return false;
-      for (Index a = 0; a < n; ++a)
-        {
-          const Pair &p = pairs[static_cast<std::size_t>(a)];
-          if (z(a) > 0 && p.side == 0)
-            result[p.node].closed = false;
-          else if (z(a) > 0)
-            result[p.node].slip = p.side;
-        }
+      for (std::size_t a = 0; a < pairs.size(); ++a)
+        if (z(static_cast<Index>(a)) > 0)
+          {
+            if (pairs[a].side == 0)
+              result[pairs[a].node].closed = false;
+            else
+              result[pairs[a].node].slip = pairs[a].side;
+          }
       return true;
     }
 

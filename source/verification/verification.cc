@@ -200,6 +200,103 @@ namespace conetact::verification
       }
   }
 
+  /** How a contact node breaks the law; all errors become forces over F. */
+  struct Verification::LawErrors
+  {
+    double F;        ///< largest force on a node of its bodies
+    double past;     ///< rounding of the forces so far
+    double position; ///< rounding of positions [length]
+    double k;        ///< what turns a length into the force that closes it
+
+    double      worst = 0;
+    const char *what  = "";
+
+    void
+    take(const double e, const char *name)
+    {
+      if (e > worst)
+        what = name;
+      worst = std::max(worst, e);
+    }
+    void
+    force(const double error, const char *name)
+    {
+      take(relative(error - past, F), name);
+    }
+    void
+    length(const double error, const char *name)
+    {
+      if (!(error <= position))
+        take(k > 0 ? relative((error - position) * k - past, F) :
+                     std::numeric_limits<double>::infinity(),
+             name);
+    }
+  };
+
+  Verification::LawErrors
+  Verification::law_errors(const std::size_t i,
+                           const Claim      &claim,
+                           const Scales     &scales,
+                           const Finding    &out) const
+  {
+    const contact::ContactPoint &point = points[i];
+    const pairing::ContactNode  &node  = *point.node;
+    const unsigned int other = node.masters.empty() ? node.body : node.master;
+    LawErrors          errors{
+      // A light body on a heavily loaded one is judged by its own forces.
+      std::min(scales.force[node.body], scales.force[other]),
+      scales.noise,
+      // v is a difference of positions.
+      16 * eps * std::max(scales.reach[node.body], scales.reach[other]),
+      stiffness[static_cast<Index>(i)]};
+
+    const auto     nt  = static_cast<Index>(point.dual.size()) - 1;
+    const Index    n   = point.first + nt;
+    const double   r_n = claim.r[n];
+    const double   gap = node.gap + out.displacements[n];
+    const VectorXd r_t = claim.r.segment(point.first, nt);
+    const VectorXd slip =
+      out.displacements.segment(point.first, nt) -
+      (claim.incremental ? VectorXd(before.segment(point.first, nt)) :
+                           VectorXd(VectorXd::Zero(nt)));
+    // Radius of the cone; cohesion holds at open nodes, too.
+    const double limit = point.mu * r_n + node.cohesion;
+
+    errors.force(-r_n, "is pulled by its contact");
+    errors.force(r_t.norm() - std::max(limit, 0.),
+                 "carries more than friction");
+    if (claim.states[i] == solvers::NodeState::open)
+      {
+        // The zeros of open nodes are exact: all of what exceeds rounding
+        // counts.
+        errors.force(std::abs(r_n) > errors.past ? std::abs(r_n) + errors.past :
+                                                   0.,
+                     "is open and carries a force");
+        errors.length(-gap, "penetrates");
+      }
+    else
+      errors.length(std::abs(gap), "is closed and has a gap");
+    // Each part of an increment slips its own way; their sum obeys nothing
+    // but the cone.
+    if (claim.whole && nt > 0 && point.mu > 0 &&
+        claim.states[i] == solvers::NodeState::stick)
+      errors.length(slip.norm(), "sticks and slips");
+    if (claim.whole && nt > 0 && claim.states[i] == solvers::NodeState::slip)
+      {
+        errors.force(limit - r_t.norm(), "slips below the limit of friction");
+        const double shortest =
+          errors.position +
+          (errors.k > 0 ? tolerance * errors.F / errors.k : 0.);
+        // A slip that is rounding has no direction, and a longer one has it
+        // up to position / |slip|.
+        if (slip.norm() > shortest)
+          errors.force((r_t + limit * slip / slip.norm()).norm() -
+                         limit * errors.position / slip.norm(),
+                       "does not slip against its friction");
+      }
+    return errors;
+  }
+
   void
   Verification::check_law(const Claim  &claim,
                           const Scales &scales,
@@ -207,81 +304,12 @@ namespace conetact::verification
   {
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const contact::ContactPoint &point = points[i];
-        const pairing::ContactNode  &node  = *point.node;
-        const unsigned int           other =
-          node.masters.empty() ? node.body : node.master;
-        // A light body on a heavily loaded one is judged by its own forces.
-        const double F = std::min(scales.force[node.body], scales.force[other]);
-        const double past = scales.noise;
-        // v is a difference of positions.
-        const double position =
-          16 * eps * std::max(scales.reach[node.body], scales.reach[other]);
-        const double k = stiffness[static_cast<Index>(i)];
-
-        const auto     nt  = static_cast<Index>(point.dual.size()) - 1;
-        const Index    n   = point.first + nt;
-        const double   r_n = claim.r[n];
-        const double   gap = node.gap + out.displacements[n];
-        const VectorXd r_t = claim.r.segment(point.first, nt);
-        const VectorXd slip =
-          out.displacements.segment(point.first, nt) -
-          (claim.incremental ? VectorXd(before.segment(point.first, nt)) :
-                               VectorXd(VectorXd::Zero(nt)));
-        // Radius of the cone; cohesion holds at open nodes, too.
-        const double limit = point.mu * r_n + node.cohesion;
-
-        double      worst = 0;
-        const char *what  = "";
-        const auto  force = [&](const double error, const char *name) {
-          const double e = relative(error - past, F);
-          if (e > worst)
-            what = name;
-          worst = std::max(worst, e);
-        };
-        const auto length = [&](const double error, const char *name) {
-          if (error <= position)
-            return;
-          // A length counts by the force that would close it.
-          const double e = k > 0 ? relative((error - position) * k - past, F) :
-                                   std::numeric_limits<double>::infinity();
-          if (e > worst)
-            what = name;
-          worst = std::max(worst, e);
-        };
-        force(-r_n, "is pulled by its contact");
-        force(r_t.norm() - std::max(limit, 0.), "carries more than friction");
-        if (claim.states[i] == solvers::NodeState::open)
-          {
-            // The zeros of open nodes are exact: all of what exceeds rounding
-            // counts.
-            force(std::abs(r_n) > past ? std::abs(r_n) + past : 0.,
-                  "is open and carries a force");
-            length(-gap, "penetrates");
-          }
-        else
-          length(std::abs(gap), "is closed and has a gap");
-        // Each part of an increment slips its own way; their sum obeys nothing
-        // but the cone.
-        if (claim.whole && nt > 0 && point.mu > 0 &&
-            claim.states[i] == solvers::NodeState::stick)
-          length(slip.norm(), "sticks and slips");
-        if (claim.whole && nt > 0 &&
-            claim.states[i] == solvers::NodeState::slip)
-          {
-            force(limit - r_t.norm(), "slips below the limit of friction");
-            const double shortest = position + (k > 0 ? tolerance * F / k : 0.);
-            // A slip that is rounding has no direction, and a longer one has it
-            // up to position / |slip|.
-            if (slip.norm() > shortest)
-              force((r_t + limit * slip / slip.norm()).norm() -
-                      limit * position / slip.norm(),
-                    "does not slip against its friction");
-          }
-        if (!(worst <= out.residual))
-          out.residual = worst;
-        if (!(worst <= tolerance) && out.why.empty())
-          out.why = place(bodies, point) + what + ", by " + to_text(worst) +
+        const LawErrors errors = law_errors(i, claim, scales, out);
+        if (!(errors.worst <= out.residual))
+          out.residual = errors.worst;
+        if (!(errors.worst <= tolerance) && out.why.empty())
+          out.why = place(bodies, points[i]) + errors.what + ", by " +
+                    to_text(errors.worst) +
                     " of the largest force on a node of its body";
       }
   }

@@ -47,9 +47,12 @@ namespace conetact::contact
       return dual;
     }
 
-    /** Made when first asked for, of the working set. */
+    /**
+     * Condenses the bodies to the working set, unless that is done already:
+     * factorises the first time and after choose().
+     */
     ElasticBackend &
-    condensation();
+    condense();
 
     /**
      * How far its stiffness is that of another condenser. Throws AnalysisError

@@ -94,6 +94,12 @@ namespace conetact::verification
     check_nodes(const Claim &claim, const Scales &scales, Finding &out) const;
     void
     check_bodies(const Scales &scales, Finding &out) const;
+    struct LawErrors;
+    LawErrors
+    law_errors(const std::size_t point,
+               const Claim      &claim,
+               const Scales     &scales,
+               const Finding    &out) const;
     void
     check_law(const Claim &claim, const Scales &scales, Finding &out) const;
     Eigen::VectorXd

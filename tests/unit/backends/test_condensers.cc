@@ -164,8 +164,8 @@ TEST(Condensers, MakeTheSameBackend)
       {
         SCOPED_TRACE(c.file + " " + name);
         Model one(c.file, c.overrides), two(c.file, c.overrides, name);
-        ElasticBackend &a = one.model->condensation();
-        ElasticBackend &b = two.model->condensation();
+        ElasticBackend &a = one.model->condense();
+        ElasticBackend &b = two.model->condense();
         const double    t = one.scene.times.front();
         const MatrixXd &A = a.system()->matrix, &B = b.system()->matrix;
         EXPECT_LT((A - B).cwiseAbs().maxCoeff(),

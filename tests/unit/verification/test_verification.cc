@@ -61,9 +61,8 @@ namespace
           history.advance(state);
           Claim claim;
           claim.amounts = model.amounts(load.placement, history.free_motions());
-          claim.w =
-            model.condensation().expand({&load}, {history.primal()}).col(0);
-          claim.r      = history.of_candidates(state, before).r;
+          claim.w = model.condense().expand({&load}, {history.primal()}).col(0);
+          claim.r = history.of_candidates(state, before).r;
           claim.states = history.of_candidates(state, before).node;
           claim.loads = claim.mechanical = forces;
           claim.t                        = t;
@@ -93,7 +92,7 @@ namespace
     void
     set_stiffness()
     {
-      const ContactSystem &system = *model.condensation().system();
+      const ContactSystem &system = *model.condense().system();
       Eigen::VectorXd      k(system.n_nodes());
       for (Eigen::Index i = 0; i < k.size(); ++i)
         {
