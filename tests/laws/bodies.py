@@ -3,7 +3,7 @@
 """Two bodies that do not meet know nothing of each other; free ones that overlap take the shortest way out."""
 import re
 
-from support.scenes import contact, press_and_shear
+from support.scenes import box, contact, load, press_and_shear, support
 from support.tables import Run
 
 
@@ -26,7 +26,21 @@ def shortest_way_out(laws):
                max(abs(u - v) for turn in turns for u, v in zip(turn, turns[0])) / abs(turns[0][0]), 1e-9)
 
 
+def turned_apart(laws):
+    """Friction across a gap sees a slip where both sides turn together: refused where that is more than a little."""
+    for gap, code in ((.05, 2), (0, 0)):
+        done, _ = laws.start({
+            "Dimension": 2, "Body block": box((4, 2), (2.0, 1.0), (-1.0, gap)), "Body base": box((6, 2), (6.0, 1.0), (-3.0, -1.0)),
+            "Contact joint": contact("block", 2, "", .5, **{"Master body": "base", "Master boundary ids": 3}),
+            "Support ground": support(2, "x, y", "-0.2*(y + 1) ; 0.2*x", "base"),
+            "Load weight": load("traction", "0 ; -0.1", 3), "Output": {"VTU": 0}})
+        laws.demand(f"a base that turns under a block, {gap} apart: exit code {done.returncode}", done.returncode == code)
+        if code:
+            laws.demand(f"  {done.stderr.strip()}", "body 'base' turns by 0.2 rad" in done.stderr)
+
+
 def bodies(laws):
+    turned_apart(laws)
     shortest_way_out(laws)
     for dim in (2, 3):
         left = press_and_shear(dim)
