@@ -69,7 +69,10 @@ namespace conetact::analysis
                    scene.solver.tolerance)
     , contact_rows(model, scene.master_side)
     , warnings(model, log)
-  {}
+  {
+    for (const bodies::Structure *structure : model.bodies.structures)
+      reach = std::max(reach, bodies::reach(*structure));
+  }
 
   void
   Acceptance::set_stiffness(const solvers::ContactSystem &system,
@@ -255,16 +258,8 @@ namespace conetact::analysis
         if (node.masters.empty() || node.mu_1 + node.mu_2 == 0 ||
             increment.state.node[i] == solvers::NodeState::open)
           continue;
-        Tensor<1, 3> apart;
-        pairing::for_each_side(node,
-                               [&](const unsigned int body,
-                                   const unsigned int k,
-                                   const double       weight) {
-                                 apart +=
-                                   weight *
-                                   (model.bodies.structures[body]->position(k) -
-                                    node.position);
-                               });
+        const Tensor<1, 3> apart =
+          pairing::undeformed_distance(node, model.bodies.structures);
         const double turn = model.motions.rotation(amounts, node.master);
         if (turn * apart.norm() > largest_false_slip * node.spacing)
           return "body '" + model.bodies.names[node.master] + "' turns by " +
@@ -342,21 +337,13 @@ namespace conetact::analysis
         record.supports.moment += support.moment;
       }
     record.loads = external.loads;
-    double reach = 0;
     record.body_balance.clear();
     // resultants may vanish where forces do not: a ring shrunk onto another
     for (const verification::Balance &body : external.bodies)
       largest_force = std::max(largest_force, body.forces);
-    for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
-      {
-        record.body_balance.push_back(external.bodies[b].forces >
-                                          noise * largest_force ?
-                                        external.bodies[b].error() :
-                                        0.);
-        const bodies::Structure &structure = *model.bodies.structures[b];
-        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
-          reach = std::max(reach, structure.position(i).norm());
-      }
+    for (const verification::Balance &body : external.bodies)
+      record.body_balance.push_back(
+        body.forces > noise * largest_force ? body.error() : 0.);
     record.balance = balance_of(record, reach, largest_force);
     if (record.body_balance.size() == 1)
       record.body_balance.clear();

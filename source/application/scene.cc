@@ -277,11 +277,7 @@ namespace conetact::application
     bodies.contact_nodes        = std::move(found.nodes);
     pairings                    = std::move(found.pairings);
     contact::align_with_supports(bodies);
-    std::vector<bool> is_mean;
-    for (const pairing::Contact &contact : contacts)
-      is_mean.push_back(
-        pairing::pairing_of(contact, bodies.structures).takes_means);
-    contact::give_up_held_nodes(bodies, is_mean);
+    contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();
     check_path();
     check_adaptive(adaptive, bodies.structures);

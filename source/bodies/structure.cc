@@ -3,6 +3,7 @@
 
 #include "conetact/bodies/structure.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace conetact::bodies
@@ -36,5 +37,14 @@ namespace conetact::bodies
           sums[p] = 0;
         }
     return normals;
+  }
+
+  double
+  reach(const Structure &body)
+  {
+    double reach = 0;
+    for (unsigned int node = 0; node < body.n_nodes(); ++node)
+      reach = std::max(reach, body.position(node).norm());
+    return reach;
   }
 } // namespace conetact::bodies

@@ -57,9 +57,11 @@ namespace conetact::contact
     acting_at(const Bodies &bodies, const pairing::ContactNode &node)
     {
       Tensor<1, 3> off;
-      for (const auto &[slave, weight] : node.slaves)
-        off += weight *
-               (bodies.structures[node.body]->position(slave) - node.position);
+      pairing::for_each_slave(
+        node, [&](const unsigned int i, const double weight) {
+          off += weight *
+                 (bodies.structures[node.body]->position(i) - node.position);
+        });
       return node.position + off;
     }
 

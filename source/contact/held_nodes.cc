@@ -18,25 +18,13 @@ namespace conetact::contact
     std::vector<bool>
     held_along_normals(const Bodies &bodies)
     {
-      using Key = std::pair<unsigned int, unsigned int>;
-      std::map<Key, std::vector<Tensor<1, 3>>> held;
-      for (const bodies::Support &support : bodies.supports)
-        if (!support.stiffness)
-          for (const bodies::SurfaceNode &node : support.surface.nodes)
-            for (const bodies::Support::Held &along :
-                 support.directions_at(node))
-              held[{support.body, node.node}].push_back(along.direction);
+      SupportedNodes    held = supported_nodes(bodies);
       std::vector<bool> result;
       for (const pairing::ContactNode &node : bodies.contact_nodes)
         {
           std::vector<Tensor<1, 3>> basis; // orthonormal
-          for (Tensor<1, 3> e : held[{node.body, node.node}])
-            if (!is_spanned(e, basis))
-              {
-                for (const Tensor<1, 3> &b : basis)
-                  e -= (e * b) * b;
-                basis.push_back(e / e.norm());
-              }
+          for (const Tensor<1, 3> &e : held[{node.body, node.node}])
+            add_direction(e, basis);
           result.push_back(is_spanned(node.n, basis));
         }
       return result;
@@ -57,7 +45,12 @@ namespace conetact::contact
     Weights
     slaves_of(const pairing::ContactNode &node)
     {
-      return node.slaves.empty() ? Weights{{node.node, 1.}} : node.slaves;
+      Weights slaves;
+      pairing::for_each_slave(node,
+                              [&](const unsigned int i, const double weight) {
+                                slaves.emplace_back(i, weight);
+                              });
+      return slaves;
     }
 
     void
@@ -72,16 +65,20 @@ namespace conetact::contact
   } // namespace
 
   void
-  give_up_held_nodes(Bodies &bodies, const std::vector<bool> &is_mean)
+  give_up_held_nodes(Bodies &bodies)
   {
     std::vector<pairing::ContactNode> &nodes = bodies.contact_nodes;
-    if (std::count(is_mean.begin(), is_mean.end(), true) == 0)
+    if (std::none_of(nodes.begin(),
+                     nodes.end(),
+                     [](const pairing::ContactNode &node) {
+                       return node.is_mean;
+                     }))
       return;
     const std::vector<bool>  held = held_along_normals(bodies);
     const std::size_t        none = nodes.size();
     std::vector<std::size_t> takers(nodes.size(), none);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (held[i] && is_mean[nodes[i].contact])
+      if (held[i] && nodes[i].is_mean)
         for (std::size_t j = 0; j < nodes.size(); ++j)
           if (!held[j] && nodes[j].contact == nodes[i].contact &&
               nodes[j].n * nodes[i].n > cosine_of_side &&

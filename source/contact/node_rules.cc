@@ -48,6 +48,27 @@ namespace conetact::contact
     return remainder(v, orthonormal).norm() >= (1 - same_direction) * v.norm();
   }
 
+  void
+  add_direction(const Tensor<1, 3> &v, std::vector<Tensor<1, 3>> &orthonormal)
+  {
+    if (is_spanned(v, orthonormal))
+      return;
+    const Tensor<1, 3> rest = remainder(v, orthonormal);
+    orthonormal.push_back(rest / rest.norm());
+  }
+
+  SupportedNodes
+  supported_nodes(const Bodies &bodies)
+  {
+    SupportedNodes held;
+    for (const bodies::Support &support : bodies.supports)
+      if (!support.stiffness)
+        for (const bodies::SurfaceNode &node : support.surface.nodes)
+          for (const bodies::Support::Held &along : support.directions_at(node))
+            held[{support.body, node.node}].push_back(along.direction);
+    return held;
+  }
+
   std::vector<Tensor<1, 3>>
   complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
   {
@@ -84,13 +105,7 @@ namespace conetact::contact
                      }))
       return;
 
-    using Key = std::pair<unsigned int, unsigned int>;
-    std::map<Key, std::vector<Tensor<1, 3>>> held;
-    for (const bodies::Support &support : bodies.supports)
-      if (!support.stiffness)
-        for (const bodies::SurfaceNode &node : support.surface.nodes)
-          for (const bodies::Support::Held &along : support.directions_at(node))
-            held[{support.body, node.node}].push_back(along.direction);
+    const SupportedNodes held = supported_nodes(bodies);
     for (pairing::ContactNode &node : bodies.contact_nodes)
       {
         const auto found = held.find({node.body, node.node});

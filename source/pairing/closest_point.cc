@@ -13,8 +13,8 @@ namespace conetact::pairing
     Tensor<1, 3>
     image(const std::vector<Point<3>> &x, const std::array<double, 2> &at)
     {
-      Tensor<1, 3>              sum;
-      const std::vector<double> weights = shape_values(x.size(), at);
+      Tensor<1, 3> sum;
+      const auto   weights = shape_values(x.size(), at);
       for (std::size_t i = 0; i < x.size(); ++i)
         sum += weights[i] * Tensor<1, 3>(x[i]);
       return sum;
@@ -138,15 +138,15 @@ namespace conetact::pairing
     }
   } // namespace
 
-  std::vector<double>
+  std::array<double, 4>
   shape_values(const std::size_t n_corners, const std::array<double, 2> &at)
   {
     const auto [a, b] = at;
     if (n_corners == 2)
-      return {1 - a, a};
+      return {{1 - a, a, 0, 0}};
     if (n_corners == 3)
-      return {1 - a - b, a, b};
-    return {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
+      return {{1 - a - b, a, b, 0}};
+    return {{(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b}};
   }
 
   Tensor<1, 3>

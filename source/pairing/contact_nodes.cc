@@ -62,16 +62,6 @@ namespace conetact::pairing
       return low.distance(high);
     }
 
-    /** Largest distance of a node from the origin. */
-    double
-    reach_of(const bodies::Structure &body)
-    {
-      double reach = 0;
-      for (unsigned int node = 0; node < body.n_nodes(); ++node)
-        reach = std::max(reach, body.position(node).norm());
-      return reach;
-    }
-
     /** Positions are known to their rounding: a gap below it is none. A body
      * that is turned with its master must not touch it node after node. */
     double
@@ -83,8 +73,9 @@ namespace conetact::pairing
           (contact.obstacle && contact.obstacle->shape->states_gaps()))
         return 0; // gaps that are written down
       const double other =
-        contact.obstacle ? 0. : reach_of(*structures[contact.master]);
-      return 16 * eps * std::max(reach_of(*structures[contact.body]), other);
+        contact.obstacle ? 0. : bodies::reach(*structures[contact.master]);
+      return 16 * eps *
+             std::max(bodies::reach(*structures[contact.body]), other);
     }
 
     const Obstacle &
@@ -221,6 +212,20 @@ namespace conetact::pairing
       return pairing;
     }
   } // namespace
+
+  Tensor<1, 3>
+  undeformed_distance(const ContactNode                            &node,
+                      const std::vector<const bodies::Structure *> &structures)
+  {
+    Tensor<1, 3> distance;
+    // differences: far from the origin no digits are lost
+    for_each_side(
+      node,
+      [&](const unsigned int body, const unsigned int i, const double weight) {
+        distance += weight * (structures[body]->position(i) - node.position);
+      });
+    return distance;
+  }
 
   std::pair<Tensor<1, 3>, Tensor<1, 3>>
   tangents(const Tensor<1, 3> &n, const unsigned int dim)
@@ -435,10 +440,10 @@ namespace conetact::pairing
     std::multimap<std::pair<unsigned int, unsigned int>, std::size_t> known;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
-        const Contact &contact = contacts[c];
-        PairedNodes    found =
-          pairing_of(contact, structures).pair(contact, structures);
-        const double rounding = rounding_of_gaps(contact, structures);
+        const Contact    &contact  = contacts[c];
+        const PairingRow &row      = pairing_of(contact, structures);
+        PairedNodes       found    = row.pair(contact, structures);
+        const double      rounding = rounding_of_gaps(contact, structures);
         for (ContactNode &node : found.nodes)
           if (std::abs(node.gap) <= rounding)
             node.gap = 0;
@@ -446,6 +451,7 @@ namespace conetact::pairing
         for (ContactNode &node : found.nodes)
           {
             node.contact = c;
+            node.is_mean = row.takes_means;
             // Two contacts of a node are rows of their own, unless their
             // normals agree: then only the sum of the reactions is determined.
             const auto key          = std::make_pair(node.body, node.node);

@@ -123,12 +123,21 @@ namespace conetact::pairing
       // edges leave.
       return M_PI - std::acos(std::clamp(cosine, -1., 1.));
     }
+
+    /** What a tree needs of faces. */
+    std::vector<FaceTree::Ball>
+    balls_of(const std::vector<FaceNet::Face> &faces)
+    {
+      std::vector<FaceTree::Ball> balls;
+      for (const FaceNet::Face &face : faces)
+        balls.push_back({face.centre, face.radius});
+      return balls;
+    }
   } // namespace
 
   FaceNet::FaceNet(const bodies::Structure &body,
                    const bodies::Surface   &surface)
     : faces_at_node(body.n_nodes())
-    , tree({})
   {
     for (const bodies::SurfaceFace &face : surface.faces)
       {
@@ -271,7 +280,7 @@ namespace conetact::pairing
       others.insert(face.edges[e].partners.begin(),
                     face.edges[e].partners.end());
     const auto weights = shape_values(face.nodes.size(), at.at);
-    for (std::size_t i = 0; i < weights.size(); ++i)
+    for (std::size_t i = 0; i < face.nodes.size(); ++i)
       // At a corner all faces of the node meet, not only those across edges.
       if (weights[i] >= 1 - 2 * round_off)
         others.insert(faces_at_node[face.nodes[i]].begin(),
@@ -323,14 +332,5 @@ namespace conetact::pairing
     return (p - nearest.point) * sum_of_normals(feature(nearest, p)) < 0 ?
              -relative :
              relative;
-  }
-
-  std::vector<FaceTree::Ball>
-  balls_of(const std::vector<FaceNet::Face> &faces)
-  {
-    std::vector<FaceTree::Ball> balls;
-    for (const FaceNet::Face &face : faces)
-      balls.push_back({face.centre, face.radius});
-    return balls;
   }
 } // namespace conetact::pairing

@@ -10,48 +10,26 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** As in MasterSurface: on the surface, and beside it. */
-    constexpr double on_surface = 1e-6;
-    constexpr double overhang   = 1e-2;
     /** Parts below this share of the slave face are rounding. */
     constexpr double sliver = 1e-14;
   } // namespace
 
-  FacingParts::FacingParts(const bodies::Structure   &master,
-                           const bodies::BoundaryIds &ids)
-    : net(master, master.surface(ids))
-    , whole(master, master.surface(master.boundary_ids()))
+  FacingParts::FacingParts(const MasterSurface &surface)
+    : master(surface)
   {}
 
-  /** See MasterSurface::may_be_behind. */
-  bool
-  FacingParts::may_be_behind(const Point<3> &p,
-                             const double    gap,
-                             const double    size,
-                             const Limits   &limits) const
-  {
-    if (gap >= -on_surface * size)
-      return true;
-    if (!limits.inside)
-      return false;
-    const double distance = whole.signed_distance(p);
-    return distance < -overhang ||
-           (distance <= overhang && gap >= -limits.interference);
-  }
-
   std::vector<FacingParts::Candidate>
-  FacingParts::candidates(const FaceNet::Face   &slave,
-                          const ProjectionPlane &plane,
-                          const ProjectedFace   &projected,
-                          const Limits          &limits) const
+  FacingParts::candidates(const FaceNet::Face         &slave,
+                          const ProjectionPlane       &plane,
+                          const ProjectedFace         &projected,
+                          const MasterSurface::Limits &limits) const
   {
     std::vector<Candidate> found;
     const double           whole_area = measure(projected.outline());
-    for (const std::size_t f : net.places().along({slave.centre, slave.radius},
-                                                  slave.outward,
-                                                  limits.reach))
+    for (const std::size_t f : master.net().places().along(
+           {slave.centre, slave.radius}, slave.outward, limits.reach))
       {
-        const FaceNet::Face &face = net.all()[f];
+        const FaceNet::Face &face = master.net().all()[f];
         if (-(face.outward * slave.outward) < limits.cosine)
           continue;
         const ProjectedFace other(face.corners, plane);
@@ -67,17 +45,18 @@ namespace conetact::pairing
                            centre[0] * plane.axes[0] +
                            centre[1] * plane.axes[1];
         if (std::abs(gap) <= limits.reach &&
-            may_be_behind(p, gap, std::max(slave.size, face.size), limits))
+            master.may_be_behind(
+              p, gap, std::max(slave.size, face.size), limits))
           found.push_back({{f, other, std::move(where)}, std::abs(gap)});
       }
     return found;
   }
 
   std::vector<FacingParts::Part>
-  FacingParts::seen_from(const FaceNet::Face   &slave,
-                         const ProjectionPlane &plane,
-                         const ProjectedFace   &projected,
-                         const Limits          &limits) const
+  FacingParts::seen_from(const FaceNet::Face         &slave,
+                         const ProjectionPlane       &plane,
+                         const ProjectedFace         &projected,
+                         const MasterSurface::Limits &limits) const
   {
     auto found = candidates(slave, plane, projected, limits);
     std::stable_sort(found.begin(),

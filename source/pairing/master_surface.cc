@@ -96,11 +96,11 @@ namespace conetact::pairing
 
   MasterSurface::MasterSurface(const bodies::Structure   &body,
                                const bodies::BoundaryIds &ids)
-    : net(body, body.surface(ids))
-    , every_face(net.all().size())
+    : faces(body, body.surface(ids))
+    , every_face(faces.all().size())
   {
     std::iota(every_face.begin(), every_face.end(), std::size_t{0});
-    for (const FaceNet::Face &face : net.all())
+    for (const FaceNet::Face &face : faces.all())
       typical_size += face.size / static_cast<double>(every_face.size());
     if (const bodies::Surface boundary = whole_boundary(body);
         !boundary.two_sided)
@@ -117,9 +117,9 @@ namespace conetact::pairing
   {
     Tensor<1, 3> over = arm;
     for (const FaceNet::Closest &at : feature)
-      for (const std::size_t e : net.edges_at(at))
+      for (const std::size_t e : faces.edges_at(at))
         {
-          const FaceNet::Face &face    = net.all()[at.face];
+          const FaceNet::Face &face    = faces.all()[at.face];
           const Tensor<1, 3>  &outward = face.edges[e].outward;
           if (!face.edges[e].is_rim())
             continue;
@@ -148,7 +148,7 @@ namespace conetact::pairing
       {
         const double gap  = arm * at.normal;
         const double miss = (arm - gap * at.normal).norm();
-        if (miss <= allowed * net.all()[at.face].size &&
+        if (miss <= allowed * faces.all()[at.face].size &&
             largest_cosine(at.normal, slave_normals) >= limits.cosine &&
             (!best || miss < nearest))
           {
@@ -167,7 +167,7 @@ namespace conetact::pairing
                            const Limits                    &limits) const
   {
     const double distance = arm.norm();
-    if (distance <= touching * net.all()[feature[0].face].size)
+    if (distance <= touching * faces.all()[feature[0].face].size)
       {
         std::vector<Tensor<1, 3>> cone;
         for (const FaceNet::Closest &at : feature)
@@ -182,7 +182,7 @@ namespace conetact::pairing
         best /= best.norm();
         return Meeting{arm * best, best};
       }
-    const double       side   = arm * net.sum_of_normals(feature) < 0 ? -1 : 1;
+    const double       side = arm * faces.sum_of_normals(feature) < 0 ? -1 : 1;
     const Tensor<1, 3> normal = side / distance * arm;
     const bool         meets =
       is_sharp(feature) ?
@@ -216,26 +216,25 @@ namespace conetact::pairing
                        -1.;
     };
     const bool touches =
-      arm->norm() <= touching * net.all()[feature[0].face].size;
+      arm->norm() <= touching * faces.all()[feature[0].face].size;
     return touches || cosine(edge) > cosine(over) + round_off ? edge : over;
   }
 
   bool
   MasterSurface::may_be_behind(const Point<3> &p,
-                               const Meeting  &meeting,
+                               const double    gap,
                                const double    size,
                                const Limits   &limits) const
   {
-    if (meeting.gap >= -1e-6 * size)
+    if (gap >= -1e-6 * size)
       return true;
     if (!whole)
-      return meeting.gap >= -limits.interference;
+      return gap >= -limits.interference;
     if (!limits.inside)
       return false;
-    // beside an interference that ends at the body's side, or within it
     const double distance = whole->signed_distance(p);
     return distance < -overhang ||
-           (distance <= overhang && meeting.gap >= -limits.interference);
+           (distance <= overhang && gap >= -limits.interference);
   }
 
   std::optional<MasterSurface::Foot>
@@ -251,7 +250,7 @@ namespace conetact::pairing
           Limits nearby = limits;
           nearby.reach  = radius;
           if (const auto found = nearest_foot(
-                p, slave_normals, nearby, net.places().near({p, radius})))
+                p, slave_normals, nearby, faces.places().near({p, radius})))
             return found;
         }
     return nearest_foot(p, slave_normals, limits, every_face);
@@ -266,31 +265,32 @@ namespace conetact::pairing
     std::optional<Foot> best;
     double              nearest = limits.reach;
     double              opposes = -1;
-    const auto         &faces   = net.all();
+    const auto         &all     = faces.all();
     for (const std::size_t f : among)
       {
         // Cheap tests first: what is further than the best foot so far, has no
         // perpendicular to p, or looks the way that the slave looks.
-        if (faces[f].centre.distance(p) - faces[f].radius > nearest ||
-            !faces[f].may_have_foot(p) ||
-            (whole && largest_cosine(faces[f].outward, slave_normals) < -.5))
+        if (all[f].centre.distance(p) - all[f].radius > nearest ||
+            !all[f].may_have_foot(p) ||
+            (whole && largest_cosine(all[f].outward, slave_normals) < -.5))
           continue;
-        const FaceNet::Closest at = net.project(f, p);
+        const FaceNet::Closest at = faces.project(f, p);
         if (at.distance > nearest)
           continue;
-        const auto meeting = meet(net.feature(at, p), p, slave_normals, limits);
-        if (!meeting || !may_be_behind(p, *meeting, faces[f].size, limits))
+        const auto meeting =
+          meet(faces.feature(at, p), p, slave_normals, limits);
+        if (!meeting || !may_be_behind(p, meeting->gap, all[f].size, limits))
           continue;
         const double cosine = largest_cosine(meeting->normal, slave_normals);
         if (at.distance == nearest && cosine <= opposes)
           continue;
-        Foot       foot{meeting->gap, meeting->normal, faces[f].size, {}};
+        Foot       foot{meeting->gap, meeting->normal, all[f].size, {}};
         const auto weights =
-          shape_values(faces[f].nodes.size(),
-                       acting_at(faces[f], p, meeting->normal, at.at));
-        for (std::size_t i = 0; i < weights.size(); ++i)
+          shape_values(all[f].nodes.size(),
+                       acting_at(all[f], p, meeting->normal, at.at));
+        for (std::size_t i = 0; i < all[f].nodes.size(); ++i)
           if (std::abs(weights[i]) > 1e-14)
-            foot.masters.emplace_back(faces[f].nodes[i], weights[i]);
+            foot.masters.emplace_back(all[f].nodes[i], weights[i]);
         nearest = at.distance;
         opposes = cosine;
         best    = std::move(foot);

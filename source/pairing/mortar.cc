@@ -66,7 +66,7 @@ namespace conetact::pairing
         , structures(s)
         , one_by_one(contact, structures)
         , slave(*structures[contact.body], one_by_one.slave_surface())
-        , facing(*structures[contact.master], contact.master_ids)
+        , facing(one_by_one.master_surface())
         , rows(slave.all(), contact.sharp_edge)
         , thickness(thickness_of(one_by_one.slave_surface(), slave.all()))
       {
@@ -105,7 +105,7 @@ namespace conetact::pairing
     private:
       /** Facets of a smooth surface turn by up to the angle of a sharp edge:
        * those of two surfaces that touch differ by half of it. */
-      FacingParts::Limits
+      MasterSurface::Limits
       limits(const double face_size) const
       {
         return {contact.reach,
@@ -216,21 +216,12 @@ namespace conetact::pairing
       double
       gap(const ContactNode &node) const
       {
+        if (!contact.gap)
+          return undeformed_distance(node, structures) * node.n;
         double sum = 0;
-        if (contact.gap && node.slaves.empty())
-          return (*contact.gap)(node.position);
-        if (contact.gap)
-          for (const auto &[slave_node, weight] : node.slaves)
-            sum += weight *
-                   (*contact.gap)(structures[node.body]->position(slave_node));
-        else // differences: far from the origin no digits are lost
-          for_each_side(node,
-                        [&](const unsigned int b,
-                            const unsigned int i,
-                            const double       weight) {
-                          const Point<3> x = structures[b]->position(i);
-                          sum += weight * ((x - node.position) * node.n);
-                        });
+        for_each_slave(node, [&](const unsigned int i, const double weight) {
+          sum += weight * (*contact.gap)(structures[node.body]->position(i));
+        });
         return sum;
       }
 

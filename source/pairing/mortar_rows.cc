@@ -24,38 +24,54 @@ namespace conetact::pairing
         return .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm();
       return .5 * cross_product_3d(x[3] - x[0], x[2] - x[1]).norm();
     }
+
+    using Corner = std::pair<std::size_t, std::size_t>; ///< of a face
+
+    /** The corners of faces at each node. */
+    std::map<unsigned int, std::vector<Corner>>
+    corners_at_nodes(const std::vector<FaceNet::Face> &faces)
+    {
+      std::map<unsigned int, std::vector<Corner>> corners;
+      for (std::size_t f = 0; f < faces.size(); ++f)
+        for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
+          corners[faces[f].nodes[c]].emplace_back(f, c);
+      return corners;
+    }
+
+    /** Numbers the sides of an edge: corners are on one where their faces turn
+     * little, neighbours of neighbours with them. */
+    std::vector<std::size_t>
+    sides_of(const std::vector<Corner>        &corners,
+             const std::vector<FaceNet::Face> &faces,
+             const double                      cosine)
+    {
+      std::vector<std::size_t> side(corners.size());
+      std::iota(side.begin(), side.end(), std::size_t{0});
+      for (std::size_t i = 0; i < side.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (faces[corners[i].first].outward *
+                faces[corners[j].first].outward >=
+              cosine)
+            std::replace(side.begin(),
+                         side.end(),
+                         std::size_t(side[j]),
+                         std::size_t(side[i]));
+      return side;
+    }
   } // namespace
 
-  /** Rows begin as one for each corner of each face and are joined where faces
-   * turn little, neighbours of neighbours with them. */
   MortarRows::MortarRows(const std::vector<FaceNet::Face> &faces,
                          const double                      sharp_edge)
     : row_of(faces.size())
   {
-    using Corner = std::pair<std::size_t, std::size_t>;
-    std::map<unsigned int, std::vector<Corner>> corners_at;
     for (std::size_t f = 0; f < faces.size(); ++f)
-      {
-        row_of[f].resize(faces[f].nodes.size());
-        for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
-          corners_at[faces[f].nodes[c]].emplace_back(f, c);
-      }
+      row_of[f].resize(faces[f].nodes.size());
     const double cosine = std::cos(sharp_edge) - 1e-12;
-    for (const auto &[node, corners] : corners_at)
+    for (const auto &[node, corners] : corners_at_nodes(faces))
       {
-        std::vector<std::size_t> side(corners.size());
-        std::iota(side.begin(), side.end(), std::size_t{0});
-        for (std::size_t i = 0; i < side.size(); ++i)
-          for (std::size_t j = 0; j < i; ++j)
-            if (faces[corners[i].first].outward *
-                  faces[corners[j].first].outward >=
-                cosine)
-              std::replace(side.begin(),
-                           side.end(),
-                           std::size_t(side[j]),
-                           std::size_t(side[i]));
+        const auto side = sides_of(corners, faces, cosine);
         std::map<std::size_t, std::size_t> row_of_side;
-        for (std::size_t i = 0; i < side.size(); ++i)
+        for (std::size_t i = 0; i < corners.size(); ++i)
           {
             const auto [f, c] = corners[i];
             if (row_of_side.emplace(side[i], rows.size()).second)

@@ -34,7 +34,8 @@ namespace conetact::pairing
       const bodies::Surface surface = structures[body]->surface(ids);
       return !surface.two_sided && !surface.faces.empty();
     };
-    const bool faces = contact.obstacle == nullptr &&
+    const bool faces = contact.pairing != "node to face" &&
+                       contact.obstacle == nullptr &&
                        has_faces(contact.body, contact.ids) &&
                        has_faces(contact.master, contact.master_ids);
     const std::string name = faces ? contact.pairing : "node to face";

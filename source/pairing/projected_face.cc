@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/projected_face.h"
 
+#include "conetact/pairing/closest_point.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -70,17 +72,6 @@ namespace conetact::pairing
     around = oriented(around);
   }
 
-  Eigen::Vector4d
-  ProjectedFace::shape(const std::array<double, 2> &at) const
-  {
-    const auto [a, b] = at;
-    if (n_corners() == 2)
-      return {1 - a, a, 0, 0};
-    if (n_corners() == 3)
-      return {1 - a - b, a, b, 0};
-    return {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
-  }
-
   Eigen::Matrix<double, 3, 2>
   ProjectedFace::slopes(const std::array<double, 2> &at) const
   {
@@ -112,11 +103,10 @@ namespace conetact::pairing
     std::array<double, 2> at = {{.5, .5}};
     for (unsigned int step = 0; step < 20; ++step)
       {
-        const Eigen::Vector4d N = shape(at);
-        Eigen::Vector2d       miss(p[0], p[1]);
+        const auto      N = shape_values(n_corners(), at);
+        Eigen::Vector2d miss(p[0], p[1]);
         for (std::size_t i = 0; i < n_corners(); ++i)
-          miss -= N[static_cast<Eigen::Index>(i)] *
-                  Eigen::Vector2d(corners[i][0], corners[i][1]);
+          miss -= N[i] * Eigen::Vector2d(corners[i][0], corners[i][1]);
         const Eigen::Vector2d d = slopes(at).topRows<2>().inverse() * miss;
         at                      = {{at[0] + d[0], at[1] + d[1]}};
         if (skew == 0 || d.norm() < 1e-13)
@@ -130,7 +120,7 @@ namespace conetact::pairing
   {
     const auto where = local(p);
     Seen       seen;
-    seen.shape = shape(where);
+    seen.shape = Eigen::Vector4d(shape_values(n_corners(), where).data());
     for (std::size_t i = 0; i < n_corners(); ++i)
       seen.height += seen.shape[static_cast<Eigen::Index>(i)] * heights[i];
     const auto g = slopes(where);

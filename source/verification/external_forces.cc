@@ -194,19 +194,21 @@ namespace conetact::verification
         const Tensor<1, 3> force = reaction(point, r);
         // The opposite force, shared as the displacements of the masters are:
         // no work is lost where the gap stays as it is. Slaves come first.
-        std::size_t n_slaves = std::max<std::size_t>(node.slaves.size(), 1);
-        pairing::for_each_side(
-          node,
-          [&](const unsigned int body,
-              const unsigned int i,
-              const double       weight) {
-            auto &sides = n_slaves > 0 ? all.contacts : all.masters;
-            n_slaves -= n_slaves > 0 ? 1 : 0;
-            collector.act(sides[node.contact],
-                          body,
-                          bodies.structures[body]->position(i),
-                          weight * force);
+        const auto act = [&](output::Resultant &side,
+                             const unsigned int body,
+                             const unsigned int i,
+                             const double       weight) {
+          collector.act(side,
+                        body,
+                        bodies.structures[body]->position(i),
+                        weight * force);
+        };
+        pairing::for_each_slave(
+          node, [&](const unsigned int i, const double weight) {
+            act(all.contacts[node.contact], node.body, i, weight);
           });
+        for (const auto &[i, weight] : node.masters)
+          act(all.masters[node.contact], node.master, i, -weight);
       }
     collect_supports(bodies, plain, rest, collector, all);
     for (std::size_t s = 0; s < foundations.size(); ++s)

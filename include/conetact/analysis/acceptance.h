@@ -86,6 +86,7 @@ namespace conetact::analysis
     contact::ContactRows         contact_rows;
     verification::Energies       energies;
     Warnings                     warnings;
+    double                       reach         = 0; ///< of the bodies [length]
     double                       largest_force = 0; ///< sum on a body so far
   };
 } // namespace conetact::analysis

@@ -284,6 +284,10 @@ namespace conetact::bodies
     virtual std::string
     description() const = 0;
   };
+
+  /** Largest distance of a node from the origin [length]. */
+  double
+  reach(const Structure &body);
 } // namespace conetact::bodies
 
 #endif

@@ -6,19 +6,17 @@
 
 #include "conetact/contact/node_rules.h"
 
-#include <vector>
-
 namespace conetact::contact
 {
   /**
    * A contact node that a support holds along its normal has no reaction of
-   * its own: the support has it. Where contact nodes are means over their
-   * faces (`is_mean` of each contact: mortar) the pressure around it must not
-   * be lost with it: the nearest node of the contact takes its share of area,
-   * gap and masters, and meets them with a mean over both.
+   * its own: the support has it. Where contact nodes are means over faces
+   * (ContactNode::is_mean) the pressure around it must not be lost with it: the
+   * nearest node of the contact takes its share of area, gap and masters, and
+   * meets them with a mean over both.
    */
   void
-  give_up_held_nodes(Bodies &bodies, const std::vector<bool> &is_mean);
+  give_up_held_nodes(Bodies &bodies);
 } // namespace conetact::contact
 
 #endif

@@ -9,6 +9,7 @@
 #include "conetact/bodies/supports.h"
 #include "conetact/pairing/contact_nodes.h"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +65,17 @@ namespace conetact::contact
 
   std::vector<Tensor<1, 3>>
   directions(const std::vector<HeldDirection> &held);
+
+  /** Adds what v has beyond the span of orthonormal directions, if anything. */
+  void
+  add_direction(const Tensor<1, 3> &v, std::vector<Tensor<1, 3>> &orthonormal);
+
+  /** Directions along which rigid supports hold nodes, as the supports give
+   * them, by body and node. */
+  using SupportedNodes =
+    std::map<std::pair<unsigned int, unsigned int>, std::vector<Tensor<1, 3>>>;
+  SupportedNodes
+  supported_nodes(const Bodies &bodies);
 
   /** Whether v lies in the span of orthonormal directions, or across it. */
   bool

@@ -35,8 +35,9 @@ namespace conetact::pairing
               const Tensor<1, 3>          &normal,
               const std::array<double, 2> &near);
 
-  /** Linear or bilinear shape functions of the corners at a point. */
-  std::vector<double>
+  /** Linear or bilinear shape functions of the corners at a point, with zeros
+   * behind them. */
+  std::array<double, 4>
   shape_values(const std::size_t n_corners, const std::array<double, 2> &at);
 
   /** A unit normal there; which side it is on depends on the corners' order. */

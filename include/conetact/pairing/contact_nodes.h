@@ -78,6 +78,8 @@ namespace conetact::pairing
      * have no contact node of their own).
      */
     std::vector<std::pair<unsigned int, double>> slaves;
+    /** Whether the nodes of its contact are means over faces (mortar). */
+    bool is_mean = false;
 
     /**
      * Principal friction coefficients and their axes in the tangent plane
@@ -93,6 +95,17 @@ namespace conetact::pairing
     double cohesion = 0;
   };
 
+  /** Calls visit(node, weight) for the nodes of a contact node's own body. */
+  template <typename Visit>
+  void
+  for_each_slave(const ContactNode &node, const Visit &visit)
+  {
+    if (node.slaves.empty())
+      visit(node.node, 1.);
+    for (const auto &[slave, weight] : node.slaves)
+      visit(slave, weight);
+  }
+
   /**
    * Calls visit(body, node, weight) for the nodes of bodies whose motions a
    * contact node sees: @f$v = \sum weight\,u@f$ (less that of an obstacle),
@@ -102,13 +115,18 @@ namespace conetact::pairing
   void
   for_each_side(const ContactNode &node, const Visit &visit)
   {
-    if (node.slaves.empty())
-      visit(node.body, node.node, 1.);
-    for (const auto &[slave, weight] : node.slaves)
+    for_each_slave(node, [&](const unsigned int slave, const double weight) {
       visit(node.body, slave, weight);
+    });
     for (const auto &[master, weight] : node.masters)
       visit(node.master, master, -weight);
   }
+
+  /** From what a contact node meets on its master to what it meets that with,
+   * where the bodies are undeformed [length]. */
+  Tensor<1, 3>
+  undeformed_distance(const ContactNode                            &node,
+                      const std::vector<const bodies::Structure *> &structures);
 
   /** Entries of `subsection Contact NAME`. */
   void

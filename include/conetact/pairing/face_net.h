@@ -118,10 +118,6 @@ namespace conetact::pairing
     std::vector<std::vector<std::size_t>> faces_at_node;
     FaceTree                              tree;
   };
-
-  /** What a tree needs of faces. */
-  std::vector<FaceTree::Ball>
-  balls_of(const std::vector<FaceNet::Face> &faces);
 } // namespace conetact::pairing
 
 #endif

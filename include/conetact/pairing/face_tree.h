@@ -23,6 +23,7 @@ namespace conetact::pairing
       Point<3> centre;
       double   radius = 0;
     };
+    FaceTree() = default;
     explicit FaceTree(const std::vector<Ball> &balls);
 
     /** Numbers of the balls that meet the ball, sorted. */

@@ -4,7 +4,7 @@
 #ifndef conetact_pairing_facing_parts_h
 #define conetact_pairing_facing_parts_h
 
-#include "conetact/pairing/face_net.h"
+#include "conetact/pairing/master_surface.h"
 #include "conetact/pairing/projected_face.h"
 
 #include <vector>
@@ -20,22 +20,13 @@ namespace conetact::pairing
   class FacingParts
   {
   public:
-    /** What may be paired; the reasons stand in MasterSurface. */
-    struct Limits
-    {
-      double reach;        ///< largest distance [length]
-      double cosine;       ///< of the largest angle between opposing normals
-      double interference; ///< beside the side of the body [length]
-      bool   inside;       ///< whether a face may be inside the body at all
-    };
-
-    FacingParts(const bodies::Structure   &master,
-                const bodies::BoundaryIds &ids);
+    /** The surface must outlive the object. */
+    explicit FacingParts(const MasterSurface &master);
 
     const std::vector<FaceNet::Face> &
     faces() const
     {
-      return net.all();
+      return master.net().all();
     }
 
     struct Part
@@ -46,10 +37,10 @@ namespace conetact::pairing
     };
     /** Parts that do not overlap, the nearest first. */
     std::vector<Part>
-    seen_from(const FaceNet::Face   &slave,
-              const ProjectionPlane &plane,
-              const ProjectedFace   &projected,
-              const Limits          &limits) const;
+    seen_from(const FaceNet::Face         &slave,
+              const ProjectionPlane       &plane,
+              const ProjectedFace         &projected,
+              const MasterSurface::Limits &limits) const;
 
   private:
     struct Candidate
@@ -58,18 +49,11 @@ namespace conetact::pairing
       double distance;
     };
     std::vector<Candidate>
-    candidates(const FaceNet::Face   &slave,
-               const ProjectionPlane &plane,
-               const ProjectedFace   &projected,
-               const Limits          &limits) const;
-    bool
-    may_be_behind(const Point<3> &p,
-                  const double    gap,
-                  const double    size,
-                  const Limits   &limits) const;
-
-    FaceNet net;
-    FaceNet whole; ///< boundary of the body
+                         candidates(const FaceNet::Face         &slave,
+                                    const ProjectionPlane       &plane,
+                                    const ProjectedFace         &projected,
+                                    const MasterSurface::Limits &limits) const;
+    const MasterSurface &master;
   };
 } // namespace conetact::pairing
 

@@ -35,6 +35,22 @@ namespace conetact::pairing
     MasterSurface(const bodies::Structure   &body,
                   const bodies::BoundaryIds &ids);
 
+    const FaceNet &
+    net() const
+    {
+      return faces;
+    }
+
+    /**
+     * Whether a point may meet a face of this size although it is behind it:
+     * inside the body, or beside an interference that ends at its side.
+     */
+    bool
+    may_be_behind(const Point<3> &p,
+                  const double    gap,
+                  const double    size,
+                  const Limits   &limits) const;
+
     struct Foot
     {
       double       gap;    ///< negative: interference [length]
@@ -78,17 +94,11 @@ namespace conetact::pairing
               const std::vector<Tensor<1, 3>> &slave_normals,
               const Limits                    &limits) const;
     std::optional<Meeting>
-    meet(Feature                          feature,
-         const Point<3>                  &p,
-         const std::vector<Tensor<1, 3>> &slave_normals,
-         const Limits                    &limits) const;
-    bool
-    may_be_behind(const Point<3> &p,
-                  const Meeting  &meeting,
-                  const double    size,
-                  const Limits   &limits) const;
-
-    FaceNet                  net;
+                             meet(Feature                          feature,
+                                  const Point<3>                  &p,
+                                  const std::vector<Tensor<1, 3>> &slave_normals,
+                                  const Limits                    &limits) const;
+    FaceNet                  faces;
     std::vector<std::size_t> every_face;
     double                   typical_size = 0; ///< mean [length]
     std::unique_ptr<FaceNet> whole; ///< boundary; none: the surface has no side

@@ -34,6 +34,13 @@ namespace conetact::pairing
       return surface;
     }
 
+    /** Of a contact with a master body. */
+    const MasterSurface &
+    master_surface() const
+    {
+      return *master;
+    }
+
     /** A node of the contact without its opponent. */
     ContactNode
     free_node(const bodies::SurfaceNode &s) const;

@@ -77,8 +77,6 @@ namespace conetact::pairing
     /** Rows: x, y and height differentiated by the local coordinates. */
     Eigen::Matrix<double, 3, 2>
     slopes(const std::array<double, 2> &at) const;
-    Eigen::Vector4d
-    shape(const std::array<double, 2> &at) const;
 
     std::vector<Point<2>> corners;
     std::vector<double>   heights;

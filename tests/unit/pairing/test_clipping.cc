@@ -286,5 +286,5 @@ TEST(FaceTree, FindsWhatALoopFinds)
       EXPECT_EQ(tree.near(ball), near);
       EXPECT_EQ(tree.along(ball, along, .5), seen);
     }
-  EXPECT_TRUE(FaceTree({}).near({Point<3>(), 1}).empty());
+  EXPECT_TRUE(FaceTree().near({Point<3>(), 1}).empty());
 }

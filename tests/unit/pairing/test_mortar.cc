@@ -287,8 +287,9 @@ TEST(Mortar, DistortedFacesCoverEachOtherOnce)
     3, "File = " + test::write_distorted_mesh(3, 5) + "|Translation = 0, 0, 1");
   Contact contact = joint(*high, *low);
   contact.ids     = high->boundary_ids();
-  const FacingParts facing(*low, low->boundary_ids());
-  const FaceNet     slave(*high, high->surface(high->boundary_ids()));
+  const MasterSurface master(*low, low->boundary_ids());
+  const FacingParts   facing(master);
+  const FaceNet       slave(*high, high->surface(high->boundary_ids()));
   for (const FaceNet::Face &face : slave.all())
     if (face.outward[2] < -.99)
       {
