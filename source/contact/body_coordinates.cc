@@ -57,6 +57,7 @@ namespace conetact::contact
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
         const bodies::Structure &structure = *bodies.structures[body];
+        // Body after body: each has a block of its own in every matrix.
         first_unknown.push_back(static_cast<Eigen::Index>(unknowns.size()));
         for (unsigned int i = 0; i < structure.n_nodes(); ++i)
           {
@@ -134,6 +135,7 @@ namespace conetact::contact
                               const double       factor)
   {
     const NodeRule *rule = coordinates.rule(body, node);
+    // The rows of masters in place of the node's own, as in Coordinates.
     if (rule != nullptr && component < bodies.dim)
       for (const auto &[master, weight] : rule->masters)
         append_row(body, master, component, factor * weight);

@@ -24,6 +24,8 @@ namespace conetact::contact
         dof_offset.push_back(dof_offset.back() + structure->n_dofs());
         node_offset.push_back(node_offset.back() + structure->n_nodes());
       }
+    // Few nodes have a rule or a point: null is the usual answer, and costs one
+    // look.
     rule_of_node.resize(node_offset.back(), nullptr);
     for (const NodeRule &rule : node_rules.rules())
       rule_of_node[number(rule.body, rule.node)] = &rule;
@@ -98,6 +100,7 @@ namespace conetact::contact
       if (structure.has_dof(node, c) &&
           !(rule != nullptr && rule->holds_rotation(c)))
         own_unknown[static_cast<std::size_t>(dof(body, node)) + c] = n_free++;
+    // Orders of elimination keep the unknowns of a node together.
     node_of_unknown.insert(node_of_unknown.end(),
                            static_cast<std::size_t>(n_free - before),
                            static_cast<unsigned int>(n));
@@ -165,6 +168,7 @@ namespace conetact::contact
         return;
       }
     const NodeRule *rule = rule_of_node[n];
+    // Masters may be held themselves, or have a frame: their own rows know.
     if (rule == nullptr || rule->masters.empty())
       append_own(n, c, factor);
     else
@@ -227,6 +231,7 @@ namespace conetact::contact
     const NodeRule *rule = rule_of_node[node_offset[body] + node];
     if (rule == nullptr)
       return u;
+    // What hangs on a held node is moved with it.
     for (const auto &[master, weight] : rule->masters)
       u += weight * along_held(body, master, displacement);
     for (const HeldDirection &held : rule->held)

@@ -98,6 +98,7 @@ namespace conetact::contact
       std::vector<int>         elements;
     };
 
+    /** The pattern comes first, so that values go to their places at once. */
     Connectivity
     connect(const ElasticSystem &system, const LinearMap &coordinates)
     {
@@ -133,6 +134,7 @@ namespace conetact::contact
     upper_pattern(const Connectivity &c, const Eigen::Index n)
     {
       Eigen::SparseMatrix<double> upper(n, n);
+      // Column by column: all unknowns of the elements around, each once.
       std::vector<int> rows, last_seen(static_cast<std::size_t>(n), -1);
       std::vector<int> all_rows;
       all_rows.reserve(c.unknowns.size() * 2);
@@ -217,6 +219,8 @@ namespace conetact::contact
           left += v * v.transpose();
           right += support.displacement[expression](node.position, t) * e;
         }
+      // Few springs leave directions free: the shortest u, which has no part
+      // there.
       const Eigen::Vector3d u = left.completeOrthogonalDecomposition().solve(
         Eigen::Vector3d(right[0], right[1], right[2]));
       return Tensor<1, 3>({u[0], u[1], u[2]});
@@ -248,6 +252,7 @@ namespace conetact::contact
                           {matrix, matrix + dofs.size() * dofs.size()},
                           s,
                           place};
+            // from the numbers of the body to those of the scene
             for (unsigned int &dof : spring.dofs)
               dof += offset;
             springs.push_back(std::move(spring));
@@ -357,6 +362,7 @@ namespace conetact::contact
       return dof_offset[support.body] +
              node * static_cast<Eigen::Index>(structure.n_components()) + c;
     };
+    // most foundations stand still
     if (support.is_still())
       return moved;
     for (const bodies::SurfaceNode &node : support.surface.nodes)

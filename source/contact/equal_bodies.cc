@@ -28,6 +28,7 @@ namespace conetact::contact
       for (unsigned int i = 0; i < body.n_nodes(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
           x(c, i) = body.position(i)[c];
+      // about their centre: where a body stands does not matter
       return x.colwise() - Eigen::Vector3d(x.rowwise().mean());
     }
 
@@ -100,6 +101,8 @@ namespace conetact::contact
     std::vector<Tensor<2, 3>> axes;
     for (const bodies::Structure *body : bodies.structures)
       {
+        // Bodies of one mesh have as many nodes, in the same order; others are
+        // told apart later by their forces, whatever axes they got.
         const bodies::Structure *first =
           *std::find_if(bodies.structures.begin(),
                         bodies.structures.end(),
@@ -148,6 +151,7 @@ namespace conetact::contact
         else
           group->push_back(body);
       }
+    // Who equals nobody is no group.
     groups.erase(std::remove_if(groups.begin(),
                                 groups.end(),
                                 [](const auto &group) {

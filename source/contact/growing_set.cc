@@ -17,6 +17,7 @@ namespace conetact::contact
     const std::function<Eigen::VectorXd(const double t)> &forces,
     const std::vector<double>                            &times)
   {
+    // A guess: nodes that it misses join when they penetrate.
     model.choose(guess_working_set(model, forces, times));
     n_first = size();
   }
@@ -39,6 +40,7 @@ namespace conetact::contact
   bool
   GrowingSet::take_all()
   {
+    // Nothing is left to try.
     if (model.working_set().is_all())
       return false;
     model.choose(WorkingSet(model.points.layout()));

@@ -56,6 +56,7 @@ namespace conetact::contact
     void
     take(pairing::ContactNode &taker, const pairing::ContactNode &giver)
     {
+      // A mean over both areas: forces and a constant pressure are kept.
       const double part = giver.area / (taker.area + giver.area);
       taker.slaves      = mean(slaves_of(taker), part, slaves_of(giver));
       taker.masters     = mean(taker.masters, part, giver.masters);
@@ -85,7 +86,7 @@ namespace conetact::contact
               (takers[i] == none ||
                nodes[j].position.distance(nodes[i].position) <
                  nodes[takers[i]].position.distance(nodes[i].position)))
-            takers[i] = j;
+            takers[i] = j; // the nearest on the same side of an edge
     std::vector<pairing::ContactNode> left;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (takers[i] != none)

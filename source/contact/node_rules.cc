@@ -135,6 +135,7 @@ namespace conetact::contact
   NodeRules::NodeRules(const Bodies &b, const std::vector<double> &times)
     : bodies(b)
   {
+    // A map, as supports come in any order and several may hold a node.
     std::map<std::pair<unsigned int, unsigned int>, NodeRule> rules;
     const auto rule_of = [&](const unsigned int body,
                              const unsigned int node) -> NodeRule & {

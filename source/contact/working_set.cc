@@ -27,6 +27,8 @@ namespace conetact::contact
     , member(static_cast<std::size_t>(candidates.n_nodes()), false)
     , chosen(std::move(nodes))
   {
+    // The layout of a smaller problem, and where its unknowns stand in the
+    // whole.
     own_layout.mu.resize(static_cast<Eigen::Index>(chosen.size()));
     Eigen::Index k = 0;
     for (const Eigen::Index i : chosen)
@@ -53,6 +55,7 @@ namespace conetact::contact
   Eigen::MatrixXd
   WorkingSet::gather(const Eigen::MatrixXd &of_candidates) const
   {
+    // the usual set: no copy entry by entry
     return whole ? of_candidates :
                    Eigen::MatrixXd(of_candidates(own_unknowns, Eigen::all));
   }

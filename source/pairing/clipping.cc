@@ -31,6 +31,8 @@ namespace conetact::pairing
       return polygon.size() == 2;
     }
 
+    /* Both halves share the crossings to the last bit: pieces of a face add up
+       to the face, and no sliver is counted twice or lost. */
     struct Halves
     {
       Polygon left, right; ///< of a line
@@ -47,6 +49,7 @@ namespace conetact::pairing
           const Point<2> &p  = polygon[i];
           const Point<2> &q  = polygon[(i + 1) % polygon.size()];
           const double    at = side(p), next = side(q);
+          // What lies on the line belongs to both sides.
           if (at >= 0)
             halves.left.push_back(p);
           if (at <= 0)
@@ -86,6 +89,8 @@ namespace conetact::pairing
           keep(interval(std::max(polygon[0][0], taken[1][0]), polygon[1][0]));
           return;
         }
+      // What is right of an edge of the convex polygon that is taken, and left
+      // of those before it: convex pieces that do not overlap.
       Polygon rest = polygon;
       for (std::size_t i = 0; i < taken.size() && rest.size() > 2; ++i)
         {
@@ -96,7 +101,8 @@ namespace conetact::pairing
         }
     }
 
-    /** Corners that coincide are one. */
+    /** Corners that coincide are one: an edge without length has no sides to
+     * cut by. */
     void
     remove_repeated(Polygon &polygon)
     {
@@ -130,11 +136,15 @@ namespace conetact::pairing
                  const unsigned int       level,
                  std::vector<PlanePoint> &points)
     {
+      // Products of two linear functions need degree 2, of two bilinear ones
+      // on parallelograms 4; what is beyond is for skew faces.
       static const dealii::QWitherdenVincentSimplex<2> degree_5(3),
         degree_13(7);
       const double jacobian = cross(b - a, c - a);
+      // three corners on a line
       if (!(jacobian > 0))
         return;
+      // A series of high order is summed on smaller triangles.
       if (level > 1)
         {
           const Point<2> ab = a + .5 * (b - a), bc = b + .5 * (c - b),
@@ -172,6 +182,7 @@ namespace conetact::pairing
       return 0;
     if (is_interval(polygon))
       return polygon[1][0] - polygon[0][0];
+    // from a corner, not from the origin: that may be far
     double twice = 0;
     for (std::size_t i = 2; i < polygon.size(); ++i)
       twice += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
@@ -195,6 +206,8 @@ namespace conetact::pairing
     if (is_interval(one))
       return interval(std::max(one[0][0], other[0][0]),
                       std::min(one[1][0], other[1][0]));
+    // Sutherland and Hodgman: both are convex, so their common part is what is
+    // left of all edges of one of them.
     Polygon rest = one;
     for (std::size_t i = 0; i < other.size() && !rest.empty(); ++i)
       rest = cut(rest, other[i], other[(i + 1) % other.size()]).left;
@@ -227,6 +240,7 @@ namespace conetact::pairing
           std::min(a[2 * d + 1] - a[2 * d], b[2 * d + 1] - b[2 * d]);
         const double common =
           std::min(a[2 * d + 1], b[2 * d + 1]) - std::max(a[2 * d], b[2 * d]);
+        // Neighbours that touch along an edge do not overlap.
         if (common <= round_off * size)
           return false;
       }
@@ -243,7 +257,7 @@ namespace conetact::pairing
         points.push_back(
           {polygon[0] + on_lines.point(q)[0] * (polygon[1] - polygon[0]),
            on_lines.weight(q) * measure(polygon)});
-    else
+    else // a fan of triangles: the polygon is convex
       for (std::size_t i = 2; i < polygon.size(); ++i)
         add_triangle(polygon[0], polygon[i - 1], polygon[i], level, points);
     return points;

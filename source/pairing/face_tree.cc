@@ -28,6 +28,8 @@ namespace conetact::pairing
   FaceTree::Ball
   FaceTree::around(const std::size_t begin, const std::size_t end) const
   {
+    // Not the smallest ball, but one of about its size: centre of the box
+    // around the centres.
     Point<3> low = balls[order[begin]].centre, high = low;
     for (std::size_t i = begin; i < end; ++i)
       for (unsigned int d = 0; d < 3; ++d)
@@ -61,6 +63,8 @@ namespace conetact::pairing
     for (unsigned int d = 1; d < 3; ++d)
       if (longest[d] > longest[axis])
         axis = d;
+    // Halves of equal number: the depth is the logarithm of the number of faces
+    // however these are spread.
     const std::size_t half = begin + (end - begin) / 2;
     const auto        at   = [&](const std::size_t i) {
       return order.begin() + static_cast<std::ptrdiff_t>(i);
@@ -71,6 +75,7 @@ namespace conetact::pairing
                      [&](const std::size_t a, const std::size_t b) {
                        return balls[a].centre[axis] < balls[b].centre[axis];
                      });
+    // The vector grows on the way: no reference to this branch would last.
     const std::size_t left = grow(begin, half), right = grow(half, end);
     branches[self].left  = left;
     branches[self].right = right;
@@ -96,6 +101,8 @@ namespace conetact::pairing
             if (may_meet(balls[order[i]]))
               found.push_back(order[i]);
       }
+    // Callers break ties by the first one: the order must not depend on the
+    // tree.
     std::sort(found.begin(), found.end());
     return found;
   }

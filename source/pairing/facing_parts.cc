@@ -32,12 +32,16 @@ namespace conetact::pairing
         const FaceNet::Face &face = master.net().all()[f];
         if (-(face.outward * slave.outward) < limits.cosine)
           continue;
+        // Looking along the normal: a face of the master that looks away or
+        // sideways has no shadow to clip.
         const ProjectedFace other(face.corners, plane);
         if (!boxes_overlap(projected.outline(), other.outline()))
           continue;
         Polygon where = common_part(projected.outline(), other.outline());
         if (measure(where) <= sliver * whole_area)
           continue;
+        // One distance a part, at its middle: it decides which of several parts
+        // is seen, integrals have their own.
         const Point<2> centre = middle(where);
         const double   height = projected.at(centre).height;
         const double   gap    = other.at(centre).height - height;

@@ -70,6 +70,9 @@ namespace conetact::pairing
         , rows(slave.all(), contact.sharp_edge)
         , thickness(thickness_of(one_by_one.slave_surface(), slave.all()))
       {
+        // Hanging nodes first: what they give may be next to nothing. Whether a
+        // node is seen is asked before small rows are given up, as these are
+        // met by their neighbours.
         for (std::size_t f = 0; f < slave.all().size(); ++f)
           add_face(f);
         rows.give_up(structures[contact.body]->hanging_nodes());
@@ -91,6 +94,7 @@ namespace conetact::pairing
             const std::size_t before = found.nodes.size();
             for (auto row = begin; row != end; ++row)
               found.nodes.push_back(mean(s, *row->second));
+            // Edges and corners that meet a face are seen by no face.
             if (seen.count(s.node) == 0)
               if (auto node = one_by_one.find(s))
                 found.nodes.push_back(std::move(*node));
@@ -130,6 +134,8 @@ namespace conetact::pairing
         for (const auto &part :
              facing.seen_from(face, plane, own, limits(face.size)))
           {
+            // One set of points for both sides: so forces and a constant
+            // pressure pass without loss whatever the rule.
             const FaceNet::Face &other = facing.faces()[part.face];
             const unsigned int   level =
               level_for(std::max(own.skewness(), part.projected.skewness()));
@@ -161,6 +167,8 @@ namespace conetact::pairing
         if (!(size > least_covered *
                        std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
           return;
+        // Dual to the shape functions on the covered part: so D is diagonal
+        // where faces are covered in part, too.
         const Eigen::MatrixXd dual   = dual_functions(sums.mass, sums.areas);
         const Eigen::MatrixXd slaves = dual * sums.mass;
         for (std::size_t c = 0; c < face.nodes.size(); ++c)
@@ -205,6 +213,7 @@ namespace conetact::pairing
         node.master      = contact.master;
         node.masters     = weights(row.masters, row.area);
         node.slaves      = weights(row.slaves, row.area);
+        // biorthogonal: a node meets the master by itself unless it took over
         if (node.slaves.size() == 1)
           node.slaves.clear();
         node.gap = gap(node);

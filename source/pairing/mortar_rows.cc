@@ -66,6 +66,7 @@ namespace conetact::pairing
   {
     for (std::size_t f = 0; f < faces.size(); ++f)
       row_of[f].resize(faces[f].nodes.size());
+    // An edge of just this angle is not sharp, whatever the rounding.
     const double cosine = std::cos(sharp_edge) - 1e-12;
     for (const auto &[node, corners] : corners_at_nodes(faces))
       {
@@ -76,8 +77,10 @@ namespace conetact::pairing
             const auto [f, c] = corners[i];
             if (row_of_side.emplace(side[i], rows.size()).second)
               add_row(node);
-            row_of[f][c]     = row_of_side[side[i]];
-            MortarRow   &row = at(f, c);
+            row_of[f][c]   = row_of_side[side[i]];
+            MortarRow &row = at(f, c);
+            // Equal shares of a face are near enough: they weigh normals, and
+            // tell which part of a node's faces is covered.
             const double share =
               area_of(faces[f]) / static_cast<double>(faces[f].nodes.size());
             row.whole += share;
@@ -116,6 +119,8 @@ namespace conetact::pairing
       taker.slaves[node] += part * integral;
     for (const auto &[node, integral] : giver.masters)
       taker.masters[node] += part * integral;
+    // Who takes over meets the giver's faces: their rows are its neighbours
+    // now.
     for (const std::size_t other : giver.neighbours)
       if (other != to)
         {
@@ -154,6 +159,7 @@ namespace conetact::pairing
     for (std::size_t i = 0; i < n; ++i)
       if (const auto found = follows.find(rows[i].node); found != follows.end())
         {
+          // Its shape function is part of those of its masters.
           for (const auto &[master, weight] : found->second->masters)
             {
               const std::size_t to = row_like(rows[i], master);
@@ -175,6 +181,8 @@ namespace conetact::pairing
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (rows[i].area > 0 && covered(i) < next_to_nothing)
         small.push_back(i);
+    // The least covered first: its neighbour may be small as well and then has
+    // more to give on.
     std::stable_sort(small.begin(),
                      small.end(),
                      [&](const std::size_t a, const std::size_t b) {

@@ -54,12 +54,15 @@ namespace conetact::pairing
         heights.push_back(plane.height(corner));
       }
     around = corners;
+    // A segment is an interval of the first axis.
     if (x.size() == 2)
       for (Point<2> &end : around)
         end[1] = 0;
     if (x.size() == 4)
       {
-        constexpr double           round_off = 1e-12;
+        constexpr double round_off = 1e-12;
+        // Without twist and warp the bilinear map is affine, and shape
+        // functions are polynomials of the plane, too.
         const dealii::Tensor<1, 2> twist =
           (corners[3] - corners[2]) - (corners[1] - corners[0]);
         const double warp = heights[3] - heights[2] - heights[1] + heights[0];
@@ -67,6 +70,7 @@ namespace conetact::pairing
         skew              = (twist.norm() + std::abs(warp)) / size;
         if (skew <= round_off)
           skew = 0;
+        // deal.II numbers corners line by line, an outline goes round.
         std::swap(around[2], around[3]);
       }
     around = oriented(around);
@@ -81,6 +85,7 @@ namespace conetact::pairing
     Eigen::Matrix<double, 3, 2> result;
     const Eigen::Vector3d       along_a = corner(1) - corner(0);
     result.col(0)                       = along_a;
+    // A segment has one direction only; the other one makes the map regular.
     if (n_corners() == 2)
       result.col(1) = Eigen::Vector3d::UnitY();
     else
@@ -100,6 +105,8 @@ namespace conetact::pairing
   {
     if (n_corners() == 2)
       return {{(p[0] - corners[0][0]) / (corners[1][0] - corners[0][0]), 0}};
+    // From the centre: the face looks convex, hence the map has an inverse
+    // there and on the way to any of its points.
     std::array<double, 2> at = {{.5, .5}};
     for (unsigned int step = 0; step < 20; ++step)
       {
@@ -123,6 +130,8 @@ namespace conetact::pairing
     seen.shape = Eigen::Vector4d(shape_values(n_corners(), where).data());
     for (std::size_t i = 0; i < n_corners(); ++i)
       seen.height += seen.shape[static_cast<Eigen::Index>(i)] * heights[i];
+    // Area of the face over that of its shadow, |dx/da x dx/db| over its part
+    // in the plane.
     const auto g = slopes(where);
     seen.stretch = n_corners() == 2 ? std::hypot(1, g(2, 0) / g(0, 0)) :
                                       g.col(0).cross(g.col(1)).norm() /
