@@ -146,6 +146,24 @@ def turned_stack(laws):
         laws.same(f"{dim}D, turned blocks in a stack", laws.run(without_equals(scene, "0123")), run, 1e-9)
 
 
+def mirrored(laws):
+    """Two blocks that are each other's mirror image, held and pushed from outside."""
+    for dim, cells, size in ((2, (7, 5), (1.0, .8)), (3, (5, 4, 3), (1.0, .9, .8))):
+        bottom, top = (2, 3) if dim == 2 else (4, 5)
+        zeros = " ; ".join(("0",) * (dim - 2))
+        scene = {"Dimension": dim, "Obstacle floor": scenes.floor(dim), "Time": {"End": 2, "Increments": 2},
+                 "Output": {"VTU": 0}}
+        for name, at, side, sign in (("left", 0.0, 0, ""), ("right", 3.0, 1, "-")):
+            scene[f"Body {name}"] = scenes.box(cells, size, (at,) + (0.0,) * (dim - 1))
+            scene[f"Contact {name}"] = scenes.contact(name, bottom, mu=.3)
+            scene[f"Support {name}"] = {"Body": name, "Boundary ids": side, "Directions": ", ".join("xyz"[:dim]),
+                                        "Displacement": " ; ".join(filter(None, (f"{sign}0.001*t", "0", zeros)))}
+            scene[f"Load {name}"] = scenes.load("pressure", "2*t", top, name)
+        run = laws.run(scene)
+        demand_shared(laws, f"{dim}D, mirror images", run, 1, 2)
+        laws.same(f"{dim}D, mirror images", laws.run(without_equals(scene, ("left", "right"))), run, 1e-9)
+
+
 def with_others(laws):
     """Equal blocks on one that is another."""
     for dim, cells in ((2, (14, 14)), (3, (6, 6, 6))):
@@ -160,7 +178,7 @@ def with_others(laws):
 
 
 FAMILIES = {"turned": turned, "others": others, "stacked": stacked, "turned-stack": turned_stack,
-            "with-others": with_others}
+            "mirrored": mirrored, "with-others": with_others}
 
 
 if __name__ == "__main__":

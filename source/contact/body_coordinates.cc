@@ -46,28 +46,32 @@ namespace conetact::contact
     }
   } // namespace
 
-  BodyCoordinates::BodyCoordinates(const Bodies                    &b,
-                                   const Coordinates               &c,
-                                   const std::vector<Tensor<2, 3>> &a)
+  BodyCoordinates::BodyCoordinates(const Bodies                 &b,
+                                   const Coordinates            &c,
+                                   const std::vector<BodyFrame> &f)
     : bodies(b)
     , coordinates(c)
-    , axes(a)
+    , frames(f)
   {
     reserve(static_cast<std::size_t>(coordinates.n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
-        const bodies::Structure &structure = *bodies.structures[body];
         // Body after body: each has a block of its own in every matrix.
         first_unknown.push_back(static_cast<Eigen::Index>(unknowns.size()));
-        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+        const unsigned int n = bodies.structures[body]->n_nodes();
+        first_of_node.resize(first_of_node.size() + n);
+        end_of_node.resize(first_of_node.size());
+        for (unsigned int k = 0; k < n; ++k)
           {
-            first_of_node.push_back(unknowns.size());
+            const unsigned int node   = frames[body].node(k);
+            const std::size_t  number = coordinates.number(body, node);
+            first_of_node[number]     = unknowns.size();
             if (!bodies.is_at_rest(body))
-              add_node(body, i);
+              add_node(body, node);
+            end_of_node[number] = unknowns.size();
           }
       }
     first_unknown.push_back(static_cast<Eigen::Index>(unknowns.size()));
-    first_of_node.push_back(unknowns.size());
     set_n_unknowns(first_unknown.back());
 
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
@@ -95,8 +99,10 @@ namespace conetact::contact
   BodyCoordinates::add_translations(const unsigned int body,
                                     const unsigned int node)
   {
-    for (const Tensor<1, 3> &e : left_over(
-           directions(coordinates.rule(body, node)), axes[body], bodies.dim))
+    for (const Tensor<1, 3> &e :
+         left_over(directions(coordinates.rule(body, node)),
+                   frames[body].axes,
+                   bodies.dim))
       unknowns.push_back({coordinates.number(body, node),
                           coordinates.dof(body, node),
                           bodies.dim,
@@ -110,7 +116,9 @@ namespace conetact::contact
     const bodies::Structure &structure = *bodies.structures[body];
     const NodeRule          *rule      = coordinates.rule(body, node);
     const unsigned int       dim = bodies.dim, n = structure.n_components();
-    bool                     any_held = false;
+    const Tensor<2, 3>      &axes       = frames[body].axes;
+    const double             handedness = determinant(axes) < 0 ? -1 : 1;
+    bool                     any_held   = false;
     for (unsigned int c = dim; c < n; ++c)
       any_held = any_held || is_held(rule, c);
     for (unsigned int c = dim; c < n; ++c)
@@ -120,7 +128,10 @@ namespace conetact::contact
           direction[c - dim] = 1;
           // supports hold rotations about the axes of the scene
           if (n - dim == 3 && !any_held)
-            direction = axes[body] * direction;
+            direction = handedness * axes * direction;
+          // in the plane the axis of turns is z
+          if (n - dim == 1 && !any_held)
+            direction[0] = handedness * axes[2][2];
           unknowns.push_back({coordinates.number(body, node),
                               coordinates.dof(body, node) + dim,
                               n - dim,
@@ -141,8 +152,7 @@ namespace conetact::contact
         append_row(body, master, component, factor * weight);
     const std::size_t  number = coordinates.number(body, node);
     const Eigen::Index dof    = coordinates.dof(body, node) + component;
-    for (std::size_t p = first_of_node[number]; p < first_of_node[number + 1];
-         ++p)
+    for (std::size_t p = first_of_node[number]; p < end_of_node[number]; ++p)
       {
         // Translations and rotations of a node have unknowns of their own; each
         // spans its own components.

@@ -66,7 +66,7 @@ namespace conetact::contact
     , motions(m)
     , set(s)
     , condenser(by)
-    , own(elastic.bodies, coordinates, body_axes(elastic.bodies))
+    , own(elastic.bodies, coordinates, body_frames(elastic.bodies, coordinates))
     , H(set.layout().n_unknowns(), own.n_unknowns())
   {
     write_rows();

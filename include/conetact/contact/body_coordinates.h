@@ -8,6 +8,19 @@
 
 namespace conetact::contact
 {
+  /** How a body is seen, so that equal ones look alike. */
+  struct BodyFrame
+  {
+    Tensor<2, 3> axes; ///< columns of an orthogonal matrix
+    /** Its nodes, in the order in which they are taken; empty: as they are. */
+    std::vector<unsigned int> order;
+    unsigned int
+    node(const unsigned int place) const
+    {
+      return order.empty() ? place : order[place];
+    }
+  };
+
   /**
    * Unknowns p of each body by itself, in its own axes: @f$ u = B p @f$ but for
    * what is prescribed. What supports hold and hanging nodes are eliminated.
@@ -17,13 +30,10 @@ namespace conetact::contact
   class BodyCoordinates : public LinearMap
   {
   public:
-    /**
-     * `coordinates` without contacts; `axes` of each body, as columns of an
-     * orthogonal matrix.
-     */
-    BodyCoordinates(const Bodies                    &bodies,
-                    const Coordinates               &coordinates,
-                    const std::vector<Tensor<2, 3>> &axes);
+    /** `coordinates` without contacts; a frame for each body. */
+    BodyCoordinates(const Bodies                 &bodies,
+                    const Coordinates            &coordinates,
+                    const std::vector<BodyFrame> &frames);
 
     /** First unknown of a body, and one past its last. */
     Eigen::Index
@@ -48,7 +58,7 @@ namespace conetact::contact
     {
       const std::size_t n = coordinates.number(body, node);
       return {static_cast<Eigen::Index>(first_of_node[n]),
-              static_cast<Eigen::Index>(first_of_node[n + 1])};
+              static_cast<Eigen::Index>(end_of_node[n])};
     }
     /** p of displacements of all dofs, as far as they have one. */
     Eigen::VectorXd
@@ -78,10 +88,11 @@ namespace conetact::contact
 
     const Bodies             &bodies;
     const Coordinates        &coordinates;
-    std::vector<Tensor<2, 3>> axes;
+    std::vector<BodyFrame>    frames;
     std::vector<Eigen::Index> first_unknown; ///< of each body
-    std::vector<std::size_t>  first_of_node; ///< by numbers of nodes
-    std::vector<Unknown>      unknowns;
+    /** By numbers of nodes. */
+    std::vector<std::size_t> first_of_node, end_of_node;
+    std::vector<Unknown>     unknowns;
   };
 } // namespace conetact::contact
 

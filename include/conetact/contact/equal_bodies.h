@@ -16,12 +16,12 @@ namespace conetact::contact
   may_have_equals(const Bodies &bodies);
 
   /**
-   * Axes in which each body has its nodes where the first body with as many
-   * nodes has them in the scene's axes, as near as a turn can bring them:
-   * columns of rotations.
+   * Frames in which equal bodies have their nodes in the same places: bodies
+   * of one mesh that are moved and turned, and those that are mirrored or
+   * numbered otherwise and held alike. Others get one as well as can be.
    */
-  std::vector<Tensor<2, 3>>
-  body_axes(const Bodies &bodies);
+  std::vector<BodyFrame>
+  body_frames(const Bodies &bodies, const Coordinates &coordinates);
 
   /**
    * Groups of two bodies or more that are equal: they have the same matrix in

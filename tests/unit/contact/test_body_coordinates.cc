@@ -29,7 +29,7 @@ TEST(BodyCoordinates, AreAlongTheAxesOfTheBody)
                                              test::held_top("0.1*t ; 0")));
   const NodeRules       rules(scene->bodies, {1});
   const Coordinates     coordinates(scene->bodies, rules);
-  const BodyCoordinates own(scene->bodies, coordinates, {quarter_turn()});
+  const BodyCoordinates own(scene->bodies, coordinates, {{quarter_turn(), {}}});
   ASSERT_EQ(own.n_unknowns(), 4);
   EXPECT_EQ(own.begin(0), 0);
   EXPECT_EQ(own.end(0), 4);
@@ -50,7 +50,7 @@ TEST(BodyCoordinates, ValuesTakeBackWhatIsExpanded)
     test::triangle_on_floor("set Supports = top\n", test::held_top()));
   const NodeRules       rules(scene->bodies, {1});
   const Coordinates     coordinates(scene->bodies, rules);
-  const BodyCoordinates own(scene->bodies, coordinates, {quarter_turn()});
+  const BodyCoordinates own(scene->bodies, coordinates, {{quarter_turn(), {}}});
   const Eigen::Vector4d p(1, -2, 3, 5);
   EXPECT_LE((own.values(own.expand(p)) - p).norm(), 1e-14);
 }
