@@ -3,20 +3,15 @@
 """Two bodies that do not meet know nothing of each other; free ones that overlap take the shortest way out."""
 import re
 
-from support.scenes import box, contact, load, press_and_shear, support
+from support.scenes import box, contact, load, press_and_shear, ring, support
 from support.tables import Run
-
-
-def ring(inner, outer, young, degrees=0):
-    return {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {inner} : {outer} : 12 : true", "Rotation": degrees},
-            "Material": {"Young modulus": young, "Poisson ratio": .3, "Plane": "stress"}}
 
 
 def shortest_way_out(laws):
     """A ring of 12 facets turns in another one until it fits; friction has nothing to say, nor has any common turn."""
     turns = []
     for mu, young in ((0, 1.0), (.05, 3.8), (.5, 3.8), (2, 3.8), (.5, 1.0)):
-        run = laws.run({"Dimension": 2, "Body shaft": ring(.5, 1.04, 1.0), "Body hub": ring(1.0, 2.0, young, 12),
+        run = laws.run({"Dimension": 2, "Body shaft": ring(.5, 1.04, young=1.0), "Body hub": ring(1.0, 2.0, degrees=12, young=young),
                         "Contact joint": contact("hub", 0, "", mu, **{"Master body": "shaft", "Master boundary ids": 1,
                                                                       "Largest interference": .1}),
                         "Output": {"VTU": 0}})

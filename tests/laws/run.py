@@ -14,8 +14,8 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (balance, bodies, corners, elements, friction, hertz, kill, loads, obstacles, pairs,  # noqa: E402
-                  patch, path, refinement, supports, threads, transformations)
+from laws import (balance, bodies, corners, elements, friction, hertz, kill, loads, mortar, obstacles,  # noqa: E402
+                  pairs, patch, path, refinement, supports, threads, transformations)
 from support.checks import run_families  # noqa: E402
 
 FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, "rotation": transformations.rotation_family,
@@ -23,7 +23,9 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
-            "hertz": hertz.hertz, "path": path.path}
+            "hertz": hertz.hertz, "path": path.path,
+            "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-covered": mortar.covered,
+            "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:

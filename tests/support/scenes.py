@@ -55,12 +55,24 @@ def box(cells, size, origin=None, young=1000.0, poisson=.3, **mesh):
             "Material": {"Young modulus": young, "Poisson ratio": poisson}}
 
 
+def ring(inner, outer, cells=12, degrees=0.0, young=1000.0, poisson=.3):
+    """Sides: 0 inside, 1 outside."""
+    return {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {inner!r} : {outer!r} : {cells} : true",
+                     "Rotation": degrees},
+            "Material": {"Young modulus": young, "Poisson ratio": poisson, "Plane": "stress"}}
+
+
 def floor(dim, **entries):
     return {"Shape": "half space", "Normal": (0, 1) if dim == 2 else (0, 0, 1), **entries}
 
 
 def contact(body="block", ids=2, obstacle="floor", mu=0.0, **entries):
     return {"Body": body, "Boundary ids": ids, "Obstacle": obstacle, "Friction coefficient": mu, **entries}
+
+
+def joint(slave, slave_ids, master, master_ids, **entries):
+    return {"Body": slave, "Boundary ids": slave_ids, "Master body": master, "Master boundary ids": master_ids,
+            "Pairing": "mortar", **entries}
 
 
 def support(ids, directions, displacement="0", body="block", **entries):

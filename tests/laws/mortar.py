@@ -1,9 +1,6 @@
-#!/usr/bin/python3
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Contact of bodies whose meshes do not match.
-
-usage: mortar.py PROGRAM FAMILY...      (all: every family)
 
 plane, space: a uniform pressure through joints; covered: turned blocks that cover a
 part of each other; held: supports take the ends of a joint; hertz: cylinder on
@@ -12,20 +9,15 @@ cylinder; rings: shrink fits; many: 100 x 100 faces on as many.
 import itertools
 import math
 import re
-import sys
 import time
 
-from support.checks import run_families
-from support.meshes import distorted, write_msh
-from support.scenes import box, load, support
+from support.half_cylinders import half_cylinder
+from support.meshes import distorted
+from support.polygons import shares_under
+from support.scenes import box, joint, load, ring, support
 
 PRESSURE = 2.0
 JOINT = "joint"
-
-
-def joint(slave, slave_ids, master, master_ids, **entries):
-    return {"Body": slave, "Boundary ids": slave_ids, "Master body": master, "Master boundary ids": master_ids,
-            "Pairing": "mortar", **entries}
 
 
 def swing(run):
@@ -109,42 +101,6 @@ def held(laws):
         laws.check("  the whole force", abs(abs(run.increments[-1][f"{JOINT}_f_y"]) / (2 * PRESSURE) - 1), 1e-10)
 
 
-# ---------------------------------------------------------------- turned blocks
-
-def clip(subject, clipping):
-    """The common part of convex polygons, anticlockwise."""
-    for a, b in zip(clipping, clipping[1:] + clipping[:1]):
-        def side(p):
-            return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
-        result = []
-        for p, q in zip(subject, subject[1:] + subject[:1]):
-            if side(p) >= 0:
-                result.append(p)
-            if side(p) * side(q) < 0:
-                t = side(p) / (side(p) - side(q))
-                result.append((p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])))
-        subject = result
-    return subject
-
-
-def shares_under(cells, size, polygon):
-    """Integrals of the bilinear functions of a grid over a convex polygon."""
-    result = {}
-    step = [s / n for s, n in zip(size, cells)]
-    for i, j in itertools.product(*map(range, cells)):
-        corner = [(i + a, j + b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        part = clip([(x * step[0], y * step[1]) for x, y in corner], polygon)
-        for p, q in zip(part[1:], part[2:]):
-            o = part[0]
-            area = ((p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0])) / 2
-            middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in ((o, p), (p, q), (q, o))]
-            for x, y in middles:  # exact to the second degree
-                s, t = x / step[0] - i, y / step[1] - j
-                for (k, m), N in zip(corner, ((1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t)):
-                    result[k, m] = result.get((k, m), 0) + area / 3 * N
-    return result
-
-
 def covered(laws):
     """A turned block on a wider one, which carries the same pressure beside it: all of it is uniform."""
     cells, size, small = (4, 5), (2.0, 2.0), 1.1
@@ -163,38 +119,6 @@ def covered(laws):
                 scene[f"Load {k}"] = load("point force", f"0; 0; {force!r}", body="lower",
                                           Point=(node[0] * size[0] / cells[0], node[1] * size[1] / cells[1], 1.0))
         check_patch(laws, f"turned by {angle:g} degrees{', exchanged' * exchanged}", laws.run(scene))
-
-
-# ---------------------------------------------------------------- curved ones
-
-def graded(step, fine, size, growth=1.25):
-    """Coordinates from 0 to size, uniform up to `fine`, growing beyond."""
-    x = [k * step for k in range(round(fine / step) + 1)]
-    steps = []
-    while sum(steps) < size - x[-1]:
-        step *= growth
-        steps.append(step)
-    factor = (size - x[-1]) / sum(steps)
-    for s in steps:
-        x.append(x[-1] + s * factor)
-    return x
-
-
-def half_cylinder(file, step, radius, size, sign):
-    """Half of a body whose surface is a parabola, x from 0: below (sign -1) or above y = 0. Ids 1 surface, 2 end, 3 middle."""
-    xs, ys = graded(step, 1.5, size), graded(step, 1.0, size)
-    number = {}
-    points = []
-    for (i, x), (j, y) in itertools.product(enumerate(xs), enumerate(ys)):
-        number[i, j] = len(points)
-        points.append((x, sign * (y + x * x / (2 * radius) * (1 - y / size)), 0.0))
-    turn = (lambda quad: quad) if sign > 0 else (lambda quad: quad[::-1])
-    cells = [turn([number[i, j], number[i + 1, j], number[i + 1, j + 1], number[i, j + 1]])
-             for i in range(len(xs) - 1) for j in range(len(ys) - 1)]
-    last = len(ys) - 1
-    faces = [(tag, [number[i, j], number[i + 1, j]]) for tag, j in ((1, 0), (2, last)) for i in range(len(xs) - 1)]
-    faces += [(3, [number[0, j], number[0, j + 1]]) for j in range(last)]
-    write_msh(file, 2, points, cells, faces)
 
 
 def cylinders(laws, n, ratio, pairing="mortar"):
@@ -226,19 +150,13 @@ def hertz(laws):
             laws.check(f"cells {ratio:g} times as large: {what} ({before:.2g} at 8 cells)", found, .01)
 
 
-def ring(inner, outer, cells, layers, turned=0.0):
-    return {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {inner!r} : {outer!r} : {cells} : true",
-                     "Rotation": turned},
-            "Material": {"Young modulus": 1000, "Poisson ratio": .3, "Plane": "stress"}}
-
-
 def rings(laws):
     for name, cells, turned in (("matching", (48, 48), 0.0), ("turned by half a facet", (48, 48), 3.75),
                                 ("48 facets in 64", (48, 64), 0.0), ("64 facets in 48", (64, 48), 1.0)):
         for exchanged in (False, True):
             pair = (("inner", 1), ("outer", 0))
             slave, master = pair[::-1] if exchanged else pair
-            scene = {"Dimension": 2, "Body inner": ring(1.0, 2.0, cells[0], 1, turned), "Body outer": ring(2.0, 3.0, cells[1], 1),
+            scene = {"Dimension": 2, "Body inner": ring(1.0, 2.0, cells[0], turned), "Body outer": ring(2.0, 3.0, cells[1]),
                      f"Contact {JOINT}": joint(*slave, *master, Gap=-.002, **{"Friction coefficient": .3}),
                      "Support soft": support(1, "x, y", "0 ; 0", body="outer", Stiffness=1e-3), "Output": {"VTU": 0}}
             for body in ("inner", "outer"):
@@ -263,11 +181,3 @@ def many(laws):
         done, _ = laws.start(scene, "--dry-run")
         laws.demand(f"100 x 100 faces turned by {turned:g} degrees, {pairing}: {time.monotonic() - begin:.1f} s {done.stderr}",
                     done.returncode == 0)
-
-
-FAMILIES = {"plane": plane, "space": space, "covered": covered, "held": held, "hertz": hertz, "rings": rings, "many": many}
-
-if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    sys.exit(run_families(FAMILIES, *sys.argv[1:]))
