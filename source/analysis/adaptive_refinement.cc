@@ -81,8 +81,8 @@ namespace conetact::analysis
     header(const std::vector<std::string> &contacts)
     {
       std::string text = "mesh,cells,dofs,contact_nodes,estimate";
-      for (const std::string &contact : contacts)
-        text += ',' + output::safe_name(contact) + "_n";
+      for (const std::string &contact : output::safe_names(contacts))
+        text += ',' + contact + "_n";
       return text + '\n';
     }
 

@@ -537,8 +537,8 @@ namespace conetact::analysis
     std::vector<std::pair<std::string, std::string>> blocks;
     for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
       {
-        const std::string body = output::safe_name(scene.bodies.names[b]);
-        blocks.emplace_back(body, mechanism_file(b));
+        blocks.emplace_back(output::safe_names(scene.bodies.names)[b],
+                            mechanism_file(b));
         scene.bodies.structures[b]->write_graphics(
           u.segment(model.coordinates.offset(b),
                     scene.bodies.structures[b]->n_dofs()),
@@ -567,7 +567,7 @@ namespace conetact::analysis
   {
     return scene.bodies.names.size() == 1 ?
              "mechanism.vtu" :
-             "mechanism-" + output::safe_name(scene.bodies.names[body]) +
+             "mechanism-" + output::safe_names(scene.bodies.names)[body] +
                ".vtu";
   }
 

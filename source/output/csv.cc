@@ -9,6 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 namespace conetact::output
 {
@@ -60,6 +61,23 @@ namespace conetact::output
     std::replace_if(
       safe.begin(), safe.end(), [&](const char c) { return !is_safe(c); }, '_');
     return safe;
+  }
+
+
+
+  std::vector<std::string>
+  safe_names(const std::vector<std::string> &names)
+  {
+    std::vector<std::string> result;
+    std::set<std::string>    taken;
+    for (const std::string &name : names)
+      {
+        std::string safe = safe_name(name);
+        for (unsigned int i = 2; !taken.insert(safe).second; ++i)
+          safe = safe_name(name) + '_' + std::to_string(i);
+        result.push_back(safe);
+      }
+    return result;
   }
 
 

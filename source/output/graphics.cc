@@ -215,9 +215,10 @@ namespace conetact::output
   Graphics::write_bodies(const IncrementRecord &record)
   {
     std::vector<std::pair<std::string, std::string>> blocks;
+    const std::vector<std::string> names = safe_names(run.bodies);
     for (unsigned int b = 0; b < record.displacements.size(); ++b)
       {
-        const std::string body = safe_name(run.bodies.at(b));
+        const std::string body = names.at(b);
         const std::string name = vtu_name("solution-" + body, record.increment);
         run.structures.at(b)->write_graphics(record.displacements[b],
                                              deformation(record, b),

@@ -90,8 +90,8 @@ namespace conetact::output
     text += resultant_columns("supports", taken);
     text += resultant_columns("loads", taken);
     if (run.bodies.size() > 1)
-      for (const std::string &body : run.bodies)
-        text += "balance_" + safe_name(body) + ',';
+      for (const std::string &body : safe_names(run.bodies))
+        text += "balance_" + body + ',';
     text += "balance,";
     for (const std::string &support : run.supports)
       text += resultant_columns("support_" + safe_name(support), taken);

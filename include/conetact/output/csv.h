@@ -22,6 +22,9 @@ namespace conetact::output
    */
   std::string
   safe_name(const std::string &name);
+  /** Those of a list, numbered where they would be the same. */
+  std::vector<std::string>
+  safe_names(const std::vector<std::string> &names);
 
   /**
    * Rounding noise of forces reads as 0: values below 1e-14 of the largest one

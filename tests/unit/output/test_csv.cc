@@ -86,6 +86,8 @@ TEST(Csv, NumbersThatAreNotFiniteAreNamed)
 TEST(Csv, NamesOfColumns)
 {
   EXPECT_EQ(safe_name("Block 1, top/left-2_a.b"), "Block_1__top_left-2_a.b");
+  EXPECT_EQ(safe_names({"a b", "a_b", "a_b_2", "a/b"}),
+            (std::vector<std::string>{"a_b", "a_b_2", "a_b_2_2", "a_b_3"}));
   EXPECT_STREQ(state_name(NodeState::open), "open");
   EXPECT_STREQ(state_name(NodeState::stick), "stick");
   EXPECT_STREQ(state_name(NodeState::slip), "slip");
