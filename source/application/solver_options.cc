@@ -50,7 +50,10 @@ namespace conetact::application
     const std::string load_path = "load path";
     const std::string load_path_text =
       "follows the load through every change of contact state, one stage up "
-      "to each of Times; finds limit loads (events.csv)";
+      "to each of Times; finds limit loads (events.csv). Where much friction "
+      "lets the path turn: in 2D the holonomic law follows it with falling and "
+      "growing load, the incremental law jumps to another equilibrium under "
+      "the same load; in 3D loads only grow";
 
     void
     declare_condensation(dealii::ParameterHandler &prm)

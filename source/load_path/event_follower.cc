@@ -78,6 +78,7 @@ namespace conetact::load_path
     , arrival(unloading)
     , last(path.last)
   {
+    jumping     = true;
     options.law = PathLaw::holonomic;
     now.origin  = now.v;
   }
@@ -479,13 +480,20 @@ namespace conetact::load_path
         return result;
       }
 
-    const double     so_far = std::abs(parameter - stage.begin);
+    const double so_far = std::abs(parameter - stage.begin),
+                 length = stage.end - stage.begin;
     const PathEvents first =
       RatioTest::first(ratio_test.events(now, rates.v, rates.r, rate_noise),
                        so_far);
     // What follows at once belongs to the same event.
     if (RatioTest::are_now(first, so_far) && ratio_test.add(first, now))
       return {};
+    if (rates.way < way && !jumping && parameter >= upper - beyond_end * length)
+      {
+        // The target itself: what loads beyond it do is another stage's.
+        emit(visit, true);
+        return end(PathOutcome::target_reached);
+      }
     turned     = rates.way != way;
     has_turned = has_turned || turned;
     way        = rates.way;

@@ -64,6 +64,8 @@ namespace conetact::load_path
               NodeScheme  &node) const;
       bool
       lemke(const Scheme &guess, Scheme &result) const;
+      Scheme
+      opened(Scheme scheme) const;
 
       std::vector<bool>
       incoming(const RateLcp &lcp, const Arrival &arrival) const;
@@ -184,6 +186,18 @@ namespace conetact::load_path
 
 
 
+    /** All nodes open that may open; what slips keeps its side. */
+    Scheme
+    RateProblem::opened(Scheme scheme) const
+    {
+      for (std::size_t i = 0; i < scheme.size(); ++i)
+        if (critical[i].normal)
+          scheme[i].closed = false;
+      return scheme;
+    }
+
+
+
     Rates
     RateProblem::solve(const Scheme &guess) const
     {
@@ -195,7 +209,10 @@ namespace conetact::load_path
       Scheme     start;
       const bool found =
         active_set(guess, true, rates) ||
-        (lemke(guess, start) && active_set(start, true, rates));
+        (lemke(guess, start) && active_set(start, true, rates)) ||
+        // A motion at constant load ends in a scheme that is singular, from
+        // which nothing follows.
+        active_set(opened(guess), true, rates);
       if (!found)
         {
           rates.outcome = RateOutcome::none;

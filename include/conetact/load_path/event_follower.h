@@ -102,6 +102,7 @@ namespace conetact::load_path
     int                    way       = 1;
     std::optional<Arrival> arrival;
     bool                   plateau = false, jumped = false, turned = false;
+    bool                   jumping = false; ///< this is the way of a jump
     unsigned int           n_jumps = 0;
     PathPoint              last; ///< the point visited last
 
