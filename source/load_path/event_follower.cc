@@ -3,6 +3,7 @@
 
 #include "conetact/load_path/event_follower.h"
 
+#include "conetact/solvers/lcp.h"
 #include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
@@ -162,6 +163,50 @@ namespace conetact::load_path
 
 
   /**
+   * The whole problem from where the path stands, at a parameter just beyond,
+   * by Lemke's method: what RateLcp says of rates holds for all slips from here
+   * on, gaps and reactions, where no node has a state.
+   */
+  bool
+  EventFollower::pivot_beyond(const double p)
+  {
+    VectorXd slipped = now.v;
+    for (const Index n : system.normal)
+      slipped(n) = 0;
+    const VectorXd load =
+      system.scale.cwiseProduct(stage.load) + (p - stage.begin) * load_rate;
+    const RateLcp lcp(system,
+                      Scheme(now.scheme.size()),
+                      CriticalNodes(now.scheme.size(), {true, true, true}),
+                      load - system.K * slipped);
+    VectorXd      z;
+    if (!lcp.regular ||
+        !solvers::solve_lcp(lcp.M, lcp.q, lcp.cover, lcp.rank, z))
+      return false;
+    std::vector<bool> moves;
+    for (Index a = 0; a < z.size(); ++a)
+      moves.push_back(z(a) > 0);
+    now.scheme = lcp.scheme(moves);
+    now.v      = slipped + lcp.displacements(z, 1);
+    hold_scheme();
+    return true;
+  }
+
+
+
+  /** Where the scheme is a mechanism in balance, rigid motions are held softly.
+   */
+  void
+  EventFollower::hold_scheme()
+  {
+    factor = SchemeFactor(system, now.scheme, false);
+    if (!factor.regular())
+      factor = SchemeFactor(system, now.scheme, true);
+  }
+
+
+
+  /**
    * Solves the whole problem from where the path stands, at a parameter just
    * beyond, and takes the states of the result.
    */
@@ -201,11 +246,7 @@ namespace conetact::load_path
           now.scheme[i].slip = state.v(t) > 0 ? 1 : -1;
       }
     now.v = (slipped + state.v).cwiseQuotient(system.scale);
-    // Where the result is a mechanism in balance, rigid motions are held
-    // softly.
-    factor = SchemeFactor(system, now.scheme, false);
-    if (!factor.regular())
-      factor = SchemeFactor(system, now.scheme, true);
+    hold_scheme();
     return true;
   }
 
@@ -265,23 +306,24 @@ namespace conetact::load_path
     const double       from   = parameter;
     const PathPosition before = now;
     for (const double step : jump_steps)
-      {
-        const double beyond = from + step * (stage.end - stage.begin);
-        if (solve_beyond(beyond, reason))
-          {
-            // Best at the load where the path broke off: then nothing is
-            // skipped.
-            for (const double p : {from, beyond})
-              {
-                move_to(p, VectorXd::Zero(now.v.size()));
-                if (land())
-                  return true;
-              }
-            reason = "an equilibrium was found in several steps only";
-          }
-        now       = before;
-        parameter = from;
-      }
+      for (const bool pivoting : {true, false})
+        {
+          const double beyond = from + step * (stage.end - stage.begin);
+          if (pivoting ? pivot_beyond(beyond) : solve_beyond(beyond, reason))
+            {
+              // Best at the load where the path broke off: then nothing is
+              // skipped.
+              for (const double p : {from, beyond})
+                {
+                  move_to(p, VectorXd::Zero(now.v.size()));
+                  if (land())
+                    return true;
+                }
+              reason = "an equilibrium was found in several steps only";
+            }
+          now       = before;
+          parameter = from;
+        }
     return false;
   }
 

@@ -76,6 +76,10 @@ namespace conetact::load_path
     bool
     jump_by_solver(std::string &reason);
     bool
+    pivot_beyond(const double p);
+    void
+    hold_scheme();
+    bool
     solve_beyond(const double p, std::string &reason);
     bool
     land();
