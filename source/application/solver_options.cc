@@ -112,7 +112,8 @@ namespace conetact::application
                       "load path: what friction opposes. incremental: the slip "
                       "as it happens, Coulomb's law as in the other methods; "
                       "holonomic: the total displacement since the start, the "
-                      "law of [P] (2D).");
+                      "law of [P] (2D), whose paths go on through turning points, "
+                      "with falling and growing load.");
     prm.enter_subsection("Smoothing");
     for (const SmoothingRow &row : smoothing_table)
       prm.declare_entry(row.name,

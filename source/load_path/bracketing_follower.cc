@@ -26,7 +26,8 @@ namespace conetact::load_path
     constexpr double at_bound     = 1e-6; ///< a path this close has reached it
     constexpr double crowded      = 1e-5; ///< see most_near
     constexpr double largest_turn = .05;  ///< of a slip in an increment [rad]
-    /** Of the largest displacement: a change in no time above it is a jump. */
+    /** Of largest force over mean stiffness: more motion in no time is a jump.
+     */
     constexpr double jump_size = 1e-3;
 
     /**
@@ -79,6 +80,8 @@ namespace conetact::load_path
       step(const double target);
       Trial
       first_change(Trial other);
+      bool
+      is_jump(const VectorXd &motion) const;
       void
       move_to(const Trial &trial);
       bool
@@ -262,6 +265,16 @@ namespace conetact::load_path
 
 
 
+    bool
+    BracketingFollower::is_jump(const VectorXd &motion) const
+    {
+      const double stiffness =
+        system->matrix.trace() / static_cast<double>(motion.size());
+      return stiffness * solvers::largest(motion) > jump_size * largest_force;
+    }
+
+
+
     /* By bisection; where no increment beyond it converges, the last that does,
        without a change. */
     BracketingFollower::Trial
@@ -278,8 +291,7 @@ namespace conetact::load_path
       // An increment beyond the change is taken with it. Without one the path
       // ends at the last that converged.
       if (other.converged && same.parameter > stage.begin + bracket * range)
-        other.jump = solvers::largest(other.v - same.v) >
-                     jump_size * solvers::largest(other.v);
+        other.jump = is_jump(other.v - same.v);
       if (other.converged || !same.converged)
         return other;
       same.reason = other.reason;
