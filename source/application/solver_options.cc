@@ -106,14 +106,15 @@ namespace conetact::application
                       "Largest accepted residual of contact and of "
                       "equilibrium, both free of units. [-]");
     declare_condensation(prm);
-    prm.declare_entry("Law",
-                      "incremental",
-                      Selection("incremental|holonomic"),
-                      "load path: what friction opposes. incremental: the slip "
-                      "as it happens, Coulomb's law as in the other methods; "
-                      "holonomic: the total displacement since the start, the "
-                      "law of [P] (2D), whose paths go on through turning points, "
-                      "with falling and growing load.");
+    prm.declare_entry(
+      "Law",
+      "incremental",
+      Selection("incremental|holonomic"),
+      "load path: what friction opposes. incremental: the slip "
+      "as it happens, Coulomb's law as in the other methods; "
+      "holonomic: the total displacement since the start, the "
+      "law of [P] (2D), whose paths go on through turning points, "
+      "with falling and growing load.");
     prm.enter_subsection("Smoothing");
     for (const SmoothingRow &row : smoothing_table)
       prm.declare_entry(row.name,
