@@ -153,9 +153,9 @@ namespace conetact::analysis
         case load_path::PathOutcome::returned_to_start:
           return "The load has fallen to that of the start of its stage, " +
                  at + on_the_way +
-                 ": another equilibrium of the same loads. A path goes on from "
-                 "there with loads of the other sign: give the stage a start "
-                 "with less load, or turn its loads round.";
+                 ": another equilibrium of the same loads. What came before this "
+                 "stage is not followed back; let a stage begin with less load "
+                 "to see more of the path.";
         case load_path::PathOutcome::cycle:
           return "The path has come back " + at + on_the_way +
                  " to a piece that it has followed before, and would follow it "
