@@ -34,7 +34,6 @@
 namespace
 {
   using namespace conetact;
-  using namespace conetact::pairing;
   using namespace conetact::solvers;
   using Eigen::Index;
   using Eigen::VectorXd;

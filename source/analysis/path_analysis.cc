@@ -484,8 +484,10 @@ namespace conetact::analysis
       changes.push_back({node_name(change.node),
                          state_name(change.from),
                          state_name(change.to)});
-    if (!changes.empty())
-      events->add(point.parameter, changes);
+    if (!changes.empty() || point.turn)
+      events->add(point.parameter, changes, load_name(point));
+    if (point.turn && n_turns++ == 0)
+      first_turn = point.parameter;
   }
 
 
@@ -493,7 +495,7 @@ namespace conetact::analysis
   void
   PathAnalysis::report_outcome(const load_path::PathResult &result)
   {
-    PathEnd end{result, {}, on_the_way, constant_stage};
+    PathEnd end{result, {}, on_the_way, constant_stage, n_turns, first_turn};
     if (result.outcome == load_path::PathOutcome::limit_load)
       {
         std::vector<bool> touching;

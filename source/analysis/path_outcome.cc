@@ -20,6 +20,22 @@ namespace conetact::analysis
                "at p = " + text;
     }
 
+    /** " after 2 turning points"; `where`: with the first of them. */
+    std::string
+    turns(const PathEnd &end, const bool where)
+    {
+      if (end.n_turns == 0)
+        return "";
+      std::string text =
+        " after " + std::to_string(end.n_turns) +
+        (end.n_turns == 1 ? " turning point" : " turning points");
+      if (!where)
+        return text;
+      text += end.n_turns == 1 ? " (p = " : " (the first at p = ";
+      output::append_number(text, end.first_turn);
+      return text + ")";
+    }
+
     /** "; nodes 1, 2 of contact 'floor' slide, node 3 ... stays". */
     std::string
     motion(const PathEnd               &end,
@@ -71,22 +87,39 @@ namespace conetact::analysis
 
 
 
+  const char *
+  load_name(const load_path::PathPoint &point)
+  {
+    if (point.turn)
+      return point.way < 0 ? "turns down" : "turns up";
+    return point.way < 0 ? "falls" : "rises";
+  }
+
+
+
   std::string
   outcome_words(const PathEnd &end)
   {
+    const std::string on_the_way = end.on_the_way + turns(end, false);
     switch (end.result.outcome)
       {
         case load_path::PathOutcome::target_reached:
-          return "target reached" + end.on_the_way;
+          return "target reached" + on_the_way;
         case load_path::PathOutcome::no_further_change:
-          return "no further change" + end.on_the_way;
+          return "no further change" + on_the_way;
         case load_path::PathOutcome::limit_load:
-          return "limit load: " + end.mechanism->kind + end.on_the_way +
+          return "limit load: " + end.mechanism->kind + on_the_way +
                  (end.constant ? " under the constant loads" : "");
         case load_path::PathOutcome::turning_point:
-          return "turning point" + end.on_the_way;
+          return "turning point" + on_the_way;
+        case load_path::PathOutcome::returned_to_start:
+          return "returned to start" + on_the_way;
+        case load_path::PathOutcome::cycle:
+          return "cycle" + on_the_way;
+        case load_path::PathOutcome::no_equilibrium:
+          return "jump without equilibrium" + on_the_way;
         case load_path::PathOutcome::not_converged:
-          return "not converged" + end.on_the_way;
+          return "not converged" + on_the_way;
       }
     return "";
   }
@@ -99,25 +132,44 @@ namespace conetact::analysis
                    const application::Scene    &scene)
   {
     const std::string at = at_parameter(end), &reason = end.result.reason;
+    const std::string on_the_way = end.on_the_way + turns(end, true);
     switch (end.result.outcome)
       {
         case load_path::PathOutcome::target_reached:
-          return "Target reached " + at + end.on_the_way + ".";
+          return "Target reached " + at + on_the_way + ".";
         case load_path::PathOutcome::no_further_change:
-          return "Target reached " + at + end.on_the_way +
+          return "Target reached " + at + on_the_way +
                  "; no further change of the contact states for any larger p. "
                  "This is no limit load.";
         case load_path::PathOutcome::limit_load:
-          return "Limit load " + at + end.on_the_way +
+          return "Limit load " + at + on_the_way +
                  (reason.empty() ? "" : " (" + reason + ")") +
                  ", a mechanism of " + end.mechanism->kind +
                  motion(end, model, scene) + ".";
         case load_path::PathOutcome::turning_point:
-          return "Turning point " + at + end.on_the_way +
+          return "Turning point " + at + on_the_way +
                  ": the path goes on only if the load decreases" +
                  (reason.empty() ? "." : "; " + reason + ".");
+        case load_path::PathOutcome::returned_to_start:
+          return "The load has fallen to that of the start of its stage, " +
+                 at + on_the_way +
+                 ": another equilibrium of the same loads. What came before this "
+                 "stage is not followed back; let a stage begin with less load "
+                 "to see more of the path.";
+        case load_path::PathOutcome::cycle:
+          return "The path has come back " + at + on_the_way +
+                 " to a piece that it has followed before, and would follow it "
+                 "for ever. Several nodes change their states together there: "
+                 "a small change of loads or friction parts them.";
+        case load_path::PathOutcome::no_equilibrium:
+          return "A jump without an end " + at + on_the_way +
+                 ": next to this state nothing balances a larger load, and no "
+                 "other equilibrium was found under it" +
+                 (reason.empty() ? "" : " (" + reason + ")") +
+                 ". The bodies would move on with inertia, which a load path "
+                 "leaves out; Solver/Law = holonomic may follow falling loads.";
         case load_path::PathOutcome::not_converged:
-          return "The path is not converged " + at + end.on_the_way +
+          return "The path is not converged " + at + on_the_way +
                  (reason.empty() ? "" : ": " + reason) +
                  ". All events before it are on disk.";
       }

@@ -50,7 +50,10 @@ namespace conetact::application
     const std::string load_path = "load path";
     const std::string load_path_text =
       "follows the load through every change of contact state, one stage up "
-      "to each of Times; finds limit loads (events.csv)";
+      "to each of Times; finds limit loads (events.csv). Where much friction "
+      "lets the path turn: in 2D the holonomic law follows it with falling and "
+      "growing load, the incremental law jumps to another equilibrium under "
+      "the same load; in 3D loads only grow";
 
     void
     declare_condensation(dealii::ParameterHandler &prm)
@@ -103,13 +106,15 @@ namespace conetact::application
                       "Largest accepted residual of contact and of "
                       "equilibrium, both free of units. [-]");
     declare_condensation(prm);
-    prm.declare_entry("Law",
-                      "incremental",
-                      Selection("incremental|holonomic"),
-                      "load path: what friction opposes. incremental: the slip "
-                      "as it happens, Coulomb's law as in the other methods; "
-                      "holonomic: the total displacement since the start, the "
-                      "law of [P] (2D).");
+    prm.declare_entry(
+      "Law",
+      "incremental",
+      Selection("incremental|holonomic"),
+      "load path: what friction opposes. incremental: the slip "
+      "as it happens, Coulomb's law as in the other methods; "
+      "holonomic: the total displacement since the start, the "
+      "law of [P] (2D), whose paths go on through turning points, "
+      "with falling and growing load.");
     prm.enter_subsection("Smoothing");
     for (const SmoothingRow &row : smoothing_table)
       prm.declare_entry(row.name,

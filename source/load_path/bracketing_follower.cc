@@ -26,6 +26,9 @@ namespace conetact::load_path
     constexpr double at_bound     = 1e-6; ///< a path this close has reached it
     constexpr double crowded      = 1e-5; ///< see most_near
     constexpr double largest_turn = .05;  ///< of a slip in an increment [rad]
+    /** Of largest force over mean stiffness: more motion in no time is a jump.
+     */
+    constexpr double jump_size = 1e-3;
 
     /**
      * After so many events less than `crowded` apart the next step is of that
@@ -57,7 +60,8 @@ namespace conetact::load_path
       {
         double      parameter = 0; ///< at its end
         bool        converged = false;
-        VectorXd    v, r; ///< total
+        bool        jump      = false; ///< the change is one of displacements
+        VectorXd    v, r;              ///< total
         States      states;
         std::string reason;
       };
@@ -76,6 +80,8 @@ namespace conetact::load_path
       step(const double target);
       Trial
       first_change(Trial other);
+      bool
+      is_jump(const VectorXd &motion) const;
       void
       move_to(const Trial &trial);
       bool
@@ -212,6 +218,7 @@ namespace conetact::load_path
       length        = first_step * range;
       now.parameter = stage.begin;
       now.changes.clear();
+      now.jump                = false;
       n_near                  = 0;
       const VectorXd load_end = load(stage.end);
       largest_force           = std::max({largest_force,
@@ -258,6 +265,16 @@ namespace conetact::load_path
 
 
 
+    bool
+    BracketingFollower::is_jump(const VectorXd &motion) const
+    {
+      const double stiffness =
+        system->matrix.trace() / static_cast<double>(motion.size());
+      return stiffness * solvers::largest(motion) > jump_size * largest_force;
+    }
+
+
+
     /* By bisection; where no increment beyond it converges, the last that does,
        without a change. */
     BracketingFollower::Trial
@@ -265,6 +282,7 @@ namespace conetact::load_path
     {
       Trial same;
       same.parameter = now.parameter;
+      same.v         = now.v;
       while (other.parameter - same.parameter > bracket * range)
         {
           Trial middle = increment(.5 * (same.parameter + other.parameter));
@@ -272,6 +290,8 @@ namespace conetact::load_path
         }
       // An increment beyond the change is taken with it. Without one the path
       // ends at the last that converged.
+      if (other.converged && same.parameter > stage.begin + bracket * range)
+        other.jump = is_jump(other.v - same.v);
       if (other.converged || !same.converged)
         return other;
       same.reason = other.reason;
@@ -291,6 +311,7 @@ namespace conetact::load_path
       now.r         = trial.r;
       largest_force = std::max(largest_force, now.r.lpNorm<Eigen::Infinity>());
       now.changes.clear();
+      now.jump = trial.jump;
       now.residual =
         path_residual(*system, options, load(now.parameter), before, now);
     }
@@ -387,6 +408,12 @@ namespace conetact::load_path
                              "no law of slip could balance a larger load";
           result.mechanism = mechanism(slip_directions(), touching);
         }
+      else if (now.parameter > stage.begin)
+        result.reason =
+          "in space increments of growing loads are followed only, and none "
+          "beyond this point finds an equilibrium. Where the path turns, or "
+          "jumps far, they find none: " +
+          reason;
       return result;
     }
 

@@ -3,9 +3,12 @@
 
 #include "conetact/load_path/event_follower.h"
 
+#include "conetact/solvers/lcp.h"
 #include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -20,6 +23,10 @@ namespace conetact::load_path
     constexpr double rate_noise = 1e-14, motion_noise = 1e-9;
     /** An event this close behind the end of a stage, in its length, counts. */
     constexpr double beyond_end = 1e-12;
+    /** Displacements that differ by less, in the largest, are the same. */
+    constexpr double same_state = 1e-9;
+    /** Jumps in a row, under one load. */
+    constexpr unsigned int most_jumps = 10;
     /** Steps beyond a point without continuation, in the length of the stage.
      */
     constexpr double jump_steps[] = {1e-8, 1e-6, 1e-4};
@@ -32,13 +39,15 @@ namespace conetact::load_path
                                const PathOptions &o)
     : contact(std::move(s))
     , options(o)
-    , system(*contact, options.cohesion)
-    , ratio_test(system, options.law)
+    , shared(std::make_shared<const PathSystem>(*contact, options.cohesion))
+    , system(*shared)
+    , ratio_test(shared, options.law)
     , now{Scheme(static_cast<std::size_t>(system.n_nodes())),
           VectorXd::Zero(system.size()),
           VectorXd::Zero(system.size()),
           VectorXd::Zero(system.size()),
-          {}}
+          {},
+          VectorXd::Zero(system.size())}
   {
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
@@ -50,6 +59,29 @@ namespace conetact::load_path
     last.v     = system.scale.cwiseProduct(now.v);
     last.r     = now.r;
     last.state = path_states(system, now.scheme);
+  }
+
+
+
+  EventFollower::EventFollower(const EventFollower &path,
+                               const Arrival       &unloading)
+    : contact(path.contact)
+    , options(path.options)
+    , shared(path.shared)
+    , system(*shared)
+    , ratio_test(shared, PathLaw::holonomic)
+    , now(path.now)
+    , stage(path.stage)
+    , load_rate(path.load_rate)
+    , lower(-std::numeric_limits<double>::infinity())
+    , upper(path.parameter)
+    , parameter(path.parameter)
+    , arrival(unloading)
+    , last(path.last)
+  {
+    jumping     = true;
+    options.law = PathLaw::holonomic;
+    now.origin  = now.v;
   }
 
 
@@ -81,7 +113,7 @@ namespace conetact::load_path
         if (system.tangent[i] >= 0 && now.scheme[i].slip == 0 &&
             !system.is_free(static_cast<Index>(i), now.scheme[i].closed))
           // Stuck under the holonomic law means no slip in total.
-          now.v(system.tangent[i]) = 0;
+          now.v(system.tangent[i]) = now.origin(system.tangent[i]);
     // Those of a mechanism are those of the scheme before it.
     if (rates.outcome == RateOutcome::found)
       factor.values(now.load, now.v, now.r);
@@ -105,28 +137,71 @@ namespace conetact::load_path
 
   /** Follows a mechanism until it stops; false: it never does. */
   bool
-  EventFollower::move_at_constant_load(const VectorXd &velocity)
+  EventFollower::move_at_constant_load(const Rates &rates)
   {
-    // The parameter stands still: the step is one of the motion. Reactions keep
-    // their values, only gaps close and slips end.
+    // The parameter stands still: the step is one of the motion. Gaps close,
+    // slips end, and where it is no rigid one reactions fall.
     const PathEvents stops =
-      RatioTest::first(ratio_test.events(now,
-                                         velocity,
-                                         VectorXd::Zero(now.r.size()),
-                                         motion_noise),
+      RatioTest::first(ratio_test.events(now, rates.v, rates.r, motion_noise),
                        0);
     if (stops.empty())
       return false;
     const double step = stops.front().step;
-    if (step * solvers::largest(velocity) >
+    if (step * solvers::largest(rates.v) >
         value_tolerance * solvers::largest(now.v))
       {
-        now.v += step * velocity;
+        arrival = {now.scheme, rates.v, 0};
+        now.v += step * rates.v;
+        now.r += step * rates.r;
         plateau      = true;
         now.critical = ratio_test.critical_nodes(now);
       }
     ratio_test.add(stops, now);
     return true;
+  }
+
+
+
+  /**
+   * The whole problem from where the path stands, at a parameter just beyond,
+   * by Lemke's method: what RateLcp says of rates holds for all slips from here
+   * on, gaps and reactions, where no node has a state.
+   */
+  bool
+  EventFollower::pivot_beyond(const double p)
+  {
+    VectorXd slipped = now.v;
+    for (const Index n : system.normal)
+      slipped(n) = 0;
+    const VectorXd load =
+      system.scale.cwiseProduct(stage.load) + (p - stage.begin) * load_rate;
+    const RateLcp lcp(system,
+                      Scheme(now.scheme.size()),
+                      CriticalNodes(now.scheme.size(), {true, true, true}),
+                      load - system.K * slipped);
+    VectorXd      z;
+    if (!lcp.regular ||
+        !solvers::solve_lcp(lcp.M, lcp.q, lcp.cover, lcp.rank, z))
+      return false;
+    std::vector<bool> moves;
+    for (Index a = 0; a < z.size(); ++a)
+      moves.push_back(z(a) > 0);
+    now.scheme = lcp.scheme(moves);
+    now.v      = slipped + lcp.displacements(z, 1);
+    hold_scheme();
+    return true;
+  }
+
+
+
+  /** Where the scheme is a mechanism in balance, rigid motions are held softly.
+   */
+  void
+  EventFollower::hold_scheme()
+  {
+    factor = SchemeFactor(system, now.scheme, false);
+    if (!factor.regular())
+      factor = SchemeFactor(system, now.scheme, true);
   }
 
 
@@ -171,80 +246,134 @@ namespace conetact::load_path
           now.scheme[i].slip = state.v(t) > 0 ? 1 : -1;
       }
     now.v = (slipped + state.v).cwiseQuotient(system.scale);
-    // Where the result is a mechanism in balance, rigid motions are held
-    // softly.
-    factor = SchemeFactor(system, now.scheme, false);
-    if (!factor.regular())
-      factor = SchemeFactor(system, now.scheme, true);
+    hold_scheme();
+    return true;
+  }
+
+
+
+  /** Takes an equilibrium as the end of a jump, if it is one. */
+  bool
+  EventFollower::land()
+  {
+    if (!(here().residual <= options.tolerance))
+      return false;
+    jumped       = true;
+    now.critical = ratio_test.critical_nodes(now);
+    arrival.reset();
     return true;
   }
 
 
 
   /**
-   * Over a gap of the path to another equilibrium, at the same load if its
-   * states hold there, else at the one just beyond for which it was found.
+   * Over a gap of the path to another equilibrium under the same load. What
+   * slips from here on, slips one way: the holonomic law, counted from here.
+   * Its path turns back where Coulomb's breaks off, and grows again.
    */
   bool
-  EventFollower::jump(const PathVisitor &visit, PathResult &result)
+  EventFollower::jump_by_path()
   {
-    result.reason = "The path has no continuation at this load, and with "
-                    "cohesion there is no way to jump over the gap.";
-    if (system.cohesion.maxCoeff() > 0)
+    const Arrival before = unloading();
+    if (before.scheme.empty())
       return false;
-    if (parameter > last.parameter)
-      emit(visit, true);
-    const double   from     = parameter;
-    const VectorXd v_before = now.v, r_before = now.r;
-    const Scheme   scheme_before = now.scheme;
-    std::string    reason;
-    for (const double step : jump_steps)
-      {
-        const double beyond = from + step * (stage.end - stage.begin);
-        if (solve_beyond(beyond, reason))
-          {
-            // Best at the load where the path broke off: then nothing is
-            // skipped.
-            for (const double p : {from, beyond})
-              {
-                move_to(p, VectorXd::Zero(now.v.size()));
-                if (here().residual <= options.tolerance)
-                  {
-                    jumped       = true;
-                    now.critical = ratio_test.critical_nodes(now);
-                    result.reason.clear();
-                    return true;
-                  }
-              }
-            reason = "an equilibrium was found in several steps only.";
-          }
-        now.v      = v_before;
-        now.r      = r_before;
-        now.scheme = scheme_before;
-        parameter  = from;
-      }
-    result.reason = "The path has no continuation at this load, and a full "
-                    "solve found no other equilibrium: " +
-                    reason;
+    EventFollower     way_over(*this, before);
+    const PathOutcome outcome = way_over.walk({}).outcome;
+    if (outcome != PathOutcome::target_reached &&
+        outcome != PathOutcome::no_further_change)
+      return false;
+    PathPosition there = way_over.now;
+    there.origin       = now.origin;
+    std::swap(now, there);
+    std::swap(factor, way_over.factor);
+    if (land())
+      return true;
+    std::swap(now, there);
+    std::swap(factor, way_over.factor);
     return false;
   }
 
 
 
-  PathResult
-  EventFollower::end_without_rates(PathResult result)
+  /** The same by a full solve, at the same load if its states hold there, else
+   * at the one just beyond for which it was found. */
+  bool
+  EventFollower::jump_by_solver(std::string &reason)
   {
-    // A path that goes on with falling loads has a turning point here. The
-    // holonomic law remembers no slip: it is the same path.
-    const VectorXd backward = system.scale.cwiseProduct(-stage.rate);
-    const Rates    back =
-      solve_rate_problem(system, now.scheme, now.critical, backward);
-    if (back.outcome == RateOutcome::found)
-      result.outcome = PathOutcome::turning_point;
-    else
-      result.reason = "The path has no continuation at this load, neither with "
-                      "growing nor with falling loads.";
+    reason = "with cohesion there is no full solve";
+    if (solvers::largest(system.cohesion) > 0)
+      return false;
+    const double       from   = parameter;
+    const PathPosition before = now;
+    for (const double step : jump_steps)
+      for (const bool pivoting : {true, false})
+        {
+          const double beyond = from + step * (stage.end - stage.begin);
+          if (pivoting ? pivot_beyond(beyond) : solve_beyond(beyond, reason))
+            {
+              // Best at the load where the path broke off: then nothing is
+              // skipped.
+              for (const double p : {from, beyond})
+                {
+                  move_to(p, VectorXd::Zero(now.v.size()));
+                  if (land())
+                    return true;
+                }
+              reason = "an equilibrium was found in several steps only";
+            }
+          now       = before;
+          parameter = from;
+        }
+    return false;
+  }
+
+
+
+  bool
+  EventFollower::jump(std::string &reason)
+  {
+    return jump_by_path() || jump_by_solver(reason);
+  }
+
+
+
+  PathResult
+  EventFollower::end(const PathOutcome outcome, const std::string &reason) const
+  {
+    PathResult result;
+    result.outcome   = outcome;
+    result.parameter = parameter;
+    result.reason    = reason;
     return result;
+  }
+
+
+
+  EventFollower::End
+  EventFollower::without_rates(const PathVisitor &visit)
+  {
+    if (options.law == PathLaw::holonomic)
+      {
+        if (arrival)
+          return end(PathOutcome::not_converged,
+                     "the path turns at this load, and no piece was found on "
+                     "which it goes on");
+        // Whatever there is needs loads that fall.
+        return unloading().scheme.empty() ?
+                 end(PathOutcome::not_converged,
+                     "the path has no continuation at this load, neither with "
+                     "growing nor with falling loads") :
+                 end(PathOutcome::turning_point);
+      }
+    if (parameter > last.parameter || plateau || jumped)
+      emit(visit, true);
+    std::string reason;
+    // Jumps that only lead to further ones do not lead on.
+    if (++n_jumps > most_jumps)
+      reason = "each equilibrium that a jump leads to breaks off at once";
+    else if (jump(reason))
+      return {};
+    return end(PathOutcome::no_equilibrium, reason);
   }
 
 
@@ -259,6 +388,8 @@ namespace conetact::load_path
     point.r         = now.r.cwiseQuotient(system.scale);
     point.plateau   = plateau;
     point.jump      = jumped;
+    point.turn      = turned;
+    point.way       = way;
     point.state     = path_states(system, now.scheme);
     for (std::size_t i = 0; i < point.state.size(); ++i)
       if (point.state[i] != last.state[i])
@@ -276,12 +407,155 @@ namespace conetact::load_path
   EventFollower::emit(const PathVisitor &visit, const bool always)
   {
     PathPoint point = here();
-    if (point.changes.empty() && !always && !plateau && !jumped)
+    if (point.changes.empty() && !always && !plateau && !jumped && !turned)
       return;
-    plateau = jumped = false;
+    plateau = jumped = turned = false;
     if (visit)
       visit(point);
     last = std::move(point);
+  }
+
+
+
+  /** The piece on which loads would fall, as one that comes from there; without
+   * a scheme: there is none. */
+  Arrival
+  EventFollower::unloading() const
+  {
+    const Rates back =
+      solve_rate_problem(system, now.scheme, now.critical, -load_rate);
+    if (back.outcome == RateOutcome::none)
+      return {};
+    return {back.scheme, -back.v, 1};
+  }
+
+
+
+  Rates
+  EventFollower::next_rates() const
+  {
+    Rates rates =
+      solve_rate_problem(system, now.scheme, now.critical, way * load_rate);
+    rates.way = way;
+    if (rates.outcome != RateOutcome::none)
+      return rates;
+    Arrival from = arrival ? *arrival : unloading();
+    if (from.scheme.empty())
+      return rates;
+    ratio_test.turn_closing_nodes(now, from.scheme);
+    Rates around = pass_vertex(system, from, now.critical, load_rate);
+    // Without a piece that the path came on, its start, p cannot fall.
+    if (!arrival && around.way < 0)
+      around.outcome = RateOutcome::none;
+    return around;
+  }
+
+
+
+  /* Such a piece would be followed for ever. */
+  bool
+  EventFollower::was_here()
+  {
+    if (!has_turned)
+      return false;
+    const double size = solvers::largest(now.v);
+    for (const Piece &piece : pieces)
+      if (piece.way == way && piece.scheme == now.scheme &&
+          solvers::largest(piece.v - now.v) <= same_state * size)
+        return true;
+    pieces.push_back({now.scheme, way, now.v});
+    return false;
+  }
+
+
+
+  EventFollower::End
+  EventFollower::go(const PathEvents  &first,
+                    const VectorXd    &velocity,
+                    const PathVisitor &visit)
+  {
+    const double limit = way > 0 ? upper : lower;
+    if (first.empty() && !std::isfinite(limit))
+      return end(PathOutcome::not_converged, "the load falls without end");
+    // Without any event ahead the states hold for all larger loads. That is no
+    // limit load.
+    if (first.empty() ||
+        first.front().step >
+          way * (limit - parameter) + beyond_end * (stage.end - stage.begin))
+      {
+        move_to(limit, way * velocity);
+        emit(visit, true);
+        return end(way < 0       ? PathOutcome::returned_to_start :
+                   first.empty() ? PathOutcome::no_further_change :
+                                   PathOutcome::target_reached);
+      }
+    if (was_here())
+      return end(PathOutcome::cycle);
+    const double next = parameter + way * first.front().step;
+    move_to(way > 0 ? std::min(next, limit) : std::max(next, limit),
+            way * velocity);
+    if (options.law == PathLaw::holonomic)
+      arrival = {now.scheme, velocity, way};
+    now.critical = ratio_test.critical_nodes(now);
+    ratio_test.add(first, now);
+    return {};
+  }
+
+
+
+  EventFollower::End
+  EventFollower::advance(const PathVisitor &visit)
+  {
+    ratio_test.turn_closing_nodes(now, now.scheme);
+    Rates rates = next_rates();
+    if (rates.outcome == RateOutcome::none)
+      return without_rates(visit);
+    take(rates);
+    if (rates.outcome == RateOutcome::mechanism)
+      {
+        emit(visit, false);
+        if (move_at_constant_load(rates))
+          return {};
+        PathResult result = end(PathOutcome::limit_load);
+        result.mechanism  = system.scale.cwiseProduct(rates.v);
+        result.mechanism /= solvers::largest(result.mechanism);
+        return result;
+      }
+
+    const double so_far = std::abs(parameter - stage.begin),
+                 length = stage.end - stage.begin;
+    const PathEvents first =
+      RatioTest::first(ratio_test.events(now, rates.v, rates.r, rate_noise),
+                       so_far);
+    // What follows at once belongs to the same event.
+    if (RatioTest::are_now(first, so_far) && ratio_test.add(first, now))
+      return {};
+    if (rates.way < way && !jumping && parameter >= upper - beyond_end * length)
+      {
+        // The target itself: what loads beyond it do is another stage's.
+        emit(visit, true);
+        return end(PathOutcome::target_reached);
+      }
+    turned     = rates.way != way;
+    has_turned = has_turned || turned;
+    way        = rates.way;
+    emit(visit, false);
+    n_jumps = 0;
+    return go(first, rates.v, visit);
+  }
+
+
+
+  PathResult
+  EventFollower::walk(const PathVisitor &visit)
+  {
+    // Degenerate events could repeat at one load.
+    const std::size_t most_events = 1000 + 100 * now.scheme.size();
+    for (std::size_t k = 0; k < most_events; ++k)
+      if (const End ended = advance(visit))
+        return *ended;
+    return end(PathOutcome::not_converged,
+               "the states of contact change without end at this load");
   }
 
 
@@ -291,69 +565,16 @@ namespace conetact::load_path
   {
     check_start(s);
     stage     = s;
-    parameter = last.parameter = stage.begin;
-    const VectorXd load_rate   = system.scale.cwiseProduct(stage.rate);
-    const double   length      = stage.end - stage.begin;
-    now.critical               = ratio_test.critical_nodes(now);
-
-    PathResult   result;
-    unsigned int jumps = 0;
-    // Degenerate events could repeat at one load.
-    const std::size_t most_events = 1000 + 100 * now.scheme.size();
-    for (std::size_t k = 0; k < most_events; ++k)
-      {
-        result.parameter = parameter;
-        ratio_test.turn_closing_nodes(now);
-        Rates rates =
-          solve_rate_problem(system, now.scheme, now.critical, load_rate);
-        if (rates.outcome == RateOutcome::none)
-          {
-            if (options.law == PathLaw::holonomic)
-              return end_without_rates(result);
-            // Jumps that only lead to further ones do not lead on.
-            if (++jumps > 3 || !jump(visit, result))
-              return result;
-            continue;
-          }
-        take(rates);
-        if (rates.outcome == RateOutcome::mechanism)
-          {
-            emit(visit, false);
-            if (move_at_constant_load(rates.v))
-              continue;
-            result.outcome   = PathOutcome::limit_load;
-            result.mechanism = system.scale.cwiseProduct(rates.v);
-            result.mechanism /= solvers::largest(result.mechanism);
-            return result;
-          }
-
-        const double     so_far = parameter - stage.begin;
-        const PathEvents first =
-          RatioTest::first(ratio_test.events(now, rates.v, rates.r, rate_noise),
-                           so_far);
-        const double step = first.empty() ? 0. : first.front().step;
-        // What follows at once belongs to the same event.
-        if (RatioTest::are_now(first, so_far) && ratio_test.add(first, now))
-          continue;
-        emit(visit, false);
-        jumps = 0;
-        // Without any event ahead the states hold for all larger loads. That is
-        // no limit load.
-        if (first.empty() || parameter + step > stage.end + beyond_end * length)
-          {
-            move_to(stage.end, rates.v);
-            emit(visit, true);
-            result.parameter = parameter;
-            result.outcome   = first.empty() ? PathOutcome::no_further_change :
-                                               PathOutcome::target_reached;
-            return result;
-          }
-        move_to(std::min(parameter + step, stage.end), rates.v);
-        now.critical = ratio_test.critical_nodes(now);
-        ratio_test.add(first, now);
-      }
-    result.reason = "The states of contact change without end at this load.";
-    return result;
+    parameter = last.parameter = lower = stage.begin;
+    upper                              = stage.end;
+    load_rate                          = system.scale.cwiseProduct(stage.rate);
+    now.critical                       = ratio_test.critical_nodes(now);
+    way                                = 1;
+    n_jumps                            = 0;
+    has_turned                         = false;
+    arrival.reset();
+    pieces.clear();
+    return walk(visit);
   }
 
 

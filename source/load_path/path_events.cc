@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace conetact::load_path
 {
@@ -47,8 +48,10 @@ namespace conetact::load_path
 
 
 
-  RatioTest::RatioTest(const PathSystem &of_system, const PathLaw of_law)
-    : system(of_system)
+  RatioTest::RatioTest(std::shared_ptr<const PathSystem> of_system,
+                       const PathLaw                     of_law)
+    : shared(std::move(of_system))
+    , system(*shared)
     , law(of_law)
   {}
 
@@ -77,7 +80,7 @@ namespace conetact::load_path
         if (system.cohesion(index) == 0 && (c.normal || !s.closed))
           {
             // at the apex, where a total slip has a direction of its own
-            const bool turned = holonomic && std::abs(now.v(t)) > v_zero;
+            const bool turned = holonomic && std::abs(now.slip(t)) > v_zero;
             c.plus = c.minus = c.normal && !turned;
             continue;
           }
@@ -88,7 +91,7 @@ namespace conetact::load_path
             // Coulomb's law asks for the rate: a node that slips may stop at
             // any event. The holonomic law asks for the total slip: only back
             // at zero may it turn.
-            const bool stops = !holonomic || s.slip * now.v(t) <= v_zero;
+            const bool stops = !holonomic || s.slip * now.slip(t) <= v_zero;
             c.plus           = s.slip > 0 && stops;
             c.minus          = s.slip < 0 && stops;
           }
@@ -125,7 +128,7 @@ namespace conetact::load_path
           return;
         const bool turned =
           law == PathLaw::holonomic &&
-          std::abs(now.v(t)) > value_tolerance * solvers::largest(now.v);
+          std::abs(now.slip(t)) > value_tolerance * solvers::largest(now.v);
         c.plus = c.minus = !turned;
       }
   }
@@ -187,7 +190,7 @@ namespace conetact::load_path
                        r_fast);
             else if (holonomic && s.slip == side)
               consider(
-                i, hit, side * now.v(t), side * v_rate(t), v_size, v_fast);
+                i, hit, side * now.slip(t), side * v_rate(t), v_size, v_fast);
           }
       }
     return result;
@@ -244,14 +247,14 @@ namespace conetact::load_path
 
 
   void
-  RatioTest::turn_closing_nodes(PathPosition &now) const
+  RatioTest::turn_closing_nodes(const PathPosition &now, Scheme &scheme) const
   {
     if (law == PathLaw::incremental)
       return;
-    for (std::size_t i = 0; i < now.scheme.size(); ++i)
+    for (std::size_t i = 0; i < scheme.size(); ++i)
       if (const Index t = system.tangent[i];
-          t >= 0 && now.critical[i].normal && !now.scheme[i].closed &&
+          t >= 0 && now.critical[i].normal && !scheme[i].closed &&
           system.is_free(static_cast<Index>(i), false))
-        now.scheme[i].slip = now.critical[i].plus ? 0 : now.v(t) > 0 ? 1 : -1;
+        scheme[i].slip = now.critical[i].plus ? 0 : now.slip(t) > 0 ? 1 : -1;
   }
 } // namespace conetact::load_path

@@ -3,9 +3,11 @@
 
 #include "conetact/load_path/path_rates.h"
 
+#include "conetact/load_path/leave_vertex.h"
 #include "conetact/solvers/lcp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace conetact::load_path
@@ -13,11 +15,24 @@ namespace conetact::load_path
   namespace
   {
     using Eigen::Index;
-    using Eigen::MatrixXd;
     using Eigen::VectorXd;
-    using Eigen::VectorXi;
 
     constexpr int max_active_set_steps = 25;
+
+    /**
+     * What soft springs show of a motion that loads drive is its direction; how
+     * fast it goes nothing determines.
+     */
+    void
+    show_motion(Rates &rates, const VectorXd &load_rate)
+    {
+      if (!rates.factor.is_driven(load_rate, rates.v))
+        return;
+      rates.outcome = RateOutcome::mechanism;
+      rates.v       = rates.factor.motion(rates.v);
+      rates.v /= solvers::largest(rates.v);
+      rates.r.setZero();
+    }
 
     /** One rate problem, with everything it needs. */
     class RateProblem
@@ -33,6 +48,8 @@ namespace conetact::load_path
 
       Rates
       solve(const Scheme &guess) const;
+      Rates
+      pass(const Arrival &arrival) const;
 
     private:
       bool
@@ -47,27 +64,15 @@ namespace conetact::load_path
               NodeScheme  &node) const;
       bool
       lemke(const Scheme &guess, Scheme &result) const;
+      Scheme
+      opened(Scheme scheme) const;
 
-      /** A gap or a slip whose rate is to be found, and its column among the
-       * unknowns that may move. */
-      struct Pair
-      {
-        std::size_t node;
-        int         side; ///< 0: gap, else slip
-        Index       column;
-      };
-      std::vector<Pair>
-      close_and_stick(Scheme &scheme, std::vector<Index> &columns) const;
-      struct Lcp
-      {
-        MatrixXd M;
-        VectorXd q, cover;
-        VectorXi rank;
-      };
-      Lcp
-      superpose(const SchemeFactor       &base,
-                const std::vector<Pair>  &pairs,
-                const std::vector<Index> &columns) const;
+      std::vector<bool>
+      incoming(const RateLcp &lcp, const Arrival &arrival) const;
+      bool
+      rates_along(const Ray &ray, const RateLcp &lcp, Rates &rates) const;
+      bool
+      stands_still(const Ray &ray, const RateLcp &lcp, Rates &rates) const;
 
       const PathSystem    &system;
       const CriticalNodes &critical;
@@ -160,80 +165,6 @@ namespace conetact::load_path
 
 
 
-    /** Closes and sticks all critical nodes of a scheme. */
-    std::vector<RateProblem::Pair>
-    RateProblem::close_and_stick(Scheme             &scheme,
-                                 std::vector<Index> &columns) const
-    {
-      std::vector<Pair> pairs;
-      for (std::size_t i = 0; i < scheme.size(); ++i)
-        {
-          const CriticalNode c = critical[i];
-          if (c.normal)
-            {
-              scheme[i].closed = true;
-              pairs.push_back({i, 0, static_cast<Index>(columns.size())});
-              columns.push_back(system.normal[i]);
-            }
-          if (system.tangent[i] < 0 || !(c.plus || c.minus) ||
-              system.is_free(static_cast<Index>(i), scheme[i].closed))
-            continue;
-          scheme[i].slip = 0;
-          for (const int side : {1, -1})
-            if (side > 0 ? c.plus : c.minus)
-              pairs.push_back({i, side, static_cast<Index>(columns.size())});
-          columns.push_back(system.tangent[i]);
-        }
-      return pairs;
-    }
-
-
-
-    /**
-     * From all critical nodes closed and stuck: z are the rates of gaps and
-     * slips that set in, x those of normal reactions and reserves, and
-     * @f$x = M z + q@f$ by superposition.
-     */
-    RateProblem::Lcp
-    RateProblem::superpose(const SchemeFactor       &base,
-                           const std::vector<Pair>  &pairs,
-                           const std::vector<Index> &columns) const
-    {
-      VectorXd v, r;
-      MatrixXd V, R;
-      base.rates(load_rate, v, r);
-      base.responses(columns, V, R);
-      const auto n = static_cast<Index>(pairs.size());
-      Lcp        lcp{MatrixXd(n, n), VectorXd(n), VectorXd(n), VectorXi(n)};
-      for (Index a = 0; a < n; ++a)
-        {
-          const Pair  &p  = pairs[static_cast<std::size_t>(a)];
-          const Index  rn = system.normal[p.node], rt = system.tangent[p.node];
-          const double mu        = system.mu(static_cast<Index>(p.node));
-          Eigen::RowVectorXd row = R.row(rn);
-          lcp.q(a)               = r(rn);
-          if (p.side != 0)
-            {
-              // mu r_n + s r_t, the reserve
-              row      = mu * row + p.side * R.row(rt);
-              lcp.q(a) = mu * lcp.q(a) + p.side * r(rt);
-            }
-          for (Index b = 0; b < n; ++b)
-            {
-              const Pair &pb = pairs[static_cast<std::size_t>(b)];
-              // a slip along -t moves its column backwards
-              lcp.M(a, b) = row(pb.column) * (pb.side < 0 ? -1 : 1);
-            }
-          // The covering vector tightens all contacts by 1, with a cohesion of
-          // 1: reserves grow by mu + 1, and by something without friction, too.
-          lcp.cover(a) = p.side == 0 ? 1 : mu + 1;
-          lcp.rank(a)  = p.side == 0 ? 0 : 1;
-        }
-      return lcp;
-    }
-
-
-
     /**
      * The rate problem as a linear complementarity problem in the rates of all
      * critical gaps and slips; rigid motions are held softly.
@@ -241,25 +172,28 @@ namespace conetact::load_path
     bool
     RateProblem::lemke(const Scheme &guess, Scheme &result) const
     {
-      result = guess;
-      std::vector<Index>      columns;
-      const std::vector<Pair> pairs = close_and_stick(result, columns);
-      const SchemeFactor      base(system, result, true);
-      if (!base.regular())
+      const RateLcp lcp(system, guess, critical, load_rate);
+      VectorXd      z;
+      if (!lcp.regular ||
+          !solvers::solve_lcp(lcp.M, lcp.q, lcp.cover, lcp.rank, z))
         return false;
-      const Lcp lcp = superpose(base, pairs, columns);
-      VectorXd  z;
-      if (!solvers::solve_lcp(lcp.M, lcp.q, lcp.cover, lcp.rank, z))
-        return false;
-      for (std::size_t a = 0; a < pairs.size(); ++a)
-        if (z(static_cast<Index>(a)) > 0)
-          {
-            if (pairs[a].side == 0)
-              result[pairs[a].node].closed = false;
-            else
-              result[pairs[a].node].slip = pairs[a].side;
-          }
+      std::vector<bool> moves;
+      for (Index a = 0; a < z.size(); ++a)
+        moves.push_back(z(a) > 0);
+      result = lcp.scheme(moves);
       return true;
+    }
+
+
+
+    /** All nodes open that may open; what slips keeps its side. */
+    Scheme
+    RateProblem::opened(Scheme scheme) const
+    {
+      for (std::size_t i = 0; i < scheme.size(); ++i)
+        if (critical[i].normal)
+          scheme[i].closed = false;
+      return scheme;
     }
 
 
@@ -275,7 +209,10 @@ namespace conetact::load_path
       Scheme     start;
       const bool found =
         active_set(guess, true, rates) ||
-        (lemke(guess, start) && active_set(start, true, rates));
+        (lemke(guess, start) && active_set(start, true, rates)) ||
+        // A motion at constant load ends in a scheme that is singular, from
+        // which nothing follows.
+        active_set(opened(guess), true, rates);
       if (!found)
         {
           rates.outcome = RateOutcome::none;
@@ -288,15 +225,109 @@ namespace conetact::load_path
       // The soft springs on rigid motions were needed on the way only.
       if (active_set(rates.scheme, false, exact))
         return exact;
-      // What the springs show of a motion that loads drive is its direction;
-      // how fast it goes nothing determines.
-      if (rates.factor.is_driven(load_rate, rates.v))
+      show_motion(rates, load_rate);
+      return rates;
+    }
+
+
+
+    /** Which pairs move on the piece that comes in. */
+    std::vector<bool>
+    RateProblem::incoming(const RateLcp &lcp, const Arrival &arrival) const
+    {
+      std::vector<bool> moves;
+      for (const RatePair &pair : lcp.pairs)
         {
-          rates.outcome = RateOutcome::mechanism;
-          rates.v       = rates.factor.motion(rates.v);
-          rates.v /= solvers::largest(rates.v);
-          rates.r.setZero();
+          const NodeScheme s = arrival.scheme[pair.node];
+          const auto       i = static_cast<Index>(pair.node);
+          // Into the apex an open node comes from the side it moves away from.
+          const bool free = pair.side != 0 && system.is_free(i, s.closed);
+          const int  slip = !free ? s.slip :
+                            arrival.velocity(system.tangent[pair.node]) < 0 ? 1 :
+                                                                              -1;
+          moves.push_back(pair.side == 0 ? !s.closed : slip == pair.side);
         }
+      return moves;
+    }
+
+
+
+    /** Rates of the scheme that a ray shows; false: it is no solution. */
+    bool
+    RateProblem::rates_along(const Ray     &ray,
+                             const RateLcp &lcp,
+                             Rates         &rates) const
+    {
+      rates.outcome = RateOutcome::found;
+      rates.scheme  = lcp.scheme(ray.moves);
+      rates.way     = ray.p < 0 ? -1 : 1;
+      rates.factor  = SchemeFactor(system, rates.scheme, false);
+      if (!rates.factor.regular())
+        rates.factor = SchemeFactor(system, rates.scheme, true);
+      if (!rates.factor.regular())
+        return stands_still(ray, lcp, rates);
+      const VectorXd along = rates.way * load_rate;
+      rates.factor.rates(along, rates.v, rates.r);
+      Scheme next;
+      if (corrected(rates, next))
+        return false;
+      show_motion(rates, along);
+      if (rates.outcome == RateOutcome::mechanism)
+        rates.way = 1; // of no meaning
+      return true;
+    }
+
+
+
+    /** A finite motion under loads that stay, against falling friction. */
+    bool
+    RateProblem::stands_still(const Ray     &ray,
+                              const RateLcp &lcp,
+                              Rates         &rates) const
+    {
+      const VectorXd v = lcp.displacements(ray.z(), ray.p);
+      if (std::abs(ray.p) * solvers::largest(load_rate) >
+          1e-9 * solvers::largest(v))
+        return false;
+      rates.outcome = RateOutcome::mechanism;
+      rates.way     = 1; // of no meaning
+      rates.v       = v / solvers::largest(v);
+      rates.r       = lcp.reactions(ray.z(), ray.p) / solvers::largest(v);
+      return true;
+    }
+
+
+
+    Rates
+    RateProblem::pass(const Arrival &arrival) const
+    {
+      Rates         rates;
+      const RateLcp lcp(system, arrival.scheme, critical, load_rate);
+      if (!lcp.regular || lcp.pairs.empty())
+        return rates;
+      Ray          in = line_of(lcp.M, lcp.q, incoming(lcp, arrival));
+      const double forward =
+        arrival.way != 0 ?
+          arrival.way * in.p :
+          lcp.displacements(in.z(), in.p).dot(arrival.velocity);
+      if (forward < 0)
+        {
+          in.value = -in.value;
+          in.p     = -in.p;
+        }
+      // What is alike turns together, if it can; else one after the other.
+      for (const double unequal : {0., .37, .73})
+        {
+          VectorXd weight = lcp.cover;
+          for (Index a = 0; a < weight.size(); ++a)
+            weight(a) *=
+              1 + std::fmod(unequal * static_cast<double>(a + 1), 1.);
+          Ray out = in;
+          if (leave_vertex(lcp.M, lcp.q, weight, out) &&
+              rates_along(out, lcp, rates))
+            return rates;
+        }
+      rates.outcome = RateOutcome::none;
       return rates;
     }
   } // namespace
@@ -310,5 +341,16 @@ namespace conetact::load_path
                      const Eigen::VectorXd &load_rate)
   {
     return RateProblem(system, critical, load_rate).solve(scheme);
+  }
+
+
+
+  Rates
+  pass_vertex(const PathSystem      &system,
+              const Arrival         &arrival,
+              const CriticalNodes   &critical,
+              const Eigen::VectorXd &load_rate)
+  {
+    return RateProblem(system, critical, load_rate).pass(arrival);
   }
 } // namespace conetact::load_path

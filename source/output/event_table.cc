@@ -10,7 +10,7 @@ namespace conetact::output
 {
   EventTable::EventTable(const std::filesystem::path &folder)
     : file(folder / "events.csv")
-    , text("event,parameter,node,from,to\n")
+    , text("event,parameter,node,from,to,load\n")
   {
     write();
   }
@@ -18,10 +18,13 @@ namespace conetact::output
 
 
   void
-  EventTable::add(const double parameter, const std::vector<Change> &changes)
+  EventTable::add(const double               parameter,
+                  const std::vector<Change> &changes,
+                  const std::string         &load)
   {
     ++n;
-    for (const Change &change : changes)
+    for (const Change &change :
+         changes.empty() ? std::vector<Change>(1) : changes)
       {
         CsvRow row(text, "Event " + std::to_string(n));
         row.add(n);
@@ -29,6 +32,7 @@ namespace conetact::output
         row.add(change.node);
         row.add(change.from);
         row.add(change.to);
+        row.add(load);
         row.end();
       }
   }
@@ -52,6 +56,7 @@ namespace conetact::output
     row.add(std::string());
     row.add(std::string());
     row.add(words);
+    row.add(std::string());
     row.end();
     write();
   }

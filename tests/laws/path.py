@@ -117,6 +117,33 @@ def path_alike(laws):
     laws.demand("a symmetric structure keeps symmetric states", symmetric)
 
 
+def path_turns(laws):
+    """A foot that slipping unloads, K_tn = K_tt = 1/sqrt(8) k and r_n = 1 - K_tn |u|: it slips at p = mu, and
+    mu > K_tt/K_tn lets p = mu + K_tt (1 - mu) |u| fall to 1, where it opens. Coulomb's law jumps at p = mu."""
+    k = 10 / math.sqrt(8)
+    for n, law in itertools.product((1, 3), ("holonomic", "incremental")):
+        scene = merge(posts(n, mu=2), {"Load push": load("nodal force", "-t ; 0", 1, "posts"), "Time": {"Times": 3},
+                                       "Solver": {"Law": law}})
+        run = laws.run(scene)
+        events = Events(run.folder)
+        snaps = law == "holonomic"
+        laws.demand(f"{n} feet, {law}: {events.loads} at {events.at}, {events.words}",
+                    events.loads == (["turns down", "turns up"] if snaps else ["rises"]) and events.words == (
+                        "no further change after 2 turning points" if snaps else
+                        "no further change after a jump at p = 2") and all(len(e) == n for e in events.nodes))
+        laws.check("  their loads", max(abs(p - q) for p, q in zip(events.at, (2, 1) if snaps else (2,))), 1e-12)
+        laws.demand("  records follow the path", [row["time"] for row in run.increments][:3] == [
+            p for p in ((0, 2, 1) if snaps else (0, 2, 2))])
+        row = run.last()[0]
+        laws.check("  open at the end: gap and slip", max(
+            abs(row["gap"] - 2 * k / (10 * k)), abs(row["u_t1"] + ((10 + k) * 3 - k) / (10 * k))), 1e-12)
+    scene = merge(posts(1, mu=2), {"Load push": load("nodal force", "-1.5*min(t, 1) - max(t - 1, 0) ; 0", 1, "posts"),
+                                   "Time": {"Times": "1, 3"}, "Solver": {"Law": "holonomic"}})
+    events = Events(laws.run(scene).folder)
+    laws.demand(f"back at the start of its stage: {events.words}",
+                events.words == "returned to start after 1 turning point" and events.parameter == 1)
+
+
 def path_increments(laws):
     """Increments of the SOCLCP come to the path; where nothing reverses one increment is the path."""
     bar = (SHIPPED / "bar-on-rigid-base.prm", "-s", "Output/VTU=0")
@@ -193,6 +220,7 @@ def path(laws):
     path_beam(laws)
     path_sheet_pile(laws)
     path_alike(laws)
+    path_turns(laws)
     path_increments(laws)
     path_turned_pairs(laws)
     path_in_space(laws)

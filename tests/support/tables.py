@@ -52,10 +52,11 @@ class Events:
         if outcome["event"] != "outcome":
             raise RuntimeError(f"events.csv does not end with the outcome but with {outcome}")
         self.parameter, self.words = float(outcome["parameter"]), outcome["to"]
-        self.at, self.nodes = [], []
+        self.at, self.nodes, self.loads = [], [], []
         for row in rows:
             if int(row["event"]) > len(self.at):
                 self.at.append(float(row["parameter"]))
+                self.loads.append(row["load"])
                 self.nodes.append([])
             self.nodes[-1].append((row["node"], row["from"], row["to"]))
 

@@ -107,7 +107,9 @@ namespace conetact::analysis
     bool                                  names_are_unique; ///< node numbers
     bool                                  constant_stage = false;
     std::string                           on_the_way; ///< jumps and plateaus
-    unsigned int                          n_records = 0;
+    unsigned int                          n_records  = 0;
+    unsigned int                          n_turns    = 0; ///< of the parameter
+    double                                first_turn = 0;
   };
 } // namespace conetact::analysis
 

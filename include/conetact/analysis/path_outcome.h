@@ -17,13 +17,19 @@ namespace conetact::analysis
   const char *
   state_name(const load_path::PathState state);
 
+  /** What the load does at a point, from there on: rises, turns down, ... */
+  const char *
+  load_name(const load_path::PathPoint &point);
+
   /** How a path ended. */
   struct PathEnd
   {
     load_path::PathResult             result;
     std::optional<contact::Mechanism> mechanism; ///< at a limit load
-    std::string on_the_way;       ///< " after a jump at p = 2", or nothing
-    bool        constant = false; ///< not all that acts at p = 0 was applied
+    std::string  on_the_way;         ///< " after a jump at p = 2", or nothing
+    bool         constant   = false; ///< not all that acts at p = 0 was applied
+    unsigned int n_turns    = 0;     ///< of the load parameter
+    double       first_turn = 0;     ///< the first of them
     double
     parameter() const
     {

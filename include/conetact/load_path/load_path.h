@@ -68,8 +68,10 @@ namespace conetact::load_path
     Eigen::VectorXd r; ///< total reactions on the body [force]
     std::vector<PathState>  state;   ///< just after the event
     std::vector<PathChange> changes; ///< all nodes that change at this event
-    bool   jump     = false; ///< reached by a full solve at constant load
+    bool   jump     = false; ///< to another equilibrium at the same load
     bool   plateau  = false; ///< reached by a finite motion at constant load
+    bool   turn     = false; ///< the parameter turns here
+    int    way      = 1;     ///< of the parameter just after: 1 grows, -1 falls
     double residual = 0;     ///< path_residual() against the point before it
   };
 
@@ -78,7 +80,11 @@ namespace conetact::load_path
     target_reached,    ///< the stage's end
     no_further_change, ///< the end, and the states stay for all larger p
     limit_load,        ///< a mechanism: `mechanism` is its velocity
-    turning_point,     ///< holonomic law: p would have to decrease
+    turning_point,     ///< the stage starts with loads that cannot grow
+    returned_to_start, ///< after a turning point p has fallen to the stage's
+                       ///< begin
+    cycle,             ///< the path comes again to a piece it has followed
+    no_equilibrium,    ///< incremental law: a jump, and nowhere to land
     not_converged
   };
 
@@ -87,7 +93,7 @@ namespace conetact::load_path
     PathOutcome     outcome   = PathOutcome::not_converged;
     double          parameter = 0; ///< where the path ends
     Eigen::VectorXd mechanism;     ///< rate of v, largest entry 1; limit load
-    std::string     reason;        ///< a sentence; not_converged
+    std::string     reason;        ///< a sentence, or nothing
   };
 
   /** Takes each point as soon as it is known. */
@@ -96,6 +102,11 @@ namespace conetact::load_path
   /**
    * Follows a load parameter through every change of contact state, [P], one
    * stage after the other; slips are remembered between stages.
+   *
+   * With much friction a path may turn: no state next to a point balances a
+   * larger load. Under the holonomic law it then is a chain of linear pieces on
+   * which p falls, and grows again. Coulomb's law is one of time, in which
+   * loads go on: the bodies jump to another equilibrium under the same load.
    */
   class PathFollower
   {

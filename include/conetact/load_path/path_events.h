@@ -7,6 +7,7 @@
 #include "conetact/load_path/load_path.h"
 #include "conetact/load_path/path_rates.h"
 
+#include <memory>
 #include <vector>
 
 namespace conetact::load_path
@@ -17,6 +18,13 @@ namespace conetact::load_path
     Scheme          scheme;
     Eigen::VectorXd v, r, load;
     CriticalNodes   critical;
+    Eigen::VectorXd origin; ///< v from which the holonomic law counts slip
+
+    double
+    slip(const Eigen::Index tangent) const
+    {
+      return v(tangent) - origin(tangent);
+    }
   };
 
   /** States of all nodes under a scheme. */
@@ -46,8 +54,7 @@ namespace conetact::load_path
   class RatioTest
   {
   public:
-    /** `system` must live longer than this object. */
-    RatioTest(const PathSystem &system, const PathLaw law);
+    RatioTest(std::shared_ptr<const PathSystem> system, const PathLaw law);
 
     /** All nodes that stand at a corner of their law. */
     CriticalNodes
@@ -78,14 +85,15 @@ namespace conetact::load_path
      * its guess for the rate problem.
      */
     void
-    turn_closing_nodes(PathPosition &now) const;
+    turn_closing_nodes(const PathPosition &now, Scheme &scheme) const;
 
   private:
     void
     mark(const PathEvent &event, PathPosition &now) const;
 
-    const PathSystem &system;
-    PathLaw           law;
+    std::shared_ptr<const PathSystem> shared;
+    const PathSystem                 &system;
+    PathLaw                           law;
   };
 
   /** Quantities below this share of the largest have vanished. */

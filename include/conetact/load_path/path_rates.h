@@ -4,27 +4,10 @@
 #ifndef conetact_load_path_path_rates_h
 #define conetact_load_path_path_rates_h
 
-#include "conetact/load_path/path_scheme.h"
-
-#include <vector>
+#include "conetact/load_path/rate_lcp.h"
 
 namespace conetact::load_path
 {
-  /** What is undecided at a node. */
-  struct CriticalNode
-  {
-    bool normal = false; ///< g = r_n = 0
-    bool plus   = false; ///< may slip along +t or stick
-    bool minus  = false; ///< may slip along -t or stick
-
-    bool
-    any() const
-    {
-      return normal || plus || minus;
-    }
-  };
-  using CriticalNodes = std::vector<CriticalNode>;
-
   enum class RateOutcome
   {
     found,
@@ -38,6 +21,15 @@ namespace conetact::load_path
     Scheme          scheme; ///< after the decision
     SchemeFactor    factor; ///< of that scheme; its values follow from it
     Eigen::VectorXd v, r;
+    int             way = 1; ///< the parameter: 1 grows, -1 falls, at rate 1
+  };
+
+  /** The linear piece on which a path has come to a vertex. */
+  struct Arrival
+  {
+    Scheme          scheme;
+    Eigen::VectorXd velocity; ///< of its displacements, forwards
+    int             way = 0;  ///< of the parameter; 0: it stood still
   };
 
   /**
@@ -57,6 +49,18 @@ namespace conetact::load_path
                      const Scheme          &scheme,
                      const CriticalNodes   &critical,
                      const Eigen::VectorXd &load_rate);
+
+  /**
+   * The other way out of a vertex: the piece on which a path goes on that has
+   * come on another one, whatever the parameter does. Where no rates exist for
+   * a growing parameter it has to fall (a turning point), or to stand still.
+   * `load_rate` is that of a growing parameter.
+   */
+  Rates
+  pass_vertex(const PathSystem      &system,
+              const Arrival         &arrival,
+              const CriticalNodes   &critical,
+              const Eigen::VectorXd &load_rate);
 
   /** Rates below this share of the largest count as none. */
   constexpr double rate_tolerance = 1e-11;

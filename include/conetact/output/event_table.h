@@ -25,9 +25,14 @@ namespace conetact::output
     {
       std::string node, from, to;
     };
-    /** All changes of one event, to be written with others. */
+    /**
+     * All changes of one event, to be written with others; without any it is a
+     * row of its own. `load`: what the load does there, "rises".
+     */
     void
-    add(const double parameter, const std::vector<Change> &changes);
+    add(const double               parameter,
+        const std::vector<Change> &changes,
+        const std::string         &load);
     void
     write() const;
     /** The last line, written at once. */

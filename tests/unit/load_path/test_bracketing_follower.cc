@@ -164,3 +164,25 @@ TEST(BracketingFollower, GapClosesThenSticks)
   EXPECT_EQ(events[0]->changes[0].to, PathState::stick);
   EXPECT_NEAR(path.points.back().r[2], 3, 1e-10);
 }
+
+
+
+TEST(BracketingFollower, TellsOfAJump)
+{
+  // slip takes the pressure off faster than the spring pulls: nothing next to
+  // stick holds more than p = 2, where the open node is at u = 1.2/.36
+  Eigen::Matrix2d K;
+  K << 1, -.8, -.8, 1;
+  Path path(K, 1, 2);
+  path.follow({0, 0}, {0, -1}, 0, 1);
+  path.points.clear();
+  EXPECT_EQ(path.follow({0, -1}, {1, 0}, 0, 3).outcome,
+            PathOutcome::target_reached);
+  const auto events = path.events();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_TRUE(events[0]->jump);
+  EXPECT_NEAR(events[0]->parameter, 2, 1e-7);
+  EXPECT_NEAR(events[0]->v[0], 1.2 / .36, 1e-6);
+  EXPECT_EQ(events[0]->state[0], PathState::open);
+  EXPECT_FALSE(path.points.back().jump);
+}

@@ -381,13 +381,104 @@ TEST(EventFollower, JumpsWhereTheIncrementalLawBreaksOff)
   EXPECT_NEAR(jump.v(1), .6 / .36, 1e-12);
 }
 
-TEST(EventFollower, TurnsBackWhereTheHolonomicLawDoes)
+TEST(EventFollower, HolonomicPathSnapsBack)
 {
+  // r_t = -2 r_n, r_n = 1 - .8 u: p = 2 - .6 u falls from 2 while it slips, to
+  // u = 1/.8, where r_n = 0; from there it is a spring, u = (p - .8)/.36
   Path path(losing_grip(), VectorXd::Zero(1), law(PathLaw::holonomic));
   path.follow(Eigen::Vector2d(0, -1), 0, 1);
-  const PathResult result = path.follow(Eigen::Vector2d(1, 0), 0, 3);
-  EXPECT_EQ(result.outcome, PathOutcome::turning_point);
-  EXPECT_NEAR(result.parameter, 2, 1e-14);
+  EXPECT_EQ(path.follow(Eigen::Vector2d(1, 0), 0, 3).outcome,
+            PathOutcome::no_further_change);
+  ASSERT_EQ(path.points.size(), 3u);
+  const PathPoint &falls = path.points[0], &rises = path.points[1];
+  EXPECT_TRUE(falls.turn && rises.turn);
+  EXPECT_EQ(falls.way, -1);
+  EXPECT_NEAR(falls.parameter, 2, 1e-14);
+  EXPECT_EQ(falls.state[0], PathState::slip_plus);
+  EXPECT_EQ(rises.way, 1);
+  EXPECT_NEAR(rises.parameter, 1.25, 1e-14);
+  EXPECT_NEAR(rises.v(0), 1.25, 1e-14);
+  EXPECT_EQ(rises.state[0], PathState::open);
+  EXPECT_FALSE(path.points[2].turn);
+  EXPECT_NEAR(path.points[2].v(0), 2.2 / .36, 1e-12);
+  EXPECT_NEAR(path.points[2].v(1), 1.4 / .36, 1e-12);
+}
+
+TEST(EventFollower, LoadFallsAndGrowsTwice)
+{
+  // two such nodes, pressed by 1 and 1.5: turns at 2, 1.25 and 3, 1.875; and
+  // two that are alike, which turn together
+  auto system                              = std::make_shared<ContactSystem>();
+  system->first                            = {0, 2, 4};
+  system->matrix                           = MatrixXd::Zero(4, 4);
+  const Eigen::Matrix2d one                = losing_grip()->matrix;
+  system->matrix.topLeftCorner<2, 2>()     = one;
+  system->matrix.bottomRightCorner<2, 2>() = one;
+  system->mu                               = VectorXd::Constant(2, 2);
+  for (const double second : {1., 1.5})
+    {
+      Path path(system, VectorXd::Zero(2), law(PathLaw::holonomic));
+      path.follow(Eigen::Vector4d(0, -1, 0, -second), 0, 1);
+      EXPECT_EQ(path.follow(Eigen::Vector4d(1, 0, 1, 0), 0, 4).outcome,
+                PathOutcome::no_further_change);
+      std::vector<double> turns;
+      for (const PathPoint &p : path.points)
+        if (p.turn)
+          {
+            EXPECT_EQ(p.way, turns.size() % 2 == 0 ? -1 : 1);
+            EXPECT_EQ(p.changes.size(), second == 1 ? 2u : 1u);
+            turns.push_back(p.parameter);
+          }
+      const std::vector<double> expected =
+        second == 1 ? std::vector<double>{2, 1.25} :
+                      std::vector<double>{2, 1.25, 3, 1.875};
+      ASSERT_EQ(turns.size(), expected.size());
+      for (std::size_t i = 0; i < turns.size(); ++i)
+        EXPECT_NEAR(turns[i], expected[i], 1e-13);
+      EXPECT_EQ(path.points.size(), turns.size() + 1);
+    }
+}
+
+TEST(EventFollower, FallsBackToTheStartOfItsStage)
+{
+  // begun at 1.5, it turns at 2 and is back where 1.5 = 2 - .6 u
+  const Eigen::Vector2d push(1, 0);
+  Path path(losing_grip(), VectorXd::Zero(1), law(PathLaw::holonomic));
+  path.follow(Eigen::Vector2d(0, -1), 0, 1);
+  path.follow(push, 0, 1.5);
+  const PathResult result = path.follow(push, 1.5, 3);
+  EXPECT_EQ(result.outcome, PathOutcome::returned_to_start);
+  EXPECT_EQ(result.parameter, 1.5);
+  ASSERT_EQ(path.points.size(), 2u);
+  EXPECT_NEAR(path.points[0].parameter, 2, 1e-14);
+  EXPECT_NEAR(path.points[1].v(0), .5 / .6, 1e-14);
+  // a stage that begins where the path turns
+  Path corner(losing_grip(), VectorXd::Zero(1), law(PathLaw::holonomic));
+  corner.follow(Eigen::Vector2d(0, -1), 0, 1);
+  corner.follow(push, 0, 2);
+  EXPECT_EQ(corner.follow(push, 2, 3).outcome, PathOutcome::turning_point);
+}
+
+TEST(EventFollower, FrictionThatFallsAsFastAsTheSpringPulls)
+{
+  // mu = K_tt / |K_tn|: slip at constant load, from 0 to 1/.8, then it opens
+  const auto system = losing_grip();
+  system->mu(0)     = 1.25;
+  for (const PathLaw which : {PathLaw::incremental, PathLaw::holonomic})
+    {
+      Path path(system, VectorXd::Zero(1), law(which));
+      path.follow(Eigen::Vector2d(0, -1), 0, 1);
+      EXPECT_EQ(path.follow(Eigen::Vector2d(1, 0), 0, 3).outcome,
+                PathOutcome::no_further_change);
+      ASSERT_EQ(path.points.size(), 3u);
+      EXPECT_EQ(path.points[0].state[0], PathState::slip_plus);
+      const PathPoint &open = path.points[1];
+      EXPECT_TRUE(open.plateau);
+      EXPECT_NEAR(open.parameter, 1.25, 1e-14);
+      EXPECT_NEAR(open.v(0), 1.25, 1e-12);
+      EXPECT_EQ(open.state[0], PathState::open);
+      EXPECT_NEAR(path.points[2].v(0), 2.2 / .36, 1e-12);
+    }
 }
 
 TEST(EventFollower, SlidesAtConstantLoadToItsStop)
@@ -429,7 +520,7 @@ namespace
     std::shared_ptr<ContactSystem> system = std::make_shared<ContactSystem>();
     VectorXd                       gap, start, rate;
 
-    explicit RandomPath(const unsigned int seed)
+    explicit RandomPath(const unsigned int seed, const double friction = 1)
     {
       conetact::internal::Random random(seed);
       const auto                 n = static_cast<Index>(3 + seed % 8);
@@ -446,7 +537,7 @@ namespace
       for (Index i = 0; i < n; ++i)
         {
           system->first.push_back(2 * (i + 1));
-          system->mu(i) = draw(0, 1);
+          system->mu(i) = friction * draw(0, 1);
           if (draw(0, 1) < .5)
             gap(i) = draw(0, .3);
           start(2 * i + 1) = gap(i);
@@ -507,4 +598,97 @@ TEST(EventFollower, IncrementsConvergeToThePath)
     }
   EXPECT_LT(fine, coarse / 5);
   EXPECT_LT(fine / 40, 2e-3);
+}
+
+namespace
+{
+  /** Largest violation of balance and of the holonomic law, by definition. */
+  double
+  violation(const ContactSystem &system,
+            const VectorXd      &load,
+            const VectorXd      &v,
+            const VectorXd      &r)
+  {
+    double result = (system.matrix * v - r - load).lpNorm<Eigen::Infinity>();
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const double u = v(2 * i), g = v(2 * i + 1), r_t = r(2 * i),
+                     r_n = r(2 * i + 1), bound = system.mu(i) * r_n;
+        result =
+          std::max({result,
+                    -g,
+                    -r_n,
+                    std::min(g, r_n),
+                    std::abs(r_t) - bound,
+                    std::min(std::abs(u), bound + (u > 0 ? r_t : -r_t))});
+      }
+    return result;
+  }
+} // namespace
+
+TEST(EventFollower, RandomPathsAreChainsOfEquilibria)
+{
+  unsigned int turns = 0;
+  for (unsigned int seed = 0; seed < 60; ++seed)
+    {
+      const RandomPath random(seed, 12);
+      Path             path(random.system, random.gap, law(PathLaw::holonomic));
+      path.load               = random.start;
+      const PathResult result = path.follow(random.rate, 0, 1);
+      EXPECT_TRUE(result.outcome == PathOutcome::target_reached ||
+                  result.outcome == PathOutcome::no_further_change)
+        << seed << ": " << result.reason;
+      const auto at = [&](const double    p,
+                          const VectorXd &v,
+                          const VectorXd &r) {
+        return violation(*random.system, random.start + p * random.rate, v, r) /
+               (1 + r.lpNorm<Eigen::Infinity>());
+      };
+      for (std::size_t k = 0; k < path.points.size(); ++k)
+        {
+          const PathPoint &b = path.points[k];
+          EXPECT_LE(at(b.parameter, b.v, b.r), 1e-10) << seed;
+          turns += b.turn;
+          if (k == 0)
+            continue;
+          // All between two points is in balance, too: they are connected.
+          const PathPoint &a = path.points[k - 1];
+          EXPECT_GE(a.way * (b.parameter - a.parameter), 0) << seed;
+          EXPECT_EQ(b.turn, a.way != b.way) << seed;
+          EXPECT_LE(at(.5 * (a.parameter + b.parameter),
+                       .5 * (a.v + b.v),
+                       .5 * (a.r + b.r)),
+                    1e-10)
+            << seed;
+        }
+    }
+  EXPECT_GT(turns, 20u);
+}
+
+TEST(EventFollower, JumpsOfRoughBlocksLand)
+{
+  unsigned int jumps = 0;
+  for (unsigned int seed = 0; seed < 60; ++seed)
+    {
+      internal::Random random(seed);
+      const auto       draw = [&](const double a, const double b) {
+        return internal::uniform(random, a, b);
+      };
+      const double  height = draw(.3, 2);
+      const auto    nx = static_cast<Index>(2 + seed % 6), ny = 1 + nx / 2;
+      const Q1Block block(draw(.5, 3), height, nx, ny);
+      Path          path(block.system(draw(4, 20)), VectorXd::Zero(nx + 1));
+      path.follow(block.condensed(block.weight(2000)), 0, 1);
+      const double     side = height * draw(0, 1);
+      const PathResult result =
+        path.follow(block.condensed(block.push(2000, side) -
+                                    block.weight(2000 * draw(0, 1))),
+                    0,
+                    20);
+      EXPECT_EQ(result.outcome, PathOutcome::limit_load)
+        << seed << ": " << result.reason;
+      for (const PathPoint &p : path.points)
+        jumps += p.jump;
+    }
+  EXPECT_GT(jumps, 5u);
 }

@@ -22,18 +22,21 @@ namespace
 
 TEST(EventTable, NodesThatChangeTogetherShareANumber)
 {
-  EventTable table(test::folder());
-  EXPECT_EQ(content(), "event,parameter,node,from,to\n");
-  table.add(.5, {{"0", "stick", "slip+"}, {"4", "stick", "open"}});
-  table.add(1. / 3, {{"0", "slip+", "stick"}});
-  EXPECT_EQ(content(), "event,parameter,node,from,to\n"); // until write()
+  EventTable        table(test::folder());
+  const std::string head = "event,parameter,node,from,to,load\n";
+  EXPECT_EQ(content(), head);
+  table.add(.5, {{"0", "stick", "slip+"}, {"4", "stick", "open"}}, "rises");
+  table.add(1. / 3, {{"0", "slip+", "stick"}}, "turns down");
+  table.add(.25, {}, "turns up");
+  EXPECT_EQ(content(), head); // until write()
   table.write();
-  const std::string events = "event,parameter,node,from,to\n"
-                             "1,0.5,0,stick,slip+\n1,0.5,4,stick,open\n"
-                             "2,0.333333333333333,0,slip+,stick\n";
+  const std::string events =
+    head + "1,0.5,0,stick,slip+,rises\n1,0.5,4,stick,open,rises\n"
+           "2,0.333333333333333,0,slip+,stick,turns down\n"
+           "3,0.25,,,,turns up\n";
   EXPECT_EQ(content(), events);
   table.finish(2, "limit load: sliding");
-  EXPECT_EQ(content(), events + "outcome,2,,,limit load: sliding\n");
+  EXPECT_EQ(content(), events + "outcome,2,,,limit load: sliding,\n");
 }
 
 
@@ -41,6 +44,6 @@ TEST(EventTable, NodesThatChangeTogetherShareANumber)
 TEST(EventTable, AParameterThatIsNotFinite)
 {
   EventTable table(test::folder());
-  EXPECT_THROW(table.add(std::nan(""), {{"0", "stick", "open"}}),
+  EXPECT_THROW(table.add(std::nan(""), {{"0", "stick", "open"}}, "rises"),
                AnalysisError);
 }

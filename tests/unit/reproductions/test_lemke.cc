@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
+
+#include "random_problem.h"
 
 using namespace conetact;
 using namespace conetact::load_path;
@@ -186,4 +189,53 @@ TEST(Lemke, RefusesWhatItCannotStart)
   compliance->form = Form::compliance;
   EXPECT_THROW(make_lemke_follower(compliance, {}, options),
                std::invalid_argument);
+}
+
+
+
+TEST(Lemke, PivotsWhereTheEventFollowerHasItsEvents)
+{
+  // Pressed, stuck nodes with much friction: p falls and grows. With cohesion
+  // nothing is degenerate, so that each event is one pivot.
+  unsigned int turns = 0;
+  for (unsigned int seed = 0; seed < 40; ++seed)
+    {
+      internal::Random random(seed);
+      const auto       n      = static_cast<Index>(1 + seed % 6);
+      auto             system = std::make_shared<ContactSystem>();
+      MatrixXd         none;
+      system->matrix = internal::random_operator(random, 2 * n, 0, .5, none);
+      system->mu     = VectorXd::Constant(n, 1. + seed % 7);
+      const VectorXd rate  = internal::random_matrix(random, 2 * n, 1);
+      VectorXd       press = VectorXd::Zero(2 * n);
+      for (Index i = 0; i < n; ++i)
+        {
+          system->first.push_back(2 * (i + 1));
+          press(2 * i + 1) = -internal::uniform(random, .5, 1.5);
+        }
+      PathOptions path;
+      path.law      = PathLaw::holonomic;
+      path.cohesion = VectorXd::Constant(n, .01);
+      std::vector<double> events, pivots;
+      const auto          follower =
+        make_event_follower(system, VectorXd::Zero(n), path);
+      follower->follow({VectorXd::Zero(2 * n), press, 0, 1}, {});
+      follower->follow({press, rate, 0, 1e3}, [&](const PathPoint &point) {
+        turns += point.turn;
+        if (!point.changes.empty())
+          events.push_back(point.parameter);
+      });
+      LemkeOptions options;
+      options.weight = 0;
+      make_lemke_follower(system, path, options)
+        ->follow({press, rate, 0, 1e3}, [&](const PathPoint &point) {
+          if (!point.changes.empty())
+            pivots.push_back(point.parameter);
+        });
+      ASSERT_EQ(events.size(), pivots.size()) << seed;
+      for (std::size_t k = 0; k < events.size(); ++k)
+        EXPECT_NEAR(events[k], pivots[k], 1e-9 * (1 + std::abs(pivots[k])))
+          << seed;
+    }
+  EXPECT_GT(turns, 10u);
 }
