@@ -14,7 +14,6 @@ usage: check_python.py PROGRAM CASE
 import os
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +21,7 @@ import numpy as np
 TOP = Path(__file__).resolve().parent.parent
 sys.path += [str(TOP / "python"), str(TOP / "scripts")]
 import conetact  # noqa: E402
-from support.checks import Laws  # noqa: E402
+from support.checks import run_families  # noqa: E402
 from support.scenes import merge, press_and_shear, pushed_block, stack, write_scene  # noqa: E402
 
 GRID = TOP / "parameter-files" / "double-layer-grid-04.prm"
@@ -198,5 +197,4 @@ if __name__ == "__main__":
     if len(sys.argv) != 3 or sys.argv[2] not in CASES:
         sys.exit(__doc__)
     os.environ["CONETACT"] = str(Path(sys.argv[1]).resolve())
-    from support.checks import run_families
     sys.exit(run_families(CASES, sys.argv[1], sys.argv[2]))
