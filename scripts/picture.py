@@ -85,9 +85,18 @@ class Series:
         if args.colour and args.colour not in [scale.quantity for scale in self.scales.values()]:
             names = sorted({name for body in self.shapes[0].bodies for name in body.arrays})
             raise ConetactError(f"The bodies have no quantity '{args.colour}'; there are {', '.join(names)}.")
+        self.contacts = [contact for shapes in self.shapes for contact in shapes.contacts]
+        self.arrows, self.limits = self._arrows_and_limits()
+
+    def _arrows_and_limits(self):
+        """Largest force and its length in the pictures; what all bodies (in space arrows, too) fill."""
         lows, highs = zip(*(shapes.limits() for shapes in self.shapes))
-        self.limits = np.min(lows, axis=0), np.max(highs, axis=0)
-        self.largest = max((np.linalg.norm(c.reactions, axis=1).max() for s in self.shapes for c in s.contacts), default=0)
+        low, high = np.min(lows, axis=0), np.max(highs, axis=0)
+        largest = max((np.linalg.norm(contact.reactions, axis=1).max() for contact in self.contacts), default=0)
+        many = self.space and sum(len(contact.x) for contact in self.shapes[0].contacts) > 50
+        arrows = largest, (.06 if many else .12) * float(np.linalg.norm(high - low))
+        tails = [contact.x - contact.arrows(*arrows) for contact in self.contacts if self.space]
+        return arrows, (np.vstack([low, *tails]).min(axis=0), np.vstack([high, *tails]).max(axis=0))
 
     def layout(self, n_panels):
         """The axes of the bodies and those of contacts, in a figure of the shape of the bodies."""
@@ -95,7 +104,7 @@ class Series:
         tall = 1.0 if self.space else min(max(height / width, .5), 1.3)
         columns = 2 if n_panels else 1
         figure = plt.figure(figsize=(6.2 * columns, max(5.4 * tall + 1, 3.2 * n_panels, 4.4)), layout="constrained")
-        figure.get_layout_engine().set(rect=(.01, .02, .98, .97))
+        figure.get_layout_engine().set(rect=(.01, .02, .98, .97), wspace=.04)
         grid = figure.add_gridspec(max(n_panels, 1), columns)
         options = {"projection": "3d", "elev": self.args.view[0], "azim": self.args.view[1]} if self.space else {}
         bodies = figure.add_subplot(grid[:, 0], **options)
@@ -104,28 +113,30 @@ class Series:
     def remark(self):
         prescribed = [c.name for c in self.shapes[0].contacts if c.is_pair
                       and self.result.entries.get(f"Contact {c.name}/Gap")]
-        stretched = any(contact.stretched for shapes in self.shapes for contact in shapes.contacts if not contact.is_pair)
+        stretched = any(contact.stretched for contact in self.contacts if not contact.is_pair)
         return (f"displacements {'and gaps ' if stretched else ''}× {self.factor:g}"
                 + (f"; the prescribed gap of {', '.join(prescribed)} is not drawn" if prescribed else ""))
 
     def draw(self, number, file):
         shapes, increment = self.shapes[number], self.increments[number]
         drawn = [] if self.args.no_contacts else loaded_contacts(shapes, self.args.contact)
+        omitted = f"; {len(drawn)} of {len(shapes.contacts)} contacts on the right" if 1 < len(drawn) < len(shapes.contacts) else ""
         figure, axes, panels = self.layout(len(drawn))
-        (space if self.space else plane).draw(axes, shapes, self.scales, self.largest, self.units, self.limits)
+        (space if self.space else plane).draw(axes, shapes, self.scales, self.arrows, self.units, self.limits)
         for scale in self.scales.values():
             scale.draw_bar(figure, axes, self.units)
-        if self.largest > 0:
-            legend(axes, self.largest, self.units)
+        if self.arrows[0] > 0:
+            legend(axes, self.arrows[0], self.units)
         times = self.result.increments
         time = times["time"][times["increment"] == increment][0]
         figure.suptitle(f"{self.result.folder.resolve().name}, increment {increment}, t = {time:.4g}"
-                        f" ({self.remark()})")
+                        f" ({self.remark()}{omitted})")
         for panel, contact in zip(panels, drawn):
+            same = [other for other in self.contacts if other.name == contact.name]
             if self.space:
-                contacts.draw_map(figure, panel, contact, self.units)
+                contacts.draw_map(figure, panel, contact, same, self.units)
             else:
-                contacts.draw_line(panel, contact, self.result, self.units)
+                contacts.draw_line(panel, contact, same, self.result, self.units)
         save(figure, file)
 
 

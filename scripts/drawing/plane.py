@@ -65,7 +65,7 @@ def draw_reactions(axes, contact, largest, length):
                     zorder=4)
 
 
-def draw(axes, shapes, scales, largest, units, limits):
+def draw(axes, shapes, scales, arrows, units, limits):
     low, high, size = *limits, float(np.linalg.norm(limits[1] - limits[0]))
     for contact in shapes.contacts:
         if not contact.is_pair:
@@ -73,7 +73,7 @@ def draw(axes, shapes, scales, largest, units, limits):
     for body in shapes.bodies:
         draw_body(axes, body, scales[body.is_frame])
     for contact in shapes.contacts:
-        draw_reactions(axes, contact, largest, .12 * size)
+        draw_reactions(axes, contact, *arrows)
     axes.set_aspect("equal")
     margin = .15 * size
     axes.set_xlim(low[0] - margin, high[0] + margin)

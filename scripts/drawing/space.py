@@ -13,7 +13,7 @@ from drawing.colours import ARROWS, OBSTACLE
 
 MAX_FACES_WITH_EDGES = 8000
 PARTS = 4000  # into about so many polygons the faces of coarse meshes are cut
-NONE = (0, 0, 0, 0)
+NONE, EDGE = (0, 0, 0, 0), (0, 0, 0, .3)
 
 
 class Polygons:
@@ -44,17 +44,25 @@ def cut(corners, n):
     return parts.reshape(-1, *parts.shape[3:])
 
 
-def add_bodies(polygons, bodies, scale):
+def add_edges(polygons, corners, n, colour, sight):
+    """Of faces cut into n x n parts, in n pieces, a little nearer than these."""
+    w = np.arange(n + 1)[:, None, None, None] / n
+    points = (1 - w) * corners + w * np.roll(corners, -1, axis=1)
+    points = points + sight * .7 / n * np.ptp(corners, axis=1).max(axis=1)[:, None, None]
+    for piece in np.stack((points[:-1], points[1:], points[:-1]), axis=3).reshape(-1, 3, 3):
+        polygons.add(piece, edge=colour)
+
+
+def add_bodies(polygons, bodies, scale, sight):
     n_faces = sum(len(body.faces) for body in bodies)
     n = int(min(max(np.sqrt(PARTS / max(n_faces, 1)), 1), 6))
     for body in bodies:
         corners = np.dstack((body.x[body.faces], scale.values(body)[body.faces]))
         for part in cut(corners, n):
             colour = scale.map(scale.norm(part[:, 3].mean()))
-            polygons.add(part[:, :3], colour, colour)
-        if n_faces <= MAX_FACES_WITH_EDGES:
-            for face in body.x[body.faces]:
-                polygons.add(face, edge=to_rgba("black", .3))
+            polygons.add(part[:, :3], colour, EDGE if n == 1 and n_faces <= MAX_FACES_WITH_EDGES else colour)
+        if n > 1:
+            add_edges(polygons, body.x[body.faces], n, EDGE, sight)
 
 
 def rectangle(contact, size):
@@ -99,23 +107,21 @@ def draw_frames(axes, bodies, scale):
         axes.add_collection3d(Line3DCollection(body.x[body.faces], colors=colours, linewidths=2))
 
 
-def draw(axes, shapes, scales, largest, units, limits):
+def draw(axes, shapes, scales, arrows, units, limits):
     low, high, size = *limits, float(np.linalg.norm(limits[1] - limits[0]))
     elevation, azimuth = np.radians((axes.elev, axes.azim))
     sight = np.array((np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)))
     polygons = Polygons()
     if False in scales:
-        add_bodies(polygons, [body for body in shapes.bodies if not body.is_frame], scales[False])
+        add_bodies(polygons, [body for body in shapes.bodies if not body.is_frame], scales[False], sight)
     for contact in shapes.contacts:
         if not contact.is_pair:
             add_obstacle(polygons, contact, size)
-        add_reactions(polygons, contact, largest, .12 * size, sight)
+        add_reactions(polygons, contact, *arrows, sight)
     polygons.draw(axes)
     if True in scales:
         draw_frames(axes, [body for body in shapes.bodies if body.is_frame], scales[True])
-    tails = [contact.x - contact.arrows(largest, .12 * size) for contact in shapes.contacts]
-    set_limits(axes, np.min([low, *(x.min(axis=0) for x in tails)], axis=0) - .03 * size,
-               np.max([high, *(x.max(axis=0) for x in tails)], axis=0) + .03 * size, units)
+    set_limits(axes, low - .03 * size, high + .03 * size, units)
 
 
 def set_limits(axes, low, high, units):
