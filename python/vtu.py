@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reads the VTU files of the program: one piece, arrays as text or zipped and in base64."""
+import base64
+import xml.etree.ElementTree as xml
+import zlib
+from dataclasses import dataclass
+
+import numpy as np
+
+TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "<u1", "UInt32": "<u4",
+         "UInt64": "<u8"}
+LINE, TRIANGLE, QUADRILATERAL, TETRAHEDRON, HEXAHEDRON = 3, 5, 9, 10, 12
+
+
+@dataclass
+class Mesh:
+    """Points (n x 3), cells by VTK's type, arrays of the points by name."""
+
+    points: np.ndarray
+    cells: dict
+    arrays: dict
+
+
+def unzipped(text):
+    """Blocks behind a head that tells how many there are, their size, that of the last one, and zipped sizes."""
+    head_length = 4 * -(-16 // 3)  # of the first four numbers
+    n_blocks = int(np.frombuffer(base64.b64decode(text[:head_length])[:4], "<u4")[0])
+    head_length = 4 * -(-4 * (3 + n_blocks) // 3)
+    sizes = np.frombuffer(base64.b64decode(text[:head_length]), "<u4", 3 + n_blocks)[3:]
+    data, ends = base64.b64decode(text[head_length:]), np.cumsum(sizes)
+    return b"".join(zlib.decompress(data[end - size:end]) for size, end in zip(sizes, ends))
+
+
+def array_of(element):
+    kind, text = TYPES[element.get("type")], (element.text or "").strip()
+    if element.get("format") == "ascii":
+        values = np.array(text.split(), dtype=kind)
+    else:
+        values = np.frombuffer(unzipped(text) if text else b"", kind)
+    components = int(element.get("NumberOfComponents", 1))
+    return values.reshape(-1, components) if components > 1 else values
+
+
+def cells_of(arrays):
+    """Corners of cells, an array for each type."""
+    offsets, cells = arrays["offsets"], {}
+    for kind in np.unique(arrays["types"]):
+        ends = offsets[arrays["types"] == kind]
+        n = offsets[0] if len(ends) == len(offsets) else np.diff(offsets, prepend=0)[arrays["types"] == kind][0]
+        cells[int(kind)] = arrays["connectivity"][ends[:, None] - n + np.arange(n)]
+    return cells
+
+
+def read_vtu(file):
+    try:
+        root = xml.parse(file).getroot()
+        piece = root.find("UnstructuredGrid/Piece")
+        points = array_of(piece.find("Points/DataArray")).astype(float)
+        cells = cells_of({a.get("Name"): array_of(a) for a in piece.findall("Cells/DataArray")})
+        arrays = {a.get("Name"): array_of(a).astype(float) for a in piece.findall("PointData/DataArray")}
+    except (xml.ParseError, AttributeError, KeyError, ValueError, zlib.error) as error:
+        raise ValueError(f"{file} is no VTU file of the program ({error}).") from None
+    return Mesh(points.reshape(-1, 3), cells, arrays)

@@ -1,0 +1,186 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Draws a finished run: its deformed bodies with stresses, obstacles and reactions, and what its contacts carry.
+
+usage: picture.py FOLDER [--increment N | all] [-o PICTURE.png] [--colour QUANTITY] [--amplify A] ...
+
+Left: bodies and frames, displacements (and gaps) drawn larger; arrows push the nodes they
+end at. Right: normal stress and friction along each contact, in the plane divided by the
+friction coefficient (both coincide where a node is about to slip), in space as a map.
+`--increment all` draws every increment to PICTURE-0001.png, ... with the same scales: a film.
+Works in the plane and in space. Needs python3-numpy and python3-matplotlib.
+"""
+import argparse
+import sys
+from pathlib import Path
+
+import drawing  # noqa: F401 (first: it knows the way to python/)
+import matplotlib.pyplot as plt
+import numpy as np
+from conetact import ConetactError, Result
+from drawing import contacts, plane, space
+from drawing.colours import ARROWS, scales_of
+from drawing.shapes import automatic_factor, shapes_of
+from drawing.units import units_of
+from matplotlib.lines import Line2D
+
+MAX_CONTACTS = 4
+
+
+def increments_of(result, asked):
+    """Those to draw; a sentence if there are none."""
+    drawn = result.drawn_increments()
+    if not drawn:
+        raise ConetactError(f"{result.folder} holds no solution-*.vtu: run the scene with -s Output/VTU=1.")
+    if asked == "all":
+        return drawn
+    increment = drawn[-1] if asked is None else int(asked)
+    if increment not in drawn:
+        raise ConetactError(f"{result.folder} holds no drawing of increment {increment}; there are {told(drawn)}.")
+    return [increment]
+
+
+def told(numbers):
+    """1 to 5, 8, 11."""
+    parts, begin = [], numbers[0]
+    for number, behind in zip(numbers, [*numbers[1:], None]):
+        if behind != number + 1:
+            parts.append(f"{begin} to {number}" if number > begin else str(number))
+            begin = behind
+    return ", ".join(parts)
+
+
+def loaded_contacts(shapes, name):
+    """Those that get a panel: the named one, or those that carry most, in the order of the table."""
+    if name:
+        found = [contact for contact in shapes.contacts if contact.name == name]
+        if not found:
+            names = ", ".join(contact.name for contact in shapes.contacts) or "none"
+            raise ConetactError(f"There is no contact '{name}'; those of this run: {names}.")
+        return found
+    most = sorted(shapes.contacts, key=lambda c: -np.abs(c.rows["r_n"]).sum())[:MAX_CONTACTS]
+    return [contact for contact in shapes.contacts if contact in most]
+
+
+def legend(axes, largest, units):
+    handles = [Line2D([], [], color=colour, marker=r"$\rightarrow$", markersize=12, linestyle="none", label=state)
+               for state, colour in ARROWS.items()]
+    title = units.label(f"reactions, the longest one {largest:.3g}", "force")
+    axes.legend(handles=handles, title=title, frameon=False, fontsize="small", title_fontsize="small", ncol=2,
+                loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0)
+
+
+class Series:
+    """Pictures of some increments with the same factor, colours and limits."""
+
+    def __init__(self, args):
+        self.result, self.args = Result(args.folder), args
+        self.units = units_of(self.result, args.units)
+        self.increments = increments_of(self.result, args.increment)
+        self.space = self.result.dimension == 3
+        self.factor = args.amplify or automatic_factor(self.result, self.increments[-1])
+        self.shapes = [shapes_of(self.result, n, self.factor) for n in self.increments]
+        self.scales = scales_of(self.shapes, args.colour)
+        if args.colour and args.colour not in [scale.quantity for scale in self.scales.values()]:
+            names = sorted({name for body in self.shapes[0].bodies for name in body.arrays})
+            raise ConetactError(f"The bodies have no quantity '{args.colour}'; there are {', '.join(names)}.")
+        self.contacts = [contact for shapes in self.shapes for contact in shapes.contacts]
+        self.arrows, self.limits = self._arrows_and_limits()
+
+    def _arrows_and_limits(self):
+        """Largest force and its length in the pictures; what all bodies (in space arrows, too) fill."""
+        lows, highs = zip(*(shapes.limits() for shapes in self.shapes))
+        low, high = np.min(lows, axis=0), np.max(highs, axis=0)
+        largest = max((np.linalg.norm(contact.reactions, axis=1).max() for contact in self.contacts), default=0)
+        many = self.space and sum(len(contact.x) for contact in self.shapes[0].contacts) > 50
+        arrows = largest, (.06 if many else .12) * float(np.linalg.norm(high - low))
+        tails = [contact.x - contact.arrows(*arrows) for contact in self.contacts if self.space]
+        return arrows, (np.vstack([low, *tails]).min(axis=0), np.vstack([high, *tails]).max(axis=0))
+
+    def layout(self, n_panels):
+        """The axes of the bodies and those of contacts, in a figure of the shape of the bodies."""
+        width, height = np.maximum((self.limits[1] - self.limits[0])[:2], 1e-300)
+        tall = 1.0 if self.space else min(max(height / width, .5), 1.3)
+        columns = 2 if n_panels else 1
+        figure = plt.figure(figsize=(6.2 * columns, max(5.4 * tall + 1, 3.2 * n_panels, 4.4)), layout="constrained")
+        figure.get_layout_engine().set(rect=(.01, .02, .98, .97), wspace=.04)
+        grid = figure.add_gridspec(max(n_panels, 1), columns)
+        options = {"projection": "3d", "elev": self.args.view[0], "azim": self.args.view[1]} if self.space else {}
+        bodies = figure.add_subplot(grid[:, 0], **options)
+        return figure, bodies, [figure.add_subplot(grid[i, 1]) for i in range(n_panels)]
+
+    def remark(self):
+        prescribed = [c.name for c in self.shapes[0].contacts if c.is_pair
+                      and self.result.entries.get(f"Contact {c.name}/Gap")]
+        stretched = any(contact.stretched for contact in self.contacts if not contact.is_pair)
+        return (f"displacements {'and gaps ' if stretched else ''}× {self.factor:g}"
+                + (f"; the prescribed gap of {', '.join(prescribed)} is not drawn" if prescribed else ""))
+
+    def draw(self, number, file):
+        shapes, increment = self.shapes[number], self.increments[number]
+        drawn = [] if self.args.no_contacts else loaded_contacts(shapes, self.args.contact)
+        omitted = f"; {len(drawn)} of {len(shapes.contacts)} contacts on the right" if 1 < len(drawn) < len(shapes.contacts) else ""
+        figure, axes, panels = self.layout(len(drawn))
+        (space if self.space else plane).draw(axes, shapes, self.scales, self.arrows, self.units, self.limits)
+        for scale in self.scales.values():
+            scale.draw_bar(figure, axes, self.units)
+        if self.arrows[0] > 0:
+            legend(axes, self.arrows[0], self.units)
+        times = self.result.increments
+        time = times["time"][times["increment"] == increment][0]
+        figure.suptitle(f"{self.result.folder.resolve().name}, increment {increment}, t = {time:.4g}"
+                        f" ({self.remark()}{omitted})")
+        for panel, contact in zip(panels, drawn):
+            same = [other for other in self.contacts if other.name == contact.name]
+            if self.space:
+                contacts.draw_map(figure, panel, contact, same, self.units)
+            else:
+                contacts.draw_line(panel, contact, same, self.result, self.units)
+        save(figure, file)
+
+
+def save(figure, file):
+    try:
+        figure.savefig(file, dpi=130)
+    except (OSError, ValueError) as error:
+        raise ConetactError(f"{file} cannot be written: {error}") from None
+    plt.close(figure)
+    print(file)
+
+
+def view(text):
+    elevation, azimuth = (float(word) for word in text.split(","))
+    return elevation, azimuth
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--increment", help="a number, or all; default: the last one that is drawn")
+    parser.add_argument("-o", "--output", type=Path, help="default: picture.png in the folder")
+    parser.add_argument("--colour", help="von_mises, pressure, axial_force, moment, ... by the bodies")
+    parser.add_argument("--amplify", type=float, help="displacements are drawn so many times larger; default: to be seen")
+    parser.add_argument("--contact", help="only this contact on the right")
+    parser.add_argument("--no-contacts", action="store_true", help="only the bodies")
+    parser.add_argument("--units", help="of length, force and stress, such as 'mm, N, MPa'; default: those of the scene")
+    parser.add_argument("--view", type=view, default=(22., -60.), metavar="ELEVATION,AZIMUTH", help="in space, degrees")
+    args = parser.parse_args(arguments)
+    if args.increment not in (None, "all") and not args.increment.isdecimal():
+        raise ConetactError(f"--increment is '{args.increment}'; it must be a number or all.")
+    return args
+
+
+def main():
+    try:
+        args = parse(sys.argv[1:])
+        series = Series(args)
+        file = args.output or args.folder / "picture.png"
+        for number, increment in enumerate(series.increments):
+            series.draw(number, file.with_stem(f"{file.stem}-{increment:04}") if args.increment == "all" else file)
+    except (ConetactError, ValueError) as error:
+        sys.exit(f"picture.py: {error}")
+
+
+if __name__ == "__main__":
+    main()

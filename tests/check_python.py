@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""scripts/picture.py, scripts/curve.py and python/conetact.py on small scenes.
+
+usage: check_python.py PROGRAM CASE
+
+  pictures  plane, space, frames and two bodies are drawn, with content and nothing cut off; wrong calls get a sentence
+  curves    columns of all tables against each other; wrong calls get a sentence
+  runs      entries, tables, log; an exception for each exit code
+  sweeps    products and zipped lists; runs without equilibrium; kept folders
+  shapes    surfaces of meshes with cells of two levels, factors, files of VTU
+"""
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+TOP = Path(__file__).resolve().parent.parent
+sys.path += [str(TOP / "python"), str(TOP / "scripts")]
+import conetact  # noqa: E402
+from support.checks import run_families  # noqa: E402
+from support.scenes import merge, press_and_shear, pushed_block, stack, write_scene  # noqa: E402
+
+GRID = TOP / "parameter-files" / "double-layer-grid-04.prm"
+BLOCK = TOP / "parameter-files" / "floating-block.prm"
+MU, DRAWN = "Contact bottom/Friction coefficient", {"Output": {"VTU": 1}}
+
+
+def script(laws, name, *arguments):
+    return subprocess.run([sys.executable, TOP / "scripts" / name, *map(str, arguments)], cwd=laws.folder,
+                          capture_output=True, text=True)
+
+
+def demand_picture(laws, what, done, file):
+    """Large enough, of many colours, and white around."""
+    laws.demand(f"{what}: drawn {done.stderr.strip()}", done.returncode == 0 and file.exists())
+    if done.returncode:
+        return
+    import drawing  # noqa: F401 (chooses how matplotlib draws)
+    import matplotlib.pyplot as plt
+    pixels = (255 * plt.imread(file)[:, :, :3]).astype(np.uint8)
+    height, width, _ = pixels.shape
+    colours = len(np.unique(pixels.reshape(-1, 3), axis=0))
+    inked = (pixels < 250).any(axis=2)
+    laws.demand(f"{what}: {width} x {height}, {colours} colours, {inked.mean():.0%} drawn",
+                width >= 800 and height >= 500 and colours > 100 and .02 < inked.mean() < .9)
+    frame = inked.copy()
+    frame[2:-2, 2:-2] = False
+    laws.demand(f"{what}: nothing is cut off", not frame.any())
+
+
+def demand_sentence(laws, done, *words):
+    laws.demand(f"exit code 1 and one sentence: {done.stderr.strip()[-150:]}", done.returncode == 1 and "Traceback" not in
+                done.stderr and len(done.stderr.splitlines()) == 1 and all(word in done.stderr for word in words))
+
+
+def demand_exception(laws, kind, words, call):
+    try:
+        call()
+    except kind as error:
+        laws.demand(f"{kind.__name__}: {error}", words in str(error))
+        return error
+    laws.demand(f"{kind.__name__} is raised", False)
+
+
+def folder_of(laws, scene, *arguments):
+    done, folder = laws.start(scene, *arguments)
+    if done.returncode:
+        raise RuntimeError(done.stderr)
+    return folder
+
+
+def pictures(laws):
+    plane = folder_of(laws, merge(press_and_shear(2), DRAWN))
+    runs = {"plane": plane, "space": folder_of(laws, merge(press_and_shear(3), DRAWN)), "frame": folder_of(laws, GRID),
+            "two bodies": folder_of(laws, merge(stack(2, [(6, 3), (5, 3)], (1.0, 1.0), .3, .3), DRAWN)),
+            "blocks in space": folder_of(laws, merge(stack(3, [(3, 2, 2), (2, 2, 2)], (1.0, 1.0), .3, .3), DRAWN))}
+    for name, folder in runs.items():
+        file = laws.folder / f"{name}.png"
+        demand_picture(laws, name, script(laws, "picture.py", folder, "-o", file), file)
+    file = laws.folder / "other.png"
+    demand_picture(laws, "pressure of increment 2", script(
+        laws, "picture.py", plane, "-o", file, "--increment", 2, "--colour", "pressure", "--amplify", 3,
+        "--units", "mm, N, MPa", "--contact", "bottom"), file)
+    done = script(laws, "picture.py", plane, "--increment", "all", "-o", laws.folder / "film.png")
+    demand_picture(laws, "film", done, laws.folder / "film-0004.png")
+    laws.demand("a picture for each increment", len(list(laws.folder.glob("film-000?.png"))) == 4)
+
+    demand_sentence(laws, script(laws, "picture.py", laws.folder / "nowhere"), "no folder")
+    demand_sentence(laws, script(laws, "picture.py", plane, "--increment", 7), "increment 7", "1 to 4")
+    demand_sentence(laws, script(laws, "picture.py", plane, "--increment", "last"), "--increment")
+    demand_sentence(laws, script(laws, "picture.py", plane, "--colour", "heat"), "'heat'", "von_mises")
+    demand_sentence(laws, script(laws, "picture.py", plane, "--contact", "top"), "'top'", "bottom")
+    demand_sentence(laws, script(laws, "picture.py", plane, "-o", plane / "none" / "x.png"), "cannot be written")
+    demand_sentence(laws, script(laws, "picture.py", folder_of(laws, press_and_shear(2))), "VTU")
+    (plane / "reactions.csv").unlink()
+    demand_sentence(laws, script(laws, "picture.py", plane), "reactions.csv")
+    (runs["space"] / "solution-block-0004.vtu").write_text("<VTKFile>")
+    demand_sentence(laws, script(laws, "picture.py", runs["space"]), "no VTU file")
+
+
+def curves(laws):
+    block, path = folder_of(laws, press_and_shear(2)), folder_of(laws, pushed_block(2, .6, .5))
+    file = laws.folder / "curve.png"
+    for folder, *arguments in ((block, "strain_energy"), (block, "bottom_f_x", "u_t1"), (block, "pressure", "x", "--increment", 2),
+                               (block, "r_t1", "r_n", "--near", "0,0"), (block, "r_n", "time", "--node", 0, "--log", "y"),
+                               (path, "time", "u_t1"), (path, "event", "parameter")):
+        done = script(laws, "curve.py", folder, *arguments, "-o", file)
+        laws.demand(f"{arguments}: drawn {done.stderr.strip()}", done.returncode == 0 and file.stat().st_size > 8000)
+        file.unlink(missing_ok=True)
+    laws.demand("all columns", "strain_energy" in script(laws, "curve.py", block).stdout)
+    for words, *arguments in (("Did you mean 'bottom_f_x'", block, "botom_f_x"), ("no increment 9", block, "r_n", "x", "--increment", 9),
+                              ("node 999", block, "r_n", "--node", 999), ("'side'", block, "r_n", "--contact", "side"),
+                              ("no increments", path, "event", "u_t1"), ("no folder", laws.folder / "nowhere", "r_n")):
+        demand_sentence(laws, script(laws, "curve.py", *arguments), words)
+
+
+def runs(laws):
+    result = conetact.run(BLOCK, {MU: .6, "Output/VTU": 1})
+    steps, rows = result.increments, result.reactions
+    laws.check("push is carried", abs(steps["bottom_f_x"][-1] + .4), 1e-10)
+    laws.check("nodal forces sum up", abs(rows["r_n"].sum() - 1), 1e-10)
+    laws.demand("counts, texts, entries, log", rows["node"].dtype.kind == "i" and steps["slip"][-1] == (rows["state"] == "slip").sum()
+                and result.entries[MU] == "0.6" and result.dimension == 2 and result.exit_code == 0
+                and result.log.startswith("Conetact"))
+    mesh = result.bodies(result.drawn_increments()[-1])["block"]
+    laws.demand("bodies", mesh.points.shape == (800, 3) and np.isfinite(mesh.arrays["stress"]).all())
+    folder = result.folder
+    del result
+    laws.demand("a temporary folder goes with its result", not folder.exists())
+
+    demand_exception(laws, conetact.InputError, "Did you mean", lambda: conetact.run(BLOCK, {MU + "s": 1}))
+    error = demand_exception(laws, conetact.AnalysisError, "slides", lambda: conetact.run(BLOCK, {MU: .3}))
+    laws.demand("tables of increments before", len(error.result.increments) == 0 and error.result.exit_code == 2)
+    laws.demand("check=False", isinstance(conetact.run(BLOCK, {MU: .3}, check=False).error, conetact.AnalysisError))
+    demand_exception(laws, conetact.WriteError, "/proc/none", lambda: conetact.run(BLOCK, folder="/proc/none"))
+    demand_exception(laws, conetact.InputError, "cannot be read", lambda: conetact.run(laws.folder / "none.prm"))
+    demand_exception(laws, conetact.ResultError, "events.csv", lambda: conetact.run(BLOCK).events)
+    os.environ["CONETACT"] = str(laws.folder / "none")
+    demand_exception(laws, conetact.ConetactError, "CONETACT", lambda: conetact.run(BLOCK))
+    os.environ["CONETACT"] = str(laws.program)
+
+    file = laws.folder / "path.prm"
+    write_scene(pushed_block(2, .6, .5), file)
+    path = conetact.run(file)
+    words, parameter = path.outcome
+    laws.check("limit load", abs(parameter - .5), 1e-12)
+    laws.demand("events", words.startswith("limit load") and len(path.events) > 5 and path.events["to"][0] in ("open", "slip+", "slip-"))
+
+
+def sweeps(laws):
+    quiet = {"Output/VTU": 0}
+    lists = {MU: [.3, .5, np.float64(.7)], "Load push/Value": ["0.2*t", "0.4*t"]}
+    results = conetact.sweep(BLOCK, lists, quiet, progress=False)
+    laws.demand("products in order", [(r.changes[MU], r.changes["Load push/Value"]) for r in results] ==
+                [(mu, push) for mu in lists[MU] for push in lists["Load push/Value"]])
+    laws.demand("one without equilibrium", [r.exit_code for r in results] == [0, 2, 0, 0, 0, 0]
+                and isinstance(results[1].error, conetact.AnalysisError))
+    laws.check("each has its load", max(abs(r.increments["bottom_f_x"][-1] + float(r.changes["Load push/Value"][:3]))
+                                        for r in results if not r.error), 1e-10)
+    folder = laws.folder / "sweep"
+    zipped = conetact.sweep(BLOCK, {MU: [.5, .7], "Load push/Value": ["0.2*t", "0.4*t"]}, quiet, zipped=True, folder=folder,
+                            processes=2)
+    laws.demand("zipped, in folders that stay", len(zipped) == 2 and zipped[1].folder == folder / "0002"
+                and conetact.Result(folder / "0002").entries[MU] == "0.7")
+    demand_exception(laws, conetact.InputError, "one length", lambda: conetact.sweep(BLOCK, {"a": [1], "b": [1, 2]}, zipped=True))
+    demand_exception(laws, conetact.InputError, "Did you mean", lambda: conetact.sweep(BLOCK, {MU + "s": [1, 2]}, progress=False))
+
+
+def shapes(laws):
+    """What pictures stand on."""
+    import drawing.shapes as shapes
+    from drawing.units import Units
+    for dim, expected in ((2, 6.0), (3, 2 * (1.5 + 1.5 + 1.0))):
+        scene = merge(press_and_shear(dim, (4, 4, 4)[:dim]), DRAWN)
+        mesh = scene["Body block"]["Mesh"]
+        mesh["Refinement boxes"] = "0, 0 : 0.6, 0.6 : 1" if dim == 2 else "0, 0, 0 : 0.6, 0.6, 0.6 : 1"
+        result = conetact.Result(folder_of(laws, scene))
+        body = shapes.shapes_of(result, 1, 1.0).bodies[0]
+        corners = body.points[body.faces]
+        first, last = corners[:, 1] - corners[:, 0], corners[:, -1] - corners[:, 0]
+        sizes = np.linalg.norm(first if dim == 2 else np.cross(first, last), axis=1)
+        laws.check(f"cells of two levels, {dim}D: the surface is closed, nothing inside", abs(sizes.sum() - expected), 1e-5)
+    laws.demand("factors", [shapes.nice(x) for x in (.3, 1.7, 2, 4.99, 73, 2e4, np.inf)] == [1, 1, 2, 2, 50, 2e4, 1])
+    units = Units("N, mm, MPa (any consistent ones)")
+    laws.demand("units", [units.label(name) for name in ("r_n", "x", "pressure", "bottom_m_z", "slip")] ==
+                ["r_n [N]", "x [mm]", "pressure [MPa]", "bottom_m_z [N mm]", "slip"])
+    laws.demand("odd units, none", Units("m and 205.8 MN").label("r_n") == "r_n [205.8 MN]" and Units("").label("r_n") == "r_n")
+
+
+CASES = {"pictures": pictures, "curves": curves, "runs": runs, "sweeps": sweeps, "shapes": shapes}
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3 or sys.argv[2] not in CASES:
+        sys.exit(__doc__)
+    os.environ["CONETACT"] = str(Path(sys.argv[1]).resolve())
+    sys.exit(run_families(CASES, sys.argv[1], sys.argv[2]))
