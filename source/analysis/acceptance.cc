@@ -75,10 +75,11 @@ namespace conetact::analysis
   }
 
   void
-  Acceptance::set_stiffness(const solvers::ContactSystem &system,
-                            const contact::WorkingSet    &set)
+  Acceptance::set_stiffness(const contact::ElasticBackend &elastic)
   {
-    Eigen::VectorXd stiffness =
+    const solvers::ContactSystem &system = *elastic.system();
+    const contact::WorkingSet    &set    = elastic.working_set();
+    Eigen::VectorXd               stiffness =
       Eigen::VectorXd::Zero(model.points.layout().n_nodes());
     for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
       {
@@ -96,8 +97,10 @@ namespace conetact::analysis
       }
     // candidates outside the set carry nothing; their gaps are like others
     const double largest = stiffness.size() > 0 ? stiffness.maxCoeff() : 0;
-    verification.set_stiffness(stiffness.unaryExpr(
-      [largest](const double k) { return k > 0 ? k : largest; }));
+    verification.set_stiffness(stiffness.unaryExpr([largest](const double k) {
+      return k > 0 ? k : largest;
+    }),
+                               elastic.bound_stiffness());
   }
 
   verification::Claim
@@ -105,11 +108,12 @@ namespace conetact::analysis
                     const Eigen::VectorXd  &w) const
   {
     verification::Claim claim;
-    claim.amounts = model.amounts(increment.load.placement, increment.motions);
+    claim.amounts = amounts(increment);
     claim.w       = w;
-    claim.r       = increment.state.r;
-    claim.states  = increment.state.node;
-    claim.loads   = increment.forces;
+    claim.r.resize(model.points.n_all_unknowns());
+    claim.r << increment.state.r, increment.bound.r;
+    claim.states     = increment.state.node;
+    claim.loads      = increment.forces;
     claim.mechanical = increment.mechanical;
     claim.t          = increment.record.time;
     claim.whole      = increment.record.report.substeps <= 1;
@@ -128,12 +132,20 @@ namespace conetact::analysis
   }
 
   Eigen::VectorXd
+  Acceptance::amounts(const PendingIncrement &increment) const
+  {
+    Eigen::VectorXd sum =
+      model.amounts(increment.load.placement, increment.motions);
+    if (increment.bound.motion.size() > 0)
+      sum += increment.bound.motion;
+    return sum;
+  }
+
+  Eigen::VectorXd
   Acceptance::displacements(const PendingIncrement &increment,
                             const Eigen::VectorXd  &w) const
   {
-    return model.motions.field(
-             model.amounts(increment.load.placement, increment.motions)) +
-           w;
+    return model.motions.field(amounts(increment)) + w;
   }
 
   std::string
@@ -149,21 +161,23 @@ namespace conetact::analysis
       return model.displacement(x, node.body, node.node);
     };
     const contact::ContactPoints &points = model.points;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.all().size(); ++i)
       {
-        const pairing::ContactNode &node = *points[i].node;
-        if (node.obstacle == nullptr)
+        const contact::ContactPoint &point = points.all()[i];
+        const pairing::ContactNode  &node  = *point.node;
+        const bool                   open  = i < points.size() &&
+                          increment.state.node[i] == solvers::NodeState::open;
+        // A node that is tied to an obstacle goes with it, wherever that goes.
+        if (node.obstacle == nullptr || node.kind == pairing::ContactKind::tie)
           continue;
-        const auto n = points[i].first +
-                       static_cast<Eigen::Index>(points[i].dual.size()) - 1;
         // A closed node claims a gap of zero.
         moved.push_back({&node,
                          at(u, node),
                          node.obstacle->displacement_at(increment.record.time),
-                         increment.state.node[i] == solvers::NodeState::open ?
-                           node.gap + finding.displacements[n] :
+                         open || node.is_bound() ?
+                           node.gap + finding.displacements[point.normal()] :
                            0.});
-        if (increment.state.node[i] != solvers::NodeState::open)
+        if (!open)
           // Only what deforms counts: a body that is carried along is not
           // indented.
           indentation = std::max(indentation, std::abs(at(w, node) * node.n));
@@ -192,7 +206,7 @@ namespace conetact::analysis
   {
     const auto       &nodes = model.bodies.contact_nodes;
     std::vector<bool> has_rows(nodes.size(), false);
-    for (const contact::ContactPoint &point : model.points)
+    for (const contact::ContactPoint &point : model.points.all())
       has_rows[static_cast<std::size_t>(point.node - nodes.data())] = true;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       {
@@ -220,13 +234,12 @@ namespace conetact::analysis
                          const verification::Finding &finding) const
   {
     const contact::ContactPoints &points = model.points;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.all().size(); ++i)
       {
-        const pairing::ContactNode &node = *points[i].node;
-        const double                gap =
-          increment.state
-            .v[points[i].first +
-               static_cast<Eigen::Index>(points[i].dual.size()) - 1];
+        const contact::ContactPoint &point = points.all()[i];
+        const pairing::ContactNode  &node  = *point.node;
+        const double                 gap =
+          node.is_bound() ? 0. : increment.state.v[point.normal()];
         // The weights of the masters belong to the foot at the start.
         if (node.masters.empty() || gap > nearby * node.spacing)
           continue;
@@ -250,17 +263,20 @@ namespace conetact::analysis
   std::string
   Acceptance::wrong_turn(const PendingIncrement &increment) const
   {
-    const Eigen::VectorXd amounts =
-      model.amounts(increment.load.placement, increment.motions);
-    for (std::size_t i = 0; i < model.points.size(); ++i)
+    const Eigen::VectorXd moved = amounts(increment);
+    for (std::size_t i = 0; i < model.points.all().size(); ++i)
       {
-        const pairing::ContactNode &node = *model.points[i].node;
-        if (node.masters.empty() || node.mu_1 + node.mu_2 == 0 ||
-            increment.state.node[i] == solvers::NodeState::open)
+        const pairing::ContactNode &node = *model.points.all()[i].node;
+        const bool                  acts =
+          i < model.points.size() ?
+                             node.mu_1 + node.mu_2 > 0 &&
+              increment.state.node[i] != solvers::NodeState::open :
+                             node.kind == pairing::ContactKind::tie;
+        if (node.masters.empty() || !acts)
           continue;
         const Tensor<1, 3> apart =
           pairing::undeformed_distance(node, model.bodies.structures);
-        const double turn = model.motions.rotation(amounts, node.master);
+        const double turn = model.motions.rotation(moved, node.master);
         if (turn * apart.norm() > largest_false_slip * node.spacing)
           return "body '" + model.bodies.names[node.master] + "' turns by " +
                  to_text(turn) + " rad, and the contact node at " +
@@ -304,6 +320,7 @@ namespace conetact::analysis
     energies.add(model.points, accepted, finding, record);
     record.rows        = contact_rows.rows(increment.state,
                                     increment.contact,
+                                    increment.bound.r,
                                     finding.u,
                                     record.time,
                                     accepted.whole);

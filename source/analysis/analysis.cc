@@ -28,7 +28,7 @@ namespace conetact::analysis
                          Log                         &log)
     {
       std::vector<bool> empty(scene.contact_names.size(), true);
-      for (const contact::ContactPoint &point : model.points)
+      for (const contact::ContactPoint &point : model.points.all())
         empty[point.node->contact] = false;
       for (std::size_t c = 0; c < empty.size(); ++c)
         if (empty[c] && scene.pairings[c].n_paired == 0)

@@ -78,8 +78,11 @@ namespace conetact::analysis
     const auto n_dofs     = static_cast<double>(coordinates.n_dofs());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
-    cost.factor          = model.estimate_factor();
-    cost.stiffness_bytes = 8 * n_contact * n_contact;
+    cost.factor = model.estimate_factor();
+    // ties are rows of it, but none of the increments
+    const double n_rows =
+      n_contact + static_cast<double>(model.points.n_bound_unknowns());
+    cost.stiffness_bytes = 8 * n_rows * n_rows;
     // and at most as much again for Newton's matrix
     cost.memory_bytes =
       peak_memory() + cost.factor.working_bytes + 2 * cost.stiffness_bytes;

@@ -96,7 +96,7 @@ namespace conetact::analysis
   IncrementAnalysis::start(const unsigned int k)
   {
     PendingIncrement increment{
-      {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+      {}, {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     apply_loads(increment);
@@ -116,6 +116,8 @@ namespace conetact::analysis
         report.converged  = true;
         report.solver     = "linear";
         increment.motions = history.free_motions();
+        increment.primal  = history.primal();
+        take_bound(increment);
         return "";
       }
     const solvers::ContactProblem problem = history.problem(increment.load);
@@ -160,6 +162,14 @@ namespace conetact::analysis
     increment.primal  = history.primal();
     increment.motions = history.free_motions();
     increment.after   = history;
+    take_bound(increment);
+  }
+
+  void
+  IncrementAnalysis::take_bound(PendingIncrement &increment)
+  {
+    increment.bound =
+      model.condense().bound_state(increment.load, increment.primal);
   }
 
   std::string
@@ -193,7 +203,7 @@ namespace conetact::analysis
         cases.push_back(&increment.load);
         primal.push_back(increment.primal);
       }
-    acceptance.set_stiffness(*model.condense().system(), model.working_set());
+    acceptance.set_stiffness(model.condense());
     return model.condense().expand(cases, primal);
   }
 
@@ -318,17 +328,22 @@ namespace conetact::analysis
     // the relation holds for rounded matrices; the true one leaves forces
     // unbalanced, and contacts elsewhere than the recovered displacements
     contact::ElasticBackend &elastic = model.condense();
-    increment.load.f -= elastic.reduce_unbalanced(finding.unbalanced);
+    contact::LoadCase change    = elastic.reduce_unbalanced(finding.unbalanced);
     solvers::ContactState guess = increment.before.start();
     if (model.is_dual())
       {
-        const Eigen::VectorXd missed =
-          model.working_set().gather(finding.displacements - increment.contact);
-        increment.load.f.head(missed.size()) += missed;
+        const Eigen::Index    n      = model.points.n_unknowns();
+        const Eigen::VectorXd missed = model.working_set().gather(
+          finding.displacements.head(n) - increment.contact);
+        change.f.head(missed.size()) += missed;
+        elastic.move_bound(finding.missed_by_bound, change);
         guess      = increment.end;
         guess.node = increment.end.node;
         guess.r.tail(increment.motions.size()).setZero();
       }
+    increment.load.f += change.f;
+    if (change.bound.size() > 0)
+      increment.load.bound += change.bound;
     history = increment.before;
     history.linearise_at(increment.motions);
     const unsigned int    before = increment.record.report.iterations;
@@ -336,7 +351,7 @@ namespace conetact::analysis
     if (!solve_contact(increment, guess).empty())
       return {};
     increment.record.report.iterations += before;
-    return w + elastic.correction(finding.unbalanced, increment.primal - old);
+    return w + elastic.correction(change, increment.primal - old);
   }
 
   std::string

@@ -59,8 +59,8 @@ namespace conetact::analysis
       }
     if (initial_gap.size() == 0)
       throw InputError("Solver/Method: supports hold all contact nodes, or "
-                       "they face nothing, so that no contact state can "
-                       "change. Choose automatic.");
+                       "they are bound or face nothing, so that no contact "
+                       "state can change. Choose automatic.");
   }
 
 
@@ -82,13 +82,16 @@ namespace conetact::analysis
     if (model.motions.unresisted().cols() == 0)
       return;
     std::vector<bool> touches(scene.bodies.names.size(), false);
+    const auto        first = [&](const unsigned int body) {
+      return model.motions.first_tied(body);
+    };
     for (const contact::ContactPoint &point : model.points)
       if (const pairing::ContactNode &node = *point.node;
           node.gap <= touching * node.spacing)
         {
-          touches[node.body] = true;
+          touches[first(node.body)] = true;
           if (!node.masters.empty())
-            touches[node.master] = true;
+            touches[first(node.master)] = true;
         }
     for (const unsigned int body : model.motions.body_of_free())
       if (!touches[body])
@@ -123,7 +126,7 @@ namespace conetact::analysis
   PathAnalysis::case_at(const double t)
   {
     PendingIncrement pending{
-      {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+      {}, {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
     pending.record.time = t;
     apply_loads(pending);
     Case result;
@@ -164,6 +167,7 @@ namespace conetact::analysis
     result.load.b          = mean(a.load.b, b.load.b);
     result.load.f          = mean(a.load.f, b.load.f);
     result.load.q          = mean(a.load.q, b.load.q);
+    result.load.bound      = mean(a.load.bound, b.load.bound);
     result.load.offset     = mean(a.load.offset, b.load.offset);
     result.load.placement  = mean(a.load.placement, b.load.placement);
     result.relation        = mean(a.relation, b.relation);
@@ -345,6 +349,7 @@ namespace conetact::analysis
                              {},
                              {},
                              {},
+                             {},
                              history,
                              history,
                              {}};
@@ -408,6 +413,7 @@ namespace conetact::analysis
     pending.motions = stiffness->motions(at.relation, point.v, pending.state.r);
     pending.primal.resize(point.r.size() + pending.motions.size());
     pending.primal << pending.state.r, pending.motions;
+    pending.bound = model.condense().bound_state(pending.load, pending.primal);
   }
 
 
@@ -422,14 +428,22 @@ namespace conetact::analysis
          step < 2 && finding.equilibrium > .1 * scene.solver.tolerance;
          ++step)
       {
+        contact::ElasticBackend &elastic = model.condense();
+        contact::LoadCase        change =
+          elastic.reduce_unbalanced(finding.unbalanced);
+        elastic.move_bound(finding.missed_by_bound, change);
         const Eigen::VectorXd refined =
-          w + model.condense().correction(finding.unbalanced,
-                                          Eigen::VectorXd::Zero(
-                                            pending.primal.size()));
-        verification::Finding found = acceptance.judge(pending, refined);
+          w + elastic.correction(change,
+                                 Eigen::VectorXd::Zero(pending.primal.size()));
+        PendingIncrement better = pending;
+        if (change.bound.size() > 0)
+          better.load.bound += change.bound;
+        better.bound = elastic.bound_state(better.load, better.primal);
+        verification::Finding found = acceptance.judge(better, refined);
         if (!(found.equilibrium < .5 * finding.equilibrium) ||
             found.residual > std::max(finding.residual, scene.solver.tolerance))
           break;
+        pending = std::move(better);
         finding = std::move(found);
         w       = refined;
       }
@@ -450,7 +464,7 @@ namespace conetact::analysis
         cases.push_back(&w.pending.load);
         primal.push_back(w.pending.primal);
       }
-    acceptance.set_stiffness(*model.condense().system(), model.working_set());
+    acceptance.set_stiffness(model.condense());
     const Eigen::MatrixXd w = model.condense().expand(cases, primal);
     std::vector<output::IncrementRecord> finished;
     std::string                          failure;
@@ -521,8 +535,10 @@ namespace conetact::analysis
   PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
   {
     if (!model.is_dual())
-      return model.condense().correction(
-        Eigen::VectorXd::Zero(model.coordinates.n_dofs()), velocity);
+      return model.condense().correction(model.condense().reduce_unbalanced(
+                                           Eigen::VectorXd::Zero(
+                                             model.coordinates.n_dofs())),
+                                         velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
     return model.motions.field(model.motions.of_free(a));

@@ -77,12 +77,17 @@ namespace conetact::analysis
             std::to_string(layout.n_unknowns()) + " unknowns of " +
             std::to_string(model.coordinates.n_unknowns()) + ", " +
             std::to_string(scene.times.size()) + " increments");
-    if (layout.n_nodes() == 0)
+    if (model.points.n_bound() > 0)
+      log.say(std::to_string(model.points.n_bound()) + " nodes bound by " +
+              std::to_string(model.points.n_bound_unknowns()) +
+              " equations of ties and bilateral contacts");
+    if (model.points.all().empty())
       log.note("skipped: condensation, no node may touch anything");
     else
       {
         const auto n =
-          static_cast<double>(model.working_set().layout().n_unknowns());
+          static_cast<double>(model.working_set().layout().n_unknowns() +
+                              model.points.n_bound_unknowns());
         log.note("condensed stiffness: " + megabytes(8 * n * n));
       }
     if (!model.working_set().is_all())

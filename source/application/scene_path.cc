@@ -133,6 +133,13 @@ namespace conetact::application
         for (const bodies::Support::Rotation &rotation : support.rotations)
           check(rotation.angle, "Rotation");
       }
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
+      if (node.growth)
+        check_linear(times,
+                     "Contact '" + contacts[node.contact].name + "', Gap",
+                     [&](const double t) {
+                       return Eigen::Matrix<double, 1, 1>(node.growth(t));
+                     });
     for (const pairing::Obstacle &obstacle : obstacles)
       if (moves(obstacle.displacement))
         check_linear(times,

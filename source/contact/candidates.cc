@@ -74,9 +74,9 @@ namespace conetact::contact
           for (std::size_t i = 0; i < points.size(); ++i)
             {
               const pairing::ContactNode &node = *points[i].node;
-              const Tensor<1, 3>          opponent =
-                node.obstacle != nullptr ? node.obstacle->displacement_at(t) :
-                                                    motions[node.master];
+              Tensor<1, 3> opponent            = node.opponent_displacement(t);
+              if (node.obstacle == nullptr)
+                opponent += motions[node.master];
               closest[index(i)] =
                 std::min(closest[index(i)],
                          gaps[index(i)] +

@@ -284,23 +284,21 @@ namespace conetact::contact
                                       reduced / stiffness_scale));
   }
 
-  Eigen::VectorXd
+  /* `unbalanced` is K w - f: what takes it away has the other sign. */
+  LoadCase
   Condensation::reduce_unbalanced(const Eigen::VectorXd &unbalanced) const
   {
-    return reduce_forces(coordinates.restrict(unbalanced));
+    LoadCase change;
+    change.b = -coordinates.restrict(unbalanced);
+    change.f = reduce_forces(change.b);
+    return change;
   }
 
-  /* `unbalanced` is K w - f: what takes it away has the other sign. */
   Eigen::VectorXd
-  Condensation::correction(const Eigen::VectorXd &unbalanced,
+  Condensation::correction(const LoadCase        &change,
                            const Eigen::VectorXd &primal) const
   {
-    const Eigen::VectorXd b       = coordinates.restrict(unbalanced);
-    Eigen::VectorXd       reduced = Eigen::VectorXd::Zero(primal.size());
-    if (solver->is_extended())
-      // not read otherwise
-      reduced = -reduce_forces(b);
-    return coordinates.expand(expand_unknowns(-b, primal, reduced));
+    return coordinates.expand(expand_unknowns(change.b, primal, change.f));
   }
 
   backends::FactorEstimate

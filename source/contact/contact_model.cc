@@ -44,6 +44,8 @@ namespace conetact::contact
   bool
   ContactModel::needs_dual() const
   {
+    if (points.n_bound() > 0)
+      return true;
     if (points.size() == 0)
       return false;
     // One stiffness K with a frame at each node serves only where each node is
@@ -113,15 +115,19 @@ namespace conetact::contact
       }
     else
       load = condense().reduce(all + thermal, prescribed);
-    load.placement = placement;
-    load.offset    = offset(load, t);
+    load.placement               = placement;
+    const Eigen::VectorXd offset = all_offsets(load, t);
+    load.offset                  = offset.head(points.n_unknowns());
+    condense().move_bound(offset.tail(points.n_bound_unknowns()) +
+                            points.gaps_to_close(),
+                          load);
     return load;
   }
 
   /* What contacts see of placements and prescribed deformations, less the
      motion of obstacles: displacements that are no unknowns. */
   Eigen::VectorXd
-  ContactModel::offset(const LoadCase &load, const double t) const
+  ContactModel::all_offsets(const LoadCase &load, const double t) const
   {
     return points.components(
       [&](const unsigned int body, const unsigned int node) {
@@ -138,11 +144,13 @@ namespace conetact::contact
   ContactModel::relative_displacements(const Eigen::VectorXd &u,
                                        const double           t) const
   {
-    return points.components(
-      [&](const unsigned int body, const unsigned int node) {
-        return displacement(u, body, node);
-      },
-      t);
+    return points
+      .components(
+        [&](const unsigned int body, const unsigned int node) {
+          return displacement(u, body, node);
+        },
+        t)
+      .head(points.n_unknowns());
   }
 
   Tensor<1, 3>

@@ -80,7 +80,12 @@ namespace conetact::contact
     , supports(s)
   {
     for (const pairing::ContactNode &node : bodies.contact_nodes)
-      add(node, times);
+      if (!node.is_bound())
+        add(node, times);
+    n_candidates = points.size();
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
+      if (node.is_bound())
+        add_bound(node);
     number();
   }
 
@@ -175,15 +180,50 @@ namespace conetact::contact
 
 
 
+  /* Supports take no rows away: what a support and a tie hold both, only one
+     of them need carry, which the elimination of bound unknowns finds out. */
+  void
+  ContactPoints::add_bound(const pairing::ContactNode &node)
+  {
+    ContactPoint point;
+    point.node                               = &node;
+    const std::vector<Tensor<1, 3>> tangents = {node.t1, node.t2};
+    for (unsigned int k = 0; k + 1 < bodies.dim; ++k)
+      if (node.kind == pairing::ContactKind::tie)
+        add_cone(point, tangents[k], 1);
+      else
+        point.frictionless.push_back(tangents[k]);
+    add_cone(point, node.n, 1);
+    points.push_back(std::move(point));
+  }
+
+
+
+  Eigen::VectorXd
+  ContactPoints::gaps_to_close() const
+  {
+    Eigen::VectorXd gaps = Eigen::VectorXd::Zero(n_bound_unknowns());
+    for (std::size_t i = n_candidates; i < points.size(); ++i)
+      if (points[i].node->closes)
+        gaps[points[i].normal() - n_unknowns()] = points[i].node->gap;
+    return gaps;
+  }
+
+
+
   void
   ContactPoints::number()
   {
-    contact_layout.mu.resize(static_cast<Eigen::Index>(points.size()));
-    std::set<std::pair<unsigned int, unsigned int>> nodes;
-    Eigen::Index                                    i = 0;
+    contact_layout.mu.resize(static_cast<Eigen::Index>(n_candidates));
     for (ContactPoint &point : points)
       {
-        point.first            = contact_layout.first.back();
+        point.first = n_all;
+        n_all += static_cast<Eigen::Index>(point.dual.size());
+      }
+    std::set<std::pair<unsigned int, unsigned int>> nodes;
+    Eigen::Index                                    i = 0;
+    for (const ContactPoint &point : *this)
+      {
         contact_layout.mu[i++] = point.mu;
         contact_layout.first.push_back(
           point.first + static_cast<Eigen::Index>(point.dual.size()));

@@ -79,9 +79,9 @@ namespace conetact::contact
                            const std::vector<unsigned int> &sides)
     : model(m)
     , master_side(sides)
-    , other_before(m.points.size())
+    , other_before(m.points.all().size())
   {
-    for (const ContactPoint &point : model.points)
+    for (const ContactPoint &point : model.points.all())
       {
         const pairing::ContactNode &node = *point.node;
         output::ContactRow          row;
@@ -102,41 +102,38 @@ namespace conetact::contact
   std::vector<output::ContactRow>
   ContactRows::rows(const solvers::ContactState &state,
                     const Eigen::VectorXd       &q,
+                    const Eigen::VectorXd       &r_bound,
                     const Eigen::VectorXd       &u,
                     const double                 t,
                     const bool                   whole)
   {
-    const solvers::ContactSystem   &layout = model.points.layout();
-    std::vector<output::ContactRow> rows   = last;
+    const ContactPoints &points = model.points;
+    Eigen::VectorXd      r(points.n_all_unknowns());
+    r << state.r, r_bound;
+    std::vector<output::ContactRow> rows = last;
     const auto at = [&](const unsigned int body, const unsigned int node) {
       return model.displacement(u, body, node);
     };
     for (std::size_t i = 0; i < rows.size(); ++i)
       {
-        const ContactPoint         &point = model.points[i];
+        const ContactPoint         &point = points.all()[i];
         const pairing::ContactNode &node  = *point.node;
-        const auto                  index = static_cast<Eigen::Index>(i);
         output::ContactRow         &row   = rows[i];
-
-        const Tensor<1, 3> other =
+        const Tensor<1, 3>          other =
           in_frame(node,
                    other_tangential(point, relative_displacement(node, at, t)));
-
-        row.gap = state.v[layout.normal(index)];
-        row.u   = in_frame(node, tangential(point, q)) + other;
-        // The normal part is the solver's own: where the gap is closed, u_n
-        // is -g0 to the last digit.
-        row.u[0] = q[layout.normal(index)];
-        row.du   = in_frame(node, tangential(point, state.v)) +
-                 (other - other_before[i]);
-        // v has the new gap in place of a change.
+        if (i < points.size())
+          set_candidate(i, state, q, other, row);
+        else
+          set_bound(point, other, row);
+        if (node.growth)
+          row.u[0] -= node.growth(t); // a gap that grows moves nothing
         row.du[0]       = row.u[0] - last[i].u[0];
-        row.reaction    = in_frame(node, reaction_vector(point, state.r));
-        row.state       = state.node[i];
+        row.reaction    = in_frame(node, reaction_vector(point, r));
         other_before[i] = other;
         // Solvers see no slip of nodes without cone, and of parts only that of
         // the last.
-        if ((layout.n_tangents(index) == 0 || !whole) &&
+        if ((point.dual.size() == 1 || (!whole && i < points.size())) &&
             row.state != solvers::NodeState::open)
           row.state = std::hypot(row.du[1], row.du[2]) >
                           solvers::position_rounding *
@@ -151,6 +148,39 @@ namespace conetact::contact
   }
 
   void
+  ContactRows::set_candidate(const std::size_t            i,
+                             const solvers::ContactState &state,
+                             const Eigen::VectorXd       &q,
+                             const Tensor<1, 3>          &other,
+                             output::ContactRow          &row) const
+  {
+    const ContactPoint &point = model.points[i];
+    row.gap                   = state.v[point.normal()];
+    row.u = in_frame(*point.node, tangential(point, q)) + other;
+    // The normal part is the solver's own: where the gap is closed, u_n
+    // is -g0 to the last digit.
+    row.u[0] = q[point.normal()];
+    row.du   = in_frame(*point.node, tangential(point, state.v)) +
+             (other - other_before[i]);
+    row.state = state.node[i];
+  }
+
+  /* What equations bind has moved by zero, to the last digit. */
+  void
+  ContactRows::set_bound(const ContactPoint &point,
+                         const Tensor<1, 3> &other,
+                         output::ContactRow &row)
+  {
+    const pairing::ContactNode &node   = *point.node;
+    const Tensor<1, 3>          before = row.u;
+    row.gap                            = node.closes ? 0. : node.gap;
+    row.u                              = other;
+    row.u[0]                           = node.closes ? -node.gap : 0.;
+    row.du                             = row.u - before;
+    row.state                          = solvers::NodeState::stick;
+  }
+
+  void
   ContactRows::append_masters(std::vector<output::ContactRow> &rows) const
   {
     struct Sum
@@ -162,7 +192,7 @@ namespace conetact::contact
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
-        const pairing::ContactNode &node     = *model.points[i].node;
+        const pairing::ContactNode &node     = *model.points.all()[i].node;
         const output::ContactRow   &row      = last[i];
         const auto                  in_space = [&](const Tensor<1, 3> &v) {
           return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;

@@ -67,7 +67,7 @@ namespace conetact::contact
     , set(s)
     , condenser(by)
     , own(elastic.bodies, coordinates, body_frames(elastic.bodies, coordinates))
-    , H(set.layout().n_unknowns(), own.n_unknowns())
+    , H(set.layout().n_unknowns() + points.n_bound_unknowns(), own.n_unknowns())
   {
     write_rows();
     find_parts();
@@ -94,29 +94,35 @@ namespace conetact::contact
   void
   DualBackend::write_rows()
   {
-    const unsigned int dim = elastic.bodies.dim;
-    Triplets           entries;
-    Index              row = 0;
+    Triplets entries;
+    Index    row = 0;
     for (const Index i : set.nodes())
-      {
-        const pairing::ContactNode &node = *points[i].node;
-        for (const Tensor<1, 3> &dual : points[i].dual)
-          {
-            pairing::for_each_side(node,
-                                   [&](const unsigned int body,
-                                       const unsigned int number,
-                                       const double       weight) {
-                                     append(own,
-                                            row,
-                                            coordinates.dof(body, number),
-                                            dim,
-                                            weight * dual,
-                                            entries);
-                                   });
-            ++row;
-          }
-      }
+      write_row(points[i], row, entries);
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      write_row(points.all()[i], row, entries);
     H.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  void
+  DualBackend::write_row(const ContactPoint &point,
+                         Index              &row,
+                         Triplets           &entries) const
+  {
+    for (const Tensor<1, 3> &dual : point.dual)
+      {
+        pairing::for_each_side(*point.node,
+                               [&](const unsigned int body,
+                                   const unsigned int number,
+                                   const double       weight) {
+                                 append(own,
+                                        row,
+                                        coordinates.dof(body, number),
+                                        elastic.bodies.dim,
+                                        weight * dual,
+                                        entries);
+                               });
+        ++row;
+      }
   }
 
   void
@@ -153,8 +159,8 @@ namespace conetact::contact
       // A column of H that is not empty: contacts see this unknown.
       if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
         kept[at(p - own.begin(body))] = true;
-    if (std::count(motions.body_of_free().begin(),
-                   motions.body_of_free().end(),
+    if (std::count(motions.body_of_own().begin(),
+                   motions.body_of_own().end(),
                    body) > 0)
       retain_anchors(body, kept);
   }
@@ -196,7 +202,7 @@ namespace conetact::contact
   void
   DualBackend::find_motions()
   {
-    const auto &bodies = motions.body_of_free();
+    const auto &bodies = motions.body_of_own();
     body_motions.resize(elastic.bodies.names.size());
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
@@ -209,7 +215,7 @@ namespace conetact::contact
         for (Index j = 0; j < k; ++j)
           {
             const VectorXd u =
-              motions.field(motions.free().col(own_motions.first + j));
+              motions.field(motions.own().col(own_motions.first + j));
             own_motions.R.col(j) =
               own.values(u).segment(own.begin(body), n_own(body));
             own_motions.spring_forces.col(j) =
@@ -339,45 +345,70 @@ namespace conetact::contact
         G.col(j).setZero();
   }
 
+  /* (W G; -G^T C) of all rows and of the bodies' own motions. */
+  Eigen::MatrixXd
+  DualBackend::assemble_all() const
+  {
+    const Index n = H.rows(), k = motions.own().cols();
+    MatrixXd    all         = MatrixXd::Zero(n + k, n + k);
+    all.topLeftCorner(n, n) = flexibility();
+    for (unsigned int body = 0; body < body_motions.size(); ++body)
+      {
+        const BodyMotions &m     = body_motions[body];
+        const Index        first = n + m.first, size = m.R.cols();
+        if (size == 0)
+          continue;
+        const MatrixXd G =
+          H.middleCols(own.begin(body), n_own(body)) * (m.R + m.Y);
+        all.block(0, first, n, size) = G;
+        all.block(first, 0, size, n) = -G.transpose();
+        // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
+        const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
+        // Foundations hold each body by itself: C has a block for each.
+        all.block(first, first, size, size) = .5 * (C + C.transpose());
+      }
+    return all;
+  }
+
   void
   DualBackend::assemble_system()
   {
     auto        system = std::make_shared<solvers::ContactSystem>(set.layout());
-    const Index n = H.rows(), k = motions.n_free();
-    MatrixXd    all_G = MatrixXd::Zero(n, k), all_C = MatrixXd::Zero(k, k);
+    const Index n = n_contact(), n_bound = points.n_bound_unknowns();
+    const Index k     = motions.n_free();
     system->form      = solvers::Form::compliance;
     system->n_motions = k;
     for (Index j = 0; j < k; ++j)
       system->first.push_back(system->first.back() + 1);
-    system->matrix.setZero(n + k, n + k);
-    // (W G; -G^T C), the compliance form of ContactProblem.
-    system->matrix.topLeftCorner(n, n) = flexibility();
-    for (unsigned int body = 0; body < body_motions.size(); ++body)
+    MatrixXd       all      = assemble_all();
+    const VectorXd diagonal = all.diagonal().head(H.rows());
+    if (n_bound == 0)
+      system->matrix = std::move(all);
+    else
       {
-        const BodyMotions &m     = body_motions[body];
-        const Index        first = m.first, size = m.R.cols();
-        if (size == 0)
-          continue;
-        all_G.middleCols(first, size) =
-          H.middleCols(own.begin(body), n_own(body)) * (m.R + m.Y);
-        // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
-        const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
-        // Foundations hold each body by itself: C has a block for each.
-        all_C.block(first, first, size, size) = .5 * (C + C.transpose());
+        bound = BoundUnknowns(
+          all, n, n_bound, motions.free_of_own(), motions.tied_of_own());
+        system->matrix = bound.matrix();
+        // where supports hold both sides nothing gives way: as elsewhere
+        const double mean  = diagonal.mean();
+        stiffness_of_bound = diagonal.tail(n_bound).unaryExpr(
+          [mean](const double w) { return 1 / (w > 1e-14 * mean ? w : mean); });
       }
-    if (all_C.isZero(0)) // foundations make up for what contacts do not see
-      forget_unseen(all_G);
-    system->matrix.topRightCorner(n, k)    = all_G;
-    system->matrix.bottomLeftCorner(k, n)  = -all_G.transpose();
-    system->matrix.bottomRightCorner(k, k) = all_C;
+    // foundations make up for what contacts do not see
+    if (system->matrix.bottomRightCorner(k, k).isZero(0))
+      {
+        MatrixXd G = system->matrix.topRightCorner(n, k);
+        forget_unseen(G);
+        system->matrix.topRightCorner(n, k)   = G;
+        system->matrix.bottomLeftCorner(k, n) = -G.transpose();
+      }
     // The check of existence asks for motions that not even foundations resist.
     system->null_space = set.gather(motions.null_space());
     contact_system     = system;
     // loads and prescribed displacements are kept apart by their sizes only
-    stiffness_scale =
-      n > 0 && system->matrix.diagonal().head(n).sum() > 0 ?
-        static_cast<double>(n) / system->matrix.diagonal().head(n).sum() :
-        1.;
+    stiffness_scale = diagonal.sum() > 0 ?
+                        static_cast<double>(diagonal.size()) / diagonal.sum() :
+                        1.;
   }
 
   Eigen::MatrixXd
@@ -396,7 +427,7 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::imbalance(const VectorXd &forces) const
   {
-    VectorXd sum(motions.n_free());
+    VectorXd sum(motions.own().cols());
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         const BodyMotions &m = body_motions[body];
@@ -429,8 +460,8 @@ namespace conetact::contact
                           LoadCase       &load)
   {
     // What is prescribed acts as a load.
-    load.b = own.restrict(forces - elastic.internal_forces(prescribed));
-    load.f = reduce_forces(load.b);
+    load.b       = own.restrict(forces - elastic.internal_forces(prescribed));
+    VectorXd all = reduce_all(load.b);
     // R^T K = 0 but for rounding, which must not carry anything
     const VectorXd rounding =
       own.restrict(elastic.structure_forces(prescribed));
@@ -438,9 +469,22 @@ namespace conetact::contact
       {
         const BodyMotions &m = body_motions[body];
         if (m.R.cols() > 0)
-          load.f.segment(H.rows() + m.first, m.R.cols()) -=
+          all.segment(H.rows() + m.first, m.R.cols()) -=
             m.R.transpose() * rounding.segment(own.begin(body), n_own(body));
       }
+    set_load(all, load);
+  }
+
+  void
+  DualBackend::set_load(const VectorXd &all, LoadCase &load) const
+  {
+    if (points.n_bound() == 0)
+      {
+        load.f = all;
+        return;
+      }
+    load.bound = bound.bound_part(all);
+    load.f     = bound.kept_part(all) + bound.effect(load.bound);
   }
 
   LoadCase
@@ -448,12 +492,20 @@ namespace conetact::contact
   {
     LoadCase load;
     load.b = VectorXd::Zero(own.n_unknowns());
-    load.f = VectorXd::Zero(H.rows() + motions.n_free());
+    set_load(VectorXd::Zero(H.rows() + motions.own().cols()), load);
     return load;
   }
 
   Eigen::VectorXd
   DualBackend::reduce_forces(const VectorXd &b) const
+  {
+    LoadCase load;
+    set_load(reduce_all(b), load);
+    return load.f;
+  }
+
+  Eigen::VectorXd
+  DualBackend::reduce_all(const VectorXd &b) const
   {
     VectorXd w = VectorXd::Zero(b.size());
     for (const Part &part : parts)
@@ -468,11 +520,35 @@ namespace conetact::contact
         }
     VectorXd against = imbalance(b);
     if (unseen.cols() > 0)
-      // Nothing resists these motions: a load on them would have no answer.
-      against -= unseen * (unseen.transpose() * against).eval();
-    VectorXd f(H.rows() + motions.n_free());
+      {
+        // Nothing resists these motions: a load on them would have no answer.
+        const MatrixXd nowhere = motions.free_of_own() * unseen;
+        against -= nowhere * (nowhere.transpose() * against).eval();
+      }
+    VectorXd f(H.rows() + against.size());
     f << H * w, against;
     return f;
+  }
+
+  void
+  DualBackend::move_bound(const VectorXd &offset, LoadCase &load) const
+  {
+    if (points.n_bound() == 0)
+      return;
+    VectorXd change            = VectorXd::Zero(load.bound.size());
+    change.head(offset.size()) = offset;
+    load.bound += change;
+    load.f += bound.effect(change);
+  }
+
+  BoundState
+  DualBackend::bound_state(const LoadCase &load, const VectorXd &primal) const
+  {
+    if (points.n_bound() == 0)
+      return {};
+    const VectorXd x = bound.bound_of(primal, load.bound);
+    const Index    n = points.n_bound_unknowns();
+    return {x.head(n), motions.own() * x.tail(x.size() - n)};
   }
 
   /* w = P (b + H^T r - K_s R a) of each body, and what is prescribed. */
@@ -483,7 +559,8 @@ namespace conetact::contact
     const auto n = static_cast<Index>(loads.size());
     MatrixXd   forces(own.n_unknowns(), n);
     for (Index k = 0; k < n; ++k)
-      forces.col(k) = loads[at(k)]->b + forces_of(primal[at(k)]);
+      forces.col(k) =
+        loads[at(k)]->b + forces_of(all_of(*loads[at(k)], primal[at(k)]));
     const MatrixXd p = deform(forces);
     MatrixXd       w(coordinates.n_dofs(), n);
     for (Index k = 0; k < n; ++k)
@@ -492,18 +569,26 @@ namespace conetact::contact
   }
 
   Eigen::VectorXd
+  DualBackend::all_of(const LoadCase &load, const VectorXd &primal) const
+  {
+    return points.n_bound() == 0 ? primal : bound.complete(primal, load.bound);
+  }
+
+  LoadCase
   DualBackend::reduce_unbalanced(const VectorXd &unbalanced) const
   {
-    return reduce_forces(own.restrict(unbalanced));
+    LoadCase change;
+    change.b = -own.restrict(unbalanced);
+    set_load(reduce_all(change.b), change);
+    return change;
   }
 
   /* Refinement of w: P of what is left unbalanced, with the forces of the
      changed reactions and motions. */
   Eigen::VectorXd
-  DualBackend::correction(const VectorXd &unbalanced,
-                          const VectorXd &primal) const
+  DualBackend::correction(const LoadCase &change, const VectorXd &primal) const
   {
-    return own.expand(deform(forces_of(primal) - own.restrict(unbalanced)));
+    return own.expand(deform(change.b + forces_of(all_of(change, primal))));
   }
 
   double

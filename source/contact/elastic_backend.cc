@@ -27,6 +27,7 @@ namespace conetact::contact
       add(factor, part.b, sum.b);
       add(factor, part.f, sum.f);
       add(factor, part.q, sum.q);
+      add(factor, part.bound, sum.bound);
     }
   } // namespace
 

@@ -61,6 +61,11 @@ namespace conetact::contact
       taker.slaves      = mean(slaves_of(taker), part, slaves_of(giver));
       taker.masters     = mean(taker.masters, part, giver.masters);
       taker.gap         = (1 - part) * taker.gap + part * giver.gap;
+      if (taker.growth && giver.growth)
+        taker.growth =
+          [part, own = taker.growth, other = giver.growth](const double t) {
+            return (1 - part) * own(t) + part * other(t);
+          };
       taker.area += giver.area;
     }
   } // namespace
@@ -79,7 +84,10 @@ namespace conetact::contact
     const std::size_t        none = nodes.size();
     std::vector<std::size_t> takers(nodes.size(), none);
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      if (held[i] && nodes[i].is_mean)
+      // Of a tie no node is given up: which of its rows a support implies is
+      // found where they are eliminated (BoundUnknowns).
+      if (held[i] && nodes[i].is_mean &&
+          nodes[i].kind != pairing::ContactKind::tie)
         for (std::size_t j = 0; j < nodes.size(); ++j)
           if (!held[j] && nodes[j].contact == nodes[i].contact &&
               nodes[j].n * nodes[i].n > cosine_of_side &&

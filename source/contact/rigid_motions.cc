@@ -62,14 +62,14 @@ namespace conetact::contact
 
     struct Split
     {
-      Eigen::MatrixXd null, pseudo_inverse;
+      Eigen::MatrixXd null, range, pseudo_inverse;
     };
 
     /** The null space of a symmetric positive semidefinite matrix, and more. */
     Split
     split(const Eigen::MatrixXd &gram)
     {
-      Split result{gram, gram};
+      Split result{gram, gram, gram};
       if (gram.rows() == 0)
         return result;
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
@@ -83,6 +83,7 @@ namespace conetact::contact
       const Eigen::Index    rank = gram.rows() - n_null;
       const Eigen::MatrixXd V    = eigen.eigenvectors().rightCols(rank);
       result.null                = eigen.eigenvectors().leftCols(n_null);
+      result.range               = V;
       // Without the free motions: of all placements that fit the supports the
       // smallest.
       result.pseudo_inverse =
@@ -119,6 +120,7 @@ namespace conetact::contact
       }
     offset.push_back(coordinates.n_dofs());
     find_held_and_free();
+    tie(points);
     find_resisted();
     see_contacts(points);
     refuse_loose_bodies();
@@ -134,6 +136,46 @@ namespace conetact::contact
     for (unsigned int k = 0; k < n_one; ++k)
       result[k] = direction * mode(k, bodies.dim, frames[body], p);
     return result;
+  }
+
+  RigidMotions::Tie
+  RigidMotions::make_tie(const pairing::ContactNode &node,
+                         const Tensor<1, 3>         &direction) const
+  {
+    Tie tied{&node,
+             direction,
+             Eigen::RowVectorXd::Zero(n_one),
+             Eigen::RowVectorXd::Zero(n_one)};
+    pairing::for_each_side(node,
+                           [&](const unsigned int body,
+                               const unsigned int number,
+                               const double       weight) {
+                             (body == node.body ? tied.row : tied.master_row) +=
+                               row(body,
+                                   bodies.structures[body]->position(number),
+                                   weight * direction);
+                           });
+    return tied;
+  }
+
+  double
+  RigidMotions::relative(const Tie &tied, const Amounts &amounts) const
+  {
+    double sum = tied.row.dot(amounts.segment(tied.node->body * n_one, n_one));
+    if (!tied.node->masters.empty())
+      sum +=
+        tied.master_row.dot(amounts.segment(tied.node->master * n_one, n_one));
+    return sum;
+  }
+
+  void
+  RigidMotions::add(const double factor, const Tie &tied, Amounts &sum) const
+  {
+    sum.segment(tied.node->body * n_one, n_one) +=
+      factor * tied.row.transpose();
+    if (!tied.node->masters.empty())
+      sum.segment(tied.node->master * n_one, n_one) +=
+        factor * tied.master_row.transpose();
   }
 
   /* Rows e . R of all held directions: their squares summed make a small matrix
@@ -161,21 +203,103 @@ namespace conetact::contact
           // A rotation moves the rim by 1.
           held(first + h.component, first + h.component) += 1;
       }
-    free_modes = Eigen::MatrixXd(n, 0);
+    own_modes = Eigen::MatrixXd(n, 0);
     for (Index body = 0; body < n_bodies; ++body)
       {
         const Index first = body * n_one;
         // Rank is a matter of each body alone.
         const Split parts = split(held.block(first, first, n_one, n_one));
         held_inverse.block(first, first, n_one, n_one) = parts.pseudo_inverse;
-        const Index k                                  = free_modes.cols();
-        free_modes.conservativeResize(n, k + parts.null.cols());
-        free_modes.rightCols(parts.null.cols()).setZero();
-        free_modes.block(first, k, n_one, parts.null.cols()) = parts.null;
-        free_body.insert(free_body.end(),
-                         static_cast<std::size_t>(parts.null.cols()),
-                         static_cast<unsigned int>(body));
+        const Index k                                  = own_modes.cols();
+        own_modes.conservativeResize(n, k + parts.null.cols());
+        own_modes.rightCols(parts.null.cols()).setZero();
+        own_modes.block(first, k, n_one, parts.null.cols()) = parts.null;
+        own_body.insert(own_body.end(),
+                        static_cast<std::size_t>(parts.null.cols()),
+                        static_cast<unsigned int>(body));
       }
+  }
+
+  /* Where nothing is tied all own motions are free, as they are. */
+  void
+  RigidMotions::tie(const ContactPoints &points)
+  {
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      for (const Tensor<1, 3> &direction : points.all()[i].dual)
+        ties.push_back(make_tie(*points.all()[i].node, direction));
+    find_assemblies();
+    const Index k = own_modes.cols();
+    if (ties.empty())
+      {
+        free_modes = own_modes;
+        free_body  = own_body;
+        free_parts = Eigen::MatrixXd::Identity(k, k);
+        tied_parts = Eigen::MatrixXd(k, 0);
+        return;
+      }
+    free_parts = tied_parts = Eigen::MatrixXd(k, 0);
+    std::vector<std::vector<unsigned int>> assemblies(frames.size());
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      assemblies[tied_with[body]].push_back(body);
+    for (const auto &assembly : assemblies)
+      if (!assembly.empty())
+        find_tied(assembly);
+    free_modes = own_modes * free_parts;
+  }
+
+  /* Each body counts for the first of those it is joined with. */
+  void
+  RigidMotions::find_assemblies()
+  {
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      tied_with.push_back(body);
+    for (const Tie &tied : ties)
+      if (!tied.node->masters.empty())
+        {
+          const unsigned int one   = tied_with[tied.node->body];
+          const unsigned int other = tied_with[tied.node->master];
+          std::replace(tied_with.begin(),
+                       tied_with.end(),
+                       std::max(one, other),
+                       std::min(one, other));
+        }
+  }
+
+  /* Placements fit supports and ties; what both leave open is free. */
+  void
+  RigidMotions::find_tied(const std::vector<unsigned int> &assembly)
+  {
+    std::vector<Index> modes, own;
+    for (const unsigned int body : assembly)
+      for (Index k = 0; k < n_one; ++k)
+        modes.push_back(body * n_one + k);
+    for (Index j = 0; j < own_modes.cols(); ++j)
+      if (tied_with[own_body[static_cast<std::size_t>(j)]] == assembly.front())
+        own.push_back(j);
+    const auto      n    = static_cast<Index>(modes.size());
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
+    for (const Tie &tied : ties)
+      if (tied_with[tied.node->body] == assembly.front())
+        {
+          Amounts all = Amounts::Zero(held.rows());
+          add(1, tied, all);
+          const Eigen::VectorXd r = all(modes);
+          gram += r * r.transpose();
+        }
+    held_inverse(modes, modes) =
+      split(Eigen::MatrixXd(held(modes, modes)) + gram).pseudo_inverse;
+    const Eigen::MatrixXd R     = own_modes(modes, own);
+    const Split           parts = split(R.transpose() * gram * R);
+    const auto append = [&](Eigen::MatrixXd &to, const Eigen::MatrixXd &what) {
+      to.conservativeResize(own_modes.cols(), to.cols() + what.cols());
+      to.rightCols(what.cols()).setZero();
+      to(own, Eigen::lastN(what.cols())) = what;
+    };
+    append(free_parts, parts.null);
+    append(tied_parts, parts.range);
+    free_body.insert(free_body.end(),
+                     static_cast<std::size_t>(parts.null.cols()),
+                     assembly.front());
   }
 
   /* The same with springs: of the free motions those that no foundation
@@ -238,13 +362,17 @@ namespace conetact::contact
     std::vector<bool> reached(bodies.structures.size(), false);
     for (const pairing::ContactNode &node : bodies.contact_nodes)
       {
-        reached[node.body] = true;
-        if (!node.masters.empty())
-          reached[node.master] = true;
+        const unsigned int one = tied_with[node.body];
+        const unsigned int other =
+          node.masters.empty() ? one : tied_with[node.master];
+        // bodies that are tied reach each other only
+        if (node.kind != pairing::ContactKind::tie || node.masters.empty() ||
+            other != one)
+          reached[one] = reached[other] = true;
       }
     const Eigen::MatrixXd loose = free_modes * without_springs;
     for (Index j = 0; j < loose.cols(); ++j)
-      if (const Motion m = largest(loose.col(j)); !reached[m.body])
+      if (const Motion m = largest(loose.col(j)); !reached[tied_with[m.body]])
         throw InputError("Nothing holds body '" + bodies.names[m.body] +
                          "' against moving " + describe(m) +
                          ": no support, and no contact with friction. Add a "
@@ -278,6 +406,13 @@ namespace conetact::contact
               right[first + h.component] +=
                 rules.angle(h, p, t) * frames[rule.body].size -
                 amounts[first + h.component];
+          }
+        for (const Tie &tied : ties)
+          {
+            const pairing::Obstacle *obstacle = tied.node->obstacle;
+            const double             moved =
+              obstacle ? obstacle->displacement_at(t) * tied.direction : 0.;
+            add(moved - relative(tied, amounts), tied, right);
           }
         amounts += held_inverse * right;
       }

@@ -17,6 +17,9 @@ namespace conetact::pairing
 {
   namespace
   {
+    /** The way of pairing that each kind of contact has by itself. */
+    const std::string by_kind = "automatic";
+
     double
     value_at(const Expression  &expression,
              const Point<3>    &p,
@@ -27,6 +30,28 @@ namespace conetact::pairing
         throw InputError(entry + ": it is " + to_text(value) + " at " +
                          to_text(p) + ". Give a value of 0 or more.");
       return value;
+    }
+
+    /** The mean over what the node is a mean over. */
+    std::function<double(const double t)>
+    growth_of(const ContactNode                            &node,
+              const Contact                                &contact,
+              const std::vector<const bodies::Structure *> &structures)
+    {
+      if (!contact.gap || !contact.gap->uses_time())
+        return {};
+      std::vector<std::pair<Point<3>, double>> places;
+      for (const auto &[slave, weight] : node.slaves)
+        places.emplace_back(structures[node.body]->position(slave), weight);
+      if (places.empty())
+        places.emplace_back(node.position, 1.);
+      const Expression &gap = *contact.gap;
+      return [places, &gap](const double t) {
+        double sum = 0;
+        for (const auto &[p, weight] : places)
+          sum += weight * (gap(p, t) - gap(p));
+        return sum;
+      };
     }
 
     void
@@ -137,6 +162,43 @@ namespace conetact::pairing
                                "boundaries without common nodes.");
     }
 
+    void
+    find_kind(const dealii::ParameterHandler &prm, Contact &contact)
+    {
+      const KindRow &row = *std::find_if(contact_kinds().begin(),
+                                         contact_kinds().end(),
+                                         [&](const KindRow &r) {
+                                           return r.name == prm.get("Kind");
+                                         });
+      contact.kind       = row.kind;
+      contact.pairing =
+        prm.get("Pairing") == by_kind ? row.pairing : prm.get("Pairing");
+    }
+
+    /** What is bound has no cone. */
+    void
+    refuse_cone(const dealii::ParameterHandler &prm,
+                const Contact                  &contact,
+                const std::string              &in)
+    {
+      const auto refuse = [&](const char *entry) {
+        throw InputError(
+          in + entry + ": a contact with Kind = " + prm.get("Kind") + " has " +
+          (contact.kind == ContactKind::tie ?
+             "no friction cone, it carries any reaction" :
+             "no friction, for a reaction that may pull has no cone") +
+          ". Leave the entry at its default, or choose Kind = contact.");
+      };
+      const std::pair<const char *, const std::optional<Expression> *>
+        entries[] = {{"Friction coefficient", &contact.friction},
+                     {"Second friction coefficient", &contact.second_friction},
+                     {"Prestress", &contact.prestress},
+                     {"Cohesion", &contact.cohesion}};
+      for (const auto &[entry, expression] : entries)
+        if (*expression && !(*expression)->is_zero())
+          refuse(entry);
+    }
+
     /** What may be paired at all. */
     void
     find_limits(dealii::ParameterHandler &prm,
@@ -157,7 +219,6 @@ namespace conetact::pairing
                          "Sharp edge angle: " + prm.get("Sharp edge angle") +
                          " is no angle of an edge. Give 0 to 90 degrees.");
       contact.sharp_edge     = edge * M_PI / 180;
-      contact.pairing        = prm.get("Pairing");
       const std::string deep = prm.get("Largest interference");
       if (deep.empty())
         return;
@@ -241,6 +302,36 @@ namespace conetact::pairing
     return {t1, cross_product_3d(n, t1)};
   }
 
+  const std::vector<KindRow> &
+  contact_kinds()
+  {
+    static const std::vector<KindRow> rows = {
+      {ContactKind::contact,
+       "contact",
+       "the sides press each other and open, with friction",
+       "node to face"},
+      {ContactKind::tie,
+       "tie",
+       "they are joined, without any relative motion, and may pull",
+       "mortar"},
+      {ContactKind::bilateral,
+       "bilateral",
+       "they slide without friction and never lift off",
+       "node to face"}};
+    return rows;
+  }
+
+  Tensor<1, 3>
+  ContactNode::opponent_displacement(const double t) const
+  {
+    Tensor<1, 3> d;
+    if (obstacle != nullptr)
+      d = obstacle->displacement_at(t);
+    if (growth)
+      d -= growth(t) * n;
+    return d;
+  }
+
   void
   set_frame(ContactNode        &node,
             const Tensor<1, 3> &normal,
@@ -258,22 +349,48 @@ namespace conetact::pairing
   namespace
   {
     void
+    declare_kind(dealii::ParameterHandler &prm)
+    {
+      std::vector<std::string> names;
+      std::string              kinds;
+      for (const KindRow &row : contact_kinds())
+        {
+          names.push_back(row.name);
+          kinds +=
+            (kinds.empty() ? "" : "; ") + row.name + ": " + row.description;
+        }
+      prm.declare_entry(
+        "Kind",
+        names.front(),
+        dealii::Patterns::Selection(join(names, "|")),
+        "What holds between both sides, from the undeformed state on. " +
+          kinds +
+          ". Ties and bilateral contacts have reactions of any sign and take "
+          "no friction, Prestress or Cohesion; an obstacle serves as a master "
+          "body does; nodes of frames stay free to turn. [-]");
+    }
+
+    void
     declare_pairing(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
-      std::vector<std::string> names;
+      std::vector<std::string> names = {by_kind};
       std::string              ways;
       for (const PairingRow &row : pairings())
         {
           names.push_back(row.name);
-          ways +=
-            (ways.empty() ? "" : "; ") + row.name + ": " + row.description;
+          ways += "; " + row.name + ": " + row.description;
         }
+      std::string own;
+      for (const KindRow &row : contact_kinds())
+        own +=
+          (own.empty() ? "" : ", ") + row.pairing + " for Kind = " + row.name;
       prm.declare_entry(
         "Pairing",
-        names.front(),
+        by_kind,
         Selection(join(names, "|")),
-        "How nodes find what they touch on a master body. " + ways +
+        "How nodes find what they touch on a master body. " + by_kind + ": " +
+          own + ways +
           ". Frames, and nodes at edges and corners that meet a "
           "face, are paired node to face always. [-]");
       prm.declare_entry(
@@ -307,9 +424,11 @@ namespace conetact::pairing
       prm.declare_entry("Gap",
                         "",
                         Anything(),
-                        "Gap to the master body as a function of x, y, z; "
-                        "negative: an interference. Empty: from geometry. "
-                        "[length]");
+                        "Gap to the master body as a function of x, y, z and "
+                        "t; negative: an interference, as of a press fit. "
+                        "Ties and bilateral contacts close it. Empty: from "
+                        "geometry; ties and bilateral contacts keep that as "
+                        "it is. [length]");
     }
 
     void
@@ -381,6 +500,7 @@ namespace conetact::pairing
                       "Nodes further than this from the master's faces stay "
                       "free. Empty: the diagonal of the box around both "
                       "bodies. [length]");
+    declare_kind(prm);
     declare_pairing(prm);
     declare_friction(prm);
   }
@@ -400,8 +520,15 @@ namespace conetact::pairing
                                         *structures[contact.body],
                                         bodies[contact.body],
                                         in + "Boundary ids");
+    find_kind(prm, contact);
     if (prm.get("Master body").empty())
-      contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
+      {
+        contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
+        if (!prm.get("Gap").empty())
+          throw InputError(in + "Gap: it is that to a Master body. Gaps to an "
+                                "obstacle follow from its place: leave it "
+                                "empty.");
+      }
     else
       find_master(prm, in, bodies, structures, contact);
 
@@ -427,6 +554,8 @@ namespace conetact::pairing
     };
     contact.prestress.emplace(constant("Prestress"));
     contact.cohesion.emplace(constant("Cohesion"));
+    if (contact.kind != ContactKind::contact)
+      refuse_cone(prm, contact, in);
     return contact;
   }
 
@@ -469,6 +598,9 @@ namespace conetact::pairing
                   "Boundary ids.");
             set_friction(node, contact);
             set_frame(node, node.n, dim);
+            node.kind   = contact.kind;
+            node.closes = contact.gap.has_value();
+            node.growth = growth_of(node, contact, structures);
             known.emplace(key, result.nodes.size());
             result.nodes.push_back(std::move(node));
           }

@@ -46,8 +46,8 @@ namespace conetact::verification
     fill(last.forces, now.forces.size());
     fill(last.relative, now.relative.size());
     fill(last.r, now.r.size());
-    last.reactions.resize(points.size());
-    last.obstacles.resize(points.size());
+    last.reactions.resize(points.all().size());
+    last.obstacles.resize(points.all().size());
     last.foundations.resize(now.foundations.size());
 
     // Of w alone: a rigid motion has no energy.
@@ -67,16 +67,13 @@ namespace conetact::verification
                                             f.ground);
         }
     record.dissipation = record.contact_work_normal = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.all().size(); ++i)
       {
-        const contact::ContactPoint &point = points[i];
+        const contact::ContactPoint &point = points.all()[i];
         now.reactions.push_back(reaction(point, claim.r));
-        now.obstacles.push_back(
-          point.node->obstacle != nullptr ?
-            point.node->obstacle->displacement_at(claim.t) :
-            Tensor<1, 3>());
+        now.obstacles.push_back(point.node->opponent_displacement(claim.t));
         // A reaction acts on the body; an obstacle that moves with it does
-        // work.
+        // work, and so does an interference that grows.
         record.external_work += .5 * (last.reactions[i] + now.reactions[i]) *
                                 (now.obstacles[i] - last.obstacles[i]);
         const auto nt   = static_cast<Index>(point.dual.size()) - 1;

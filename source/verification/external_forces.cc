@@ -183,7 +183,7 @@ namespace conetact::verification
     all.held.setZero(rest.size());
     all.supports.resize(bodies.supports.size());
     Collector collector(bodies, all);
-    for (const contact::ContactPoint &point : points)
+    for (const contact::ContactPoint &point : points.all())
       {
         const pairing::ContactNode &node = *point.node;
         if (node.contact >= all.contacts.size())

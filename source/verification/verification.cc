@@ -62,7 +62,7 @@ namespace conetact::verification
     , tolerance(tol)
     , history(bodies.structures.size(), 0.)
     , stiffness(VectorXd::Zero(static_cast<Index>(points.size())))
-    , before(VectorXd::Zero(points.n_unknowns()))
+    , before(VectorXd::Zero(points.n_all_unknowns()))
   {}
 
   VectorXd
@@ -77,7 +77,7 @@ namespace conetact::verification
         displacement[c] = u[plain.dof(body, node) + c];
       return displacement;
     };
-    for (const contact::ContactPoint &point : points)
+    for (const contact::ContactPoint &point : points.all())
       {
         const pairing::ContactNode &node = *point.node;
         Tensor<1, 3>                d;
@@ -87,8 +87,7 @@ namespace conetact::verification
                                    const double       weight) {
                                  d += weight * at(body, i);
                                });
-        if (node.obstacle != nullptr)
-          d -= node.obstacle->displacement_at(t);
+        d -= node.opponent_displacement(t);
         for (std::size_t k = 0; k < point.dual.size(); ++k)
           v[point.first + static_cast<Index>(k)] = d * point.dual[k];
       }
@@ -234,6 +233,42 @@ namespace conetact::verification
   };
 
   Verification::LawErrors
+  Verification::errors_of(const pairing::ContactNode &node,
+                          const double                k,
+                          const Scales               &scales) const
+  {
+    const unsigned int other = node.masters.empty() ? node.body : node.master;
+    return {// A light body on a heavily loaded one is judged by its own forces.
+            std::min(scales.force[node.body], scales.force[other]),
+            scales.noise,
+            // v is a difference of positions.
+            16 * eps * std::max(scales.reach[node.body], scales.reach[other]),
+            k};
+  }
+
+  /* Any reaction will do: only places are judged. */
+  Verification::LawErrors
+  Verification::bound_errors(const contact::ContactPoint &point,
+                             const Scales                &scales,
+                             const Finding               &out) const
+  {
+    const Index  first  = point.first - points.n_unknowns();
+    const auto   n      = static_cast<Index>(point.dual.size());
+    const double k      = bound_stiffness.size() > 0 ?
+                            bound_stiffness.segment(first, n).minCoeff() :
+                            0.;
+    LawErrors    errors = errors_of(*point.node, k, scales);
+    errors.length(
+      out.missed_by_bound.segment(first, n).norm(),
+      point.node->kind == pairing::ContactKind::tie ?
+        "is tied and moves against what it is tied to (supports or a "
+        "Gap may contradict the tie)" :
+        "is bound and leaves what it is bound to (supports or a "
+        "Gap may contradict that)");
+    return errors;
+  }
+
+  Verification::LawErrors
   Verification::law_errors(const std::size_t i,
                            const Claim      &claim,
                            const Scales     &scales,
@@ -241,14 +276,8 @@ namespace conetact::verification
   {
     const contact::ContactPoint &point = points[i];
     const pairing::ContactNode  &node  = *point.node;
-    const unsigned int other = node.masters.empty() ? node.body : node.master;
-    LawErrors          errors{
-      // A light body on a heavily loaded one is judged by its own forces.
-      std::min(scales.force[node.body], scales.force[other]),
-      scales.noise,
-      // v is a difference of positions.
-      16 * eps * std::max(scales.reach[node.body], scales.reach[other]),
-      stiffness[static_cast<Index>(i)]};
+    LawErrors                    errors =
+      errors_of(node, stiffness[static_cast<Index>(i)], scales);
 
     const auto     nt  = static_cast<Index>(point.dual.size()) - 1;
     const Index    n   = point.first + nt;
@@ -302,13 +331,15 @@ namespace conetact::verification
                           const Scales &scales,
                           Finding      &out) const
   {
-    for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t i = 0; i < points.all().size(); ++i)
       {
-        const LawErrors errors = law_errors(i, claim, scales, out);
+        const LawErrors errors = i < points.size() ?
+                                   law_errors(i, claim, scales, out) :
+                                   bound_errors(points.all()[i], scales, out);
         if (!(errors.worst <= out.residual))
           out.residual = errors.worst;
         if (!(errors.worst <= tolerance) && out.why.empty())
-          out.why = place(bodies, points[i]) + errors.what + ", by " +
+          out.why = place(bodies, points.all()[i]) + errors.what + ", by " +
                     to_text(errors.worst) +
                     " of the largest force on a node of its body";
       }
@@ -335,7 +366,7 @@ namespace conetact::verification
     for (const contact::Foundation &foundation : out.foundations)
       if (foundation.forces.size() > 0)
         rest -= foundation.forces;
-    for (const contact::ContactPoint &point : points)
+    for (const contact::ContactPoint &point : points.all())
       {
         const Tensor<1, 3> force = reaction(point, claim.r);
         pairing::for_each_side(*point.node,
@@ -353,6 +384,8 @@ namespace conetact::verification
     out.external = external_forces(
       bodies, plain, points, rest, out.foundations, claim.mechanical, claim.r);
     out.displacements   = relative_displacements(out.u, claim.t);
+    out.missed_by_bound = out.displacements.tail(points.n_bound_unknowns()) +
+                          points.gaps_to_close();
     const Scales limits = scales(claim, out);
     out.largest_force   = limits.nodal;
     check_nodes(claim, limits, out);

@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (balance, bodies, corners, elements, friction, hertz, kill, loads, mortar, obstacles,  # noqa: E402
-                  pairs, patch, path, refinement, supports, threads, transformations)
+                  pairs, patch, path, refinement, supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
 
 FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, "rotation": transformations.rotation_family,
@@ -25,7 +25,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
             "hertz": hertz.hertz, "path": path.path,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-covered": mortar.covered,
-            "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many}
+            "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:

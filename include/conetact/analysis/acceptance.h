@@ -47,12 +47,14 @@ namespace conetact::analysis
     displacements(const PendingIncrement &increment,
                   const Eigen::VectorXd  &w) const;
 
-    /** Stiffness of each contact node in a system of contact unknowns. */
+    /** Stiffness of each contact node. */
     void
-    set_stiffness(const solvers::ContactSystem &system,
-                  const contact::WorkingSet    &set);
+    set_stiffness(const contact::ElasticBackend &elastic);
 
   private:
+    /** Of all rigid motions. */
+    Eigen::VectorXd
+    amounts(const PendingIncrement &increment) const;
     verification::Claim
     claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
     std::string

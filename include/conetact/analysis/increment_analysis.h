@@ -60,6 +60,8 @@ namespace conetact::analysis
     no_equilibrium(const solvers::ContactProblem &problem,
                    const PendingIncrement        &increment);
     void
+    take_bound(PendingIncrement &increment);
+    void
     take_result(PendingIncrement              &increment,
                 const solvers::ContactProblem &problem);
     /** Recovers displacements, checks and writes. */

@@ -20,6 +20,7 @@ namespace conetact::analysis
     Eigen::VectorXd         contact; ///< displacements of contact unknowns
     Eigen::VectorXd         primal;  ///< as ElasticBackend::expand() takes it
     Eigen::VectorXd         motions; ///< amounts of the free motions
+    contact::BoundState     bound;   ///< ties and bilateral contacts
     contact::ContactHistory before, after;
     solvers::ContactState   end; ///< of the working set alone
   };

@@ -53,10 +53,10 @@ namespace conetact::contact
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
-    Eigen::VectorXd
+    LoadCase
     reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
     Eigen::VectorXd
-    correction(const Eigen::VectorXd &unbalanced,
+    correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
     /**
      * With the factor at hand, where that is cheaper. system() is another one

@@ -116,7 +116,7 @@ namespace conetact::contact
     std::string
     singular_sentence(const backends::SingularMatrix &error) const;
     Eigen::VectorXd
-    offset(const LoadCase &load, const double t) const;
+    all_offsets(const LoadCase &load, const double t) const;
 
     const backends::Condenser      &condenser;
     bool                            dual;

@@ -28,6 +28,13 @@ namespace conetact::contact
     std::vector<Tensor<1, 3>>   frictionless; ///< tangents that nothing holds
     double                      mu    = 0;
     Eigen::Index                first = 0; ///< of its unknowns
+
+    /** Index of the normal unknown, the last one. */
+    Eigen::Index
+    normal() const
+    {
+      return first + static_cast<Eigen::Index>(dual.size()) - 1;
+    }
   };
 
   /** Displacement of a contact node relative to what it may touch, at time t.
@@ -45,14 +52,15 @@ namespace conetact::contact
                                const double       weight) {
                              v += weight * at(body, i);
                            });
-    if (node.obstacle != nullptr)
-      v -= node.obstacle->displacement_at(t);
-    return v;
+    return v - node.opponent_displacement(t);
   }
 
   /**
    * All contacts of a scene as rows over the nodes of its bodies, contact by
-   * contact. A node that stands in several contacts has a point in each.
+   * contact. A node that stands in several contacts has a point in each. Those
+   * that may open are candidates, the unknowns of contact solvers; those that
+   * are bound (ties, bilateral contacts) are equations, v = 0 whatever the
+   * reaction: their unknowns stand behind those of all candidates.
    */
   class ContactPoints
   {
@@ -67,6 +75,7 @@ namespace conetact::contact
                   const NodeRules           &supports,
                   const std::vector<double> &times);
 
+    /** Candidates: */
     std::vector<ContactPoint>::const_iterator
     begin() const
     {
@@ -75,12 +84,12 @@ namespace conetact::contact
     std::vector<ContactPoint>::const_iterator
     end() const
     {
-      return points.end();
+      return points.begin() + static_cast<std::ptrdiff_t>(n_candidates);
     }
     std::size_t
     size() const
     {
-      return points.size();
+      return n_candidates;
     }
     const ContactPoint &
     operator[](const std::size_t i) const
@@ -105,12 +114,37 @@ namespace conetact::contact
       return contact_layout.n_unknowns();
     }
 
-    /** All unknowns of displacements at time t. */
+    /** Candidates, and behind them those that are bound. */
+    const std::vector<ContactPoint> &
+    all() const
+    {
+      return points;
+    }
+    std::size_t
+    n_bound() const
+    {
+      return points.size() - n_candidates;
+    }
+    /** Unknowns of those that are bound. */
+    Eigen::Index
+    n_bound_unknowns() const
+    {
+      return n_all - n_unknowns();
+    }
+    Eigen::Index
+    n_all_unknowns() const
+    {
+      return n_all;
+    }
+
+    /**
+     * Displacements of all unknowns at time t, those of candidates first.
+     */
     template <typename DisplacementAt>
     Eigen::VectorXd
     components(const DisplacementAt &at, const double t) const
     {
-      Eigen::VectorXd q(n_unknowns());
+      Eigen::VectorXd q(n_all);
       Eigen::Index    k = 0;
       for (const ContactPoint &point : points)
         {
@@ -120,6 +154,9 @@ namespace conetact::contact
         }
       return q;
     }
+    /** Gaps that what is bound closes, in its unknowns. */
+    Eigen::VectorXd
+    gaps_to_close() const;
 
     /** Number of contact nodes whose normal is held by a support. */
     unsigned int
@@ -148,11 +185,15 @@ namespace conetact::contact
     void
     add(const pairing::ContactNode &node, const std::vector<double> &times);
     void
+    add_bound(const pairing::ContactNode &node);
+    void
     number();
 
     const Bodies             &bodies;
     const NodeRules          &supports;
     std::vector<ContactPoint> points;
+    std::size_t               n_candidates = 0;
+    Eigen::Index              n_all        = 0;
     solvers::ContactSystem    contact_layout;
     unsigned int              n_held_normals  = 0;
     bool                      prescribed_slip = false;

@@ -30,16 +30,29 @@ namespace conetact::contact
      *
      * Of an increment that was not solved as a `whole`, states tell the slip
      * of all its parts. `state`: end of the increment; `q`: displacements of
-     * the contact unknowns since the start; `u`: all dofs; `t`: time.
+     * the contact unknowns since the start; `r_bound`: reactions of what is
+     * bound, whose rows stand behind those of candidates; `u`: all dofs; `t`:
+     * time.
      */
     std::vector<output::ContactRow>
     rows(const solvers::ContactState &state,
          const Eigen::VectorXd       &q,
+         const Eigen::VectorXd       &r_bound,
          const Eigen::VectorXd       &u,
          const double                 t,
          const bool                   whole = true);
 
   private:
+    void
+    set_candidate(const std::size_t            i,
+                  const solvers::ContactState &state,
+                  const Eigen::VectorXd       &q,
+                  const Tensor<1, 3>          &other,
+                  output::ContactRow          &row) const;
+    static void
+    set_bound(const ContactPoint &point,
+              const Tensor<1, 3> &other,
+              output::ContactRow &row);
     void
     append_masters(std::vector<output::ContactRow> &rows) const;
 

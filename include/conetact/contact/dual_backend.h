@@ -6,6 +6,7 @@
 
 #include "conetact/backends/super_element.h"
 #include "conetact/contact/body_coordinates.h"
+#include "conetact/contact/bound_unknowns.h"
 #include "conetact/contact/elastic_backend.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
@@ -27,6 +28,8 @@ namespace conetact::contact
    * body's stiffness; against its free motions they act as
    * @f[ Y = -P K_s R,\quad G = H (R + Y),\quad
    *     C = R^T K_s R + R^T K_s Y . @f]
+   * Ties and bilateral contacts are rows as well, behind those of the working
+   * set, and eliminated before anyone asks for the system (BoundUnknowns).
    * The form of FETI methods with friction (Dostal, Kozubek, Horyl, Brzobohaty,
    * Markopoulos, Comput. Struct. 2012).
    */
@@ -57,11 +60,21 @@ namespace conetact::contact
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
-    Eigen::VectorXd
+    LoadCase
     reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
     Eigen::VectorXd
-    correction(const Eigen::VectorXd &unbalanced,
+    correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
+    void
+    move_bound(const Eigen::VectorXd &offset, LoadCase &load) const override;
+    BoundState
+    bound_state(const LoadCase        &load,
+                const Eigen::VectorXd &primal) const override;
+    Eigen::VectorXd
+    bound_stiffness() const override
+    {
+      return stiffness_of_bound;
+    }
     bool
     extend(const std::vector<Eigen::Index> &) override
     {
@@ -123,6 +136,10 @@ namespace conetact::contact
     void
     write_rows();
     void
+    write_row(const ContactPoint                  &point,
+              Index                               &row,
+              std::vector<Eigen::Triplet<double>> &entries) const;
+    void
     find_parts();
     void
     retain(const unsigned int body, std::vector<bool> &kept) const;
@@ -140,8 +157,23 @@ namespace conetact::contact
     respond_to_springs();
     void
     forget_unseen(MatrixXd &G);
+    MatrixXd
+    assemble_all() const;
     void
     assemble_system();
+    /** Of all rows and motions, as the system and what is bound see them. */
+    void
+    set_load(const VectorXd &all, LoadCase &load) const;
+    VectorXd
+    reduce_all(const VectorXd &b) const;
+    /** Reactions of all rows and all own motions. */
+    VectorXd
+    all_of(const LoadCase &load, const VectorXd &primal) const;
+    Index
+    n_contact() const
+    {
+      return set.layout().n_unknowns();
+    }
     MatrixXd
     flexibility() const;
     /** Deformations of all own unknowns under forces on them (columns). */
@@ -180,6 +212,8 @@ namespace conetact::contact
     Eigen::SparseMatrix<double> H; ///< of own unknowns
     std::vector<Part>           parts;
     std::vector<BodyMotions>    body_motions;
+    BoundUnknowns               bound;
+    VectorXd                    stiffness_of_bound;
     MatrixXd                    unseen; ///< motions, orthonormal
     std::shared_ptr<const solvers::ContactSystem> contact_system;
   };

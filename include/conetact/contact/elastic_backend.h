@@ -27,12 +27,22 @@ namespace conetact::contact
     Eigen::VectorXd f;
     /** Elastic displacements, where nothing may touch [length]. */
     Eigen::VectorXd q;
+    /** What ties and bilateral contacts see of it, as BoundUnknowns has it. */
+    Eigen::VectorXd bound;
     /**
      * What moves all candidates' unknowns without strain: placements of bodies
      * by their supports less the motion of obstacles [length].
      */
     Eigen::VectorXd offset;
     Eigen::VectorXd placement; ///< amounts of RigidMotions
+  };
+
+  /** Ties and bilateral contacts, which solvers do not see. */
+  struct BoundState
+  {
+    Eigen::VectorXd r;      ///< their reactions [force]
+    Eigen::VectorXd motion; ///< rigid motions that they resist, amounts of the
+                            ///< bodies' own ones [length]
   };
 
   /** How far two condensers agree on a stiffness. */
@@ -73,15 +83,32 @@ namespace conetact::contact
            const std::vector<Eigen::VectorXd>  &primal) const = 0;
 
     /**
-     * Iterative refinement: what forces on all dofs that are not balanced take
-     * from LoadCase::f, and the change of the deformation that takes them away
-     * while the primal unknowns change by `primal`.
+     * Iterative refinement: the change of a load case that takes away forces
+     * on all dofs that are not balanced, and the change of the deformation
+     * that does so while the primal unknowns change by `primal`.
      */
-    virtual Eigen::VectorXd
+    virtual LoadCase
     reduce_unbalanced(const Eigen::VectorXd &unbalanced) const = 0;
     virtual Eigen::VectorXd
-    correction(const Eigen::VectorXd &unbalanced,
-               const Eigen::VectorXd &primal) const = 0;
+    correction(const LoadCase &change, const Eigen::VectorXd &primal) const = 0;
+
+    /** What is bound has moved by `offset` without strain. */
+    virtual void
+    move_bound(const Eigen::VectorXd & /*offset*/, LoadCase & /*load*/) const
+    {}
+    /** What is bound under a load case and its primal. */
+    virtual BoundState
+    bound_state(const LoadCase & /*load*/,
+                const Eigen::VectorXd & /*primal*/) const
+    {
+      return {};
+    }
+    /** Stiffness along each unknown of what is bound [force/length]. */
+    virtual Eigen::VectorXd
+    bound_stiffness() const
+    {
+      return {};
+    }
 
     /**
      * Adds candidates to the set. False if it has to be made anew for that, or

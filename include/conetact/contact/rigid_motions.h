@@ -18,6 +18,10 @@ namespace conetact::contact
    * prescribe gives each body its placement; motions that no rigid support
    * resists are its free motions, unknowns with a balance of their own.
    * Amounts are lengths: rotations move the rim of a body by about 1.
+   *
+   * Bodies that are tied (ContactPoints) are placed together, and are free to
+   * move together only. By itself each of them has its own motions: those of
+   * them that the others resist are the tied ones.
    */
   class RigidMotions
   {
@@ -72,11 +76,41 @@ namespace conetact::contact
     {
       return free_modes.cols();
     }
-    /** The body of each free motion. */
+    /** The body of each free motion, of tied bodies the first. */
     const std::vector<unsigned int> &
     body_of_free() const
     {
       return free_body;
+    }
+    /** The first of the bodies that a body is tied with. */
+    unsigned int
+    first_tied(const unsigned int body) const
+    {
+      return tied_with[body];
+    }
+    /** Free motions of each body as if it were not tied. */
+    const Eigen::MatrixXd &
+    own() const
+    {
+      return own_modes;
+    }
+    /** The body of each of them. */
+    const std::vector<unsigned int> &
+    body_of_own() const
+    {
+      return own_body;
+    }
+    /** The free motions as combinations of own ones; orthonormal. */
+    const Eigen::MatrixXd &
+    free_of_own() const
+    {
+      return free_parts;
+    }
+    /** The rest of the own ones, which ties resist; orthonormal. */
+    const Eigen::MatrixXd &
+    tied_of_own() const
+    {
+      return tied_parts;
     }
     /** Columns: free motions in the modes of all bodies. */
     const Eigen::MatrixXd &
@@ -139,6 +173,12 @@ namespace conetact::contact
     void
     find_held_and_free();
     void
+    tie(const ContactPoints &points);
+    void
+    find_assemblies();
+    void
+    find_tied(const std::vector<unsigned int> &assembly);
+    void
     find_resisted();
     void
     see_contacts(const ContactPoints &points);
@@ -149,6 +189,21 @@ namespace conetact::contact
     row(const unsigned int  body,
         const Point<3>     &p,
         const Tensor<1, 3> &direction) const;
+    /** An equation that binds a node to its opponent. */
+    struct Tie
+    {
+      const pairing::ContactNode *node;
+      Tensor<1, 3>                direction;
+      Eigen::RowVectorXd          row, master_row; ///< of the bodies' modes
+    };
+    Tie
+    make_tie(const pairing::ContactNode &node,
+             const Tensor<1, 3>         &direction) const;
+    /** Displacement relative to the opponent, along its direction. */
+    double
+    relative(const Tie &tied, const Amounts &amounts) const;
+    void
+    add(const double factor, const Tie &tied, Amounts &sum) const;
 
     const Bodies             &bodies;
     const NodeRules          &rules;
@@ -157,8 +212,11 @@ namespace conetact::contact
     Index                     n_one;  ///< modes of a body
     Eigen::MatrixXd           held;   ///< sum of row^T row over held directions
     Eigen::MatrixXd           held_inverse; ///< pseudo-inverse of it
-    Eigen::MatrixXd           free_modes;
-    std::vector<unsigned int> free_body;
+    Eigen::MatrixXd           own_modes, free_modes;
+    std::vector<unsigned int> own_body, free_body;
+    Eigen::MatrixXd           free_parts, tied_parts;
+    std::vector<unsigned int> tied_with;
+    std::vector<Tie>          ties;
     Eigen::MatrixXd           without_springs;
     Eigen::MatrixXd           seen_by_contacts;
   };

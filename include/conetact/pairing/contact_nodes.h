@@ -11,6 +11,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +19,23 @@
 
 namespace conetact::pairing
 {
+  /** What holds between the two sides of a contact. */
+  enum class ContactKind
+  {
+    contact,  ///< they touch or not, with friction
+    tie,      ///< no relative motion
+    bilateral ///< none along the normal, all of it across
+  };
+
+  /** What `Kind` in a contact may be; the first one is the default. */
+  struct KindRow
+  {
+    ContactKind kind;
+    std::string name, description, pairing; ///< where none is chosen
+  };
+  const std::vector<KindRow> &
+  contact_kinds();
+
   /**
    * Boundary ids of a body that may touch an obstacle or another body, with
    * friction.
@@ -25,6 +43,7 @@ namespace conetact::pairing
   struct Contact
   {
     std::string         name;
+    ContactKind         kind = ContactKind::contact;
     unsigned int        body = 0; ///< index
     bodies::BoundaryIds ids;
     const Obstacle     *obstacle = nullptr; ///< none: a master body
@@ -64,6 +83,11 @@ namespace conetact::pairing
     double          spacing = 0; ///< longest edge of its faces [length]
     double          gap = 0; ///< undeformed, negative: interference [length]
     const Obstacle *obstacle = nullptr; ///< none: a pair of bodies
+    ContactKind     kind     = ContactKind::contact;
+    /** Of those that are bound: whether the gap is closed, or kept. */
+    bool closes = false;
+    /** Change of a Gap since t = 0; none: it stays [length]. */
+    std::function<double(const double t)> growth;
 
     /**
      * What the node meets there is a mean over nodes of the master body, the
@@ -93,6 +117,16 @@ namespace conetact::pairing
     double prestress = 0;
     /** Friction that needs no pressure: |r_t| <= mu r_n + cohesion [force]. */
     double cohesion = 0;
+
+    /** Whether an equation holds it to its opponent, whatever the reaction. */
+    bool
+    is_bound() const
+    {
+      return kind != ContactKind::contact;
+    }
+    /** Of the opponent without any strain: obstacles move, Gaps grow. */
+    Tensor<1, 3>
+    opponent_displacement(const double t) const;
   };
 
   /** Calls visit(node, weight) for the nodes of a contact node's own body. */

@@ -19,8 +19,8 @@ namespace conetact::verification
   {
     Eigen::VectorXd                 amounts; ///< of all rigid motions
     Eigen::VectorXd                 w;       ///< deformation, all dofs [length]
-    Eigen::VectorXd                 r; ///< reactions of the contact unknowns
-    std::vector<solvers::NodeState> states;
+    Eigen::VectorXd                 r; ///< reactions of all contact unknowns
+    std::vector<solvers::NodeState> states;     ///< of the candidates
     Eigen::VectorXd                 loads;      ///< nodal, all dofs [force]
     Eigen::VectorXd                 mechanical; ///< those without thermal ones
     double                          t     = 0;
@@ -39,8 +39,9 @@ namespace conetact::verification
     Eigen::VectorXd     u;             ///< displacements of all dofs [length]
     Eigen::VectorXd     internal;      ///< K w of the bodies, all dofs [force]
     Eigen::VectorXd     unbalanced;    ///< forces on all dofs [force]
-    Eigen::VectorXd     displacements; ///< of the contact unknowns, relative
-    std::vector<double> largest_force; ///< external, on a node, of each body
+    Eigen::VectorXd     displacements; ///< of all contact unknowns, relative
+    Eigen::VectorXd     missed_by_bound; ///< what is bound moved by [length]
+    std::vector<double> largest_force;   ///< external, on a node, of each body
     ExternalForces      external;
     std::vector<contact::Foundation> foundations; ///< by support
   };
@@ -57,7 +58,8 @@ namespace conetact::verification
    *   their magnitudes;
    * - reactions lie in their cones and slip against them up to tol F;
    * - closed gaps are closed and stuck nodes stick up to
-   *   @f$l = tol\,F/k + 16\,eps\,(|x| + |u|)@f$.
+   *   @f$l = tol\,F/k + 16\,eps\,(|x| + |u|)@f$; what is bound stays where it
+   *   is bound up to the same, with any reaction.
    * Forces of the past count as rounding only.
    */
   class Verification
@@ -72,12 +74,15 @@ namespace conetact::verification
                  const double                  tolerance);
 
     /**
-     * Stiffness of the softer side of each point [force/length], 0: not known.
+     * Stiffness of the softer side of each candidate, and along each unknown
+     * of what is bound [force/length], 0: not known.
      */
     void
-    set_stiffness(const Eigen::VectorXd &of_points)
+    set_stiffness(const Eigen::VectorXd &of_candidates,
+                  const Eigen::VectorXd &of_bound = {})
     {
-      stiffness = of_points;
+      stiffness       = of_candidates;
+      bound_stiffness = of_bound;
     }
     /** Judges against the state that was accepted last. */
     Finding
@@ -100,6 +105,14 @@ namespace conetact::verification
                const Claim      &claim,
                const Scales     &scales,
                const Finding    &out) const;
+    LawErrors
+    errors_of(const pairing::ContactNode &node,
+              const double                k,
+              const Scales               &scales) const;
+    LawErrors
+    bound_errors(const contact::ContactPoint &point,
+                 const Scales                &scales,
+                 const Finding               &out) const;
     void
     check_law(const Claim &claim, const Scales &scales, Finding &out) const;
     Eigen::VectorXd
@@ -112,7 +125,7 @@ namespace conetact::verification
     const contact::ContactPoints &points;
     double                        tolerance;
     std::vector<double> history; ///< largest force so far, of each body
-    Eigen::VectorXd     stiffness;
+    Eigen::VectorXd     stiffness, bound_stiffness;
     Eigen::VectorXd     before; ///< relative displacements
   };
 } // namespace conetact::verification
