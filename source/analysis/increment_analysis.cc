@@ -95,8 +95,7 @@ namespace conetact::analysis
   PendingIncrement
   IncrementAnalysis::start(const unsigned int k)
   {
-    PendingIncrement increment{
-      {}, {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+    PendingIncrement increment{history, history};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
     apply_loads(increment);

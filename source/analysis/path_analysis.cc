@@ -125,8 +125,7 @@ namespace conetact::analysis
   PathAnalysis::Case
   PathAnalysis::case_at(const double t)
   {
-    PendingIncrement pending{
-      {}, {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+    PendingIncrement pending{history, history};
     pending.record.time = t;
     apply_loads(pending);
     Case result;

@@ -12,17 +12,18 @@ namespace conetact::analysis
   /** An increment whose displacements are still to be recovered. */
   struct PendingIncrement
   {
-    output::IncrementRecord record;
-    Eigen::VectorXd         forces;     ///< nodal loads, all dofs
-    Eigen::VectorXd         mechanical; ///< those without thermal ones
-    contact::LoadCase       load;
-    solvers::ContactState   state;
-    Eigen::VectorXd         contact; ///< displacements of contact unknowns
-    Eigen::VectorXd         primal;  ///< as ElasticBackend::expand() takes it
-    Eigen::VectorXd         motions; ///< amounts of the free motions
-    contact::BoundState     bound;   ///< ties and bilateral contacts
     contact::ContactHistory before, after;
-    solvers::ContactState   end; ///< of the working set alone
+
+    output::IncrementRecord record     = {};
+    Eigen::VectorXd         forces     = {}; ///< nodal loads, all dofs
+    Eigen::VectorXd         mechanical = {}; ///< those without thermal ones
+    contact::LoadCase       load       = {};
+    solvers::ContactState   state      = {};
+    Eigen::VectorXd         contact = {}; ///< displacements of contact unknowns
+    Eigen::VectorXd       primal = {}; ///< as ElasticBackend::expand() takes it
+    Eigen::VectorXd       motions = {}; ///< amounts of the free motions
+    contact::BoundState   bound   = {}; ///< ties and bilateral contacts
+    solvers::ContactState end     = {}; ///< of the working set alone
   };
 } // namespace conetact::analysis
 

@@ -23,15 +23,14 @@ namespace
       , loads(scene->nodal_loads())
       , history(model)
     {
-      acceptance.set_stiffness(*model.condense().system(), model.working_set());
+      acceptance.set_stiffness(model.condense());
     }
 
     PendingIncrement
     next()
     {
       const double     t = scene->times[n++];
-      PendingIncrement one{
-        {}, {}, {}, {}, {}, {}, {}, {}, history, history, {}};
+      PendingIncrement one{history, history};
       one.record.increment = n;
       one.record.time      = t;
       one.forces = one.mechanical = loads.at(t);
