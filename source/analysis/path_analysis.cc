@@ -340,18 +340,10 @@ namespace conetact::analysis
         last = point;
         return add_events(point);
       }
-    PendingIncrement         pending{{},
-                             at.forces,
-                             at.mechanical,
-                             at.load,
-                             {},
-                             {},
-                             {},
-                             {},
-                             {},
-                             history,
-                             history,
-                             {}};
+    PendingIncrement pending{history, history};
+    pending.forces                  = at.forces;
+    pending.mechanical              = at.mechanical;
+    pending.load                    = at.load;
     output::IncrementRecord &record = pending.record;
     record.each_load                = at.each_load;
     record.increment                = ++n_records;
