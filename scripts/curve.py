@@ -177,6 +177,7 @@ def save(figure, file):
         figure.savefig(file, dpi=130)
     except (OSError, ValueError) as error:
         raise ConetactError(f"{file} cannot be written: {error}") from None
+    plt.close(figure)
     print(file)
 
 
@@ -200,8 +201,8 @@ def parse(arguments):
     return parser.parse_args(arguments)
 
 
-def main():
-    args = parse(sys.argv[1:])
+def main(arguments):
+    args = parse(arguments)
     try:
         result = Result(args.folder)
         if args.column is None:
@@ -213,4 +214,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

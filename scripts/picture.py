@@ -171,9 +171,9 @@ def parse(arguments):
     return args
 
 
-def main():
+def main(arguments):
     try:
-        args = parse(sys.argv[1:])
+        args = parse(arguments)
         series = Series(args)
         file = args.output or args.folder / "picture.png"
         for number, increment in enumerate(series.increments):
@@ -183,4 +183,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])
