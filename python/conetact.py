@@ -156,7 +156,7 @@ class Result:
             file = self.folder / "events.csv"
             try:
                 *lines, last = file.read_text().splitlines()
-                _, parameter, _, _, words = next(csv.reader([last]))
+                _, parameter, _, _, words = next(csv.reader([last]))[:5]
             except (OSError, ValueError):
                 raise ResultError(f"{file} cannot be read: it is written with Solver/Method = load path.") from None
             names = [(name, int if name in INTEGERS else float if name == "parameter" else "U16")
