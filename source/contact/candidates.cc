@@ -75,8 +75,8 @@ namespace conetact::contact
             {
               const pairing::ContactNode &node = *points[i].node;
               const Tensor<1, 3>          opponent =
-                node.obstacle != nullptr ? node.obstacle->displacement_at(t) :
-                                                    motions[node.master];
+                node.masters.empty() ? pairing::obstacle_displacement(node, t) :
+                                                motions[node.master];
               closest[index(i)] =
                 std::min(closest[index(i)],
                          gaps[index(i)] +

@@ -198,6 +198,10 @@ namespace conetact::contact
   {
     const auto &bodies = motions.body_of_free();
     body_motions.resize(elastic.bodies.names.size());
+    first_rigid =
+      std::count_if(bodies.begin(), bodies.end(), [&](const unsigned int body) {
+        return !elastic.bodies.is_rigid(body);
+      });
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         BodyMotions &own_motions = body_motions[body];
@@ -206,6 +210,7 @@ namespace conetact::contact
         own_motions.first  = begin - bodies.begin();
         own_motions.R.resize(n_own(body), k);
         own_motions.spring_forces.setZero(n_own(body), k);
+        own_motions.Y = own_motions.spring_forces;
         for (Index j = 0; j < k; ++j)
           {
             const VectorXd u =
@@ -365,6 +370,10 @@ namespace conetact::contact
         // Foundations hold each body by itself: C has a block for each.
         all_C.block(first, first, size, size) = .5 * (C + C.transpose());
       }
+    // A rigid body has no unknowns that deform: its motions are all there is.
+    const Index n_rigid = k - first_rigid;
+    all_G.rightCols(n_rigid) =
+      set.gather(MatrixXd(motions.seen().rightCols(n_rigid)));
     if (all_C.isZero(0)) // foundations make up for what contacts do not see
       forget_unseen(all_G);
     system->matrix.topRightCorner(n, k)    = all_G;
@@ -408,6 +417,26 @@ namespace conetact::contact
     return sum;
   }
 
+  Eigen::VectorXd
+  DualBackend::rigid_imbalance(const VectorXd &forces) const
+  {
+    VectorXd    sum = VectorXd::Zero(motions.n_free());
+    const Index n   = motions.n_free() - first_rigid;
+    if (n > 0)
+      sum.tail(n) =
+        -motions.free().rightCols(n).transpose() * motions.resultants(forces);
+    return sum;
+  }
+
+  // Nothing resists these motions: a load on them would have no answer.
+  Eigen::VectorXd
+  DualBackend::without_unseen(const VectorXd &against) const
+  {
+    if (unseen.cols() == 0)
+      return against;
+    return against - unseen * (unseen.transpose() * against).eval();
+  }
+
   /* H^T r, and the foundations against the motions a. */
   Eigen::VectorXd
   DualBackend::forces_of(const VectorXd &primal) const
@@ -431,6 +460,7 @@ namespace conetact::contact
     // What is prescribed acts as a load.
     load.b = own.restrict(forces - elastic.internal_forces(prescribed));
     load.f = reduce_forces(load.b);
+    load.f.tail(motions.n_free()) += without_unseen(rigid_imbalance(forces));
     // R^T K = 0 but for rounding, which must not carry anything
     const VectorXd rounding =
       own.restrict(elastic.structure_forces(prescribed));
@@ -466,12 +496,8 @@ namespace conetact::contact
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
         }
-    VectorXd against = imbalance(b);
-    if (unseen.cols() > 0)
-      // Nothing resists these motions: a load on them would have no answer.
-      against -= unseen * (unseen.transpose() * against).eval();
     VectorXd f(H.rows() + motions.n_free());
-    f << H * w, against;
+    f << H * w, without_unseen(imbalance(b));
     return f;
   }
 
@@ -494,7 +520,9 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::reduce_unbalanced(const VectorXd &unbalanced) const
   {
-    return reduce_forces(own.restrict(unbalanced));
+    VectorXd f = reduce_forces(own.restrict(unbalanced));
+    f.tail(motions.n_free()) += without_unseen(rigid_imbalance(unbalanced));
+    return f;
   }
 
   /* Refinement of w: P of what is left unbalanced, with the forces of the

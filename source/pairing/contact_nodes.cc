@@ -350,6 +350,14 @@ namespace conetact::pairing
     }
   } // namespace
 
+  Tensor<1, 3>
+  obstacle_displacement(const ContactNode &node, const double t)
+  {
+    return node.obstacle != nullptr ?
+             node.obstacle->motion_at(t).displacement(node.foot()) :
+             Tensor<1, 3>();
+  }
+
   void
   declare_contact(dealii::ParameterHandler &prm)
   {

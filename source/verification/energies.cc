@@ -72,9 +72,7 @@ namespace conetact::verification
         const contact::ContactPoint &point = points[i];
         now.reactions.push_back(reaction(point, claim.r));
         now.obstacles.push_back(
-          point.node->obstacle != nullptr ?
-            point.node->obstacle->displacement_at(claim.t) :
-            Tensor<1, 3>());
+          pairing::obstacle_displacement(*point.node, claim.t));
         // A reaction acts on the body; an obstacle that moves with it does
         // work.
         record.external_work += .5 * (last.reactions[i] + now.reactions[i]) *

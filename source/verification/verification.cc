@@ -87,8 +87,7 @@ namespace conetact::verification
                                    const double       weight) {
                                  d += weight * at(body, i);
                                });
-        if (node.obstacle != nullptr)
-          d -= node.obstacle->displacement_at(t);
+        d -= pairing::obstacle_displacement(node, t);
         for (std::size_t k = 0; k < point.dual.size(); ++k)
           v[point.first + static_cast<Index>(k)] = d * point.dual[k];
       }
@@ -194,8 +193,8 @@ namespace conetact::verification
                             balance.turning()));
         out.equilibrium = std::max(out.equilibrium, e);
         if (e > tolerance && out.why.empty())
-          out.why = "the forces on body '" + bodies.names[body] +
-                    "' do not balance, by " + to_text(e) +
+          out.why = "the forces on " + bodies.called(body) +
+                    " do not balance, by " + to_text(e) +
                     " of the sum of their magnitudes";
       }
   }

@@ -45,9 +45,7 @@ namespace conetact::contact
                                const double       weight) {
                              v += weight * at(body, i);
                            });
-    if (node.obstacle != nullptr)
-      v -= node.obstacle->displacement_at(t);
-    return v;
+    return v - pairing::obstacle_displacement(node, t);
   }
 
   /**

@@ -150,6 +150,12 @@ namespace conetact::contact
     /** -(forces against the free motions, foundations included). */
     VectorXd
     imbalance(const VectorXd &forces) const;
+    /** The same of rigid bodies, which have no own unknowns: all dofs. */
+    VectorXd
+    rigid_imbalance(const VectorXd &forces) const;
+    /** Takes motions that nothing resists out of imbalances. */
+    VectorXd
+    without_unseen(const VectorXd &imbalance) const;
     /** Forces on own unknowns of reactions and free motions. */
     VectorXd
     forces_of(const VectorXd &primal) const;
@@ -180,7 +186,8 @@ namespace conetact::contact
     Eigen::SparseMatrix<double> H; ///< of own unknowns
     std::vector<Part>           parts;
     std::vector<BodyMotions>    body_motions;
-    MatrixXd                    unseen; ///< motions, orthonormal
+    Index                       first_rigid = 0; ///< of the free motions
+    MatrixXd                    unseen;          ///< motions, orthonormal
     std::shared_ptr<const solvers::ContactSystem> contact_system;
   };
 } // namespace conetact::contact

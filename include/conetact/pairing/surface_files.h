@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_surface_files_h
+#define conetact_pairing_surface_files_h
+
+#include "conetact/base/points.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace conetact::pairing
+{
+  /**
+   * Faces of a file: segments, triangles or quadrilaterals, corners one after
+   * the other around the face, counter-clockwise seen from outside.
+   */
+  struct SurfaceFaces
+  {
+    std::vector<Point<3>>                  points;
+    std::vector<std::vector<unsigned int>> faces; ///< numbers of points
+  };
+
+  /**
+   * Reads STL (ASCII or binary), Wavefront OBJ (faces of more than four
+   * corners as fans of triangles) or Gmsh (.msh, ASCII, versions 2 and 4), by
+   * extension. In the plane lines are taken, of Gmsh only. Equal points become
+   * one. `entry` is named in messages. Throws InputError.
+   */
+  SurfaceFaces
+  read_surface(const std::filesystem::path &file,
+               const unsigned int           dim,
+               const std::string           &entry);
+} // namespace conetact::pairing
+
+#endif
