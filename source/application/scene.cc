@@ -12,6 +12,7 @@
 #include "conetact/contact/free_obstacles.h"
 #include "conetact/contact/held_nodes.h"
 #include "conetact/output/problem_files.h"
+#include "conetact/pairing/obstacle_table.h"
 
 #include <algorithm>
 #include <fstream>

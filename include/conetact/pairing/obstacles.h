@@ -112,18 +112,6 @@ namespace conetact::pairing
                                              const unsigned int dim,
                                              const std::string &in);
   };
-  const std::vector<ObstacleRow> &
-  obstacle_table();
-
-  /** Entries of `subsection Obstacle NAME`, of all shapes. */
-  void
-  declare_obstacle(dealii::ParameterHandler &prm);
-  /** `folder`: files of shapes are relative to it. Throws InputError. */
-  Obstacle
-  create_obstacle(dealii::ParameterHandler    &prm,
-                  const std::string           &name,
-                  const unsigned int           dim,
-                  const std::filesystem::path &folder = {});
 } // namespace conetact::pairing
 
 #endif

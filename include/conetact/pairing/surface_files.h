@@ -4,24 +4,13 @@
 #ifndef conetact_pairing_surface_files_h
 #define conetact_pairing_surface_files_h
 
-#include "conetact/base/points.h"
+#include "conetact/pairing/surface_words.h"
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace conetact::pairing
 {
-  /**
-   * Faces of a file: segments, triangles or quadrilaterals, corners one after
-   * the other around the face, counter-clockwise seen from outside.
-   */
-  struct SurfaceFaces
-  {
-    std::vector<Point<3>>                  points;
-    std::vector<std::vector<unsigned int>> faces; ///< numbers of points
-  };
-
   /**
    * Reads STL (ASCII or binary), Wavefront OBJ (faces of more than four
    * corners as fans of triangles) or Gmsh (.msh, ASCII, versions 2 and 4), by

@@ -4,13 +4,24 @@
 #ifndef conetact_pairing_surface_words_h
 #define conetact_pairing_surface_words_h
 
-#include "conetact/pairing/surface_files.h"
+#include "conetact/base/points.h"
 
 #include <istream>
 #include <string>
+#include <vector>
 
 namespace conetact::pairing
 {
+  /**
+   * Faces of a file: segments, triangles or quadrilaterals, corners one after
+   * the other around the face, counter-clockwise seen from outside.
+   */
+  struct SurfaceFaces
+  {
+    std::vector<Point<3>>                  points;
+    std::vector<std::vector<unsigned int>> faces; ///< numbers of points
+  };
+
   // What readers of surfaces share. Nothing but Fault leaves them.
 
   /** What is wrong with a file, without its name: "it ends in the middle". */

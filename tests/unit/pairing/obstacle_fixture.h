@@ -4,7 +4,7 @@
 #ifndef conetact_tests_pairing_obstacle_fixture_h
 #define conetact_tests_pairing_obstacle_fixture_h
 
-#include "conetact/pairing/obstacles.h"
+#include "conetact/pairing/obstacle_table.h"
 
 #include <string>
 
