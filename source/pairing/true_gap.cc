@@ -10,6 +10,16 @@
 
 namespace conetact::pairing
 {
+  namespace
+  {
+    /** More than a free obstacle turns by rounding. */
+    bool
+    is_turned(const RigidMotion &motion)
+    {
+      return (motion.rotation - RigidMotion().rotation).norm() > 1e-6;
+    }
+  } // namespace
+
   double
   true_gap(const MovedNode &moved)
   {
@@ -38,11 +48,8 @@ namespace conetact::pairing
         if (const double error = std::abs(actual - moved.gap) / allowed;
             error > largest)
           {
-            worst   = GapError{moved.node,
-                             moved.gap,
-                             actual,
-                             allowed,
-                             moved.motion.rotation != RigidMotion().rotation};
+            worst = GapError{
+              moved.node, moved.gap, actual, allowed, is_turned(moved.motion)};
             largest = error;
           }
       }
