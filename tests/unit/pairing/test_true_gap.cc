@@ -133,7 +133,7 @@ TEST(PairingTrueGap, ImplicitShapesAreThoseTheyDescribe)
   node.obstacle = &flat;
   node.spacing  = .1;
   node.gap      = .5;
-  EXPECT_GT(true_gap({&node, vec(0, -5), vec(0, 0), 5.5}), 1e100);
+  EXPECT_GT(true_gap({&node, vec(0, -5), RigidMotion(), 5.5}), 1e100);
 }
 
 
@@ -147,5 +147,33 @@ TEST(PairingTrueGap, OfANodeAtTheCentre)
   node.obstacle = &hole;
   node.spacing  = .1;
   node.n        = vec(-1, 0);
-  EXPECT_DOUBLE_EQ(true_gap({&node, vec(-2, 0), vec(0, 0), 2}), 2);
+  EXPECT_DOUBLE_EQ(true_gap({&node, vec(-2, 0), RigidMotion(), 2}), 2);
+}
+
+
+
+TEST(PairingTrueGap, OfAnObstacleThatTurns)
+{
+  // a floor that turns by 90 degrees about (1, 0) becomes a wall
+  const Obstacle floor = make_obstacle("Shape = half space|Normal = 0, 1");
+  ContactNode    node;
+  node.position = {3, .5, 0};
+  node.obstacle = &floor;
+  node.spacing  = .1;
+  const RigidMotion motion =
+    RigidMotion::turned(vec(.25, 0),
+                        Tensor<1, 3>({0., 0., M_PI / 2}),
+                        {1, 0, 0});
+  EXPECT_NEAR(true_gap({&node, vec(0, 0), motion, .5}), -(3 - 1.25), 1e-15);
+  EXPECT_NEAR(true_gap({&node, vec(-4, 7), motion, .5}), 2.25, 1e-15);
+  const Point<3> p(.3, .7, 2);
+  EXPECT_LE(motion.to_own(motion.to_space(p)).distance(p), 1e-15);
+  EXPECT_LE((motion.to_space(Point<3>(2, 0, 0)) - Point<3>(1.25, 1, 0)).norm(),
+            1e-15);
+  EXPECT_LE((motion.direction_to_space(vec(0, 1)) - vec(-1, 0)).norm(), 1e-15);
+  EXPECT_LE((motion.direction_to_own(vec(-1, 0)) - vec(0, 1)).norm(), 1e-15);
+  // a translation rounds nothing
+  const auto moved = RigidMotion::translated(vec(.1, .2));
+  EXPECT_EQ(moved.displacement(p), vec(.1, .2));
+  EXPECT_EQ(moved.relative(p, vec(.3, 0)), vec(.3, 0) - vec(.1, .2));
 }
