@@ -47,6 +47,8 @@ namespace conetact::analysis
       for (const output::Resultant &support : record.each_support)
         add(support);
       add(record.loads);
+      for (const output::ObstacleRecord &obstacle : record.obstacles)
+        add(obstacle.contacts);
       so_far = std::max(so_far, largest);
       return largest > noise * so_far ?
                // Moments about the origin, compared with the largest lever.
@@ -173,7 +175,7 @@ namespace conetact::analysis
         // A closed node claims a gap of zero.
         moved.push_back({&node,
                          at(u, node),
-                         node.obstacle->displacement_at(increment.record.time),
+                         obstacle_motion(node, increment),
                          open || node.is_bound() ?
                            node.gap + finding.displacements[point.normal()] :
                            0.});
@@ -184,6 +186,21 @@ namespace conetact::analysis
       }
     const auto worst = pairing::worst_gap_error(moved, indentation);
     return worst ? pairing::to_sentence(*worst) : "";
+  }
+
+  /** Prescribed, or found with that of the bodies. */
+  pairing::RigidMotion
+  Acceptance::obstacle_motion(const pairing::ContactNode &node,
+                              const PendingIncrement     &increment) const
+  {
+    if (node.masters.empty())
+      return node.obstacle->motion_at(increment.record.time);
+    const Eigen::VectorXd amounts =
+      model.amounts(increment.load.placement, increment.motions);
+    return pairing::RigidMotion::turned(
+      model.motions.at(amounts, node.master, 0),
+      model.motions.turn(amounts, node.master),
+      node.obstacle->reference);
   }
 
   /** Displacement of a node relative to what it may touch. */
@@ -241,7 +258,9 @@ namespace conetact::analysis
         const double                 gap =
           node.is_bound() ? 0. : increment.state.v[point.normal()];
         // The weights of the masters belong to the foot at the start.
-        if (node.masters.empty() || gap > nearby * node.spacing)
+        // What an obstacle's shape does beside the foot wrong_gap() knows.
+        if (node.masters.empty() || node.obstacle != nullptr ||
+            gap > nearby * node.spacing)
           continue;
         Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
         // Opening does not move the foot, sliding does.
@@ -278,7 +297,7 @@ namespace conetact::analysis
           pairing::undeformed_distance(node, model.bodies.structures);
         const double turn = model.motions.rotation(moved, node.master);
         if (turn * apart.norm() > largest_false_slip * node.spacing)
-          return "body '" + model.bodies.names[node.master] + "' turns by " +
+          return model.bodies.called(node.master) + " turns by " +
                  to_text(turn) + " rad, and the contact node at " +
                  to_text(node.position) + " of body '" +
                  model.bodies.names[node.body] + "' was " +
@@ -354,6 +373,7 @@ namespace conetact::analysis
         record.supports.moment += support.moment;
       }
     record.loads = external.loads;
+    add_obstacles(record, finding);
     record.body_balance.clear();
     // resultants may vanish where forces do not: a ring shrunk onto another
     for (const verification::Balance &body : external.bodies)
@@ -366,13 +386,49 @@ namespace conetact::analysis
       record.body_balance.clear();
   }
 
+  /* What contacts do to each obstacle that is free, and how it moves. */
+  void
+  Acceptance::add_obstacles(output::IncrementRecord     &record,
+                            const verification::Finding &finding) const
+  {
+    const contact::Bodies &bodies = model.bodies;
+    record.obstacles.assign(bodies.n_rigid, {});
+    std::vector<bool> taken(finding.external.masters.size(), false);
+    for (const contact::ContactPoint &point : model.points)
+      {
+        const pairing::ContactNode &node = *point.node;
+        if (node.obstacle == nullptr || node.masters.empty() ||
+            taken[node.contact])
+          continue;
+        taken[node.contact] = true;
+        output::Resultant &sum =
+          record.obstacles[node.master - bodies.n_elastic()].contacts;
+        sum.force += finding.external.masters[node.contact].force;
+        sum.moment += finding.external.masters[node.contact].moment;
+      }
+    for (std::size_t k = 0; k < record.obstacles.size(); ++k)
+      {
+        // The first node of a rigid body rotates, too.
+        const auto         body  = bodies.n_elastic() + k;
+        const Eigen::Index first = model.coordinates.offset(body);
+        for (unsigned int c = 0; c < bodies.structures[body]->n_components() &&
+                                 finding.u.size() > 0;
+             ++c)
+          if (c < bodies.dim)
+            record.obstacles[k].displacement[c] = finding.u[first + c];
+          else
+            record.obstacles[k].rotation[bodies.dim == 2 ? 2 : c - 3] =
+              finding.u[first + c];
+      }
+  }
+
   void
   Acceptance::add_displacements(output::IncrementRecord &record,
                                 const Eigen::VectorXd   &u,
                                 const Eigen::VectorXd   &w) const
   {
     record.actions = scene.actions(record.time);
-    for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
+    for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
       {
         const Eigen::Index n = scene.bodies.structures[b]->n_dofs();
         record.displacements.push_back(

@@ -34,7 +34,7 @@ namespace conetact::analysis
                    const output::IncrementRecord &last)
     {
       Errors errors;
-      for (std::size_t b = 0; b < scene.bodies.structures.size(); ++b)
+      for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
         errors.push_back(
           scene.bodies.structures[b]->element_errors(last.displacements[b]));
       return errors;

@@ -60,7 +60,11 @@ namespace conetact::analysis
   Analysis::choose_working_set()
   {
     if (scene.leave_out_far_nodes)
-      set.start([&](const double t) { return loads.at(t); }, scene.times);
+      set.start(
+        [&](const double t) -> Eigen::VectorXd {
+          return loads.at(t) + scene.obstacle_forces(t);
+        },
+        scene.times);
   }
 
   void
@@ -82,7 +86,8 @@ namespace conetact::analysis
       {
         const bodies::NodalLoads::Acting acting = loads.acting(t);
         model.coordinates.prescribed(t);
-        refuse_unbalanced(acting.mechanical + model.elastic.ground_forces(t),
+        refuse_unbalanced(acting.mechanical + scene.obstacle_forces(t) +
+                            model.elastic.ground_forces(t),
                           t);
       }
     log.time("loads and supports at all times");
@@ -104,11 +109,15 @@ namespace conetact::analysis
       return;
     const contact::RigidMotions::Motion motion =
       model.motions.motion_of_free(unseen * driven);
-    throw InputError("Nothing holds body '" + scene.bodies.names[motion.body] +
-                     "' against moving " + describe(motion) +
+    throw InputError("Nothing holds " + scene.bodies.called(motion.body) +
+                     " against moving " + describe(motion) +
                      ": no support, and no contact with friction, but loads "
                      "drive it at t = " +
-                     to_text(t) + ". Add a Support, or friction to a Contact.");
+                     to_text(t) + ". " +
+                     (scene.bodies.is_rigid(motion.body) ?
+                        "Let it be less Free" :
+                        "Add a Support") +
+                     ", or add friction to a Contact.");
   }
 
   void
@@ -142,12 +151,16 @@ namespace conetact::analysis
                            const std::size_t            n_increments,
                            const bool                   quiet)
   {
-    description.folder           = folder;
-    description.contacts         = scene.contact_sides;
-    description.bodies           = scene.bodies.names;
-    description.structures       = scene.bodies.structures;
-    description.supports         = scene.support_names;
-    description.loads            = scene.load_names;
+    description.folder     = folder;
+    description.contacts   = scene.contact_sides;
+    description.bodies     = scene.bodies.names;
+    description.structures = scene.bodies.structures;
+    description.supports   = scene.support_names;
+    description.loads      = scene.load_names;
+    for (std::size_t b = scene.bodies.n_elastic();
+         b < scene.bodies.names.size();
+         ++b)
+      description.obstacles.push_back(scene.bodies.names[b]);
     description.dim              = scene.bodies.dim;
     description.n_increments     = static_cast<unsigned int>(n_increments);
     description.end              = scene.times.empty() ? 0 : scene.times.back();
@@ -193,8 +206,9 @@ namespace conetact::analysis
   {
     const double                     t      = increment.record.time;
     const bodies::NodalLoads::Acting acting = loads.acting(t);
-    increment.forces                        = acting.forces + prestress;
-    increment.mechanical                    = acting.mechanical + prestress;
+    const Eigen::VectorXd others = prestress + scene.obstacle_forces(t);
+    increment.forces             = acting.forces + others;
+    increment.mechanical         = acting.mechanical + others;
     for (const auto &[force, moment] : acting.each)
       increment.record.each_load.push_back({force, moment});
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);

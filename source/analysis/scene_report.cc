@@ -54,8 +54,8 @@ namespace conetact::analysis
   {
     const contact::Bodies &bodies = scene.bodies;
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      log.say("Body " + bodies.names[b] + ": " +
-              bodies.structures[b]->description());
+      log.say((bodies.is_rigid(b) ? "Obstacle " : "Body ") + bodies.names[b] +
+              ": " + bodies.structures[b]->description());
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
       if (bodies.is_at_rest(b))
         log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +

@@ -63,8 +63,8 @@ namespace conetact::analysis
     const contact::RigidMotions::Motion motion =
       model.motions.motion(svd.matrixV().rightCols(1));
     once("position",
-         "body '" + model.bodies.names[motion.body] + "' may move " +
-           describe(motion) + ", which nothing opposes: " +
+         model.bodies.called(motion.body) + " may move " + describe(motion) +
+           ", which nothing opposes: " +
            (opposing.empty() ? "nothing presses it, and its position is not "
                                "determined; " :
                                "forces are determined, its position is not, "
@@ -105,7 +105,7 @@ namespace conetact::analysis
   {
     for (unsigned int body = 0; body < model.bodies.names.size(); ++body)
       {
-        const std::string name   = "body '" + model.bodies.names[body] + "' ";
+        const std::string name   = model.bodies.called(body) + " ";
         const double      size   = 2 * model.motions.size(body);
         const Index       offset = model.coordinates.offset(body);
         const Index       n      = model.coordinates.offset(body + 1) - offset;

@@ -9,8 +9,10 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/body_table.h"
+#include "conetact/contact/free_obstacles.h"
 #include "conetact/contact/held_nodes.h"
 #include "conetact/output/problem_files.h"
+#include "conetact/pairing/obstacle_table.h"
 
 #include <algorithm>
 #include <fstream>
@@ -243,7 +245,7 @@ namespace conetact::application
       bodies.structures.push_back(structures.back().get());
     });
     create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {
-      obstacles.push_back(pairing::create_obstacle(prm, name, dim));
+      obstacles.push_back(pairing::create_obstacle(prm, name, dim, folder));
     });
     create_each(prm, "Support", support_names, [&](const std::string &name) {
       bodies.supports.push_back(bodies::create_support(
@@ -281,6 +283,8 @@ namespace conetact::application
     bodies.at_rest = bodies_at_rest();
     check_path();
     check_adaptive(adaptive, bodies.structures);
+    for (auto &body : contact::add_free_obstacles(obstacles, bodies))
+      structures.push_back(std::move(body));
   }
 
   std::vector<bool>
@@ -328,6 +332,12 @@ namespace conetact::application
   Scene::nodal_loads() const
   {
     return bodies::NodalLoads(loads, bodies.structures, bodies.dim);
+  }
+
+  Eigen::VectorXd
+  Scene::obstacle_forces(const double t) const
+  {
+    return contact::forces_on_free_obstacles(obstacles, bodies, t);
   }
 
   std::vector<bodies::Actions>

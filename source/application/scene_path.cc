@@ -88,6 +88,13 @@ namespace conetact::application
     if (bodies.contact_nodes.empty())
       throw InputError("Solver/Method: a load path follows contact states, but "
                        "the scene has no contact. Choose automatic.");
+    for (const pairing::Obstacle &obstacle : obstacles)
+      if (obstacle.free.any() || obstacle.turn)
+        throw InputError(
+          "Obstacle '" + obstacle.name + "', " +
+          (obstacle.turn ? "Turn" : "Free") +
+          ": a load path knows obstacles that translate as prescribed. Remove "
+          "the entry, or choose Solver/Method = automatic.");
     if (!fclib_increments.empty())
       throw InputError("Output/FCLib increments: a load path has no increments "
                        "of its own. Leave it empty.");

@@ -37,43 +37,6 @@ namespace conetact::bodies
       return {s, c};
     }
 
-    /** Rodrigues' formula. */
-    Tensor<2, 3>
-    rotation_about(const Tensor<1, 3> &axis, const double degrees)
-    {
-      const auto   sc       = sine_cosine(degrees);
-      const auto   n        = axis / axis.norm();
-      Tensor<2, 3> rotation = (1 - sc.second) * outer_product(n, n);
-      for (unsigned int d = 0; d < 3; ++d)
-        {
-          rotation[d][d] += sc.second;
-          rotation[d][(d + 1) % 3] -= sc.first * n[(d + 2) % 3];
-          rotation[d][(d + 2) % 3] += sc.first * n[(d + 1) % 3];
-        }
-      return rotation;
-    }
-
-    Tensor<2, 3>
-    parse_rotation(const std::string &text,
-                   const unsigned int dim,
-                   const std::string &entry)
-    {
-      const std::vector<double> numbers = to_numbers(text, entry);
-      Tensor<1, 3>              axis({0, 0, 1});
-      if (dim == 3 && numbers.size() == 4)
-        axis = Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
-      else if (numbers.size() != 1)
-        throw InputError(entry + ": '" + text + "' is not " +
-                         (dim == 2 ? "one angle in degrees. Give one number." :
-                                     "an angle in degrees, nor an axis and " +
-                                       std::string("an angle. Give 1 number "
-                                                   "or 4.")));
-      if (axis.norm() == 0)
-        throw InputError(entry + ": the axis has length zero. Give a vector " +
-                         "such as 0, 0, 1.");
-      return rotation_about(axis, numbers.back());
-    }
-
     Tensor<1, 3>
     parse_translation(const std::string &text,
                       const unsigned int dim,
@@ -98,6 +61,43 @@ namespace conetact::bodies
       return scale;
     }
   } // namespace
+
+  /* Rodrigues' formula. */
+  Tensor<2, 3>
+  rotation_about(const Tensor<1, 3> &axis, const double degrees)
+  {
+    const auto   sc       = sine_cosine(degrees);
+    const auto   n        = axis / axis.norm();
+    Tensor<2, 3> rotation = (1 - sc.second) * outer_product(n, n);
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        rotation[d][d] += sc.second;
+        rotation[d][(d + 1) % 3] -= sc.first * n[(d + 2) % 3];
+        rotation[d][(d + 2) % 3] += sc.first * n[(d + 1) % 3];
+      }
+    return rotation;
+  }
+
+  Tensor<2, 3>
+  parse_rotation(const std::string &text,
+                 const unsigned int dim,
+                 const std::string &entry)
+  {
+    const std::vector<double> numbers = to_numbers(text, entry);
+    Tensor<1, 3>              axis({0, 0, 1});
+    if (dim == 3 && numbers.size() == 4)
+      axis = Tensor<1, 3>({numbers[0], numbers[1], numbers[2]});
+    else if (numbers.size() != 1)
+      throw InputError(entry + ": '" + text + "' is not " +
+                       (dim == 2 ? "one angle in degrees. Give one number." :
+                                   "an angle in degrees, nor an axis and " +
+                                     std::string("an angle. Give 1 number "
+                                                 "or 4.")));
+    if (axis.norm() == 0)
+      throw InputError(entry + ": the axis has length zero. Give a vector " +
+                       "such as 0, 0, 1.");
+    return rotation_about(axis, numbers.back());
+  }
 
   void
   declare_placement(ParameterHandler &prm)

@@ -66,7 +66,7 @@ namespace conetact::contact
             const unsigned int node   = frames[body].node(k);
             const std::size_t  number = coordinates.number(body, node);
             first_of_node[number]     = unknowns.size();
-            if (!bodies.is_at_rest(body))
+            if (bodies.deforms(body))
               add_node(body, node);
             end_of_node[number] = unknowns.size();
           }

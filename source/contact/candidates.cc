@@ -75,7 +75,7 @@ namespace conetact::contact
             {
               const pairing::ContactNode &node = *points[i].node;
               Tensor<1, 3> opponent            = node.opponent_displacement(t);
-              if (node.obstacle == nullptr)
+              if (!node.masters.empty())
                 opponent += motions[node.master];
               closest[index(i)] =
                 std::min(closest[index(i)],

@@ -120,8 +120,7 @@ namespace conetact::contact
         for (const double t : times)
           {
             double slip = supports.displacement(own, node.position, t);
-            if (node.obstacle != nullptr)
-              slip -= node.obstacle->displacement_at(t) * own.direction;
+            slip -= pairing::obstacle_displacement(node, t) * own.direction;
             for (const auto &[master, weight] : masters)
               for (const HeldDirection &h : master->held)
                 slip -=

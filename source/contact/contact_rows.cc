@@ -192,9 +192,11 @@ namespace conetact::contact
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
     for (std::size_t i = 0; i < last.size(); ++i)
       {
-        const pairing::ContactNode &node     = *model.points.all()[i].node;
-        const output::ContactRow   &row      = last[i];
-        const auto                  in_space = [&](const Tensor<1, 3> &v) {
+        const pairing::ContactNode &node = *model.points.all()[i].node;
+        if (node.obstacle != nullptr)
+          continue; // a free one is no body with nodes to be told
+        const output::ContactRow &row      = last[i];
+        const auto                in_space = [&](const Tensor<1, 3> &v) {
           return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;
         };
         for (const auto &[master, weight] : node.masters)

@@ -84,7 +84,7 @@ namespace conetact::contact
     const Eigen::Index       before    = n_free;
     first_unknown[n]                   = n_free;
     // Bodies that nothing reaches are not solved.
-    if (bodies.is_at_rest(body))
+    if (!bodies.deforms(body))
       return;
     // Where nothing else is said each dof is an unknown, in the axes of the
     // scene.
@@ -156,7 +156,7 @@ namespace conetact::contact
                           const unsigned int c,
                           const double       factor)
   {
-    if (bodies.is_at_rest(body))
+    if (!bodies.deforms(body))
       return;
     const std::size_t n = number(body, node);
     if (free_directions(n) == nullptr || c >= bodies.dim)
@@ -266,5 +266,30 @@ namespace conetact::contact
               f[dof(rule.body, master) + c] += weight * force;
             force = 0;
           }
+    for (auto body = static_cast<unsigned int>(bodies.n_elastic());
+         body < bodies.structures.size();
+         ++body)
+      gather_rigid(body, f);
+  }
+
+  /* Forces of a rigid body have one resultant at its first node. */
+  void
+  Coordinates::gather_rigid(const unsigned int body, Eigen::VectorXd &f) const
+  {
+    const bodies::Structure &structure = *bodies.structures[body];
+    const unsigned int       dim       = bodies.dim;
+    const Eigen::Index       first     = dof(body, 0);
+    for (unsigned int i = 1; i < structure.n_nodes(); ++i)
+      {
+        const Tensor<1, 3> force = at_node(f, body, i);
+        const Tensor<1, 3> moment =
+          cross_product_3d(structure.position(i) - structure.position(0),
+                           force);
+        for (unsigned int c = 0; c < dim; ++c)
+          f[first + c] += force[c];
+        for (unsigned int c = dim; c < structure.n_components(); ++c)
+          f[first + c] += moment[dim == 2 ? 2 : c - dim];
+        f.segment(dof(body, i), dim).setZero();
+      }
   }
 } // namespace conetact::contact

@@ -204,6 +204,10 @@ namespace conetact::contact
   {
     const auto &bodies = motions.body_of_own();
     body_motions.resize(elastic.bodies.names.size());
+    first_rigid =
+      std::count_if(bodies.begin(), bodies.end(), [&](const unsigned int body) {
+        return !elastic.bodies.is_rigid(body);
+      });
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         BodyMotions &own_motions = body_motions[body];
@@ -212,6 +216,7 @@ namespace conetact::contact
         own_motions.first  = begin - bodies.begin();
         own_motions.R.resize(n_own(body), k);
         own_motions.spring_forces.setZero(n_own(body), k);
+        own_motions.Y = own_motions.spring_forces;
         for (Index j = 0; j < k; ++j)
           {
             const VectorXd u =
@@ -367,7 +372,44 @@ namespace conetact::contact
         // Foundations hold each body by itself: C has a block for each.
         all.block(first, first, size, size) = .5 * (C + C.transpose());
       }
+    // A rigid body has no unknowns that deform: its motions are all there is.
+    for (Index j = first_rigid; j < k; ++j)
+      {
+        const VectorXd v = moved_rows(motions.field(motions.own().col(j)));
+        all.col(n + j).head(n) = v;
+        all.row(n + j).head(n) = -v.transpose();
+      }
     return all;
+  }
+
+  /* The rows of displacements of all dofs. */
+  Eigen::VectorXd
+  DualBackend::moved_rows(const VectorXd &u) const
+  {
+    VectorXd   v(H.rows());
+    Index      row = 0;
+    const auto at  = [&](const unsigned int body, const unsigned int node) {
+      Tensor<1, 3> d;
+      for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+        d[c] = u[coordinates.dof(body, node) + c];
+      return d;
+    };
+    const auto add = [&](const ContactPoint &point) {
+      Tensor<1, 3> d;
+      pairing::for_each_side(*point.node,
+                             [&](const unsigned int body,
+                                 const unsigned int node,
+                                 const double       weight) {
+                               d += weight * at(body, node);
+                             });
+      for (const Tensor<1, 3> &dual : point.dual)
+        v[row++] = d * dual;
+    };
+    for (const Index i : set.nodes())
+      add(points[i]);
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      add(points.all()[i]);
+    return v;
   }
 
   void
@@ -439,6 +481,27 @@ namespace conetact::contact
     return sum;
   }
 
+  Eigen::VectorXd
+  DualBackend::rigid_imbalance(const VectorXd &forces) const
+  {
+    VectorXd    sum = VectorXd::Zero(motions.own().cols());
+    const Index n   = motions.own().cols() - first_rigid;
+    if (n > 0)
+      sum.tail(n) =
+        -motions.own().rightCols(n).transpose() * motions.resultants(forces);
+    return sum;
+  }
+
+  // Nothing resists these motions: a load on them would have no answer.
+  Eigen::VectorXd
+  DualBackend::without_unseen(const VectorXd &against) const
+  {
+    if (unseen.cols() == 0)
+      return against;
+    const MatrixXd nowhere = motions.free_of_own() * unseen;
+    return against - nowhere * (nowhere.transpose() * against).eval();
+  }
+
   /* H^T r, and the foundations against the motions a. */
   Eigen::VectorXd
   DualBackend::forces_of(const VectorXd &primal) const
@@ -461,7 +524,7 @@ namespace conetact::contact
   {
     // What is prescribed acts as a load.
     load.b       = own.restrict(forces - elastic.internal_forces(prescribed));
-    VectorXd all = reduce_all(load.b);
+    VectorXd all = reduce_all(load.b, forces);
     // R^T K = 0 but for rounding, which must not carry anything
     const VectorXd rounding =
       own.restrict(elastic.structure_forces(prescribed));
@@ -500,12 +563,12 @@ namespace conetact::contact
   DualBackend::reduce_forces(const VectorXd &b) const
   {
     LoadCase load;
-    set_load(reduce_all(b), load);
+    set_load(reduce_all(b, VectorXd::Zero(coordinates.n_dofs())), load);
     return load.f;
   }
 
   Eigen::VectorXd
-  DualBackend::reduce_all(const VectorXd &b) const
+  DualBackend::reduce_all(const VectorXd &b, const VectorXd &forces) const
   {
     VectorXd w = VectorXd::Zero(b.size());
     for (const Part &part : parts)
@@ -518,15 +581,8 @@ namespace conetact::contact
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
         }
-    VectorXd against = imbalance(b);
-    if (unseen.cols() > 0)
-      {
-        // Nothing resists these motions: a load on them would have no answer.
-        const MatrixXd nowhere = motions.free_of_own() * unseen;
-        against -= nowhere * (nowhere.transpose() * against).eval();
-      }
-    VectorXd f(H.rows() + against.size());
-    f << H * w, against;
+    VectorXd f(H.rows() + motions.own().cols());
+    f << H * w, without_unseen(imbalance(b) + rigid_imbalance(forces));
     return f;
   }
 
@@ -579,7 +635,7 @@ namespace conetact::contact
   {
     LoadCase change;
     change.b = -own.restrict(unbalanced);
-    set_load(reduce_all(change.b), change);
+    set_load(reduce_all(change.b, -unbalanced), change);
     return change;
   }
 

@@ -20,7 +20,7 @@ namespace conetact::contact
     {
       if (node.body == body)
         return 1;
-      return node.obstacle == nullptr && node.master == body ? -1 : 0;
+      return !node.masters.empty() && node.master == body ? -1 : 0;
     }
 
     /** Sum of the slips of a body at the contacts that stay touching. */
@@ -58,8 +58,7 @@ namespace conetact::contact
     what_happens(const solvers::Existence &refusal, const ContactModel &model)
     {
       RigidMotions::Motion motion = rigid_motion(refusal, model);
-      const std::string    body =
-        "body '" + model.bodies.names[motion.body] + "' ";
+      const std::string    body   = model.bodies.called(motion.body) + " ";
       switch (refusal.motion)
         {
           // The proof dilates, as friction is not associated: its normal part

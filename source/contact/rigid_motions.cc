@@ -54,6 +54,8 @@ namespace conetact::contact
       for (unsigned int i = 0; i < n; ++i)
         frame.size =
           std::max(frame.size, structure.position(i).distance(frame.centre));
+      if (frame.size == 0)
+        frame.size = 1; // an obstacle without extent: any lever will do
       return frame;
     }
 
@@ -373,10 +375,11 @@ namespace conetact::contact
     const Eigen::MatrixXd loose = free_modes * without_springs;
     for (Index j = 0; j < loose.cols(); ++j)
       if (const Motion m = largest(loose.col(j)); !reached[tied_with[m.body]])
-        throw InputError("Nothing holds body '" + bodies.names[m.body] +
-                         "' against moving " + describe(m) +
-                         ": no support, and no contact with friction. Add a "
-                         "Support, or friction to a Contact.");
+        throw InputError(
+          "Nothing holds " + bodies.called(m.body) + " against moving " +
+          describe(m) + ": no support, and no contact with friction. " +
+          (bodies.is_rigid(m.body) ? "Let it be less Free" : "Add a Support") +
+          ", or add friction to a Contact.");
   }
 
   /* Least squares: a rigid motion fits what supports prescribe only if they
@@ -409,9 +412,8 @@ namespace conetact::contact
           }
         for (const Tie &tied : ties)
           {
-            const pairing::Obstacle *obstacle = tied.node->obstacle;
-            const double             moved =
-              obstacle ? obstacle->displacement_at(t) * tied.direction : 0.;
+            const double moved =
+              pairing::obstacle_displacement(*tied.node, t) * tied.direction;
             add(moved - relative(tied, amounts), tied, right);
           }
         amounts += held_inverse * right;
@@ -432,12 +434,14 @@ namespace conetact::contact
     return u;
   }
 
-  double
-  RigidMotions::rotation(const Amounts &amounts, const unsigned int body) const
+  Tensor<1, 3>
+  RigidMotions::turn(const Amounts &amounts, const unsigned int body) const
   {
-    const Index n = n_one - bodies.dim;
-    return amounts.segment(body * n_one + bodies.dim, n).norm() /
-           frames[body].size;
+    Tensor<1, 3> result;
+    for (unsigned int k = bodies.dim; k < n_one; ++k)
+      result[bodies.dim == 2 ? 2 : k - bodies.dim] =
+        amounts[body * n_one + k] / frames[body].size;
+    return result;
   }
 
   Eigen::VectorXd

@@ -97,8 +97,19 @@ namespace conetact::output
       text += resultant_columns("support_" + safe_name(support), taken);
     for (const std::string &load : run.loads)
       text += resultant_columns("load_" + safe_name(load), taken);
-    return text + "strain_energy,external_work,dissipation,"
-                  "contact_work_normal,determinate\n";
+    text += "strain_energy,external_work,dissipation,contact_work_normal,"
+            "determinate";
+    for (const std::string &obstacle : run.obstacles)
+      {
+        const std::string name = "obstacle_" + safe_name(obstacle);
+        for (const char *component :
+             {"_u_x", "_u_y", "_u_z", "_rot_x", "_rot_y", "_rot_z"})
+          text += ',' + name + component;
+        std::string columns = resultant_columns(name, taken);
+        columns.pop_back(); // the comma at the end
+        text += ',' + columns;
+      }
+    return text + '\n';
   }
 
 
@@ -134,6 +145,16 @@ namespace conetact::output
     csv.add("the dissipation", record.dissipation);
     csv.add("the work of normal reactions", record.contact_work_normal);
     csv.add(std::string(record.determinate ? "yes" : "no"));
+    for (std::size_t k = 0; k < run.obstacles.size(); ++k)
+      {
+        const ObstacleRecord obstacle =
+          k < record.obstacles.size() ? record.obstacles[k] : ObstacleRecord();
+        for (const Tensor<1, 3> &motion :
+             {obstacle.displacement, obstacle.rotation})
+          for (unsigned int d = 0; d < 3; ++d)
+            csv.add("the motion of an obstacle", motion[d]);
+        resultants.add(obstacle.contacts);
+      }
     csv.end();
     return text;
   }

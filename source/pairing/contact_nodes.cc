@@ -324,9 +324,7 @@ namespace conetact::pairing
   Tensor<1, 3>
   ContactNode::opponent_displacement(const double t) const
   {
-    Tensor<1, 3> d;
-    if (obstacle != nullptr)
-      d = obstacle->displacement_at(t);
+    Tensor<1, 3> d = obstacle_displacement(*this, t);
     if (growth)
       d -= growth(t) * n;
     return d;
@@ -468,6 +466,14 @@ namespace conetact::pairing
                         "path in 2D. [force]");
     }
   } // namespace
+
+  Tensor<1, 3>
+  obstacle_displacement(const ContactNode &node, const double t)
+  {
+    return node.obstacle != nullptr ?
+             node.obstacle->motion_at(t).displacement(node.foot()) :
+             Tensor<1, 3>();
+  }
 
   void
   declare_contact(dealii::ParameterHandler &prm)

@@ -312,8 +312,8 @@ namespace conetact::pairing
     return sum;
   }
 
-  double
-  FaceNet::signed_distance(const Point<3> &p) const
+  FaceNet::Closest
+  FaceNet::nearest(const Point<3> &p) const
   {
     Closest nearest;
     nearest.distance = std::numeric_limits<double>::max();
@@ -326,11 +326,17 @@ namespace conetact::pairing
           if (const Closest closest = project(f, p);
               closest.distance < nearest.distance)
             nearest = closest;
+    return nearest;
+  }
+
+  double
+  FaceNet::signed_distance(const Point<3> &p) const
+  {
+    const Closest at = nearest(p);
     // The sign by the pseudonormal is right at edges and corners as well, where
     // that of a single face is not.
-    const double relative = nearest.distance / faces[nearest.face].size;
-    return (p - nearest.point) * sum_of_normals(feature(nearest, p)) < 0 ?
-             -relative :
-             relative;
+    const double relative = at.distance / faces[at.face].size;
+    return (p - at.point) * sum_of_normals(feature(at, p)) < 0 ? -relative :
+                                                                 relative;
   }
 } // namespace conetact::pairing

@@ -10,12 +10,23 @@
 
 namespace conetact::pairing
 {
+  namespace
+  {
+    /** More than a free obstacle turns by rounding. */
+    bool
+    is_turned(const RigidMotion &motion)
+    {
+      return (motion.rotation - RigidMotion().rotation).norm() > 1e-6;
+    }
+  } // namespace
+
   double
   true_gap(const MovedNode &moved)
   {
     const ContactNode &node = *moved.node;
     return node.obstacle->shape->gap_after(node.position,
-                                           moved.u - moved.d,
+                                           moved.motion.relative(node.position,
+                                                                 moved.u),
                                            node.spacing);
   }
 
@@ -37,7 +48,8 @@ namespace conetact::pairing
         if (const double error = std::abs(actual - moved.gap) / allowed;
             error > largest)
           {
-            worst   = GapError{moved.node, moved.gap, actual, allowed};
+            worst = GapError{
+              moved.node, moved.gap, actual, allowed, is_turned(moved.motion)};
             largest = error;
           }
       }
@@ -48,7 +60,8 @@ namespace conetact::pairing
   to_sentence(const GapError &error)
   {
     return "the obstacle '" + error.node->obstacle->name +
-           "' is curved, and it and the body have moved so far past each "
+           (error.turned ? "' turns" : "' is curved") +
+           ", and it and the body have moved so far past each "
            "other that the gap of the node at " +
            to_text(error.node->position) + " is " + to_text(error.actual) +
            " by the obstacle's shape, but " + to_text(error.linearised) +

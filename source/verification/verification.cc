@@ -193,8 +193,8 @@ namespace conetact::verification
                             balance.turning()));
         out.equilibrium = std::max(out.equilibrium, e);
         if (e > tolerance && out.why.empty())
-          out.why = "the forces on body '" + bodies.names[body] +
-                    "' do not balance, by " + to_text(e) +
+          out.why = "the forces on " + bodies.called(body) +
+                    " do not balance, by " + to_text(e) +
                     " of the sum of their magnitudes";
       }
   }

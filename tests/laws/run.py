@@ -14,13 +14,14 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (balance, bodies, corners, elements, friction, hertz, kill, loads, mortar, obstacles,  # noqa: E402
+from laws import (balance, bodies, corners, driven, elements, friction, hertz, kill, loads, mortar, obstacles,  # noqa: E402
                   pairs, patch, path, refinement, supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
 
 FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, "rotation": transformations.rotation_family,
             "mirror": transformations.mirror, "units": transformations.units, "patch": patch.patch,
             "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
+            "shapes": driven.shapes, "free": driven.free_obstacles, "turning": driven.turning,
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
             "hertz": hertz.hertz, "path": path.path,

@@ -62,6 +62,9 @@ namespace conetact::analysis
               const verification::Finding &finding,
               const Eigen::VectorXd       &w,
               const Eigen::VectorXd       &u) const;
+    pairing::RigidMotion
+    obstacle_motion(const pairing::ContactNode &node,
+                    const PendingIncrement     &increment) const;
     Tensor<1, 3>
     relative(const pairing::ContactNode &node,
              const Eigen::VectorXd      &u,
@@ -77,6 +80,9 @@ namespace conetact::analysis
     void
     add_resultants(output::IncrementRecord     &record,
                    const verification::Finding &finding);
+    void
+    add_obstacles(output::IncrementRecord     &record,
+                  const verification::Finding &finding) const;
     void
     add_displacements(output::IncrementRecord &record,
                       const Eigen::VectorXd   &u,

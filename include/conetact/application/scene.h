@@ -55,6 +55,9 @@ namespace conetact::application
     /** Nodal forces of all loads, to be integrated when asked for. */
     bodies::NodalLoads
     nodal_loads() const;
+    /** Forces on obstacles that are free, on all dofs of all bodies [force]. */
+    Eigen::VectorXd
+    obstacle_forces(const double t) const;
     /** The loads of each body at time t, for its stresses. */
     std::vector<bodies::Actions>
     actions(const double t) const;

@@ -32,6 +32,19 @@ namespace conetact::bodies
     }
   };
 
+  /** An axis of any length; exact at multiples of a right angle. */
+  dealii::Tensor<2, 3>
+  rotation_about(const dealii::Tensor<1, 3> &axis, const double degrees);
+
+  /**
+   * An angle about z, or in 3D an axis and an angle, 'x, y, z, angle', in
+   * degrees. Throws InputError.
+   */
+  dealii::Tensor<2, 3>
+  parse_rotation(const std::string &text,
+                 const unsigned int dim,
+                 const std::string &entry);
+
   /** What satisfies the condition (scene's coordinates) gets the id. */
   struct BoundaryTag
   {

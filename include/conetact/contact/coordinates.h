@@ -81,7 +81,10 @@ namespace conetact::contact
     /** The part of displacements u along what supports hold, as d is one. */
     Eigen::VectorXd
     held_part(const Eigen::VectorXd &u) const;
-    /** Moves nodal forces of hanging nodes to their masters. */
+    /**
+     * Moves nodal forces of hanging nodes to their masters, and those on a
+     * rigid body with their moments to its first node.
+     */
     void
     unhang(Eigen::VectorXd &f) const;
 
@@ -120,6 +123,8 @@ namespace conetact::contact
     along_held(const unsigned int    body,
                const unsigned int    node,
                const DisplacementOf &displacement) const;
+    void
+    gather_rigid(const unsigned int body, Eigen::VectorXd &f) const;
     /** Components of a node's displacement. */
     Tensor<1, 3>
     at_node(const Eigen::VectorXd &u,

@@ -165,7 +165,9 @@ namespace conetact::contact
     void
     set_load(const VectorXd &all, LoadCase &load) const;
     VectorXd
-    reduce_all(const VectorXd &b) const;
+    reduce_all(const VectorXd &b, const VectorXd &forces) const;
+    VectorXd
+    moved_rows(const VectorXd &u) const;
     /** Reactions of all rows and all own motions. */
     VectorXd
     all_of(const LoadCase &load, const VectorXd &primal) const;
@@ -182,6 +184,12 @@ namespace conetact::contact
     /** -(forces against the free motions, foundations included). */
     VectorXd
     imbalance(const VectorXd &forces) const;
+    /** The same of rigid bodies, which have no own unknowns: all dofs. */
+    VectorXd
+    rigid_imbalance(const VectorXd &forces) const;
+    /** Takes motions that nothing resists out of imbalances. */
+    VectorXd
+    without_unseen(const VectorXd &imbalance) const;
     /** Forces on own unknowns of reactions and free motions. */
     VectorXd
     forces_of(const VectorXd &primal) const;
@@ -214,7 +222,8 @@ namespace conetact::contact
     std::vector<BodyMotions>    body_motions;
     BoundUnknowns               bound;
     VectorXd                    stiffness_of_bound;
-    MatrixXd                    unseen; ///< motions, orthonormal
+    Index                       first_rigid = 0; ///< of the own motions
+    MatrixXd                    unseen;          ///< motions, orthonormal
     std::shared_ptr<const solvers::ContactSystem> contact_system;
   };
 } // namespace conetact::contact

@@ -25,12 +25,37 @@ namespace conetact::contact
     std::vector<bodies::Support>           supports;
     std::vector<pairing::ContactNode>      contact_nodes;
 
+    /** The last ones are rigid: obstacles that are free. */
+    std::size_t n_rigid = 0;
+    std::size_t
+    n_elastic() const
+    {
+      return structures.size() - n_rigid;
+    }
+    bool
+    is_rigid(const std::size_t body) const
+    {
+      return body >= n_elastic();
+    }
+    /** "body 'block'" or "obstacle 'plate'". */
+    std::string
+    called(const std::size_t body) const
+    {
+      return (is_rigid(body) ? "obstacle '" : "body '") + names[body] + "'";
+    }
+
     /** Bodies that nothing reaches and that are not solved; empty: none. */
     std::vector<bool> at_rest;
     bool
     is_at_rest(const std::size_t body) const
     {
       return body < at_rest.size() && at_rest[body];
+    }
+    /** Whether its nodes deform: unknowns of equilibrium. */
+    bool
+    deforms(const std::size_t body) const
+    {
+      return !is_at_rest(body) && !is_rigid(body);
     }
   };
 

@@ -61,9 +61,15 @@ namespace conetact::contact
     at(const Amounts     &amounts,
        const unsigned int body,
        const unsigned int node) const;
-    /** How far the motion turns a body [rad]. */
+    /** The axis about which the motion turns a body, times the angle [rad]. */
+    Tensor<1, 3>
+    turn(const Amounts &amounts, const unsigned int body) const;
+    /** How far that is [rad]. */
     double
-    rotation(const Amounts &amounts, const unsigned int body) const;
+    rotation(const Amounts &amounts, const unsigned int body) const
+    {
+      return turn(amounts, body).norm();
+    }
     /** Distance of a body's nodes from its centre, at most [length]. */
     double
     size(const unsigned int body) const

@@ -17,6 +17,8 @@ namespace conetact::output
    * supports and of the loads together and one by one, and the energies [force
    * x length]. Columns of a support or load begin with `support_NAME` or
    * `load_NAME`, because a contact, a support and a load may share a name.
+   * Those of an obstacle that is free, `obstacle_NAME`, come last: its motion
+   * [length; rad] and what contacts do to it.
    */
   class IncrementTable
   {

@@ -43,6 +43,14 @@ namespace conetact::output
     Tensor<1, 3> moment;
   };
 
+  /** An obstacle that is free, at its reference point. */
+  struct ObstacleRecord
+  {
+    Tensor<1, 3> displacement; ///< since the start [length]
+    Tensor<1, 3> rotation;     ///< about the axes [rad]
+    Resultant    contacts;     ///< what all contacts do to it
+  };
+
   /** An increment as its contact nodes see it. */
   struct CondensedIncrement
   {
@@ -70,6 +78,8 @@ namespace conetact::output
     Resultant               loads;
     std::vector<Resultant>  each_support, each_load;
 
+    std::vector<ObstacleRecord> obstacles; ///< that are free
+
     double strain_energy = 0; ///< at the end [force x length]
     // of the increment [force x length]
     double external_work       = 0; ///< of loads and moving supports
@@ -92,11 +102,12 @@ namespace conetact::output
   /** What the outputs need to know before the first increment. */
   struct RunDescription
   {
-    std::filesystem::path                  folder;   ///< exists and is writable
-    std::vector<std::string>               contacts; ///< names
-    std::vector<std::string>               supports; ///< names
-    std::vector<std::string>               loads;    ///< names
-    std::vector<std::string>               bodies;   ///< names
+    std::filesystem::path    folder;    ///< exists and is writable
+    std::vector<std::string> contacts;  ///< names
+    std::vector<std::string> supports;  ///< names
+    std::vector<std::string> loads;     ///< names
+    std::vector<std::string> bodies;    ///< names
+    std::vector<std::string> obstacles; ///< names of those that are free
     std::vector<const bodies::Structure *> structures;
     unsigned int                           dim = 2;
     unsigned int n_increments                  = 0; ///< 0: not known yet

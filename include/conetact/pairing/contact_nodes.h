@@ -89,10 +89,18 @@ namespace conetact::pairing
     /** Change of a Gap since t = 0; none: it stays [length]. */
     std::function<double(const double t)> growth;
 
+    /** The point that it faces. */
+    Point<3>
+    foot() const
+    {
+      return position - gap * n;
+    }
+
     /**
      * What the node meets there is a mean over nodes of the master body, the
      * weights sum to 1: shape functions of the face that it faces, or of all
-     * faces around (mortar; some are negative).
+     * faces around (mortar; some are negative), or its foot on an obstacle
+     * that is free and has become a rigid body.
      */
     unsigned int                                 master = 0;
     std::vector<std::pair<unsigned int, double>> masters;
@@ -139,6 +147,14 @@ namespace conetact::pairing
     for (const auto &[slave, weight] : node.slaves)
       visit(slave, weight);
   }
+
+  /**
+   * How far the point of an obstacle that a node faces has moved at time t by
+   * what is prescribed [length]; nothing for a pair of bodies, to which an
+   * obstacle that is free belongs.
+   */
+  Tensor<1, 3>
+  obstacle_displacement(const ContactNode &node, const double t);
 
   /**
    * Calls visit(body, node, weight) for the nodes of bodies whose motions a

@@ -79,6 +79,10 @@ namespace conetact::pairing
     Closest
     project(const std::size_t face, const Point<3> &p) const;
 
+    /** The nearest point of all faces. */
+    Closest
+    nearest(const Point<3> &p) const;
+
     /** Numbers of the face's edges that a point of it lies on. */
     std::vector<std::size_t>
     edges_at(const Closest &at) const;

@@ -6,10 +6,15 @@
 
 #include "conetact/base/expression.h"
 #include "conetact/base/points.h"
+#include "conetact/pairing/rigid_motion.h"
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,8 +43,8 @@ namespace conetact::pairing
     closest(const Point<3> &p, const double spacing) const = 0;
 
     /**
-     * The gap of a node that stood at X and moved by u relative to the
-     * obstacle [length]: that of the shape where the node is now.
+     * The gap of a node that stood at X and moved by u in the obstacle's own
+     * frame [length]: that of the shape where the node is now.
      */
     virtual double
     gap_after(const Point<3>     &X,
@@ -56,15 +61,45 @@ namespace conetact::pairing
     }
   };
 
-  /** A rigid obstacle: a shape and its translation d(t). */
+  /**
+   * What is free of an obstacle that loads press: components x, y, z of its
+   * translation and rx, ry, rz of its rotation; the others follow what is
+   * prescribed.
+   */
+  struct FreeMotion
+  {
+    std::array<bool, 6>     components{};
+    std::vector<Expression> force;  ///< of t [force]; empty: none
+    std::vector<Expression> moment; ///< of t, about the reference point
+    bool
+    any() const
+    {
+      return std::find(components.begin(), components.end(), true) !=
+             components.end();
+    }
+  };
+
+  /**
+   * A rigid obstacle: a shape, and how it moves. It translates by d(t) and
+   * turns about a reference point, or is free and found by the balance of its
+   * forces.
+   */
   struct Obstacle
   {
     std::string                    name;
     std::unique_ptr<ObstacleShape> shape;
     std::vector<Expression>        displacement; ///< [length], functions of t
+    Point<3>                       reference;
+    Tensor<1, 3>                   turn_axis; ///< unit
+    std::optional<Expression>      turn;      ///< angle, of t [degrees]
+    FreeMotion                     free;
 
+    /** What its entry Displacement says. */
     Tensor<1, 3>
     displacement_at(const double t) const;
+    /** All that is prescribed; nothing of one that is free. */
+    RigidMotion
+    motion_at(const double t) const;
   };
 
   /** One row for each shape. */
@@ -77,16 +112,6 @@ namespace conetact::pairing
                                              const unsigned int dim,
                                              const std::string &in);
   };
-  const std::vector<ObstacleRow> &
-  obstacle_table();
-
-  /** Entries of `subsection Obstacle NAME`, of all shapes. */
-  void
-  declare_obstacle(dealii::ParameterHandler &prm);
-  Obstacle
-  create_obstacle(dealii::ParameterHandler &prm,
-                  const std::string        &name,
-                  const unsigned int        dim);
 } // namespace conetact::pairing
 
 #endif

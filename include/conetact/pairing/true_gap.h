@@ -15,15 +15,16 @@ namespace conetact::pairing
   /**
    * A node that may touch an obstacle, at the end of an increment. Contact is
    * linearised at the undeformed node; where the obstacle is curved and moved,
-   * the gap by its shape, @f$g(X + u - d)@f$, tells whether that still holds.
+   * or turns, the gap by its shape where the node is in the obstacle's own
+   * frame tells whether that still holds.
    * A prescribed gap is a function of the undeformed node and its own truth.
    */
   struct MovedNode
   {
-    const ContactNode *node; ///< with its obstacle and spacing
-    Tensor<1, 3>       u;    ///< displacement since the start [length]
-    Tensor<1, 3>       d;    ///< that of the obstacle [length]
-    double             gap;  ///< by the linearised contact [length]
+    const ContactNode *node;   ///< with its obstacle and spacing
+    Tensor<1, 3>       u;      ///< displacement since the start [length]
+    RigidMotion        motion; ///< of the obstacle
+    double             gap;    ///< by the linearised contact [length]
   };
 
   /** Gap by the obstacle's shape where node and obstacle are now [length]. */
@@ -34,6 +35,7 @@ namespace conetact::pairing
   {
     const ContactNode *node;
     double             linearised, actual, allowed; ///< [length]
+    bool               turned;                      ///< the obstacle
   };
   /**
    * The node whose gap is off most, measured by what is allowed: a hundredth

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/pairing/node_to_face.h"
+#include "conetact/pairing/obstacle_table.h"
 
 #include "body_fixture.h"
 

@@ -7,24 +7,13 @@
 
 #include <cmath>
 
+#include "obstacle_fixture.h"
+
 using namespace conetact;
 using namespace conetact::pairing;
 
 namespace
 {
-  /** `entries`: lines "entry = value" separated by '|'. */
-  Obstacle
-  obstacle(const std::string &entries, const unsigned int dim = 2)
-  {
-    std::string text = "set ";
-    for (const char c : entries)
-      text += c == '|' ? std::string("\nset ") : std::string(1, c);
-    dealii::ParameterHandler prm;
-    declare_obstacle(prm);
-    prm.parse_input_from_string(text + "\n");
-    return create_obstacle(prm, "disc", dim);
-  }
-
   /** The top of a layer at y = 0 under an obstacle, linearised. */
   std::vector<ContactNode>
   layer(const Obstacle &above, const double spacing)
@@ -56,7 +45,8 @@ namespace
       {
         const double       g = node.gap - node.n * d;
         const Tensor<1, 3> u = std::min(g, 0.) * -node.n;
-        result.push_back({&node, u, d, std::max(g, 0.)});
+        result.push_back(
+          {&node, u, RigidMotion::translated(d), std::max(g, 0.)});
       }
     return result;
   }
@@ -72,8 +62,9 @@ namespace
 
 TEST(PairingTrueGap, OfADiscPressedAndSwept)
 {
-  const Obstacle disc  = obstacle("Shape = sphere|Center = 0, 10|Radius = 10");
-  const auto     nodes = layer(disc, .1);
+  const Obstacle disc =
+    make_obstacle("Shape = sphere|Center = 0, 10|Radius = 10");
+  const auto nodes = layer(disc, .1);
   // pressed, the linearised gap is right
   EXPECT_FALSE(worst_gap_error(moved(nodes, vec(0, -.02))));
   // a sweep at constant depth: nodes ahead are hit by a wall
@@ -91,7 +82,7 @@ TEST(PairingTrueGap, OfADiscPressedAndSwept)
   for (MovedNode &node : carried)
     {
       node.u += vec(7, 3);
-      node.d += vec(7, 3);
+      node.motion.translation += vec(7, 3);
     }
   EXPECT_FALSE(worst_gap_error(carried));
 }
@@ -104,7 +95,7 @@ TEST(PairingTrueGap, FlatAndPrescribedOnesAreNeverOff)
                             "Shape = prescribed gap|Normal = 0, -1|"
                             "Gap = x^2 / 20"})
     {
-      const Obstacle plate = obstacle(shape);
+      const Obstacle plate = make_obstacle(shape);
       const auto     nodes = layer(plate, .1);
       for (const auto &d : {vec(0, -.5), vec(30, -2), vec(-3, 1)})
         for (const MovedNode &node : moved(nodes, d))
@@ -121,9 +112,10 @@ TEST(PairingTrueGap, FlatAndPrescribedOnesAreNeverOff)
 
 TEST(PairingTrueGap, ImplicitShapesAreThoseTheyDescribe)
 {
-  const Obstacle disc = obstacle("Shape = sphere|Center = 0, 10|Radius = 10");
+  const Obstacle disc =
+    make_obstacle("Shape = sphere|Center = 0, 10|Radius = 10");
   const Obstacle other =
-    obstacle("Shape = implicit|Function = sqrt(x^2 + (y - 10)^2) - 10");
+    make_obstacle("Shape = implicit|Function = sqrt(x^2 + (y - 10)^2) - 10");
   const auto a = layer(disc, .1), b = layer(other, .1);
   for (const auto &d : {vec(0, -.02), vec(.3, -.02), vec(2.4, -.02)})
     {
@@ -135,13 +127,13 @@ TEST(PairingTrueGap, ImplicitShapesAreThoseTheyDescribe)
     }
   // no gradient at the node's place: no error, but a gap that is off
   const Obstacle flat =
-    obstacle("Shape = implicit|Function = if(y < -1, 1, -y)");
+    make_obstacle("Shape = implicit|Function = if(y < -1, 1, -y)");
   ContactNode node;
   node.position = {0, -.5, 0};
   node.obstacle = &flat;
   node.spacing  = .1;
   node.gap      = .5;
-  EXPECT_GT(true_gap({&node, vec(0, -5), vec(0, 0), 5.5}), 1e100);
+  EXPECT_GT(true_gap({&node, vec(0, -5), RigidMotion(), 5.5}), 1e100);
 }
 
 
@@ -149,11 +141,39 @@ TEST(PairingTrueGap, ImplicitShapesAreThoseTheyDescribe)
 TEST(PairingTrueGap, OfANodeAtTheCentre)
 {
   const Obstacle hole =
-    obstacle("Shape = cylinder|Radius = 2|Side = inside", 3);
+    make_obstacle("Shape = cylinder|Radius = 2|Side = inside", 3);
   ContactNode node;
   node.position = {2, 0, 1};
   node.obstacle = &hole;
   node.spacing  = .1;
   node.n        = vec(-1, 0);
-  EXPECT_DOUBLE_EQ(true_gap({&node, vec(-2, 0), vec(0, 0), 2}), 2);
+  EXPECT_DOUBLE_EQ(true_gap({&node, vec(-2, 0), RigidMotion(), 2}), 2);
+}
+
+
+
+TEST(PairingTrueGap, OfAnObstacleThatTurns)
+{
+  // a floor that turns by 90 degrees about (1, 0) becomes a wall
+  const Obstacle floor = make_obstacle("Shape = half space|Normal = 0, 1");
+  ContactNode    node;
+  node.position = {3, .5, 0};
+  node.obstacle = &floor;
+  node.spacing  = .1;
+  const RigidMotion motion =
+    RigidMotion::turned(vec(.25, 0),
+                        Tensor<1, 3>({0., 0., M_PI / 2}),
+                        {1, 0, 0});
+  EXPECT_NEAR(true_gap({&node, vec(0, 0), motion, .5}), -(3 - 1.25), 1e-15);
+  EXPECT_NEAR(true_gap({&node, vec(-4, 7), motion, .5}), 2.25, 1e-15);
+  const Point<3> p(.3, .7, 2);
+  EXPECT_LE(motion.to_own(motion.to_space(p)).distance(p), 1e-15);
+  EXPECT_LE((motion.to_space(Point<3>(2, 0, 0)) - Point<3>(1.25, 1, 0)).norm(),
+            1e-15);
+  EXPECT_LE((motion.direction_to_space(vec(0, 1)) - vec(-1, 0)).norm(), 1e-15);
+  EXPECT_LE((motion.direction_to_own(vec(-1, 0)) - vec(0, 1)).norm(), 1e-15);
+  // a translation rounds nothing
+  const auto moved = RigidMotion::translated(vec(.1, .2));
+  EXPECT_EQ(moved.displacement(p), vec(.1, .2));
+  EXPECT_EQ(moved.relative(p, vec(.3, 0)), vec(.3, 0) - vec(.1, .2));
 }

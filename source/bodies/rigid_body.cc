@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/rigid_body.h"
+
+namespace conetact::bodies
+{
+  RigidBody::RigidBody(const unsigned int           d,
+                       const Point<3>              &reference,
+                       const std::vector<Point<3>> &points)
+    : dim(d)
+    , positions(1, reference)
+  {
+    positions.insert(positions.end(), points.begin(), points.end());
+  }
+
+  const std::vector<HangingNode> &
+  RigidBody::hanging_nodes() const
+  {
+    static const std::vector<HangingNode> none;
+    return none;
+  }
+
+  std::string
+  RigidBody::description() const
+  {
+    return "rigid, met by " + std::to_string(n_nodes() - 1) + " contact nodes";
+  }
+} // namespace conetact::bodies
