@@ -343,7 +343,10 @@ namespace conetact::analysis
                                     finding.u,
                                     record.time,
                                     accepted.whole);
-    record.determinate = warnings.is_determinate(increment.state.node);
+    const auto &states = increment.state.node;
+    record.determinate =
+      warnings.is_determinate(states) &&
+      warnings.are_forces_determinate(states, increment.state.r);
     warnings.check_size(accepted.amounts, w);
     if (drawn)
       add_displacements(record, finding.u, w);

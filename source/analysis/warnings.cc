@@ -4,6 +4,7 @@
 #include "conetact/analysis/warnings.h"
 
 #include "conetact/base/text.h"
+#include "conetact/contact/force_shares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,24 @@ namespace conetact::analysis
                                "forces are determined, its position is not, "
                                "and ") +
            "the shortest motion is taken.");
+    return false;
+  }
+
+  bool
+  Warnings::are_forces_determinate(
+    const std::vector<solvers::NodeState> &states,
+    const Eigen::VectorXd                 &r)
+  {
+    const pairing::ContactNode *node =
+      contact::undetermined_share(model.points, states, r);
+    if (node == nullptr)
+      return true;
+    once("shares",
+         "the node at " + to_text(node->position) + " of body '" +
+           model.bodies.names[node->body] +
+           "' is in several contacts with friction: how they share its force "
+           "is not determined, nor is what follows from that; one of many "
+           "solutions is given.");
     return false;
   }
 

@@ -30,10 +30,16 @@ namespace conetact::application
     {
       std::ifstream      stream(file);
       std::ostringstream text;
-      if (std::filesystem::is_directory(file) || !(text << stream.rdbuf()))
+      // Of an empty file nothing can be inserted, which is no failure to read.
+      const bool is_empty = stream.peek() == std::ifstream::traits_type::eof();
+      if (std::filesystem::is_directory(file) || !stream.is_open() ||
+          (!is_empty && !(text << stream.rdbuf())))
         throw InputError("The scene file " + file.string() +
                          " cannot be read. Check its name and permissions.");
-      return text.str();
+      // some editors begin files with a mark of their encoding
+      const std::string mark = "\xef\xbb\xbf";
+      const std::string all  = text.str();
+      return all.rfind(mark, 0) == 0 ? all.substr(mark.size()) : all;
     }
 
     std::vector<std::string>
@@ -111,6 +117,7 @@ namespace conetact::application
     , overrides(line.overrides)
     , text(read_file(line.scene))
   {
+    refuse_repeats(text, file.string());
     read_names();
     declare();
     parse_all(prm, false);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -373,6 +374,28 @@ namespace conetact::application
         if (message.find("unequal numbers of 'subsection'") != message.npos)
           throw InputError(file + unbalanced(lines));
         throw InputError(file + ": " + message);
+      }
+  }
+
+  void
+  refuse_repeats(const std::string &text, const std::string &file)
+  {
+    const std::vector<Line>            lines = read_lines(text);
+    std::map<std::string, std::size_t> first;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      {
+        const Line &line  = lines[i];
+        const bool  entry = line.kind == Line::Kind::set;
+        if (!entry && line.kind != Line::Kind::subsection)
+          continue;
+        const std::string what = (entry ? "entry '" : "subsection '") +
+                                 line.name + "'" + in_section(line.path);
+        const auto [known, is_new] = first.emplace(what, i + 1);
+        if (!is_new)
+          throw InputError(file + ", line " + std::to_string(i + 1) + ": the " +
+                           what + " stands in line " +
+                           std::to_string(known->second) +
+                           " already. Remove one of them.");
       }
   }
 

@@ -123,9 +123,18 @@ namespace conetact::contact
                 "friction" :
                 "contact") +
              " can carry at most " + to_text(refusal.fraction);
+    const Eigen::VectorXd &mu   = model.points.layout().mu;
+    const bool             same = mu.minCoeff() == mu.maxCoeff();
     if (refusal.friction_needed)
-      return text + ": a friction coefficient of " +
-             to_text(*refusal.friction_needed) + " would be needed to hold it";
-    return text + ": no friction could hold it";
+      return text + (same ?
+                       ": a friction coefficient of " +
+                         to_text(*refusal.friction_needed) +
+                         " would be needed to hold it" :
+                       ": friction coefficients would have to grow in "
+                       "proportion, the largest to " +
+                         to_text(*refusal.friction_needed) + ", to hold it");
+    return text + (same ? ": no friction could hold it" :
+                          ": the contacts that have friction could not hold "
+                          "it whatever their coefficients");
   }
 } // namespace conetact::contact

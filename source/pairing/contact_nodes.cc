@@ -258,6 +258,37 @@ namespace conetact::pairing
              one.n * other.n > 1 - 1e-12;
     }
 
+    /** Throws InputError where a body is inside of its obstacle: a normal that
+     * is turned the wrong way. */
+    void
+    refuse_inside(const Contact                  &contact,
+                  const std::vector<std::string> &bodies,
+                  const bodies::Structure        &body,
+                  const PairedNodes              &found)
+    {
+      constexpr double away = .5; // as a cosine
+      if (contact.obstacle == nullptr ||
+          contact.obstacle->shape->states_gaps() || found.nodes.empty())
+        return;
+      const bodies::Surface surface = body.surface(contact.ids);
+      if (surface.two_sided || surface.faces.empty())
+        return;
+      std::map<unsigned int, Tensor<1, 3>> towards;
+      for (const ContactNode &node : found.nodes)
+        towards[node.node] = node.n;
+      for (const bodies::SurfaceNode &node : surface.nodes)
+        for (const Tensor<1, 3> &outward : node.normals)
+          if (const auto at = towards.find(node.node);
+              at != towards.end() && outward * at->second < away)
+            return;
+      throw InputError("Contact '" + contact.name + "': all faces of body '" +
+                       bodies[contact.body] +
+                       "' there look away from obstacle '" +
+                       contact.obstacle->name +
+                       "'. Turn its normal to the side of the body, or change "
+                       "Boundary ids.");
+    }
+
     Pairing
     count(const PairedNodes &found)
     {
@@ -562,6 +593,10 @@ namespace conetact::pairing
     contact.cohesion.emplace(constant("Cohesion"));
     if (contact.kind != ContactKind::contact)
       refuse_cone(prm, contact, in);
+    if (contact.obstacle != nullptr && prm.get("Pairing") == "mortar")
+      throw InputError(in + "Pairing: mortar is for faces of a Master body. "
+                            "Obstacles are met node by node: leave the entry "
+                            "out.");
     return contact;
   }
 
@@ -582,6 +617,7 @@ namespace conetact::pairing
         for (ContactNode &node : found.nodes)
           if (std::abs(node.gap) <= rounding)
             node.gap = 0;
+        refuse_inside(contact, bodies, *structures[contact.body], found);
         result.pairings.push_back(count(found));
         for (ContactNode &node : found.nodes)
           {

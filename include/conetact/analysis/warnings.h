@@ -28,6 +28,13 @@ namespace conetact::analysis
      */
     bool
     is_determinate(const std::vector<solvers::NodeState> &states);
+    /**
+     * False where contacts of a node may share its force otherwise: the law
+     * holds for many shares, of which the solver found one.
+     */
+    bool
+    are_forces_determinate(const std::vector<solvers::NodeState> &states,
+                           const Eigen::VectorXd                 &r);
     /** `amounts` of rigid motions, deformation w of all dofs. */
     void
     check_size(const Eigen::VectorXd &amounts, const Eigen::VectorXd &w);

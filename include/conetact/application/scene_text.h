@@ -23,6 +23,13 @@ namespace conetact::application
                    const bool                skip_undefined);
 
   /**
+   * Throws InputError where an entry or a subsection stands twice: the handler
+   * would silently take the last one.
+   */
+  void
+  refuse_repeats(const std::string &text, const std::string &file);
+
+  /**
    * Sets one entry, "A/B/Entry=value" of the command line. Throws InputError,
    * also where the entry is not declared, unless `skip_undefined`.
    */

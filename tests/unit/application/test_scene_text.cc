@@ -105,3 +105,19 @@ TEST(SceneText, OverridesAreNamed)
                            "Option -s 'Contct feet/Kind=a': there is no "
                            "subsection 'Contct feet'"));
 }
+
+
+
+TEST(SceneText, NothingStandsTwice)
+{
+  const auto repeats = [](const std::string &text) {
+    return test::sentence_of([&] { refuse_repeats(text, "s.prm"); });
+  };
+  EXPECT_EQ(repeats("set A = 1\nsubsection S\nset A = 1\nend\n"), "accepted");
+  EXPECT_EQ(repeats("set A = 1\n\nset A = 2\n"),
+            "s.prm, line 3: the entry 'A' stands in line 1 already. "
+            "Remove one of them.");
+  EXPECT_EQ(repeats("subsection S\nend\nsubsection S\nend\n"),
+            "s.prm, line 3: the subsection 'S' stands in line 1 already. "
+            "Remove one of them.");
+}

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/force_shares.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Node = std::pair<unsigned int, unsigned int>; ///< body and number
+
+    /** A closed contact: where it acts, and the forces that it may change. */
+    struct Closed
+    {
+      const pairing::ContactNode          *node;
+      std::vector<std::pair<Node, double>> sides;
+      std::vector<Tensor<1, 3>>            forces;
+    };
+
+    Closed
+    make_closed(const ContactPoint      &point,
+                const solvers::NodeState state,
+                const Eigen::VectorXd   &r)
+    {
+      Closed closed{point.node, {}, {}};
+      pairing::for_each_side(
+        *point.node,
+        [&](const unsigned int body,
+            const unsigned int number,
+            const double       weight) {
+          if (weight != 0)
+            closed.sides.push_back({{body, number}, weight});
+        });
+      if (state == solvers::NodeState::stick)
+        closed.forces = point.dual;
+      else
+        {
+          Tensor<1, 3> force;
+          for (std::size_t k = 0; k < point.dual.size(); ++k)
+            force += r[point.first + static_cast<Index>(k)] * point.dual[k];
+          if (force.norm() > 0)
+            closed.forces.push_back(force / force.norm());
+        }
+      return closed;
+    }
+
+    /**
+     * Only contacts of which each node stands in another one, too, can exchange
+     * forces: the others are taken away until none is left to take. Few remain,
+     * those of corners.
+     */
+    std::vector<Closed>
+    joined(std::vector<Closed> all)
+    {
+      for (bool changed = true; changed;)
+        {
+          std::map<Node, unsigned int> n_at;
+          for (const Closed &closed : all)
+            for (const auto &[node, weight] : closed.sides)
+              ++n_at[node];
+          const auto alone =
+            std::partition(all.begin(), all.end(), [&](const Closed &closed) {
+              return std::all_of(closed.sides.begin(),
+                                 closed.sides.end(),
+                                 [&](const auto &side) {
+                                   return n_at[side.first] > 1;
+                                 });
+            });
+          changed = alone != all.end();
+          all.erase(alone, all.end());
+        }
+      return all;
+    }
+
+    /** Contacts that share nodes, directly or by others. */
+    std::vector<std::vector<const Closed *>>
+    groups_of(const std::vector<Closed> &all)
+    {
+      std::map<Node, std::vector<std::size_t>> at;
+      for (std::size_t i = 0; i < all.size(); ++i)
+        for (const auto &[node, weight] : all[i].sides)
+          at[node].push_back(i);
+      std::vector<std::vector<const Closed *>> groups;
+      std::vector<bool>                        seen(all.size(), false);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        {
+          std::vector<std::size_t> waiting;
+          if (!seen[i])
+            {
+              groups.emplace_back();
+              waiting.push_back(i);
+              seen[i] = true;
+            }
+          while (!waiting.empty())
+            {
+              const Closed &closed = all[waiting.back()];
+              waiting.pop_back();
+              groups.back().push_back(&closed);
+              for (const auto &[node, weight] : closed.sides)
+                for (const std::size_t other : at[node])
+                  if (!seen[other])
+                    {
+                      seen[other] = true;
+                      waiting.push_back(other);
+                    }
+            }
+        }
+      return groups;
+    }
+
+    /** Whether different forces of a group are the same forces on all nodes. */
+    bool
+    exchange_forces(const std::vector<const Closed *> &group)
+    {
+      // what is larger is no corner; its rank would take longer than it solves
+      constexpr Index       largest = 600;
+      std::map<Node, Index> row_of;
+      Index                 n_columns = 0;
+      for (const Closed *closed : group)
+        {
+          n_columns += static_cast<Index>(closed->forces.size());
+          for (const auto &[node, weight] : closed->sides)
+            row_of.emplace(node, 3 * static_cast<Index>(row_of.size()));
+        }
+      const auto n_rows = 3 * static_cast<Index>(row_of.size());
+      if (n_columns > n_rows)
+        return true;
+      if (n_columns > largest || n_columns == 0)
+        return false;
+      Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(n_rows, n_columns);
+      Index           column = 0;
+      for (const Closed *closed : group)
+        for (const Tensor<1, 3> &force : closed->forces)
+          {
+            for (const auto &[node, weight] : closed->sides)
+              for (unsigned int d = 0; d < 3; ++d)
+                forces(row_of[node] + d, column) += weight * force[d];
+            ++column;
+          }
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(forces);
+      qr.setThreshold(1e-9);
+      return qr.rank() < n_columns;
+    }
+  } // namespace
+
+  const pairing::ContactNode *
+  undetermined_share(const ContactPoints                   &points,
+                     const std::vector<solvers::NodeState> &states,
+                     const Eigen::VectorXd                 &r)
+  {
+    std::vector<Closed> closed;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (states[i] != solvers::NodeState::open)
+        closed.push_back(make_closed(points[i], states[i], r));
+    closed = joined(std::move(closed));
+    for (const auto &group : groups_of(closed))
+      if (exchange_forces(group))
+        return group.front()->node;
+    return nullptr;
+  }
+} // namespace conetact::contact
