@@ -22,6 +22,7 @@ import drawing  # noqa: F401 (first: it knows the way to python/)
 import matplotlib.pyplot as plt
 import numpy as np
 from conetact import ConetactError, Result
+from drawing.files import save
 from drawing.units import units_of
 
 TABLES = ("increments", "reactions", "refinement")
@@ -170,15 +171,6 @@ def draw(result, args):
     if axes.get_legend_handles_labels()[1]:
         axes.legend(frameon=False, fontsize="small")
     save(figure, args.output or args.folder / "curve.png")
-
-
-def save(figure, file):
-    try:
-        figure.savefig(file, dpi=130)
-    except (OSError, ValueError) as error:
-        raise ConetactError(f"{file} cannot be written: {error}") from None
-    plt.close(figure)
-    print(file)
 
 
 def numbers(text):

@@ -21,6 +21,7 @@ import numpy as np
 from conetact import ConetactError, Result
 from drawing import contacts, plane, space
 from drawing.colours import ARROWS, scales_of
+from drawing.files import save
 from drawing.shapes import automatic_factor, shapes_of
 from drawing.units import units_of
 from matplotlib.lines import Line2D
@@ -138,15 +139,6 @@ class Series:
             else:
                 contacts.draw_line(panel, contact, same, self.result, self.units)
         save(figure, file)
-
-
-def save(figure, file):
-    try:
-        figure.savefig(file, dpi=130)
-    except (OSError, ValueError) as error:
-        raise ConetactError(f"{file} cannot be written: {error}") from None
-    plt.close(figure)
-    print(file)
 
 
 def view(text):

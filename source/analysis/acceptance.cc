@@ -162,7 +162,8 @@ namespace conetact::analysis
                         const pairing::ContactNode &node) {
       return model.displacement(x, node.body, node.node);
     };
-    const contact::ContactPoints &points = model.points;
+    const contact::ContactPoints &points  = model.points;
+    const Eigen::VectorXd         motions = amounts(increment);
     for (std::size_t i = 0; i < points.all().size(); ++i)
       {
         const contact::ContactPoint &point = points.all()[i];
@@ -175,7 +176,7 @@ namespace conetact::analysis
         // A closed node claims a gap of zero.
         moved.push_back({&node,
                          at(u, node),
-                         obstacle_motion(node, increment),
+                         obstacle_motion(node, motions, increment.record.time),
                          open || node.is_bound() ?
                            node.gap + finding.displacements[point.normal()] :
                            0.});
@@ -191,12 +192,11 @@ namespace conetact::analysis
   /** Prescribed, or found with that of the bodies. */
   pairing::RigidMotion
   Acceptance::obstacle_motion(const pairing::ContactNode &node,
-                              const PendingIncrement     &increment) const
+                              const Eigen::VectorXd      &amounts,
+                              const double                t) const
   {
     if (node.masters.empty())
-      return node.obstacle->motion_at(increment.record.time);
-    const Eigen::VectorXd amounts =
-      model.amounts(increment.load.placement, increment.motions);
+      return node.obstacle->motion_at(t);
     return pairing::RigidMotion::turned(
       model.motions.at(amounts, node.master, 0),
       model.motions.turn(amounts, node.master),

@@ -14,13 +14,6 @@ namespace conetact::bodies
     positions.insert(positions.end(), points.begin(), points.end());
   }
 
-  const std::vector<HangingNode> &
-  RigidBody::hanging_nodes() const
-  {
-    static const std::vector<HangingNode> none;
-    return none;
-  }
-
   std::string
   RigidBody::description() const
   {

@@ -158,11 +158,7 @@ namespace conetact::contact
                              const unsigned int     body,
                              const unsigned int     node) const
   {
-    Tensor<1, 3>       result;
-    const Eigen::Index dof = coordinates.dof(body, node);
-    for (unsigned int c = 0; c < bodies.dim; ++c)
-      result[c] = u[dof + c];
-    return result;
+    return coordinates.at_node(u, body, node);
   }
 
   Eigen::VectorXd

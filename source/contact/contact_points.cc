@@ -73,6 +73,17 @@ namespace conetact::contact
 
 
 
+  Tensor<1, 3>
+  force_of(const ContactPoint &point, const Eigen::VectorXd &r)
+  {
+    Tensor<1, 3> force;
+    for (std::size_t k = 0; k < point.dual.size(); ++k)
+      force += r[point.first + static_cast<Eigen::Index>(k)] * point.dual[k];
+    return force;
+  }
+
+
+
   ContactPoints::ContactPoints(const Bodies              &b,
                                const NodeRules           &s,
                                const std::vector<double> &times)

@@ -64,15 +64,6 @@ namespace conetact::contact
         });
       return node.position + off;
     }
-
-    Tensor<1, 3>
-    reaction_vector(const ContactPoint &point, const Eigen::VectorXd &r)
-    {
-      Tensor<1, 3> force;
-      for (std::size_t k = 0; k < point.dual.size(); ++k)
-        force += r[point.first + static_cast<Eigen::Index>(k)] * point.dual[k];
-      return force;
-    }
   } // namespace
 
   ContactRows::ContactRows(const ContactModel              &m,
@@ -129,7 +120,7 @@ namespace conetact::contact
         if (node.growth)
           row.u[0] -= node.growth(t); // a gap that grows moves nothing
         row.du[0]       = row.u[0] - last[i].u[0];
-        row.reaction    = in_frame(node, reaction_vector(point, r));
+        row.reaction    = in_frame(node, force_of(point, r));
         other_before[i] = other;
         // Solvers see no slip of nodes without cone, and of parts only that of
         // the last.

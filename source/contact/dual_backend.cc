@@ -388,20 +388,11 @@ namespace conetact::contact
   {
     VectorXd   v(H.rows());
     Index      row = 0;
-    const auto at  = [&](const unsigned int body, const unsigned int node) {
-      Tensor<1, 3> d;
-      for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
-        d[c] = u[coordinates.dof(body, node) + c];
-      return d;
-    };
     const auto add = [&](const ContactPoint &point) {
-      Tensor<1, 3> d;
-      pairing::for_each_side(*point.node,
-                             [&](const unsigned int body,
-                                 const unsigned int node,
-                                 const double       weight) {
-                               d += weight * at(body, node);
-                             });
+      const Tensor<1, 3> d = difference_of_sides(
+        *point.node, [&](const unsigned int body, const unsigned int node) {
+          return coordinates.at_node(u, body, node);
+        });
       for (const Tensor<1, 3> &dual : point.dual)
         v[row++] = d * dual;
     };

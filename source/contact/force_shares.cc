@@ -42,9 +42,7 @@ namespace conetact::contact
         closed.forces = point.dual;
       else
         {
-          Tensor<1, 3> force;
-          for (std::size_t k = 0; k < point.dual.size(); ++k)
-            force += r[point.first + static_cast<Index>(k)] * point.dual[k];
+          const Tensor<1, 3> force = force_of(point, r);
           if (force.norm() > 0)
             closed.forces.push_back(force / force.norm());
         }
@@ -155,6 +153,14 @@ namespace conetact::contact
                      const std::vector<solvers::NodeState> &states,
                      const Eigen::VectorXd                 &r)
   {
+    // Alone on its obstacle no node can exchange anything, as in most scenes.
+    if (!points.share_nodes() &&
+        std::all_of(points.begin(),
+                    points.end(),
+                    [](const ContactPoint &point) {
+                      return point.node->masters.empty();
+                    }))
+      return nullptr;
     std::vector<Closed> closed;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (states[i] != solvers::NodeState::open)

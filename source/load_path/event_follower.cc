@@ -3,7 +3,6 @@
 
 #include "conetact/load_path/event_follower.h"
 
-#include "conetact/solvers/lcp.h"
 #include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
@@ -180,14 +179,9 @@ namespace conetact::load_path
                       CriticalNodes(now.scheme.size(), {true, true, true}),
                       load - system.K * slipped);
     VectorXd      z;
-    if (!lcp.regular ||
-        !solvers::solve_lcp(lcp.M, lcp.q, lcp.cover, lcp.rank, z))
+    if (!lcp.solve(z, now.scheme))
       return false;
-    std::vector<bool> moves;
-    for (Index a = 0; a < z.size(); ++a)
-      moves.push_back(z(a) > 0);
-    now.scheme = lcp.scheme(moves);
-    now.v      = slipped + lcp.displacements(z, 1);
+    now.v = slipped + lcp.displacements(z, 1);
     hold_scheme();
     return true;
   }

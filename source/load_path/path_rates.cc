@@ -4,7 +4,6 @@
 #include "conetact/load_path/path_rates.h"
 
 #include "conetact/load_path/leave_vertex.h"
-#include "conetact/solvers/lcp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,14 +173,7 @@ namespace conetact::load_path
     {
       const RateLcp lcp(system, guess, critical, load_rate);
       VectorXd      z;
-      if (!lcp.regular ||
-          !solvers::solve_lcp(lcp.M, lcp.q, lcp.cover, lcp.rank, z))
-        return false;
-      std::vector<bool> moves;
-      for (Index a = 0; a < z.size(); ++a)
-        moves.push_back(z(a) > 0);
-      result = lcp.scheme(moves);
-      return true;
+      return lcp.solve(z, result);
     }
 
 

@@ -3,6 +3,8 @@
 
 #include "conetact/load_path/rate_lcp.h"
 
+#include "conetact/solvers/lcp.h"
+
 namespace conetact::load_path
 {
   using Eigen::Index;
@@ -89,6 +91,20 @@ namespace conetact::load_path
         cover(a) = p.side == 0 ? 1 : mu + 1;
         rank(a)  = p.side == 0 ? 0 : 1;
       }
+  }
+
+
+
+  bool
+  RateLcp::solve(Vector &z, Scheme &result) const
+  {
+    if (!regular || !solvers::solve_lcp(M, q, cover, rank, z))
+      return false;
+    std::vector<bool> moves;
+    for (Index a = 0; a < z.size(); ++a)
+      moves.push_back(z(a) > 0);
+    result = scheme(moves);
+    return true;
   }
 
 

@@ -64,7 +64,8 @@ namespace conetact::analysis
               const Eigen::VectorXd       &u) const;
     pairing::RigidMotion
     obstacle_motion(const pairing::ContactNode &node,
-                    const PendingIncrement     &increment) const;
+                    const Eigen::VectorXd      &amounts,
+                    const double                t) const;
     Tensor<1, 3>
     relative(const pairing::ContactNode &node,
              const Eigen::VectorXd      &u,

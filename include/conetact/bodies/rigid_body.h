@@ -4,7 +4,7 @@
 #ifndef conetact_bodies_rigid_body_h
 #define conetact_bodies_rigid_body_h
 
-#include "conetact/bodies/structure.h"
+#include "conetact/bodies/without_elements.h"
 
 namespace conetact::bodies
 {
@@ -13,7 +13,7 @@ namespace conetact::bodies
    * reference point that also rotates: forces and moments act there. The
    * others are points that contacts meet. It has no boundary and no drawing.
    */
-  class RigidBody : public Structure
+  class RigidBody : public WithoutElements
   {
   public:
     RigidBody(const unsigned int           dim,
@@ -35,58 +35,12 @@ namespace conetact::bodies
     {
       return positions[node];
     }
-    const std::vector<HangingNode> &
-    hanging_nodes() const override;
     bool
     has_dof(const unsigned int node,
             const unsigned int component) const override
     {
       return node == 0 || component < dim;
     }
-    void
-    for_each_element(const ElementVisitor &) const override
-    {}
-    void
-    add_internal_forces(const Eigen::VectorXd &,
-                        Eigen::VectorXd &) const override
-    {}
-    BoundaryIds
-    boundary_ids() const override
-    {
-      return {};
-    }
-    Surface
-    surface(const BoundaryIds &) const override
-    {
-      return {};
-    }
-    void
-    add_traction(const BoundaryIds &,
-                 const SurfaceField &,
-                 Eigen::VectorXd &) const override
-    {}
-    void
-    add_body_force(const VectorField &, Eigen::VectorXd &) const override
-    {}
-    bool
-    add_point_force(const Point<3> &,
-                    const Tensor<1, 3> &,
-                    Eigen::VectorXd &) const override
-    {
-      return false;
-    }
-    void
-    visit_springs(const BoundaryIds &,
-                  const SurfaceTensorField &,
-                  const ElementVisitor &) const override
-    {}
-    void
-    write_graphics(const Eigen::VectorXd &,
-                   const Eigen::VectorXd &,
-                   const Actions &,
-                   const double,
-                   const std::filesystem::path &) const override
-    {}
     std::string
     description() const override;
 

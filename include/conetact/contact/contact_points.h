@@ -37,13 +37,16 @@ namespace conetact::contact
     }
   };
 
-  /** Displacement of a contact node relative to what it may touch, at time t.
-   * `at(body, node)` is that of a node. */
+  /** What contacts do at a point: its force in space, of all unknowns r. */
+  Tensor<1, 3>
+  force_of(const ContactPoint &point, const Eigen::VectorXd &r);
+
+  /** Of displacements at(body, node) what a contact node sees: the difference
+   * of its two sides. */
   template <typename DisplacementAt>
   Tensor<1, 3>
-  relative_displacement(const pairing::ContactNode &node,
-                        const DisplacementAt       &at,
-                        const double                t)
+  difference_of_sides(const pairing::ContactNode &node,
+                      const DisplacementAt       &at)
   {
     Tensor<1, 3> v;
     pairing::for_each_side(node,
@@ -52,7 +55,18 @@ namespace conetact::contact
                                const double       weight) {
                              v += weight * at(body, i);
                            });
-    return v - node.opponent_displacement(t);
+    return v;
+  }
+
+  /** Displacement of a contact node relative to what it may touch, at time t.
+   * `at(body, node)` is that of a node. */
+  template <typename DisplacementAt>
+  Tensor<1, 3>
+  relative_displacement(const pairing::ContactNode &node,
+                        const DisplacementAt       &at,
+                        const double                t)
+  {
+    return difference_of_sides(node, at) - node.opponent_displacement(t);
   }
 
   /**

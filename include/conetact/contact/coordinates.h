@@ -88,6 +88,12 @@ namespace conetact::contact
     void
     unhang(Eigen::VectorXd &f) const;
 
+    /** The displacement of a node, from u of all dofs. */
+    Tensor<1, 3>
+    at_node(const Eigen::VectorXd &u,
+            const unsigned int     body,
+            const unsigned int     node) const;
+
     const NodeRules &
     rules() const
     {
@@ -125,11 +131,6 @@ namespace conetact::contact
                const DisplacementOf &displacement) const;
     void
     gather_rigid(const unsigned int body, Eigen::VectorXd &f) const;
-    /** Components of a node's displacement. */
-    Tensor<1, 3>
-    at_node(const Eigen::VectorXd &u,
-            const unsigned int     body,
-            const unsigned int     node) const;
 
     const Bodies                     &bodies;
     const NodeRules                  &node_rules;

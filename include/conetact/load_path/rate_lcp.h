@@ -50,6 +50,12 @@ namespace conetact::load_path
             const CriticalNodes &critical,
             const Vector        &load_rate);
 
+    /**
+     * Lemke's method from the covering vector. False: nothing follows from the
+     * problem, or it has no solution on that way.
+     */
+    bool
+    solve(Vector &z, Scheme &result) const;
     /** The scheme in which these pairs move: z may be positive, x is zero. */
     Scheme
     scheme(const std::vector<bool> &moves) const;
