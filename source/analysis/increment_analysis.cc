@@ -123,7 +123,10 @@ namespace conetact::analysis
     if (const std::string why = no_equilibrium(problem, increment);
         !why.empty())
       return why;
-    report = solver->solve(problem, state);
+    if (problem.system->n_nodes() == 0)
+      solve_motions(problem, state, report);
+    else
+      report = solver->solve(problem, state);
     done.add(report);
     if (!report.converged)
       return report.reason.empty() ?
@@ -134,6 +137,19 @@ namespace conetact::analysis
       return "it was solved in parts";
     take_result(increment, problem);
     return "";
+  }
+
+  /* Where all contacts are bound, foundations alone hold what floats. */
+  void
+  IncrementAnalysis::solve_motions(const solvers::ContactProblem &problem,
+                                   solvers::ContactState         &state,
+                                   solvers::SolverReport         &report)
+  {
+    state.r           = -problem.system->matrix.fullPivLu().solve(problem.load);
+    state.v           = Eigen::VectorXd::Zero(state.r.size());
+    report.converged  = true;
+    report.solver     = "linear";
+    report.iterations = report.factorizations = 1;
   }
 
   void

@@ -108,13 +108,20 @@ namespace conetact::contact
     sign << VectorXd::Ones(n_c), -VectorXd::Ones(N.cols()),
       VectorXd::Ones(n_rows), -VectorXd::Ones(M.cols());
 
+    // Only what foundations resist strains a tie; the rest is rounding.
+    MatrixXd       G_N = G * N;
+    const MatrixXd C_N = C * N;
+    for (Index j = 0; j < N.cols(); ++j)
+      if (C_N.col(j).isZero(0))
+        G_N.col(j).tail(n_t).setZero();
+
     MatrixXd       bound(n_e, n_e), coupling(n_e, n_k); // of what stays
     const MatrixXd W_t = all.block(n_c, 0, n_t, n_c + n_t)(rows, Eigen::all);
     const MatrixXd G_t = G_M(rows, Eigen::all);
     bound << W_t.rightCols(n_t)(Eigen::all, rows), G_t, -G_t.transpose(),
       M.transpose() * C * M;
-    coupling << W_t.leftCols(n_c), MatrixXd::Zero(n_rows, N.cols()),
-      -(G.topRows(n_c) * M).transpose(), M.transpose() * C * N;
+    coupling << W_t.leftCols(n_c), G_N.bottomRows(n_t)(rows, Eigen::all),
+      -(G.topRows(n_c) * M).transpose(), M.transpose() * C_N;
     if (n_e > 0)
       factor.compute(scaling.asDiagonal() * bound * scaling.asDiagonal());
     answer = n_e > 0 ? MatrixXd(scaling.asDiagonal() *
@@ -122,9 +129,8 @@ namespace conetact::contact
                        coupling;
 
     kept.resize(n_k, n_k);
-    const MatrixXd G_N = G.topRows(n_c) * N;
-    kept << all.topLeftCorner(n_c, n_c), G_N, -G_N.transpose(),
-      N.transpose() * C * N;
+    kept << all.topLeftCorner(n_c, n_c), G_N.topRows(n_c),
+      -G_N.topRows(n_c).transpose(), N.transpose() * C_N;
     // The coupling the other way round is the same but for signs.
     kept -= sign.head(n_k).asDiagonal() * coupling.transpose() *
             sign.tail(n_e).asDiagonal() * answer;

@@ -5,6 +5,7 @@ import itertools
 import math
 
 from support.scenes import box, contact, floor, load, merge, support
+from support.tables import Events
 
 E, PULL = 1000.0, 2.0
 JOINT = "joint"
@@ -209,6 +210,32 @@ def glued(laws):
         laws.check(f"{dim}D: it does not lift off", max(abs(row["gap"]) for row in joint_rows(run)), 0)
 
 
+def springs(laws):
+    """Two tied bars that only a foundation holds: its force, and where it lets them go."""
+    scene = bars(2, bar(2, (2, 2)), bar(2, (2, 3), 1.0))
+    scene["Support soft"] = support(0, "x, y", body="left", Stiffness=50)
+    scene["Load pull"] = load("traction", "1 ; 0.2", 1, "right")
+    last = laws.run(scene).increments[-1]
+    laws.check("tied bars on springs: force of the joint",
+               math.hypot(abs(last[f"{JOINT}_f_x"]) - 1, abs(last[f"{JOINT}_f_y"]) - .2), 1e-10)
+    scene["Solver"] = {"Method": "load path"}
+    done, _ = laws.start(scene)
+    laws.demand(f"no load path without contact: {done.stderr.strip()[:100]}", done.returncode == 1 and "Choose automatic" in done.stderr)
+
+
+def path(laws):
+    """The limit load of two tied blocks that are pushed is that of one."""
+    block = {"Dimension": 2, "Obstacle floor": floor(2), "Contact ground": contact("lower", 2, mu=.3),
+             "Load weight 1": load("body force", "0 ; -1", body="lower"), "Load weight 2": load("body force", "0 ; -1", body="upper"),
+             "Load push": load("body force", "t ; 0", body="upper"), "Time": {"Times": 2}, "Solver": {"Method": "load path"},
+             "Body lower": box((3, 2), (1.0, 1.0)), "Body upper": box((4, 3), (1.0, 1.0), (0.0, 1.0)),
+             f"Contact {JOINT}": tie("upper", 2, "lower", 3), "Output": {"VTU": 0}}
+    done, folder = laws.start(block)
+    events = Events(folder)
+    laws.demand(f"load path: {events.words}", done.returncode == 0 and "sliding" in events.words)
+    laws.check("  limit load", abs(events.parameter - .6), 1e-10)
+
+
 def elsewhere(laws):
     """A block that a slider guides, pressed against a wall with friction."""
     scene = {"Dimension": 2, "Body block": box((6, 4), (2.0, 1.0)), "Obstacle floor": floor(2),
@@ -275,5 +302,5 @@ def press_fits(laws):
 
 
 def tie_family(laws):
-    for family in (tension, turned, one_mesh, bending, floating, glued, elsewhere, redundant, press_fits):
+    for family in (tension, turned, one_mesh, bending, floating, glued, springs, path, elsewhere, redundant, press_fits):
         family(laws)

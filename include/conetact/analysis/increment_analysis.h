@@ -59,6 +59,10 @@ namespace conetact::analysis
     std::string
     no_equilibrium(const solvers::ContactProblem &problem,
                    const PendingIncrement        &increment);
+    static void
+    solve_motions(const solvers::ContactProblem &problem,
+                  solvers::ContactState         &state,
+                  solvers::SolverReport         &report);
     void
     take_bound(PendingIncrement &increment);
     void

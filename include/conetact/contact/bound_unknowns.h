@@ -20,9 +20,9 @@ namespace conetact::contact
    *     \begin{pmatrix} r_c\\ r_t\\ a\end{pmatrix} +
    *     \begin{pmatrix} q_c\\ q_t\\ -b\end{pmatrix}, @f]
    * rows t are equations, @f$v_t = 0@f$ with any @f$r_t@f$. Motions that bodies
-   * have together, @f$a = N a_f + M a_t,\ G_t N = 0@f$, stay unknowns with a
-   * balance of their own; @f$r_t@f$ and @f$a_t@f$ are solved for. What is left
-   * is the same form in @f$(r_c, a_f)@f$.
+   * have together, @f$a = N a_f + M a_t@f$, stay unknowns with a balance of
+   * their own; @f$r_t@f$ and @f$a_t@f$ are solved for. What is left is the same
+   * form in @f$(r_c, a_f)@f$. @f$G_t N = 0@f$ but for what foundations deform.
    *
    * Rows that others imply (a node in two ties, or held by a support as well)
    * carry nothing: a Cholesky factorisation of W_tt and of the motions that

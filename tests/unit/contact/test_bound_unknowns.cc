@@ -34,7 +34,6 @@ namespace
       M                  = all.rightCols(k - n_free);
       MatrixXd H         = random(n_c + n_t, 9);
       MatrixXd G         = random(n_c + n_t, k);
-      G.bottomRows(n_t)  = (G.bottomRows(n_t) * M * M.transpose()).eval();
       for (MatrixXd *m : {&H, &G})
         {
           m->row(1) *= GetParam(); // of a stiffer body
