@@ -190,7 +190,7 @@ namespace conetact::analysis
   Acceptance::wrong_at_supports(const PendingIncrement      &increment,
                                 const verification::Finding &finding) const
   {
-    const auto       &nodes = model.bodies.contact_nodes;
+    const auto       &nodes = model.points.nodes();
     std::vector<bool> has_rows(nodes.size(), false);
     for (const contact::ContactPoint &point : model.points)
       has_rows[static_cast<std::size_t>(point.node - nodes.data())] = true;
@@ -228,7 +228,7 @@ namespace conetact::analysis
             .v[points[i].first +
                static_cast<Eigen::Index>(points[i].dual.size()) - 1];
         // The weights of the masters belong to the foot at the start.
-        if (node.masters.empty() || gap > nearby * node.spacing)
+        if (node.masters.empty() || node.slides || gap > nearby * node.spacing)
           continue;
         Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
         // Opening does not move the foot, sliding does.
@@ -255,7 +255,7 @@ namespace conetact::analysis
     for (std::size_t i = 0; i < model.points.size(); ++i)
       {
         const pairing::ContactNode &node = *model.points[i].node;
-        if (node.masters.empty() || node.mu_1 + node.mu_2 == 0 ||
+        if (node.masters.empty() || node.slides || node.mu_1 + node.mu_2 == 0 ||
             increment.state.node[i] == solvers::NodeState::open)
           continue;
         const Tensor<1, 3> apart =

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace conetact::contact
 {
@@ -82,6 +83,34 @@ namespace conetact::contact
     for (const pairing::ContactNode &node : bodies.contact_nodes)
       add(node, times);
     number();
+  }
+
+
+
+  void
+  ContactPoints::relink(std::vector<pairing::ContactNode> nodes,
+                        const std::vector<double>        &times)
+  {
+    const solvers::ContactSystem before =
+      std::exchange(contact_layout, solvers::ContactSystem());
+    found_again    = std::move(nodes);
+    n_held_normals = 0;
+    points.clear();
+    try
+      {
+        for (const pairing::ContactNode &node : found_again)
+          add(node, times);
+      }
+    catch (const InputError &error)
+      {
+        throw AnalysisError(error.what());
+      }
+    number();
+    if (contact_layout.first != before.first || contact_layout.mu != before.mu)
+      throw AnalysisError(
+        "A contact node that supports hold slides to where they hold it in "
+        "another way: along its contact normal, or no longer. Take the nodes "
+        "that supports hold out of the contact");
   }
 
 

@@ -120,6 +120,14 @@ namespace conetact::contact
   }
 
   void
+  DualBackend::relink()
+  {
+    write_rows();
+    assemble_system();
+    forget_reductions();
+  }
+
+  void
   DualBackend::find_parts()
   {
     const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
@@ -153,6 +161,14 @@ namespace conetact::contact
       // A column of H that is not empty: contacts see this unknown.
       if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
         kept[at(p - own.begin(body))] = true;
+    for (const auto &[of, node] : elastic.bodies.nodes_to_keep)
+      if (of == body)
+        for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+          {
+            const auto [begin, end] = own.row(coordinates.dof(body, node) + c);
+            for (const auto *entry = begin; entry != end; ++entry)
+              kept[at(entry->unknown - own.begin(body))] = true;
+          }
     if (std::count(motions.body_of_free().begin(),
                    motions.body_of_free().end(),
                    body) > 0)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (balance, bodies, corners, elements, friction, hertz, kill, loads, obstacles, pairs,  # noqa: E402
-                  patch, path, refinement, supports, threads, transformations)
+                  patch, path, refinement, sliding, supports, threads, transformations)
 from support.checks import run_families  # noqa: E402
 
 FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, "rotation": transformations.rotation_family,
@@ -23,7 +23,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
-            "hertz": hertz.hertz, "path": path.path}
+            "hertz": hertz.hertz, "path": path.path, "sliding": sliding.sliding}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:

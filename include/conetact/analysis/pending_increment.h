@@ -21,7 +21,8 @@ namespace conetact::analysis
     Eigen::VectorXd         primal;  ///< as ElasticBackend::expand() takes it
     Eigen::VectorXd         motions; ///< amounts of the free motions
     contact::ContactHistory before, after;
-    solvers::ContactState   end; ///< of the working set alone
+    solvers::ContactState   end;          ///< of the working set alone
+    Eigen::VectorXd         thermal = {}; ///< nodal forces, or none
   };
 } // namespace conetact::analysis
 

@@ -39,7 +39,16 @@ namespace conetact::contact
          const double                 t,
          const bool                   whole = true);
 
+    /**
+     * Contacts were found again: their frames and feet, and what they moved by
+     * until the end of the last increment.
+     */
+    void
+    relink();
+
   private:
+    void
+    place(const pairing::ContactNode &node, output::ContactRow &row) const;
     void
     append_masters(std::vector<output::ContactRow> &rows) const;
 
@@ -48,6 +57,8 @@ namespace conetact::contact
     std::vector<output::ContactRow> last;         ///< of the increment before
     std::vector<Tensor<1, 3>>       other_before; ///< its displacements along
                                                   ///< directions without a cone
+    Eigen::VectorXd last_u; ///< of all dofs then; empty: the start
+    double          last_t = 0;
   };
 } // namespace conetact::contact
 

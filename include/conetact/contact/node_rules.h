@@ -25,6 +25,10 @@ namespace conetact::contact
     std::vector<bodies::Support>           supports;
     std::vector<pairing::ContactNode>      contact_nodes;
 
+    /** Body and number of nodes that contacts may come to see, in any
+     * direction, as they slide. */
+    std::vector<std::pair<unsigned int, unsigned int>> nodes_to_keep;
+
     /** Bodies that nothing reaches and that are not solved; empty: none. */
     std::vector<bool> at_rest;
     bool
@@ -41,7 +45,8 @@ namespace conetact::contact
    * further off are left to be refused.
    */
   void
-  align_with_supports(Bodies &bodies);
+  align_with_supports(const Bodies                      &bodies,
+                      std::vector<pairing::ContactNode> &nodes);
 
   /**
    * Completes orthonormal directions to a basis of space. Axes come first,
