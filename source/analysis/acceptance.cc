@@ -221,7 +221,7 @@ namespace conetact::analysis
   Acceptance::wrong_at_supports(const PendingIncrement      &increment,
                                 const verification::Finding &finding) const
   {
-    const auto       &nodes = model.bodies.contact_nodes;
+    const auto       &nodes = model.points.nodes();
     std::vector<bool> has_rows(nodes.size(), false);
     for (const contact::ContactPoint &point : model.points.all())
       has_rows[static_cast<std::size_t>(point.node - nodes.data())] = true;
@@ -259,7 +259,7 @@ namespace conetact::analysis
           node.is_bound() ? 0. : increment.state.v[point.normal()];
         // The weights of the masters belong to the foot at the start.
         // What an obstacle's shape does beside the foot wrong_gap() knows.
-        if (node.masters.empty() || node.obstacle != nullptr ||
+        if (node.masters.empty() || node.obstacle != nullptr || node.slides ||
             gap > nearby * node.spacing)
           continue;
         Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
@@ -291,7 +291,7 @@ namespace conetact::analysis
                              node.mu_1 + node.mu_2 > 0 &&
               increment.state.node[i] != solvers::NodeState::open :
                              node.kind == pairing::ContactKind::tie;
-        if (node.masters.empty() || !acts)
+        if (node.masters.empty() || node.slides || !acts)
           continue;
         const Tensor<1, 3> apart =
           pairing::undeformed_distance(node, model.bodies.structures);

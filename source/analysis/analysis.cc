@@ -211,6 +211,7 @@ namespace conetact::analysis
     increment.mechanical         = acting.mechanical + others;
     for (const auto &[force, moment] : acting.each)
       increment.record.each_load.push_back({force, moment});
+    increment.thermal = acting.thermal;
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
   }
 
@@ -241,7 +242,11 @@ namespace conetact::analysis
       log.note(name(record) + ", " + record.report.solver + ": " +
                std::to_string(record.report.iterations) +
                " linear solves, residual " + to_text(record.report.residual) +
-               ", equilibrium " + to_text(record.equilibrium));
+               ", equilibrium " + to_text(record.equilibrium) +
+               (record.pairings > 0 ?
+                  ", contacts found again " + std::to_string(record.pairings) +
+                    " times" :
+                  ""));
   }
 
   std::string

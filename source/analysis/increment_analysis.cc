@@ -11,6 +11,7 @@
 #include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace conetact::analysis
 {
@@ -26,6 +27,7 @@ namespace conetact::analysis
   IncrementAnalysis::IncrementAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
     , solver(solvers::make_solver(scene.solver))
+    , search(scene.sliding_contacts(), model)
   {}
 
   void
@@ -63,7 +65,7 @@ namespace conetact::analysis
   std::size_t
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
-    if (correcting)
+    if (correcting || search.is_needed())
       return 1;
     const std::size_t most = most_at_once(n_finished);
     // what follows an increment in which a node is missing is solved in vain
@@ -81,7 +83,9 @@ namespace conetact::analysis
     for (; k <= scene.times.size() && batch.size() < size; ++k)
       {
         batch.push_back(start(k));
-        const std::string why = solve_contact(batch.back(), history.start());
+        std::string why = solve_contact(batch.back(), history.start());
+        if (why.empty() && search.is_needed())
+          why = settle(batch.back());
         if (!why.empty())
           {
             const std::string failure = failed(batch.back().record, why);
@@ -95,6 +99,8 @@ namespace conetact::analysis
   PendingIncrement
   IncrementAnalysis::start(const unsigned int k)
   {
+    if (search.is_needed())
+      take(search.guess(scene.times[k - 1]));
     PendingIncrement increment{history, history};
     increment.record.increment = k;
     increment.record.time      = scene.times[k - 1];
@@ -150,6 +156,63 @@ namespace conetact::analysis
     report.converged  = true;
     report.solver     = "linear";
     report.iterations = report.factorizations = 1;
+  }
+
+  void
+  IncrementAnalysis::take(ContactSearch::Nodes found)
+  {
+    search.take(std::move(found), history);
+    acceptance.relink();
+    existence.reset();
+  }
+
+  std::string
+  IncrementAnalysis::solve_with(ContactSearch::Nodes found,
+                                PendingIncrement    &increment)
+  {
+    history = increment.before;
+    take(std::move(found));
+    increment.before            = history;
+    increment.load              = model.load_case(increment.mechanical,
+                                     increment.thermal,
+                                     increment.record.time);
+    solvers::ContactState guess = history.start();
+    guess.node                  = increment.end.node;
+    const unsigned int before   = increment.record.report.iterations;
+    const std::string  why      = solve_contact(increment, guess);
+    increment.record.report.iterations += before;
+    return why;
+  }
+
+  std::string
+  IncrementAnalysis::settle(PendingIncrement &increment)
+  {
+    constexpr unsigned int most   = 20;
+    constexpr double       exact  = 1e-9;
+    constexpr double       enough = 1e-3; // where facets meet there is no more
+    double                 before = std::numeric_limits<double>::max();
+    for (unsigned int &n = increment.record.pairings;;)
+      {
+        const Eigen::VectorXd u =
+          acceptance.displacements(increment,
+                                   model.condense().expand({&increment.load},
+                                                           {increment.primal}));
+        ContactSearch::Nodes found = search.find(u, increment.record.time);
+        const auto [gap, force]    = search.change(increment, u, found);
+        const double error         = std::max(gap, force);
+        const bool   is_slow       = n >= most / 2 && error > .9 * before;
+        before                     = error;
+        if (error <= exact || (gap <= enough && (is_slow || n == most)))
+          return "";
+        if (n++ == most)
+          return "contacts that slide are found elsewhere again and again, "
+                 "their gaps are off by " +
+                 to_text(gap) +
+                 " of a cell. Use smaller increments, or smoother surfaces";
+        if (const std::string why = solve_with(std::move(found), increment);
+            !why.empty())
+          return why;
+      }
   }
 
   void
@@ -328,6 +391,8 @@ namespace conetact::analysis
     const std::string  why = complete(increment, finding, w);
     if (!why.empty())
       return {Step::Outcome::failed, k, failed(increment.record, why), {}};
+    if (search.is_needed())
+      search.accept(finding.u, increment.record.time);
     // those after it started from what was not exact
     return {corrected ? Step::Outcome::corrected : Step::Outcome::accepted,
             k + 1,

@@ -279,16 +279,21 @@ namespace conetact::application
         if (pair)
           contact_sides.push_back(contact_names[c] + "_master");
       }
+    for (const pairing::Contact &contact : contacts)
+      // rows change all the time: all nodes are known from the start
+      leave_out_far_nodes &= !contact.slides;
     pairing::ContactNodes found = pairing::find_contact_nodes(contacts,
                                                               bodies.names,
                                                               bodies.structures,
                                                               dim);
     bodies.contact_nodes        = std::move(found.nodes);
     pairings                    = std::move(found.pairings);
-    contact::align_with_supports(bodies);
+    contact::align_with_supports(bodies, bodies.contact_nodes);
+    keep_nodes();
     contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();
     check_path();
+    check_sliding();
     check_adaptive(adaptive, bodies.structures);
     for (auto &body : contact::add_free_obstacles(obstacles, bodies))
       structures.push_back(std::move(body));
@@ -311,6 +316,83 @@ namespace conetact::application
           at_rest[contact.master] = false;
       }
     return at_rest;
+  }
+
+  void
+  Scene::keep_nodes()
+  {
+    const auto keep = [&](const unsigned int body, const auto &ids) {
+      const bodies::Surface surface = bodies.structures[body]->surface(ids);
+      for (const bodies::SurfaceNode &node : surface.nodes)
+        bodies.nodes_to_keep.emplace_back(body, node.node);
+      for (const bodies::SurfaceFace &face : surface.faces) // hanging ones, too
+        for (const unsigned int node : face.nodes)
+          bodies.nodes_to_keep.emplace_back(body, node);
+    };
+    for (const pairing::Contact &contact : contacts)
+      if (contact.slides)
+        {
+          keep(contact.body, contact.ids);
+          if (contact.obstacle == nullptr)
+            keep(contact.master, contact.master_ids);
+        }
+  }
+
+  pairing::SlidingContacts
+  Scene::sliding_contacts() const
+  {
+    return pairing::SlidingContacts(contacts,
+                                    bodies.structures,
+                                    bodies.contact_nodes,
+                                    bodies.dim);
+  }
+
+  void
+  Scene::check_sliding() const
+  {
+    for (const pairing::Contact &contact : contacts)
+      {
+        if (!contact.slides)
+          continue;
+        const std::string in = "Contact '" + contact.name + "', Kinematics: ";
+        if (path.follows)
+          throw InputError(in + "a load path follows contacts of undeformed "
+                                "bodies. Choose small, or another "
+                                "Solver/Method.");
+        if (adaptive.cycles > 0)
+          throw InputError(in + "meshes are refined for contacts of undeformed "
+                                "bodies. Choose small, or set Adaptive "
+                                "refinement to 0.");
+        refuse_beside_sliding(in);
+      }
+  }
+
+  void
+  Scene::refuse_beside_sliding(const std::string &in) const
+  {
+    for (const pairing::Contact &other : contacts)
+      {
+        if (other.kind != pairing::ContactKind::contact)
+          throw InputError(in +
+                           "where contacts slide far there are no ties "
+                           "or bilateral contacts, as Contact '" +
+                           other.name +
+                           "' is. Choose small, or Kind = contact there.");
+        if (other.gap)
+          throw InputError(in +
+                           "where contacts slide far gaps come from "
+                           "geometry, and Contact '" +
+                           other.name +
+                           "' has a Gap. Choose small, or leave it empty.");
+      }
+    for (const pairing::Obstacle &obstacle : obstacles)
+      if (obstacle.free.any() || obstacle.turn)
+        throw InputError(in +
+                         "where contacts slide far obstacles translate as "
+                         "prescribed, and Obstacle '" +
+                         obstacle.name +
+                         "' is Free or turns. Choose small, or leave its Free "
+                         "and Turn empty.");
   }
 
   std::string

@@ -28,14 +28,15 @@ namespace conetact::contact
   } // namespace
 
   ContactModel::ContactModel(const Bodies              &b,
-                             const std::vector<double> &times,
+                             const std::vector<double> &at,
                              const backends::Condenser &by)
     : bodies(b)
-    , rules(bodies, times)
-    , points(bodies, rules, times)
+    , rules(bodies, at)
+    , points(bodies, rules, at)
     , coordinates(bodies, rules)
     , elastic(bodies)
     , motions(bodies, rules, points, coordinates)
+    , times(at)
     , condenser(by)
     , dual(needs_dual())
     , chosen(points.layout())
@@ -58,7 +59,13 @@ namespace conetact::contact
                                      return !node.masters.empty();
                                    });
     // mechanisms are found in a stiffness only
-    return pairs || points.have_prescribed_slip() || points.share_nodes() ||
+    // what slides far has other rows over the same bodies in each increment
+    const bool slide =
+      std::any_of(bodies.contact_nodes.begin(),
+                  bodies.contact_nodes.end(),
+                  [](const pairing::ContactNode &node) { return node.slides; });
+    return pairs || slide || points.have_prescribed_slip() ||
+           points.share_nodes() ||
            (!may_be_mechanism() &&
             (motions.n_free() > 0 || has_equal_bodies()));
   }
@@ -261,6 +268,15 @@ namespace conetact::contact
     chosen = std::move(set);
   }
 
+  void
+  ContactModel::relink(std::vector<pairing::ContactNode> nodes)
+  {
+    points.relink(std::move(nodes), times);
+    motions.see_contacts(points);
+    if (condensed) // scenes with contacts that slide far are dual
+      dynamic_cast<DualBackend &>(*condensed).relink();
+  }
+
   bool
   ContactModel::extend(const std::vector<Eigen::Index> &nodes)
   {
@@ -330,6 +346,16 @@ namespace conetact::contact
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       gap[i] += q[layout.normal(i)];
     return gap;
+  }
+
+  void
+  ContactHistory::relink(const Eigen::VectorXd &u, const double t)
+  {
+    Eigen::Index i = 0;
+    for (const ContactPoint &point : model->points)
+      initial_gap[i++] = point.node->gap;
+    if (u.size() > 0)
+      q = model->relative_displacements(u, t);
   }
 
   solvers::ContactProblem

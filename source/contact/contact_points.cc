@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace conetact::contact
 {
@@ -90,14 +91,49 @@ namespace conetact::contact
     : bodies(b)
     , supports(s)
   {
-    for (const pairing::ContactNode &node : bodies.contact_nodes)
+    add_all(times);
+  }
+
+
+
+  void
+  ContactPoints::add_all(const std::vector<double> &times)
+  {
+    for (const pairing::ContactNode &node : nodes())
       if (!node.is_bound())
         add(node, times);
     n_candidates = points.size();
-    for (const pairing::ContactNode &node : bodies.contact_nodes)
+    for (const pairing::ContactNode &node : nodes())
       if (node.is_bound())
         add_bound(node);
     number();
+  }
+
+
+
+  void
+  ContactPoints::relink(std::vector<pairing::ContactNode> nodes,
+                        const std::vector<double>        &times)
+  {
+    const solvers::ContactSystem before =
+      std::exchange(contact_layout, solvers::ContactSystem());
+    found_again    = std::move(nodes);
+    n_held_normals = 0;
+    n_all          = 0;
+    points.clear();
+    try
+      {
+        add_all(times);
+      }
+    catch (const InputError &error)
+      {
+        throw AnalysisError(error.what());
+      }
+    if (contact_layout.first != before.first || contact_layout.mu != before.mu)
+      throw AnalysisError(
+        "A contact node that supports hold slides to where they hold it in "
+        "another way: along its contact normal, or no longer. Take the nodes "
+        "that supports hold out of the contact");
   }
 
 

@@ -13,9 +13,9 @@ namespace conetact::contact
   {
     /** (n, t1, t2) components of a vector in space. */
     Tensor<1, 3>
-    in_frame(const pairing::ContactNode &node, const Tensor<1, 3> &v)
+    in_frame(const output::ContactRow &row, const Tensor<1, 3> &v)
     {
-      return Tensor<1, 3>({v * node.n, v * node.t1, v * node.t2});
+      return Tensor<1, 3>({v * row.normal, v * row.t1, v * row.t2});
     }
 
     /** The tangential displacement spanned by the contact unknowns. */
@@ -39,12 +39,13 @@ namespace conetact::contact
       return rest;
     }
 
-    /** Where the reaction acts on the other side, undeformed. */
+    /** Where the reaction acts on the other side, undeformed and not moved. */
     Point<3>
     foot_of(const Bodies &bodies, const pairing::ContactNode &node)
     {
       if (node.masters.empty())
-        return node.position - node.gap * node.n;
+        return node.position + node.moved -
+               (node.gap + node.n * node.moved) * node.n;
       Point<3> p;
       for (const auto &[master, weight] : node.masters)
         p += weight *
@@ -74,19 +75,44 @@ namespace conetact::contact
   {
     for (const ContactPoint &point : model.points.all())
       {
-        const pairing::ContactNode &node = *point.node;
-        output::ContactRow          row;
-        row.contact  = node.contact;
-        row.node     = node.node;
-        row.position = node.position;
-        row.normal   = node.n;
-        row.t1       = node.t1;
-        row.t2       = node.t2;
-        row.area     = node.area;
-        row.gap      = node.gap;
-        row.foot     = foot_of(model.bodies, node);
-        row.acts     = acting_at(model.bodies, node);
+        output::ContactRow row;
+        row.gap = point.node->gap;
+        place(*point.node, row);
         last.push_back(row);
+      }
+  }
+
+  void
+  ContactRows::place(const pairing::ContactNode &node,
+                     output::ContactRow         &row) const
+  {
+    row.contact  = node.contact;
+    row.node     = node.node;
+    row.position = node.position;
+    row.normal   = node.n;
+    row.area     = node.area;
+    row.foot     = foot_of(model.bodies, node);
+    row.acts     = acting_at(model.bodies, node);
+    // tables name the normal only: whoever reads them knows its tangents
+    std::tie(row.t1, row.t2) = pairing::tangents(node.n, model.bodies.dim);
+  }
+
+  void
+  ContactRows::relink()
+  {
+    const auto at = [&](const unsigned int body, const unsigned int node) {
+      return model.displacement(last_u, body, node);
+    };
+    for (std::size_t i = 0; i < last.size(); ++i)
+      {
+        const ContactPoint         &point = model.points.all()[i];
+        const pairing::ContactNode &node  = *point.node;
+        place(node, last[i]);
+        if (last_u.size() == 0)
+          continue;
+        const Tensor<1, 3> v = relative_displacement(node, at, last_t);
+        last[i].u            = in_frame(last[i], v);
+        other_before[i]      = in_frame(last[i], other_tangential(point, v));
       }
   }
 
@@ -111,7 +137,7 @@ namespace conetact::contact
         const pairing::ContactNode &node  = *point.node;
         output::ContactRow         &row   = rows[i];
         const Tensor<1, 3>          other =
-          in_frame(node,
+          in_frame(row,
                    other_tangential(point, relative_displacement(node, at, t)));
         if (i < points.size())
           set_candidate(i, state, q, other, row);
@@ -120,7 +146,7 @@ namespace conetact::contact
         if (node.growth)
           row.u[0] -= node.growth(t); // a gap that grows moves nothing
         row.du[0]       = row.u[0] - last[i].u[0];
-        row.reaction    = in_frame(node, force_of(point, r));
+        row.reaction    = in_frame(row, force_of(point, r));
         other_before[i] = other;
         // Solvers see no slip of nodes without cone, and of parts only that of
         // the last.
@@ -133,7 +159,9 @@ namespace conetact::contact
                         solvers::NodeState::slip :
                         solvers::NodeState::stick;
       }
-    last = rows;
+    last   = rows;
+    last_u = u;
+    last_t = t;
     append_masters(rows);
     return rows;
   }
@@ -147,12 +175,12 @@ namespace conetact::contact
   {
     const ContactPoint &point = model.points[i];
     row.gap                   = state.v[point.normal()];
-    row.u = in_frame(*point.node, tangential(point, q)) + other;
+    row.u                     = in_frame(row, tangential(point, q)) + other;
     // The normal part is the solver's own: where the gap is closed, u_n
     // is -g0 to the last digit.
     row.u[0] = q[point.normal()];
-    row.du   = in_frame(*point.node, tangential(point, state.v)) +
-             (other - other_before[i]);
+    row.du =
+      in_frame(row, tangential(point, state.v)) + (other - other_before[i]);
     row.state = state.node[i];
   }
 

@@ -104,6 +104,14 @@ namespace conetact::contact
   }
 
   void
+  DualBackend::relink()
+  {
+    write_rows();
+    assemble_system();
+    forget_reductions();
+  }
+
+  void
   DualBackend::write_row(const ContactPoint &point,
                          Index              &row,
                          Triplets           &entries) const
@@ -159,6 +167,14 @@ namespace conetact::contact
       // A column of H that is not empty: contacts see this unknown.
       if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
         kept[at(p - own.begin(body))] = true;
+    for (const auto &[of, node] : elastic.bodies.nodes_to_keep)
+      if (of == body)
+        for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+          {
+            const auto [begin, end] = own.row(coordinates.dof(body, node) + c);
+            for (const auto *entry = begin; entry != end; ++entry)
+              kept[at(entry->unknown - own.begin(body))] = true;
+          }
     if (std::count(motions.body_of_own().begin(),
                    motions.body_of_own().end(),
                    body) > 0)

@@ -3,6 +3,9 @@
 
 #include "conetact/contact/held_nodes.h"
 
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
 #include <algorithm>
 #include <map>
 
@@ -70,6 +73,24 @@ namespace conetact::contact
     }
   } // namespace
 
+  namespace
+  {
+    /* Who takes what they have would change all the time. */
+    void
+    refuse_sliding(const Bodies &bodies, const std::vector<bool> &held)
+    {
+      for (std::size_t i = 0; i < held.size(); ++i)
+        if (const pairing::ContactNode &node = bodies.contact_nodes[i];
+            held[i] && node.is_mean && node.slides)
+          throw InputError(
+            "Contact, Kinematics: a support holds the contact node at " +
+            to_text(node.position) + " of body '" + bodies.names[node.body] +
+            "' along its contact normal, which mortar contacts that slide far "
+            "do not know. Take it out of the support or of the contact, or "
+            "choose Pairing = node to face.");
+    }
+  } // namespace
+
   void
   give_up_held_nodes(Bodies &bodies)
   {
@@ -80,7 +101,8 @@ namespace conetact::contact
                        return node.is_mean;
                      }))
       return;
-    const std::vector<bool>  held = held_along_normals(bodies);
+    const std::vector<bool> held = held_along_normals(bodies);
+    refuse_sliding(bodies, held);
     const std::size_t        none = nodes.size();
     std::vector<std::size_t> takers(nodes.size(), none);
     for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -94,19 +94,20 @@ namespace conetact::contact
   }
 
   void
-  align_with_supports(Bodies &bodies)
+  align_with_supports(const Bodies                      &bodies,
+                      std::vector<pairing::ContactNode> &nodes)
   {
     constexpr double largest_facet_angle = .1; // as a sine
 
-    if (std::none_of(bodies.contact_nodes.begin(),
-                     bodies.contact_nodes.end(),
+    if (std::none_of(nodes.begin(),
+                     nodes.end(),
                      [](const pairing::ContactNode &node) {
                        return !node.masters.empty();
                      }))
       return;
 
     const SupportedNodes held = supported_nodes(bodies);
-    for (pairing::ContactNode &node : bodies.contact_nodes)
+    for (pairing::ContactNode &node : nodes)
       {
         const auto found = held.find({node.body, node.node});
         if (node.masters.empty() || found == held.end())

@@ -293,13 +293,16 @@ namespace conetact::pairing
     count(const PairedNodes &found)
     {
       Pairing pairing{found.n_nodes, found.n_paired, 0, 0};
+      bool    first = true;
       for (const ContactNode &node : found.nodes)
         {
-          const bool first = &node == &found.nodes.front();
+          if (node.meets_nothing())
+            continue;
           pairing.least_gap =
             first ? node.gap : std::min(pairing.least_gap, node.gap);
           pairing.largest_gap =
             first ? node.gap : std::max(pairing.largest_gap, node.gap);
+          first = false;
         }
       return pairing;
     }
@@ -461,6 +464,24 @@ namespace conetact::pairing
     }
 
     void
+    declare_kinematics(dealii::ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Kinematics",
+        "small",
+        dealii::Patterns::Selection("small|finite sliding"),
+        "small: gaps and normals are those of the undeformed bodies, for "
+        "slides that are small beside a cell or along plane obstacles. finite "
+        "sliding: contact is where bodies and obstacles are at the end of each "
+        "increment; they may slide and move as far as they like, as long as "
+        "bodies turn little. Each increment is solved a few times then; "
+        "friction is that of the slip in its last tangent plane, so that the "
+        "error of a curved way falls with the increments. The scene may have no "
+        "ties, bilateral contacts, Gap, nor obstacles that are Free or Turn. "
+        "[-]");
+    }
+
+    void
     declare_friction(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
@@ -539,8 +560,41 @@ namespace conetact::pairing
                       "bodies. [length]");
     declare_kind(prm);
     declare_pairing(prm);
+    declare_kinematics(prm);
     declare_friction(prm);
   }
+
+  namespace
+  {
+    /** What finite sliding knows. */
+    void
+    check_sliding(const Contact                                &contact,
+                  const std::string                            &in,
+                  const std::vector<const bodies::Structure *> &structures)
+    {
+      if (contact.obstacle != nullptr)
+        return;
+      const std::string small = " Choose Kinematics = small.";
+      if (contact.body == contact.master)
+        throw InputError(in +
+                         "Kinematics: a body slides far along another "
+                         "one only, not along itself." +
+                         small);
+      if (contact.gap)
+        throw InputError(in +
+                         "Gap: where bodies slide far it comes from "
+                         "geometry. Leave it empty." +
+                         small);
+      for (const bodies::Surface &surface :
+           {structures[contact.body]->surface(contact.ids),
+            structures[contact.master]->surface(contact.master_ids)})
+        if (surface.two_sided || surface.faces.empty())
+          throw InputError(in +
+                           "Kinematics: a frame slides far along "
+                           "obstacles only, not with a Master body." +
+                           small);
+    }
+  } // namespace
 
   Contact
   create_contact(dealii::ParameterHandler                     &prm,
@@ -570,6 +624,9 @@ namespace conetact::pairing
       find_master(prm, in, bodies, structures, contact);
 
     find_limits(prm, in, contact);
+    contact.slides = prm.get("Kinematics") == "finite sliding";
+    if (contact.slides)
+      check_sliding(contact, in, structures);
     contact.friction.emplace(prm.get("Friction coefficient"),
                              in + "Friction coefficient");
     if (!prm.get("Second friction coefficient").empty())
@@ -597,6 +654,11 @@ namespace conetact::pairing
       throw InputError(in + "Pairing: mortar is for faces of a Master body. "
                             "Obstacles are met node by node: leave the entry "
                             "out.");
+    if (contact.slides && !contact.prestress->is_zero())
+      throw InputError(in +
+                       "Prestress: it keeps its direction, but normals turn "
+                       "where bodies slide far. Leave it 0, or choose "
+                       "Kinematics = small.");
     return contact;
   }
 
@@ -623,6 +685,7 @@ namespace conetact::pairing
           {
             node.contact = c;
             node.is_mean = row.takes_means;
+            node.slides  = contact.slides;
             // Two contacts of a node are rows of their own, unless their
             // normals agree: then only the sum of the reactions is determined.
             const auto key          = std::make_pair(node.body, node.node);

@@ -85,7 +85,7 @@ namespace conetact::pairing
       {
         std::multimap<unsigned int, const MortarRow *> rows_of;
         for (const MortarRow &row : rows.all())
-          if (row.area > 0)
+          if (row.area > 0 || contact.slides)
             rows_of.emplace(row.node, &row);
         PairedNodes found;
         for (const bodies::SurfaceNode &s : one_by_one.slave_surface().nodes)
@@ -93,14 +93,19 @@ namespace conetact::pairing
             const auto [begin, end]  = rows_of.equal_range(s.node);
             const std::size_t before = found.nodes.size();
             for (auto row = begin; row != end; ++row)
-              found.nodes.push_back(mean(s, *row->second));
+              found.nodes.push_back(row->second->area > 0 ?
+                                      mean(s, *row->second) :
+                                      apart(s, *row->second));
             // Edges and corners that meet a face are seen by no face.
+            std::optional<ContactNode> edge;
             if (seen.count(s.node) == 0)
-              if (auto node = one_by_one.find(s))
-                found.nodes.push_back(std::move(*node));
+              edge = one_by_one.find(s);
             ++found.n_nodes;
-            if (found.nodes.size() > before || seen.count(s.node) > 0)
-              ++found.n_paired;
+            found.n_paired += edge || seen.count(s.node) > 0;
+            if (edge && contact.slides) // as many rows wherever it slides
+              found.nodes[before] = std::move(*edge);
+            else if (edge)
+              found.nodes.push_back(std::move(*edge));
           }
         found.deepest = one_by_one.deepest_node();
         return found;
@@ -202,6 +207,14 @@ namespace conetact::pairing
           if (std::abs(integral) > round_off * area)
             result.emplace_back(node, integral / area);
         return result;
+      }
+
+      ContactNode
+      apart(const bodies::SurfaceNode &s, const MortarRow &row) const
+      {
+        ContactNode node = one_by_one.apart(s);
+        node.n           = -row.normal / row.normal.norm();
+        return node;
       }
 
       ContactNode

@@ -71,6 +71,16 @@ namespace conetact::pairing
     return node;
   }
 
+  ContactNode
+  NodeToFace::apart(const bodies::SurfaceNode &s) const
+  {
+    ContactNode node = free_node(s);
+    node.master      = contact.master;
+    node.gap         = contact.reach;
+    node.n           = -(s.normals.empty() ? s.normal : s.normals.front());
+    return node;
+  }
+
   std::optional<ContactNode>
   NodeToFace::find(const bodies::SurfaceNode &s)
   {
@@ -138,11 +148,15 @@ namespace conetact::pairing
     for (const bodies::SurfaceNode &s : pairing.slave_surface().nodes)
       {
         ++found.n_nodes;
-        if (auto node = pairing.find(s))
+        auto node = pairing.find(s);
+        if (node)
+          ++found.n_paired;
+        else if (contact.slides)
+          node = pairing.apart(s);
+        if (node)
           found.nodes.push_back(std::move(*node));
       }
-    found.n_paired = static_cast<unsigned int>(found.nodes.size());
-    found.deepest  = pairing.deepest_node();
+    found.deepest = pairing.deepest_node();
     return found;
   }
 } // namespace conetact::pairing

@@ -40,11 +40,9 @@ namespace conetact::verification
     // of w contains their work.
     now.forces      = claim.loads + finding.external.held;
     now.foundations = finding.foundations;
-    now.relative    = finding.displacements;
     now.r           = claim.r;
     fill(last.u, now.u.size());
     fill(last.forces, now.forces.size());
-    fill(last.relative, now.relative.size());
     fill(last.r, now.r.size());
     last.reactions.resize(points.all().size());
     last.obstacles.resize(points.all().size());
@@ -80,10 +78,10 @@ namespace conetact::verification
         const auto work = [&](const Index first, const Index size) {
           // Friction opposes the slip: its work on the bodies is negative, and
           // what is lost positive.
-          return -trapezoid(last.r.segment(first, size),
-                            now.r.segment(first, size),
-                            last.relative.segment(first, size),
-                            now.relative.segment(first, size));
+          return -.5 * (last.r.segment(first, size)
+                          .dot(finding.change_as_before.segment(first, size)) +
+                        now.r.segment(first, size)
+                          .dot(finding.change.segment(first, size)));
         };
         record.dissipation += work(point.first, nt);
         record.contact_work_normal += work(point.first + nt, 1);

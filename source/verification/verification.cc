@@ -62,22 +62,24 @@ namespace conetact::verification
     , tolerance(tol)
     , history(bodies.structures.size(), 0.)
     , stiffness(VectorXd::Zero(static_cast<Index>(points.size())))
-    , before(VectorXd::Zero(points.n_all_unknowns()))
   {}
 
+  template <typename Points>
   VectorXd
-  Verification::relative_displacements(const VectorXd &u, const double t) const
+  Verification::relative_displacements(const Points   &of,
+                                       const VectorXd &u,
+                                       const double    t) const
   {
     // v = H u from the definition, node by node: the H of the solver is not
     // asked.
-    VectorXd   v(before.size());
+    VectorXd   v(points.n_all_unknowns());
     const auto at = [&](const unsigned int body, const unsigned int node) {
       Tensor<1, 3> displacement;
       for (unsigned int c = 0; c < bodies.dim; ++c)
         displacement[c] = u[plain.dof(body, node) + c];
       return displacement;
     };
-    for (const contact::ContactPoint &point : points.all())
+    for (const contact::ContactPoint &point : of)
       {
         const pairing::ContactNode &node = *point.node;
         Tensor<1, 3>                d;
@@ -279,15 +281,13 @@ namespace conetact::verification
     LawErrors                    errors =
       errors_of(node, stiffness[static_cast<Index>(i)], scales);
 
-    const auto     nt  = static_cast<Index>(point.dual.size()) - 1;
-    const Index    n   = point.first + nt;
-    const double   r_n = claim.r[n];
-    const double   gap = node.gap + out.displacements[n];
-    const VectorXd r_t = claim.r.segment(point.first, nt);
-    const VectorXd slip =
-      out.displacements.segment(point.first, nt) -
-      (claim.incremental ? VectorXd(before.segment(point.first, nt)) :
-                           VectorXd(VectorXd::Zero(nt)));
+    const auto     nt   = static_cast<Index>(point.dual.size()) - 1;
+    const Index    n    = point.first + nt;
+    const double   r_n  = claim.r[n];
+    const double   gap  = node.gap + out.displacements[n];
+    const VectorXd r_t  = claim.r.segment(point.first, nt);
+    const VectorXd slip = (claim.incremental ? out.change : out.displacements)
+                            .segment(point.first, nt);
     // Radius of the cone; cohesion holds at open nodes, too.
     const double limit = point.mu * r_n + node.cohesion;
 
@@ -345,6 +345,21 @@ namespace conetact::verification
       }
   }
 
+  void
+  Verification::find_changes(const double t, Finding &out) const
+  {
+    out.displacements = relative_displacements(points.all(), out.u, t);
+    out.change        = out.displacements;
+    if (last.u.size() > 0)
+      // of the same nodes and foots, where they were
+      out.change -= relative_displacements(points.all(), last.u, last.t);
+    out.change_as_before = out.change;
+    if (!last.points.empty())
+      out.change_as_before =
+        relative_displacements(last.points, out.u, t) -
+        relative_displacements(last.points, last.u, last.t);
+  }
+
   Finding
   Verification::judge(const Claim &claim) const
   {
@@ -383,7 +398,7 @@ namespace conetact::verification
     plain.unhang(rest);
     out.external = external_forces(
       bodies, plain, points, rest, out.foundations, claim.mechanical, claim.r);
-    out.displacements   = relative_displacements(out.u, claim.t);
+    find_changes(claim.t, out);
     out.missed_by_bound = out.displacements.tail(points.n_bound_unknowns()) +
                           points.gaps_to_close();
     const Scales limits = scales(claim, out);
@@ -395,10 +410,19 @@ namespace conetact::verification
   }
 
   void
-  Verification::accept(const Claim &, const Finding &finding)
+  Verification::accept(const Claim &claim, const Finding &finding)
   {
     // The slip of the next increment starts here.
-    before = finding.displacements;
+    last = {finding.u, claim.t, {}, {}};
+    if (std::any_of(points.begin(), points.end(), [](const auto &point) {
+          return point.node->slides;
+        }))
+      {
+        last.nodes  = points.nodes();
+        last.points = points.all();
+        for (contact::ContactPoint &point : last.points)
+          point.node = last.nodes.data() + (point.node - points.nodes().data());
+      }
     for (std::size_t body = 0; body < history.size(); ++body)
       history[body] = std::max(history[body], finding.largest_force[body]);
   }

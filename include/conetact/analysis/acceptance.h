@@ -47,6 +47,13 @@ namespace conetact::analysis
     displacements(const PendingIncrement &increment,
                   const Eigen::VectorXd  &w) const;
 
+    /** Contacts of the model were found again. */
+    void
+    relink()
+    {
+      contact_rows.relink();
+    }
+
     /** Stiffness of each contact node. */
     void
     set_stiffness(const contact::ElasticBackend &elastic);

@@ -5,6 +5,7 @@
 #define conetact_analysis_increment_analysis_h
 
 #include "conetact/analysis/analysis.h"
+#include "conetact/analysis/contact_search.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/existence.h"
 
@@ -56,6 +57,16 @@ namespace conetact::analysis
     std::string
     solve_contact(PendingIncrement            &increment,
                   const solvers::ContactState &guess);
+    /**
+     * Finds contacts that slide far where an increment that is solved ends, and
+     * solves it again, until they stay. Returns why they do not.
+     */
+    std::string
+    settle(PendingIncrement &increment);
+    std::string
+    solve_with(ContactSearch::Nodes found, PendingIncrement &increment);
+    void
+    take(ContactSearch::Nodes found);
     std::string
     no_equilibrium(const solvers::ContactProblem &problem,
                    const PendingIncrement        &increment);
@@ -94,6 +105,7 @@ namespace conetact::analysis
 
     std::unique_ptr<solvers::ContactSolver>  solver;
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
+    ContactSearch                            search;
     unsigned int first_unsure = 0;     ///< increments before the last one
     bool         correcting   = false; ///< increments need refinement
   };

@@ -24,6 +24,7 @@ namespace conetact::analysis
     Eigen::VectorXd       motions = {}; ///< amounts of the free motions
     contact::BoundState   bound   = {}; ///< ties and bilateral contacts
     solvers::ContactState end     = {}; ///< of the working set alone
+    Eigen::VectorXd       thermal = {}; ///< nodal forces, or none
   };
 } // namespace conetact::analysis
 

@@ -10,6 +10,7 @@
 #include "conetact/bodies/nodal_loads.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/pairing/obstacles.h"
+#include "conetact/pairing/sliding.h"
 #include "conetact/solvers/contact_solver.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -61,6 +62,9 @@ namespace conetact::application
     /** The loads of each body at time t, for its stresses. */
     std::vector<bodies::Actions>
     actions(const double t) const;
+    /** Contacts as they are found again where bodies slide far. */
+    pairing::SlidingContacts
+    sliding_contacts() const;
     /** Prestress of all contacts, on all dofs of all bodies [force]. */
     Eigen::VectorXd
     prestress() const;
@@ -119,6 +123,12 @@ namespace conetact::application
     bodies_at_rest() const;
     void
     check_path() const;
+    void
+    check_sliding() const;
+    void
+    refuse_beside_sliding(const std::string &in) const;
+    void
+    keep_nodes();
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;

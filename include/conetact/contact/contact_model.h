@@ -30,10 +30,10 @@ namespace conetact::contact
 
     const Bodies       &bodies;
     const NodeRules     rules;       ///< what supports and hanging nodes leave
-    const ContactPoints points;      ///< contacts as rows over the nodes
+    ContactPoints       points;      ///< contacts as rows over the nodes
     const Coordinates   coordinates; ///< of the bodies without contacts
     const ElasticSystem elastic;
-    const RigidMotions  motions;
+    RigidMotions        motions;
 
     /**
      * Whether contacts are rows over bodies that condense themselves, with
@@ -99,6 +99,13 @@ namespace conetact::contact
     bool
     extend(const std::vector<Eigen::Index> &nodes);
 
+    /**
+     * Takes contact nodes that were found again (finite sliding): other rows
+     * over the same bodies, nothing is factorised. Throws AnalysisError.
+     */
+    void
+    relink(std::vector<pairing::ContactNode> nodes);
+
     bool
     may_be_mechanism() const;
 
@@ -118,6 +125,7 @@ namespace conetact::contact
     Eigen::VectorXd
     all_offsets(const LoadCase &load, const double t) const;
 
+    const std::vector<double>       times;
     const backends::Condenser      &condenser;
     bool                            dual;
     WorkingSet                      chosen;
@@ -150,6 +158,13 @@ namespace conetact::contact
     {
       base = motions;
     }
+    /**
+     * Contacts were found again: their gaps, and their displacements so far,
+     * which belong to the displacements u of all dofs at time t (none: the
+     * start). Reactions and states stay, components and all.
+     */
+    void
+    relink(const Eigen::VectorXd &u, const double t);
     /** Takes over the end of an increment. */
     void
     advance(const solvers::ContactState &end);

@@ -116,6 +116,21 @@ namespace conetact::contact
       return points[static_cast<std::size_t>(i)];
     }
 
+    /** The nodes of all contacts, also those without a point. */
+    const std::vector<pairing::ContactNode> &
+    nodes() const
+    {
+      return found_again.empty() ? bodies.contact_nodes : found_again;
+    }
+    /**
+     * Takes nodes that were found again (finite sliding), in the same order.
+     * Points keep their unknowns; throws AnalysisError where supports do not
+     * allow for that.
+     */
+    void
+    relink(std::vector<pairing::ContactNode> nodes,
+           const std::vector<double>        &times);
+
     /** Offsets `first` and coefficients `mu` of all unknowns; no matrix. */
     const solvers::ContactSystem &
     layout() const
@@ -197,21 +212,24 @@ namespace conetact::contact
                           const pairing::ContactNode &node,
                           const std::vector<double>  &times) const;
     void
+    add_all(const std::vector<double> &times);
+    void
     add(const pairing::ContactNode &node, const std::vector<double> &times);
     void
     add_bound(const pairing::ContactNode &node);
     void
     number();
 
-    const Bodies             &bodies;
-    const NodeRules          &supports;
-    std::vector<ContactPoint> points;
-    std::size_t               n_candidates = 0;
-    Eigen::Index              n_all        = 0;
-    solvers::ContactSystem    contact_layout;
-    unsigned int              n_held_normals  = 0;
-    bool                      prescribed_slip = false;
-    bool                      shared_nodes    = false;
+    const Bodies                     &bodies;
+    const NodeRules                  &supports;
+    std::vector<pairing::ContactNode> found_again;
+    std::vector<ContactPoint>         points;
+    std::size_t                       n_candidates = 0;
+    Eigen::Index                      n_all        = 0;
+    solvers::ContactSystem            contact_layout;
+    unsigned int                      n_held_normals  = 0;
+    bool                              prescribed_slip = false;
+    bool                              shared_nodes    = false;
   };
 } // namespace conetact::contact
 

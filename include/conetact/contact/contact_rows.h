@@ -42,7 +42,16 @@ namespace conetact::contact
          const double                 t,
          const bool                   whole = true);
 
+    /**
+     * Contacts were found again: their frames and feet, and what they moved by
+     * until the end of the last increment.
+     */
+    void
+    relink();
+
   private:
+    void
+    place(const pairing::ContactNode &node, output::ContactRow &row) const;
     void
     set_candidate(const std::size_t            i,
                   const solvers::ContactState &state,
@@ -61,6 +70,8 @@ namespace conetact::contact
     std::vector<output::ContactRow> last;         ///< of the increment before
     std::vector<Tensor<1, 3>>       other_before; ///< its displacements along
                                                   ///< directions without a cone
+    Eigen::VectorXd last_u; ///< of all dofs then; empty: the start
+    double          last_t = 0;
   };
 } // namespace conetact::contact
 

@@ -89,6 +89,13 @@ namespace conetact::contact
     std::vector<StiffnessDifference>
     compare(const backends::Condenser &other) const override;
 
+    /**
+     * Contacts were found again: other rows over the same bodies. Nothing is
+     * factorised.
+     */
+    void
+    relink();
+
     /** What the factorisations would take; nothing is factorised. */
     static backends::FactorEstimate
     estimate(const ElasticSystem       &elastic,

@@ -151,6 +151,12 @@ namespace conetact::contact
     /** Its f once more, after candidates were added. */
     void
     reduce_again();
+    /** What was reduced does not hold any more. */
+    void
+    forget_reductions()
+    {
+      basis.clear();
+    }
     virtual Eigen::VectorXd
     reduce_forces(const Eigen::VectorXd &b) const = 0;
 

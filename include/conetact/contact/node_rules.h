@@ -43,6 +43,9 @@ namespace conetact::contact
     {
       return (is_rigid(body) ? "obstacle '" : "body '") + names[body] + "'";
     }
+    /** Body and number of nodes that contacts may come to see, in any
+     * direction, as they slide. */
+    std::vector<std::pair<unsigned int, unsigned int>> nodes_to_keep;
 
     /** Bodies that nothing reaches and that are not solved; empty: none. */
     std::vector<bool> at_rest;
@@ -66,7 +69,8 @@ namespace conetact::contact
    * further off are left to be refused.
    */
   void
-  align_with_supports(Bodies &bodies);
+  align_with_supports(const Bodies                      &bodies,
+                      std::vector<pairing::ContactNode> &nodes);
 
   /**
    * Completes orthonormal directions to a basis of space. Axes come first,

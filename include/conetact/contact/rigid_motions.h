@@ -35,6 +35,10 @@ namespace conetact::contact
                  const ContactPoints &points,
                  const Coordinates   &coordinates);
 
+    /** Contacts were found again: what they see of free motions. */
+    void
+    see_contacts(const ContactPoints &points);
+
     /** Amounts of all modes of all bodies, 3 a body in 2D, 6 in 3D. */
     using Amounts = Eigen::VectorXd;
 
@@ -186,8 +190,6 @@ namespace conetact::contact
     find_tied(const std::vector<unsigned int> &assembly);
     void
     find_resisted();
-    void
-    see_contacts(const ContactPoints &points);
     void
     refuse_loose_bodies() const;
     /** direction . R at p, the modes of a body. */

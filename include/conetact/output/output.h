@@ -66,6 +66,7 @@ namespace conetact::output
     double                time      = 0;
     solvers::SolverReport report;
     solvers::KannoErrors  errors;
+    unsigned int          pairings    = 0; ///< how often contacts were found
     double                equilibrium = 0; ///< uncondensed residual, relative
     double                balance     = 0; ///< sum of all resultants, relative
 

@@ -57,6 +57,7 @@ namespace conetact::pairing
     std::optional<Expression> gap;                      ///< prescribed [length]
     std::string               pairing = "node to face"; ///< row of pairings()
     double sharp_edge = 2 * M_PI / 9; ///< of a slave surface [rad]
+    bool   slides     = false; ///< far: its nodes are found again and again
 
     /** Friction coefficient along the first axis, of position. */
     std::optional<Expression> friction;
@@ -104,6 +105,12 @@ namespace conetact::pairing
      */
     unsigned int                                 master = 0;
     std::vector<std::pair<unsigned int, double>> masters;
+    /** No obstacle, and no master within reach: it may slide to one. */
+    bool
+    meets_nothing() const
+    {
+      return obstacle == nullptr && masters.empty();
+    }
     /**
      * What it meets that with, where that is not the node alone: a mean over
      * nodes of its own body, the weights sum to 1 (mortar, where neighbours
@@ -112,6 +119,14 @@ namespace conetact::pairing
     std::vector<std::pair<unsigned int, double>> slaves;
     /** Whether the nodes of its contact are means over faces (mortar). */
     bool is_mean = false;
+
+    /** Finite sliding: it is found again where its bodies are. */
+    bool slides = false;
+    /**
+     * The relative displacement at which it was found last: the gap there is
+     * `gap` + n . moved. [length]
+     */
+    Tensor<1, 3> moved;
 
     /**
      * Principal friction coefficients and their axes in the tangent plane

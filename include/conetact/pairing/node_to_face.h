@@ -44,6 +44,9 @@ namespace conetact::pairing
     /** A node of the contact without its opponent. */
     ContactNode
     free_node(const bodies::SurfaceNode &s) const;
+    /** The same as one that is out of reach now, but may slide there. */
+    ContactNode
+    apart(const bodies::SurfaceNode &s) const;
     /** A node with its gap and normal, unless it stays free. */
     std::optional<ContactNode>
     find(const bodies::SurfaceNode &s);

@@ -15,7 +15,8 @@ namespace conetact::verification
    * Energies and works of increments [force x length], by the trapezoidal rule,
    * which is exact for elastic bodies: the work of loads, moving supports,
    * foundations and obstacles less the change of strain energy is what contacts
-   * take, by friction and by the motion of their normal reactions.
+   * take, by friction and by the motion of their normal reactions. Reactions at
+   * the start of an increment work in the frames that contacts had then.
    */
   class Energies
   {
@@ -33,7 +34,7 @@ namespace conetact::verification
       Eigen::VectorXd                  u, forces; ///< external, all dofs
       std::vector<contact::Foundation> foundations;
       std::vector<Tensor<1, 3>>        reactions, obstacles;
-      Eigen::VectorXd                  relative, r;
+      Eigen::VectorXd                  r;
     };
     State last;
   };

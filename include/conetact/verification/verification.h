@@ -36,10 +36,13 @@ namespace conetact::verification
     double      equilibrium = 0; ///< worst unbalanced force, relative
     std::string why; ///< it is not accepted, a sentence; empty: it is
 
-    Eigen::VectorXd     u;             ///< displacements of all dofs [length]
-    Eigen::VectorXd     internal;      ///< K w of the bodies, all dofs [force]
-    Eigen::VectorXd     unbalanced;    ///< forces on all dofs [force]
-    Eigen::VectorXd     displacements; ///< of all contact unknowns, relative
+    Eigen::VectorXd u;             ///< displacements of all dofs [length]
+    Eigen::VectorXd internal;      ///< K w of the bodies, all dofs [force]
+    Eigen::VectorXd unbalanced;    ///< forces on all dofs [force]
+    Eigen::VectorXd displacements; ///< of all contact unknowns, relative
+    Eigen::VectorXd change;        ///< of them in this increment
+    /** The same as contacts were at the end of the increment before. */
+    Eigen::VectorXd     change_as_before;
     Eigen::VectorXd     missed_by_bound; ///< what is bound moved by [length]
     std::vector<double> largest_force;   ///< external, on a node, of each body
     ExternalForces      external;
@@ -115,8 +118,13 @@ namespace conetact::verification
                  const Finding               &out) const;
     void
     check_law(const Claim &claim, const Scales &scales, Finding &out) const;
+    template <typename Points>
     Eigen::VectorXd
-    relative_displacements(const Eigen::VectorXd &u, const double t) const;
+    relative_displacements(const Points          &of,
+                           const Eigen::VectorXd &u,
+                           const double           t) const;
+    void
+    find_changes(const double t, Finding &out) const;
 
     const contact::Bodies        &bodies;
     const contact::ElasticSystem &elastic;
@@ -126,7 +134,17 @@ namespace conetact::verification
     double                        tolerance;
     std::vector<double> history; ///< largest force so far, of each body
     Eigen::VectorXd     stiffness, bound_stiffness;
-    Eigen::VectorXd     before; ///< relative displacements
+
+    /** What was accepted last; empty: nothing yet. */
+    struct Last
+    {
+      Eigen::VectorXd u; ///< of all dofs
+      double          t = 0;
+      /** Contacts as they were, where they slide far. */
+      std::vector<pairing::ContactNode>  nodes;
+      std::vector<contact::ContactPoint> points;
+    };
+    Last last;
   };
 } // namespace conetact::verification
 

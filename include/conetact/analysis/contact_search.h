@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_contact_search_h
+#define conetact_analysis_contact_search_h
+
+#include "conetact/analysis/pending_increment.h"
+#include "conetact/pairing/sliding.h"
+
+#include <vector>
+
+namespace conetact::analysis
+{
+  /**
+   * Finds contacts that slide far again, within increments and from one to the
+   * next: an increment holds once its contacts are those at its end.
+   */
+  class ContactSearch
+  {
+  public:
+    ContactSearch(const pairing::SlidingContacts &contacts,
+                  contact::ContactModel          &model);
+
+    /** Whether some contact slides far. */
+    bool
+    is_needed() const
+    {
+      return !contacts.empty();
+    }
+
+    using Nodes = std::vector<pairing::ContactNode>;
+    /** Contacts where bodies are at time t: displacements u of all dofs. */
+    Nodes
+    find(const Eigen::VectorXd &u, const double t) const;
+    /** The same before anything is solved: supports carry bodies along. */
+    Nodes
+    guess(const double t) const;
+
+    /**
+     * How far the contacts that a solved increment had are from those that are
+     * found at its end.
+     */
+    pairing::FoundChange
+    change(const PendingIncrement &increment,
+           const Eigen::VectorXd  &u,
+           const Nodes            &found) const;
+
+    /**
+     * The model takes them, and so does the history, which must be at the start
+     * of the increment. Throws AnalysisError.
+     */
+    void
+    take(Nodes found, contact::ContactHistory &history) const;
+
+    /** An increment was accepted: the next one starts there. */
+    void
+    accept(const Eigen::VectorXd &u, const double t);
+
+  private:
+    pairing::SlidingContacts contacts;
+    contact::ContactModel   &model;
+    Eigen::VectorXd          start; ///< displacements of all dofs
+    double                   start_t = 0;
+  };
+} // namespace conetact::analysis
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_sliding_h
+#define conetact_pairing_sliding_h
+
+#include "conetact/pairing/contact_nodes.h"
+
+#include <functional>
+#include <vector>
+
+namespace conetact::pairing
+{
+  /**
+   * Finite sliding: contact nodes are found again where bodies and obstacles
+   * are. A node whose displacement relative to its opponent is u_k finds the
+   * gap g_k and the normal n there; near it
+   * @f[ g(u) = g_k + n \cdot (u - u_k) = (g_k - n \cdot u_k) + n \cdot u : @f]
+   * a contact as of undeformed bodies with another gap, another frame and
+   * other masters, which is all that others see of it. Found again at the
+   * solution, it is solved once more, until nothing changes (Newton's method
+   * for the gap; normals and masters follow).
+   */
+  class SlidingContacts
+  {
+  public:
+    /** Displacement of a node of a body [length]. */
+    using Displacement = std::function<Tensor<1, 3>(const unsigned int body,
+                                                    const unsigned int node)>;
+
+    /**
+     * `at_start`: all nodes of the contacts, where bodies are undeformed.
+     * Contacts and structures must outlive the object.
+     */
+    SlidingContacts(const std::vector<Contact>                   &contacts,
+                    const std::vector<const bodies::Structure *> &structures,
+                    const std::vector<ContactNode>               &at_start,
+                    const unsigned int                            dim);
+
+    /** Whether no contact slides far. */
+    bool
+    empty() const;
+
+    /**
+     * All contact nodes as they are at time t, in their order, from those that
+     * were found last. Nodes that slide have the normal and the gap that they
+     * find there; linearise() is still to come.
+     */
+    std::vector<ContactNode>
+    find(const std::vector<ContactNode> &last,
+         const Displacement             &at,
+         const double                    t) const;
+    /** Frames of these normals, gaps of the linearised contact. */
+    void
+    linearise(std::vector<ContactNode> &nodes) const;
+
+  private:
+    using Structures = std::vector<const bodies::Structure *>;
+
+    void
+    find_pairs(const Displacement &at, std::vector<ContactNode> &nodes) const;
+    void
+    find_pair(const unsigned int        contact,
+              const Structures         &displaced,
+              const Displacement       &at,
+              std::vector<ContactNode> &nodes) const;
+
+    const std::vector<Contact> &contacts;
+    const Structures           &structures;
+    std::vector<ContactNode>    start;
+    unsigned int                dim;
+  };
+
+  /** What is wrong with contacts that were found before they were solved. */
+  struct FoundChange
+  {
+    double gap   = 0; ///< in parts of a cell
+    double force = 0; ///< in parts of the largest reaction
+  };
+  /**
+   * Of a node, from how it was found for the solution and how it is found
+   * there. `u`: its relative displacement as it is found there, `gap`: that of
+   * the solution, `share`: its part of the largest reaction, none: it is open.
+   */
+  FoundChange
+  change_of(const ContactNode  &solved,
+            const ContactNode  &found,
+            const Tensor<1, 3> &u,
+            const double        gap,
+            const double        share);
+} // namespace conetact::pairing
+
+#endif

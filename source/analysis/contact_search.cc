@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/contact_search.h"
+
+#include "conetact/verification/external_forces.h"
+
+#include <algorithm>
+
+namespace conetact::analysis
+{
+  ContactSearch::ContactSearch(const pairing::SlidingContacts &c,
+                               contact::ContactModel          &m)
+    : contacts(c)
+    , model(m)
+  {}
+
+  ContactSearch::Nodes
+  ContactSearch::find(const Eigen::VectorXd &u, const double t) const
+  {
+    Nodes nodes = contacts.find(
+      model.points.nodes(),
+      [&](const unsigned int body, const unsigned int node) {
+        return model.displacement(u, body, node);
+      },
+      t);
+    contact::align_with_supports(model.bodies, nodes);
+    contacts.linearise(nodes);
+    return nodes;
+  }
+
+  ContactSearch::Nodes
+  ContactSearch::guess(const double t) const
+  {
+    const contact::RigidMotions &motions = model.motions;
+    if (start.size() == 0)
+      return find(motions.field(motions.placement(t)), t);
+    return find(start + motions.field(motions.placement(t) -
+                                      motions.placement(start_t)),
+                t);
+  }
+
+  pairing::FoundChange
+  ContactSearch::change(const PendingIncrement &increment,
+                        const Eigen::VectorXd  &u,
+                        const Nodes            &found) const
+  {
+    const auto at = [&](const unsigned int body, const unsigned int node) {
+      return model.displacement(u, body, node);
+    };
+    std::vector<double>  forces;
+    double               largest = 0;
+    pairing::FoundChange worst;
+    for (const contact::ContactPoint &point : model.points)
+      {
+        forces.push_back(
+          verification::reaction(point, increment.state.r).norm());
+        largest = std::max(largest, forces.back());
+      }
+    for (std::size_t i = 0; i < model.points.size(); ++i)
+      {
+        const pairing::ContactNode &node = *model.points[i].node;
+        if (!node.slides)
+          continue;
+        const pairing::ContactNode &now =
+          found[static_cast<std::size_t>(&node - model.points.nodes().data())];
+        const double t    = increment.record.time;
+        const bool   open = increment.state.node[i] == solvers::NodeState::open;
+        const pairing::FoundChange change = pairing::change_of(
+          node,
+          now,
+          contact::relative_displacement(now, at, t),
+          node.gap + node.n * contact::relative_displacement(node, at, t),
+          open ? 0 : forces[i] / largest);
+        worst.gap   = std::max(worst.gap, change.gap);
+        worst.force = std::max(worst.force, change.force);
+      }
+    return worst;
+  }
+
+  void
+  ContactSearch::take(Nodes found, contact::ContactHistory &history) const
+  {
+    model.relink(std::move(found));
+    history.relink(start, start_t);
+  }
+
+  void
+  ContactSearch::accept(const Eigen::VectorXd &u, const double t)
+  {
+    start   = u;
+    start_t = t;
+  }
+} // namespace conetact::analysis

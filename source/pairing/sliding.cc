@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/sliding.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/bodies/displaced.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    /** Over the spacing of nodes: gaps beyond are as good as any other. */
+    constexpr double far_away = 1e4;
+    /** How exactly gaps of open nodes are to be known beside those of closed
+     * ones. */
+    constexpr double open_gaps = 1e-6;
+
+    /** v turned by the shortest way that turns the unit vector a into b. */
+    Tensor<1, 3>
+    turned(const Tensor<1, 3> &v, const Tensor<1, 3> &a, const Tensor<1, 3> &b)
+    {
+      const Tensor<1, 3> axis = cross_product_3d(a, b);
+      const Tensor<1, 3> once = cross_product_3d(axis, v);
+      return v + once + cross_product_3d(axis, once) / (1 + a * b);
+    }
+
+    /**
+     * Gives the node another normal. Its tangents turn with it from where they
+     * were at the start, so that neither friction nor components of reactions
+     * jump.
+     */
+    void
+    turn(const ContactNode  &start,
+         const Tensor<1, 3> &normal,
+         const unsigned int  dim,
+         ContactNode        &node)
+    {
+      constexpr double opposite = 1e-6;
+      if ((normal - start.n).norm_square() == 0)
+        {
+          node.n      = start.n;
+          node.t1     = start.t1;
+          node.t2     = start.t2;
+          node.axis_1 = start.axis_1;
+          node.axis_2 = start.axis_2;
+          return;
+        }
+      if (dim == 2 || 1 + normal * start.n < opposite)
+        {
+          set_frame(node, normal, dim);
+          return;
+        }
+      node.n      = normal;
+      node.t1     = turned(start.t1, start.n, normal);
+      node.t2     = cross_product_3d(normal, node.t1);
+      node.axis_1 = turned(start.axis_1, start.n, normal);
+      node.axis_2 = cross_product_3d(normal, node.axis_1);
+    }
+
+    /** Takes the gap and the normal where it is now. */
+    void
+    meet_obstacle(const Tensor<1, 3> &u, ContactNode &node)
+    {
+      const ObstacleShape   &shape = *node.obstacle->shape;
+      ObstacleShape::Closest closest{node.gap + node.n * u, node.n};
+      try
+        {
+          if (shape.states_gaps()) // of the undeformed node
+            closest.gap = shape.gap_after(node.position, u, node.spacing);
+          else
+            closest = shape.closest(node.position + u, node.spacing);
+        }
+      catch (const InputError &)
+        {} // no normal there, as far away or deep inside: the last one
+      node.moved = u;
+      node.n     = closest.normal;
+      node.gap   = std::min(closest.gap, far_away * node.spacing);
+    }
+
+    bool
+    is_pair_that_slides(const Contact &contact)
+    {
+      return contact.slides && contact.obstacle == nullptr;
+    }
+
+    /** What a node of a pair of bodies meets now. */
+    void
+    take(const ContactNode                   &now,
+         const SlidingContacts::Displacement &at,
+         ContactNode                         &node)
+    {
+      node.n       = now.n;
+      node.gap     = now.gap;
+      node.area    = now.area;
+      node.masters = now.masters;
+      node.slaves  = now.slaves;
+      node.moved   = Tensor<1, 3>();
+      for_each_side(node,
+                    [&](const unsigned int body,
+                        const unsigned int i,
+                        const double       weight) {
+                      node.moved += weight * at(body, i);
+                    });
+    }
+
+    std::vector<Tensor<1, 3>>
+    displacements(const bodies::Structure             &body,
+                  const unsigned int                   number,
+                  const SlidingContacts::Displacement &at)
+    {
+      std::vector<Tensor<1, 3>> u;
+      for (unsigned int i = 0; i < body.n_nodes(); ++i)
+        u.push_back(at(number, i));
+      return u;
+    }
+
+    /** Sum of the differences of the weights that two nodes give to others. */
+    double
+    difference(const ContactNode &one, const ContactNode &other)
+    {
+      std::map<std::pair<unsigned int, unsigned int>, double> sum;
+      const auto add = [&](const ContactNode &node, const double sign) {
+        for_each_side(node,
+                      [&](const unsigned int body,
+                          const unsigned int i,
+                          const double       weight) {
+                        sum[{body, i}] += sign * weight;
+                      });
+      };
+      add(one, 1);
+      add(other, -1);
+      double total = 0;
+      for (const auto &[node, weight] : sum)
+        total += std::abs(weight);
+      return total;
+    }
+  } // namespace
+
+  SlidingContacts::SlidingContacts(const std::vector<Contact>     &c,
+                                   const Structures               &s,
+                                   const std::vector<ContactNode> &at_start,
+                                   const unsigned int              d)
+    : contacts(c)
+    , structures(s)
+    , start(at_start)
+    , dim(d)
+  {}
+
+  bool
+  SlidingContacts::empty() const
+  {
+    return std::none_of(contacts.begin(),
+                        contacts.end(),
+                        [](const Contact &contact) { return contact.slides; });
+  }
+
+  std::vector<ContactNode>
+  SlidingContacts::find(const std::vector<ContactNode> &last,
+                        const Displacement             &at,
+                        const double                    t) const
+  {
+    std::vector<ContactNode> nodes = last;
+    for (ContactNode &node : nodes)
+      if (node.slides && node.obstacle != nullptr)
+        meet_obstacle(at(node.body, node.node) -
+                        node.obstacle->displacement_at(t),
+                      node);
+    if (std::any_of(contacts.begin(), contacts.end(), is_pair_that_slides))
+      find_pairs(at, nodes);
+    return nodes;
+  }
+
+  void
+  SlidingContacts::find_pairs(const Displacement       &at,
+                              std::vector<ContactNode> &nodes) const
+  {
+    std::vector<bodies::Displaced> displaced;
+    Structures                     there;
+    for (unsigned int b = 0; b < structures.size(); ++b)
+      displaced.emplace_back(*structures[b],
+                             displacements(*structures[b], b, at));
+    for (const bodies::Displaced &body : displaced)
+      there.push_back(&body);
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      if (is_pair_that_slides(contacts[c]))
+        find_pair(c, there, at, nodes);
+  }
+
+  void
+  SlidingContacts::find_pair(const unsigned int        c,
+                             const Structures         &displaced,
+                             const Displacement       &at,
+                             std::vector<ContactNode> &nodes) const
+  {
+    const Contact    &contact = contacts[c];
+    const PairedNodes found =
+      pairing_of(contact, displaced).pair(contact, displaced);
+    auto now = found.nodes.begin();
+    for (ContactNode &node : nodes)
+      if (node.contact == c)
+        {
+          if (now == found.nodes.end() || now->node != node.node)
+            throw AnalysisError("Contact '" + contact.name +
+                                "': its nodes are not found as they were at "
+                                "the start, for their surface has changed too "
+                                "much. Use Kinematics = small.");
+          take(*now++, at, node);
+        }
+  }
+
+  void
+  SlidingContacts::linearise(std::vector<ContactNode> &nodes) const
+  {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (ContactNode &node = nodes[i]; node.slides)
+        {
+          turn(start[i], Tensor<1, 3>(node.n), dim, node);
+          node.gap -= node.n * node.moved;
+        }
+  }
+
+  FoundChange
+  change_of(const ContactNode  &solved,
+            const ContactNode  &found,
+            const Tensor<1, 3> &u,
+            const double        gap,
+            const double        share)
+  {
+    const double spacing = found.spacing;
+    const double actual  = found.gap + found.n * u;
+    const double missed =
+      std::abs(actual - gap) / std::max(spacing, std::abs(actual));
+    if (share == 0) // open
+      return {std::max(-actual / spacing, open_gaps * missed), 0};
+    return {std::abs(actual) / spacing,
+            share *
+              std::max((found.n - solved.n).norm(), difference(solved, found))};
+  }
+} // namespace conetact::pairing
