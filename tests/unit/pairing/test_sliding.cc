@@ -17,15 +17,19 @@ using namespace conetact::test;
 namespace
 {
   std::string
-  block(const std::string &name, const std::string &arguments)
+  block(const std::string &name,
+        const std::string &arguments,
+        const std::string &held = "3")
   {
     return "subsection Body " + name + "\n" +
            section("Mesh",
                    "Generator = subdivided_hyper_rectangle|Arguments = " +
                      arguments) +
-           section("Material", "Young modulus = 1000") + "end\n" +
+           section("Material", "Young modulus = 1000|Poisson ratio = 0.3") +
+           "end\n" +
            section("Support " + name,
-                   "Body = " + name + "|Boundary ids = 0|Directions = x, y");
+                   "Body = " + name + "|Boundary ids = " + held +
+                     "|Directions = x, y");
   }
 
   /** A block over a disc of radius 3 below the origin. */
@@ -52,7 +56,7 @@ namespace
       "set Bodies = block, slab\nset Contacts = bottom\n"
       "set Supports = block, slab\n" +
       block("block", "4, 2 : 0, 0 : 2, 1 : true") +
-      block("slab", "10, 1 : 0, -1 : 5, 0 : true") +
+      block("slab", "10, 1 : 0, -1 : 5, 0 : true", "2") +
       section("Contact bottom",
               "Body = block|Boundary ids = 2|Master body = slab|"
               "Master boundary ids = 3|Kinematics = finite sliding|Pairing = " +
@@ -135,10 +139,13 @@ TEST(Displaced, NormalsTurnWithNodes)
 {
   for (const unsigned int dim : {2u, 3u})
     {
-      const auto body =
-        make_body(dim,
-                  dim == 2 ? "Generator = hyper_cube|Global refinements = 1" :
-                             "Generator = hyper_cube_with_simplices");
+      const auto body = make_body(
+        dim,
+        dim == 2 ?
+          "Generator = hyper_cube|Arguments = 0 : 1 : true|Global refinements = 1" :
+          "Generator = subdivided_hyper_cube_with_simplices|Arguments = 2 : 0 : 1 : true",
+        "Young modulus = 5|Poisson ratio = 0.3",
+        "automatic");
       const double c = std::cos(.4), s = std::sin(.4);
       const auto   turn = [&](const Tensor<1, 3> &v) {
         return Tensor<1, 3>({c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]});

@@ -53,6 +53,11 @@ namespace
       finding.internal      = model.elastic.structure_forces(u);
       finding.foundations   = model.elastic.foundations(u, t);
       finding.displacements = model.relative_displacements(u, t);
+      finding.change        = finding.displacements;
+      if (before.size() > 0)
+        finding.change -= before;
+      finding.change_as_before = finding.change;
+      before                   = finding.displacements;
       const Eigen::VectorXd all =
         finding.internal - reactions(r) - foundations(finding);
       claim.loads           = all;
@@ -93,7 +98,8 @@ namespace
       return f.size() > 0 ? f : Eigen::VectorXd(Eigen::VectorXd::Zero(6));
     }
 
-    Energies energies;
+    Energies        energies;
+    Eigen::VectorXd before; ///< relative displacements
   };
 
   /** Displacements and reactions of any kind. */
