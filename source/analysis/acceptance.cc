@@ -147,7 +147,8 @@ namespace conetact::analysis
   Acceptance::displacements(const PendingIncrement &increment,
                             const Eigen::VectorXd  &w) const
   {
-    return model.motions.field(amounts(increment)) + w;
+    return model.coordinates.displacements(
+      model.motions.field(amounts(increment)) + w);
   }
 
   std::string
@@ -183,7 +184,10 @@ namespace conetact::analysis
         if (!open)
           // Only what deforms counts: a body that is carried along is not
           // indented.
-          indentation = std::max(indentation, std::abs(at(w, node) * node.n));
+          indentation =
+            std::max(indentation,
+                     std::abs(model.bodies.in_space(node.body, at(w, node)) *
+                              node.n));
       }
     const auto worst = pairing::worst_gap_error(moved, indentation);
     return worst ? pairing::to_sentence(*worst) : "";

@@ -209,10 +209,38 @@ namespace conetact::analysis
     const Eigen::VectorXd others = prestress + scene.obstacle_forces(t);
     increment.forces             = acting.forces + others;
     increment.mechanical         = acting.mechanical + others;
+    increment.record.each_load.clear();
     for (const auto &[force, moment] : acting.each)
       increment.record.each_load.push_back({force, moment});
     increment.thermal = acting.thermal;
+    if (!model.bodies.frames().empty())
+      turn_loads(others, increment);
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
+  }
+
+  /* In the frames of bodies, some loads turn with them and others against
+     them; in space, forces act where bodies have come to. */
+  void
+  Analysis::turn_loads(const Eigen::VectorXd &others,
+                       PendingIncrement      &increment)
+  {
+    const contact::Coordinates &coordinates = model.coordinates;
+    increment.forces                        = increment.mechanical =
+      coordinates.forces_in_frames(others);
+    increment.record.each_load.clear();
+    loads.visit(increment.record.time,
+                [&](const bodies::Load &load, const Eigen::VectorXd &on_body) {
+                  Eigen::VectorXd f = Eigen::VectorXd::Zero(others.size());
+                  f.segment(coordinates.offset(load.body), on_body.size()) =
+                    on_body;
+                  if (!load.follows())
+                    f = coordinates.forces_in_frames(f);
+                  increment.forces += f;
+                  if (load.kind != bodies::Load::Kind::temperature)
+                    increment.mechanical += f;
+                  increment.record.each_load.push_back(verification::resultant(
+                    model.bodies, coordinates, coordinates.forces_in_space(f)));
+                });
   }
 
   std::string

@@ -30,14 +30,20 @@ namespace conetact::analysis
   }
 
   ContactSearch::Nodes
-  ContactSearch::guess(const double t) const
+  ContactSearch::guess(const double t)
   {
     const contact::RigidMotions &motions = model.motions;
-    if (start.size() == 0)
-      return find(motions.field(motions.placement(t)), t);
-    return find(start + motions.field(motions.placement(t) -
-                                      motions.placement(start_t)),
-                t);
+    Eigen::VectorXd              before  = motions.none(), deformed;
+    if (start.size() > 0)
+      {
+        before   = motions.placement(start_t);
+        deformed = model.coordinates.in_frames(start);
+      }
+    model.move_frames_with_supports(t);
+    Eigen::VectorXd u = motions.field(motions.placement(t) - before);
+    if (start.size() > 0)
+      u += deformed;
+    return find(model.coordinates.displacements(u), t);
   }
 
   pairing::FoundChange

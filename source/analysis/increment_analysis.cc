@@ -172,10 +172,8 @@ namespace conetact::analysis
   {
     history = increment.before;
     take(std::move(found));
-    increment.before            = history;
-    increment.load              = model.load_case(increment.mechanical,
-                                     increment.thermal,
-                                     increment.record.time);
+    increment.before = history;
+    apply_loads(increment);
     solvers::ContactState guess = history.start();
     guess.node                  = increment.end.node;
     const unsigned int before   = increment.record.report.iterations;
@@ -190,25 +188,32 @@ namespace conetact::analysis
     constexpr unsigned int most   = 20;
     constexpr double       exact  = 1e-9;
     constexpr double       enough = 1e-3; // where facets meet there is no more
-    double                 before = std::numeric_limits<double>::max();
+    constexpr double strain = 1e-4; // what false strains are compared with
+    double           before = std::numeric_limits<double>::max();
     for (unsigned int &n = increment.record.pairings;;)
       {
         const Eigen::VectorXd u =
           acceptance.displacements(increment,
                                    model.condense().expand({&increment.load},
                                                            {increment.primal}));
-        ContactSearch::Nodes found = search.find(u, increment.record.time);
-        const auto [gap, force]    = search.change(increment, u, found);
-        const double error         = std::max(gap, force);
-        const bool   is_slow       = n >= most / 2 && error > .9 * before;
-        before                     = error;
-        if (error <= exact || (gap <= enough && (is_slow || n == most)))
+        ContactSearch::Nodes found  = search.find(u, increment.record.time);
+        const auto [gap, force]     = search.change(increment, u, found);
+        const Eigen::VectorXd moved = acceptance.amounts(increment);
+        // cos a - 1 is what a small rotation by a strains its body
+        const double angle   = model.turn_of_frames(moved);
+        const double turn    = .5 * angle * angle / strain;
+        const double error   = std::max({gap, force, turn});
+        const bool   is_slow = n >= most / 2 && error > .9 * before;
+        before               = error;
+        if (error <= exact ||
+            (std::max(gap, turn) <= enough && (is_slow || n == most)))
           return "";
         if (n++ == most)
           return "contacts that slide are found elsewhere again and again, "
                  "their gaps are off by " +
                  to_text(gap) +
                  " of a cell. Use smaller increments, or smoother surfaces";
+        model.move_frames(moved);
         if (const std::string why = solve_with(std::move(found), increment);
             !why.empty())
           return why;

@@ -350,6 +350,12 @@ namespace conetact::application
   void
   Scene::check_sliding() const
   {
+    for (const bodies::Support &support : bodies.supports)
+      if (support.turn && (path.follows || adaptive.cycles > 0))
+        throw InputError("Support '" + support.name +
+                         "', Turn: load paths and adaptive meshes are for "
+                         "bodies that turn little. Leave Turn 0, or choose "
+                         "another Solver/Method and Adaptive refinement = 0.");
     for (const pairing::Contact &contact : contacts)
       {
         if (!contact.slides)

@@ -74,26 +74,33 @@ namespace conetact::bodies
     std::vector<Eigen::Index> begin(1, 0);
     for (const Structure *structure : structures)
       begin.push_back(begin.back() + structure->n_dofs());
-    Acting          all;
-    Eigen::VectorXd f;
+    Acting all;
     all.forces.setZero(begin.back());
     all.mechanical = all.forces;
+    visit(t, [&](const Load &load, const Eigen::VectorXd &f) {
+      all.forces.segment(begin[load.body], f.size()) += f;
+      all.each.push_back(resultant(*structures[load.body], dim, f));
+      const bool is_thermal = load.kind == Load::Kind::temperature;
+      if (is_thermal && all.thermal.size() == 0)
+        all.thermal.setZero(begin.back());
+      (is_thermal ? all.thermal : all.mechanical)
+        .segment(begin[load.body], f.size()) += f;
+    });
+    return all;
+  }
+
+
+
+  void
+  NodalLoads::visit(const double t, const Visitor &visit)
+  {
+    Eigen::VectorXd f;
     for (std::size_t i = 0; i < loads.size(); ++i)
       {
-        const unsigned int body = loads[i].body;
-        f.setZero(structures[body]->n_dofs());
+        f.setZero(structures[loads[i].body]->n_dofs());
         add(i, t, f);
-        all.forces.segment(begin[body], f.size()) += f;
-        if (loads[i].kind != Load::Kind::temperature)
-          all.mechanical.segment(begin[body], f.size()) += f;
-        all.each.push_back(resultant(*structures[body], dim, f));
-        if (loads[i].kind != Load::Kind::temperature)
-          continue;
-        if (all.thermal.size() == 0)
-          all.thermal.setZero(begin.back());
-        all.thermal.segment(begin[body], f.size()) += f;
+        visit(loads[i], f);
       }
-    return all;
   }
 
 

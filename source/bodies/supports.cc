@@ -7,6 +7,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
+#include "conetact/bodies/placement.h"
 
 #include <algorithm>
 
@@ -115,10 +116,26 @@ namespace conetact::bodies
     return held;
   }
 
+  double
+  Support::displaced(const std::size_t e,
+                     const Point<3>   &p,
+                     const double      t) const
+  {
+    double u = displacement[e](p, t);
+    if (turn)
+      {
+        const Tensor<1, 3> arm = p - turn->centre;
+        u += directions[e] *
+             (rotation_about(turn->axis, turn->angle(p, t)) * arm - arm);
+      }
+    return u;
+  }
+
   bool
   Support::is_still() const
   {
-    return std::all_of(displacement.begin(),
+    return !turn &&
+           std::all_of(displacement.begin(),
                        displacement.end(),
                        [](const Expression &u) { return u.is_zero(); }) &&
            std::all_of(rotations.begin(),
@@ -140,6 +157,49 @@ namespace conetact::bodies
                        ". Give a value of 0 or more.");
     return k * result;
   }
+
+  namespace
+  {
+    /** Supports that turn hold all components: rollers would stay behind. */
+    void
+    read_turn(dealii::ParameterHandler &prm,
+              const unsigned int        dim,
+              const Structure          &structure,
+              const std::string        &in,
+              Support                  &support)
+    {
+      Expression angle(prm.get("Turn"), in + "Turn");
+      if (angle.uses_space())
+        throw InputError(in + "Turn: '" + prm.get("Turn") +
+                         "' depends on position. What a support holds turns "
+                         "as a whole: use t only.");
+      if (angle.is_zero())
+        return;
+      if (support.normal || support.directions.size() != dim)
+        throw InputError(in + "Turn: a support that turns holds all "
+                              "components. Leave Directions empty.");
+      if (support.stiffness)
+        throw InputError(in + "Turn: springs do not turn. Leave Stiffness "
+                              "empty, or Turn 0.");
+      if (structure.n_components() > dim || structure.may_be_mechanism())
+        throw InputError(in + "Turn: it is for bodies of cells, not for bars "
+                              "and beams. Prescribe a Displacement.");
+      const Tensor<1, 3> axis =
+        dim == 2 ? Tensor<1, 3>({0., 0., 1.}) :
+                   to_vector(prm.get("Turn axis"), 3, in + "Turn axis");
+      if (axis.norm() == 0)
+        throw InputError(in + "Turn axis: it has no length. Give a vector "
+                              "other than zero.");
+      const std::string centre = prm.get("Reference point");
+      support.turn =
+        Support::Turn{std::move(angle),
+                      axis / axis.norm(),
+                      centre.empty() ?
+                        Point<3>() :
+                        Point<3>(
+                          to_vector(centre, dim, in + "Reference point"))};
+    }
+  } // namespace
 
   void
   declare_support(dealii::ParameterHandler &prm)
@@ -172,6 +232,21 @@ namespace conetact::bodies
       "Empty: the displacement is prescribed exactly. Else springs per area "
       "along each direction, a function of x, y, z: an elastic foundation, "
       "whose far end moves by Displacement. [force/length/area]");
+    prm.declare_entry(
+      "Turn",
+      "0",
+      Anything(),
+      "Angle by which all that it holds has turned since the start about its "
+      "Reference point, as far as you like, a function of t; Displacement is "
+      "that beyond. The support must hold all components. [degrees]");
+    prm.declare_entry("Turn axis",
+                      "0, 0, 1",
+                      Anything(),
+                      "Axis of Turn, three components; in 2D it is z.");
+    prm.declare_entry("Reference point",
+                      "",
+                      Anything(),
+                      "Turn is about this point. Empty: the origin. [length]");
   }
 
   Support
@@ -211,6 +286,7 @@ namespace conetact::bodies
           throw InputError(in + "Stiffness: springs do not hold rotations. "
                                 "Hold them by a support of their own.");
       }
+    read_turn(prm, dim, *structures[support.body], in, support);
     return support;
   }
 } // namespace conetact::bodies

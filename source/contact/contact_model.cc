@@ -40,7 +40,102 @@ namespace conetact::contact
     , condenser(by)
     , dual(needs_dual())
     , chosen(points.layout())
-  {}
+  {
+    find_frames();
+  }
+
+  /* Elements that turn have no frame here, and foundations and supports along
+     some directions do not turn with the body. */
+  bool
+  ContactModel::may_turn(const unsigned int body) const
+  {
+    if (!bodies.deforms(body) ||
+        bodies.structures[body]->n_components() > bodies.dim)
+      return false;
+    for (const bodies::Support &support : bodies.supports)
+      if (support.body == body && support.stiffness)
+        return false;
+    for (const NodeRule &rule : rules.rules())
+      if (rule.body == body && !rule.held.empty() &&
+          rule.held.size() < bodies.dim)
+        return false;
+    return std::all_of(bodies.contact_nodes.begin(),
+                       bodies.contact_nodes.end(),
+                       [&](const pairing::ContactNode &node) {
+                         return node.slides ||
+                                (node.body != body &&
+                                 (node.masters.empty() || node.master != body));
+                       });
+  }
+
+  void
+  ContactModel::find_frames()
+  {
+    const bool far =
+      std::any_of(bodies.contact_nodes.begin(),
+                  bodies.contact_nodes.end(),
+                  [](const auto &node) { return node.slides; }) ||
+      std::any_of(bodies.supports.begin(),
+                  bodies.supports.end(),
+                  [](const auto &support) { return support.turn.has_value(); });
+    bodies.move_frames().clear();
+    for (const bodies::Support &support : bodies.supports)
+      if (support.turn && !may_turn(support.body))
+        throw InputError(
+          "Support '" + support.name +
+          "', Turn: " + bodies.called(support.body) +
+          " is held along some directions only, has a foundation, or contacts "
+          "with Kinematics = small or Kind = tie, which would stay where they "
+          "are. Hold it by this support alone, and set Kinematics = finite "
+          "sliding in its contacts.");
+    for (unsigned int body = 0; body < bodies.structures.size() && far; ++body)
+      {
+        turns.push_back(may_turn(body));
+        bodies.move_frames().emplace_back();
+        bodies.move_frames().back().centre =
+          motions.of_body(motions.none(), body).centre;
+      }
+  }
+
+  double
+  ContactModel::turn_of_frames(const Eigen::VectorXd &amounts) const
+  {
+    double largest = 0;
+    for (unsigned int body = 0; body < turns.size(); ++body)
+      if (turns[body])
+        largest = std::max(largest, motions.rotation(amounts, body));
+    return largest;
+  }
+
+  void
+  ContactModel::move_frames(const Eigen::VectorXd &amounts)
+  {
+    for (unsigned int body = 0; body < turns.size(); ++body)
+      if (turns[body])
+        {
+          const RigidMotions::Motion more  = motions.of_body(amounts, body);
+          pairing::RigidMotion      &frame = bodies.move_frames()[body];
+          frame.translation += frame.rotation * more.translation;
+          frame.rotation =
+            frame.rotation *
+            pairing::RigidMotion::turned({}, more.rotation, {}).rotation;
+        }
+  }
+
+  /* Placements are small motions: it takes a few to follow a far turn. */
+  void
+  ContactModel::move_frames_with_supports(const double t)
+  {
+    constexpr unsigned int most  = 50;
+    constexpr double       small = 1e-14;
+    for (unsigned int n = 0; n < most; ++n)
+      {
+        const Eigen::VectorXd placement = motions.placement(t);
+        move_frames(placement);
+        if (turn_of_frames(placement) <= small)
+          return;
+      }
+  }
 
   bool
   ContactModel::needs_dual() const
@@ -142,7 +237,7 @@ namespace conetact::contact
         const Eigen::Index dof = coordinates.dof(body, node);
         for (unsigned int c = 0; c < bodies.dim; ++c)
           u[c] += load.prescribed[dof + c];
-        return u;
+        return bodies.displacement(body, node, u);
       },
       t);
   }
@@ -273,7 +368,7 @@ namespace conetact::contact
   {
     points.relink(std::move(nodes), times);
     motions.see_contacts(points);
-    if (condensed) // scenes with contacts that slide far are dual
+    if (condensed && is_dual()) // without contacts there are no rows
       dynamic_cast<DualBackend &>(*condensed).relink();
   }
 
@@ -356,6 +451,11 @@ namespace conetact::contact
       initial_gap[i++] = point.node->gap;
     if (u.size() > 0)
       q = model->relative_displacements(u, t);
+    // Frames have taken the free motions so far.
+    for (Eigen::Index j = 0; j < a.size(); ++j)
+      if (model->has_frame(
+            model->motions.body_of_free()[static_cast<std::size_t>(j)]))
+        a[j] = base[j] = 0;
   }
 
   solvers::ContactProblem

@@ -184,7 +184,7 @@ namespace conetact::contact
     };
     return along_held(
       [&](const NodeRule &rule, const HeldDirection &held) {
-        return node_rules.displacement(held, position(rule), t);
+        return node_rules.displacement(rule, held, t);
       },
       [&](const NodeRule &rule, const NodeRule::HeldRotation &held) {
         return node_rules.angle(held, position(rule), t);
@@ -250,6 +250,65 @@ namespace conetact::contact
     for (unsigned int c = 0; c < bodies.dim; ++c)
       result[c] = u[first + c];
     return result;
+  }
+
+  Eigen::VectorXd
+  Coordinates::map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const
+  {
+    Eigen::VectorXd result = x;
+    if (!bodies.frames().empty() && x.size() > 0)
+      for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+        for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+          {
+            const Tensor<1, 3> v = map(body, i, at_node(x, body, i));
+            for (unsigned int c = 0; c < bodies.dim; ++c)
+              result[dof(body, i) + c] = v[c];
+          }
+    return result;
+  }
+
+  Eigen::VectorXd
+  Coordinates::displacements(const Eigen::VectorXd &u) const
+  {
+    return map_nodes(u,
+                     [&](const unsigned int  body,
+                         const unsigned int  node,
+                         const Tensor<1, 3> &v) {
+                       return bodies.displacement(body, node, v);
+                     });
+  }
+
+  Eigen::VectorXd
+  Coordinates::in_frames(const Eigen::VectorXd &u) const
+  {
+    return map_nodes(u,
+                     [&](const unsigned int  body,
+                         const unsigned int  node,
+                         const Tensor<1, 3> &v) {
+                       return bodies.in_frame(body, node, v);
+                     });
+  }
+
+  Eigen::VectorXd
+  Coordinates::forces_in_space(const Eigen::VectorXd &f) const
+  {
+    return map_nodes(f,
+                     [&](const unsigned int body,
+                         const unsigned int,
+                         const Tensor<1, 3> &v) {
+                       return bodies.in_space(body, v);
+                     });
+  }
+
+  Eigen::VectorXd
+  Coordinates::forces_in_frames(const Eigen::VectorXd &f) const
+  {
+    return map_nodes(f,
+                     [&](const unsigned int body,
+                         const unsigned int,
+                         const Tensor<1, 3> &v) {
+                       return bodies.in_frame(body, v);
+                     });
   }
 
   /* Forces do on the masters the work that they would do on the hanging

@@ -126,7 +126,8 @@ namespace conetact::contact
                                         row,
                                         coordinates.dof(body, number),
                                         elastic.bodies.dim,
-                                        weight * dual,
+                                        elastic.bodies.in_frame(body,
+                                                                weight * dual),
                                         entries);
                                });
         ++row;

@@ -263,8 +263,23 @@ namespace conetact::contact
     double sum = 0;
     for (const HeldDirection::Term &term : held.terms)
       sum += term.factor *
-             bodies.supports[term.support].displacement[term.expression](p, t);
+             bodies.supports[term.support].displaced(term.expression, p, t);
     return sum;
+  }
+
+  double
+  NodeRules::displacement(const NodeRule      &rule,
+                          const HeldDirection &held,
+                          const double         t) const
+  {
+    const Point<3> p = bodies.structures[rule.body]->position(rule.node);
+    // Bodies that turn far are held in all directions, or not at all.
+    if (bodies.frames().empty() || rule.held.size() < bodies.dim)
+      return displacement(held, p, t);
+    Tensor<1, 3> u;
+    for (const HeldDirection &h : rule.held)
+      u += displacement(h, p, t) * h.direction;
+    return held.direction * bodies.in_frame(rule.body, rule.node, u);
   }
 
   /* Displacements of supports are functions of time: they agree if they do at

@@ -344,7 +344,7 @@ namespace conetact::contact
                                      row(body,
                                          bodies.structures[body]->position(
                                            node_number),
-                                         weight * dual) *
+                                         bodies.in_frame(body, weight * dual)) *
                                      free_modes.middleRows(body * n_one, n_one);
                                  });
           ++i;
@@ -401,7 +401,7 @@ namespace conetact::contact
               {
                 const Eigen::RowVectorXd e = row(rule.body, p, h.direction);
                 right.segment(first, n_one) +=
-                  (rules.displacement(h, p, t) -
+                  (rules.displacement(rule, h, t) -
                    e.dot(amounts.segment(first, n_one))) *
                   e.transpose();
               }
@@ -434,14 +434,17 @@ namespace conetact::contact
     return u;
   }
 
-  Tensor<1, 3>
-  RigidMotions::turn(const Amounts &amounts, const unsigned int body) const
+  RigidMotions::Motion
+  RigidMotions::of_body(const Amounts &amounts, const unsigned int body) const
   {
-    Tensor<1, 3> result;
-    for (unsigned int k = bodies.dim; k < n_one; ++k)
-      result[bodies.dim == 2 ? 2 : k - bodies.dim] =
-        amounts[body * n_one + k] / frames[body].size;
-    return result;
+    Motion motion = frames[body];
+    for (unsigned int k = 0; k < n_one; ++k)
+      if (const double amount = amounts[body * n_one + k]; k < bodies.dim)
+        motion.translation[k] = amount;
+      else
+        motion.rotation[bodies.dim == 2 ? 2 : k - bodies.dim] =
+          amount / motion.size;
+    return motion;
   }
 
   Eigen::VectorXd
@@ -512,15 +515,10 @@ namespace conetact::contact
           1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)
                     .norm())
         best = body;
-    Motion                motion = frames[best];
-    const Eigen::VectorXd own =
-      modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one);
-    for (unsigned int k = 0; k < n_one; ++k)
-      if (k < bodies.dim)
-        motion.translation[k] = own[k];
-      else
-        motion.rotation[bodies.dim == 2 ? 2 : k - bodies.dim] =
-          own[k] / motion.size;
+    const auto body    = static_cast<unsigned int>(best);
+    Motion     motion  = of_body(modes, body);
+    motion.translation = bodies.in_space(body, motion.translation);
+    motion.rotation    = bodies.in_space(body, motion.rotation);
     return motion;
   }
 

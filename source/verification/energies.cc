@@ -35,10 +35,8 @@ namespace conetact::verification
                 output::IncrementRecord      &record)
   {
     State now;
-    now.u = finding.u;
-    // Thermal forces are loads here: K w balances them as well, and the energy
-    // of w contains their work.
-    now.forces      = claim.loads + finding.external.held;
+    now.u           = finding.u;
+    now.forces      = finding.acting;
     now.foundations = finding.foundations;
     now.r           = claim.r;
     fill(last.u, now.u.size());

@@ -34,12 +34,12 @@ namespace conetact::verification
     }
 
     Point<3>
-    centre_of(const bodies::Structure &structure)
+    centre_of(const contact::Bodies &bodies, const unsigned int body)
     {
       Point<3>           centre;
-      const unsigned int n = structure.n_nodes();
+      const unsigned int n = bodies.structures[body]->n_nodes();
       for (unsigned int i = 0; i < n; ++i)
-        centre += Tensor<1, 3>(structure.position(i)) / n;
+        centre += Tensor<1, 3>(bodies.position(body, i)) / n;
       return centre;
     }
 
@@ -51,8 +51,8 @@ namespace conetact::verification
         : bodies(b)
         , all(e)
       {
-        for (const bodies::Structure *structure : bodies.structures)
-          centres.push_back(centre_of(*structure));
+        for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+          centres.push_back(centre_of(bodies, body));
         all.bodies.resize(bodies.structures.size());
       }
 
@@ -95,7 +95,7 @@ namespace conetact::verification
             for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
               act(resultant,
                   body,
-                  structure.position(i),
+                  bodies.position(body, i),
                   at_node(forces, dof, bodies.dim),
                   moment_at_node(forces, dof, bodies.dim, n_c));
           }
@@ -117,8 +117,8 @@ namespace conetact::verification
     {
       for (const contact::NodeRule &rule : plain.rules().rules())
         {
-          const Eigen::Index dof = plain.dof(rule.body, rule.node);
-          const Point<3> p = bodies.structures[rule.body]->position(rule.node);
+          const Eigen::Index dof   = plain.dof(rule.body, rule.node);
+          const Point<3>     p     = bodies.position(rule.body, rule.node);
           const Tensor<1, 3> force = at_node(rest, dof, bodies.dim);
           // K w less all that acts is what a rigid support must add. Free
           // directions of the same node are none of its business: there an
@@ -170,6 +170,16 @@ namespace conetact::verification
     return force;
   }
 
+  output::Resultant
+  resultant(const contact::Bodies      &bodies,
+            const contact::Coordinates &plain,
+            const Eigen::VectorXd      &forces)
+  {
+    ExternalForces all;
+    Collector(bodies, all).act(all.loads, plain, forces);
+    return all.loads;
+  }
+
   ExternalForces
   external_forces(const contact::Bodies                  &bodies,
                   const contact::Coordinates             &plain,
@@ -198,10 +208,7 @@ namespace conetact::verification
                              const unsigned int body,
                              const unsigned int i,
                              const double       weight) {
-          collector.act(side,
-                        body,
-                        bodies.structures[body]->position(i),
-                        weight * force);
+          collector.act(side, body, bodies.position(body, i), weight * force);
         };
         pairing::for_each_slave(
           node, [&](const unsigned int i, const double weight) {

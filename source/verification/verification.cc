@@ -374,7 +374,7 @@ namespace conetact::verification
       }
     // u = R a + w. Gaps see all of it, forces only w: K R = 0 is exact where
     // nobody computes it.
-    out.u           = motions.field(claim.amounts) + claim.w;
+    out.u = plain.displacements(motions.field(claim.amounts) + claim.w);
     out.foundations = elastic.foundations(out.u, claim.t);
     out.internal    = elastic.structure_forces(claim.w);
     VectorXd rest   = out.internal - claim.loads;
@@ -388,16 +388,25 @@ namespace conetact::verification
                                [&](const unsigned int body,
                                    const unsigned int node,
                                    const double       weight) {
+                                 const Tensor<1, 3> f =
+                                   bodies.in_frame(body, weight * force);
                                  for (unsigned int c = 0; c < bodies.dim; ++c)
-                                   rest[plain.dof(body, node) + c] -=
-                                     weight * force[c];
+                                   rest[plain.dof(body, node) + c] -= f[c];
                                });
       }
     out.unbalanced = rest;
     // Reactions of supports are read at the nodes that carry them.
     plain.unhang(rest);
-    out.external = external_forces(
-      bodies, plain, points, rest, out.foundations, claim.mechanical, claim.r);
+    out.external = external_forces(bodies,
+                                   plain,
+                                   points,
+                                   plain.forces_in_space(rest),
+                                   out.foundations,
+                                   plain.forces_in_space(claim.mechanical),
+                                   claim.r);
+    // Thermal forces are loads here: K w balances them as well, and the energy
+    // of w contains their work.
+    out.acting = plain.forces_in_space(claim.loads) + out.external.held;
     find_changes(claim.t, out);
     out.missed_by_bound = out.displacements.tail(points.n_bound_unknowns()) +
                           points.gaps_to_close();

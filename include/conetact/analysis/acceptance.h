@@ -58,10 +58,12 @@ namespace conetact::analysis
     void
     set_stiffness(const contact::ElasticBackend &elastic);
 
-  private:
-    /** Of all rigid motions. */
+    /** Of all rigid motions, in the frames of bodies. */
     Eigen::VectorXd
     amounts(const PendingIncrement &increment) const;
+
+  private:
+    /** Of all rigid motions. */
     verification::Claim
     claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
     std::string

@@ -90,6 +90,8 @@ namespace conetact::analysis
     /** Loads and prestress at the increment's time, and what they reduce to. */
     void
     apply_loads(PendingIncrement &increment);
+    void
+    turn_loads(const Eigen::VectorXd &others, PendingIncrement &increment);
     /** Its record. Returns why it is not accepted; empty: it is. */
     std::string
     complete(PendingIncrement            &increment,

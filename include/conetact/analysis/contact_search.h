@@ -21,20 +21,23 @@ namespace conetact::analysis
     ContactSearch(const pairing::SlidingContacts &contacts,
                   contact::ContactModel          &model);
 
-    /** Whether some contact slides far. */
+    /** Whether some contact slides far, or some body turns. */
     bool
     is_needed() const
     {
-      return !contacts.empty();
+      return !contacts.empty() || !model.bodies.frames().empty();
     }
 
     using Nodes = std::vector<pairing::ContactNode>;
     /** Contacts where bodies are at time t: displacements u of all dofs. */
     Nodes
     find(const Eigen::VectorXd &u, const double t) const;
-    /** The same before anything is solved: supports carry bodies along. */
+    /**
+     * The same before anything is solved: supports carry bodies and their
+     * frames along.
+     */
     Nodes
-    guess(const double t) const;
+    guess(const double t);
 
     /**
      * How far the contacts that a solved increment had are from those that are

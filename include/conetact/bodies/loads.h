@@ -38,6 +38,12 @@ namespace conetact::bodies
 
     bool
     uses_time() const;
+    /** Whether it turns with its body; the others keep their directions. */
+    bool
+    follows() const
+    {
+      return kind == Kind::pressure || kind == Kind::temperature;
+    }
     /** Whether it is nothing at all. */
     bool
     is_zero() const;

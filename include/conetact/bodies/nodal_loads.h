@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -43,6 +44,10 @@ namespace conetact::bodies
      */
     Acting
     acting(const double t);
+    /** Called for each load and its nodal forces, on all dofs of its body. */
+    using Visitor = std::function<void(const Load &, const Eigen::VectorXd &)>;
+    void
+    visit(const double t, const Visitor &visit);
     /** Its forces alone. */
     Eigen::VectorXd
     at(const double t)

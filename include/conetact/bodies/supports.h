@@ -31,6 +31,20 @@ namespace conetact::bodies
     std::vector<Expression>   displacement; ///< [length], one a direction
     std::optional<Expression> stiffness;    ///< [force/length/area]: elastic
 
+    /** All that it holds turns about a point, the displacement comes after. */
+    struct Turn
+    {
+      Expression   angle; ///< [degrees], of t
+      Tensor<1, 3> axis;
+      Point<3>     centre;
+    };
+    std::optional<Turn> turn;
+    /** Displacement at p along the direction of an expression [length]. */
+    double
+    displaced(const std::size_t expression,
+              const Point<3>   &p,
+              const double      t) const;
+
     /** A rotation that is held at each node that has it as a dof. */
     struct Rotation
     {

@@ -86,6 +86,22 @@ namespace conetact::contact
     Eigen::VectorXd
     amounts(const Eigen::VectorXd &placement, const Eigen::VectorXd &a) const;
 
+    /** Whether a body may turn far. */
+    bool
+    has_frame(const unsigned int body) const
+    {
+      return body < turns.size() && turns[body];
+    }
+    /** Largest angle by which amounts turn a body that has a frame [rad]. */
+    double
+    turn_of_frames(const Eigen::VectorXd &amounts) const;
+    /** Frames of bodies go on by these amounts; those of others stay. */
+    void
+    move_frames(const Eigen::VectorXd &amounts);
+    /** They go where supports take bodies until time t. */
+    void
+    move_frames_with_supports(const double t);
+
     /** The candidates to be condensed; all, unless chosen otherwise. */
     const WorkingSet &
     working_set() const
@@ -114,6 +130,10 @@ namespace conetact::contact
     work() const;
 
   private:
+    void
+    find_frames();
+    bool
+    may_turn(const unsigned int body) const;
     bool
     needs_dual() const;
     bool
@@ -126,6 +146,7 @@ namespace conetact::contact
     all_offsets(const LoadCase &load, const double t) const;
 
     const std::vector<double>       times;
+    std::vector<bool>               turns; ///< of each body with a frame
     const backends::Condenser      &condenser;
     bool                            dual;
     WorkingSet                      chosen;

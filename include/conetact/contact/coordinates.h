@@ -94,6 +94,17 @@ namespace conetact::contact
             const unsigned int     body,
             const unsigned int     node) const;
 
+    /** Of all dofs, in space, from those in the frames of bodies; the inverse;
+     * and the same of forces. */
+    Eigen::VectorXd
+    displacements(const Eigen::VectorXd &u) const;
+    Eigen::VectorXd
+    in_frames(const Eigen::VectorXd &u) const;
+    Eigen::VectorXd
+    forces_in_space(const Eigen::VectorXd &f) const;
+    Eigen::VectorXd
+    forces_in_frames(const Eigen::VectorXd &f) const;
+
     const NodeRules &
     rules() const
     {
@@ -129,6 +140,12 @@ namespace conetact::contact
     along_held(const unsigned int    body,
                const unsigned int    node,
                const DisplacementOf &displacement) const;
+    using NodeMap = std::function<Tensor<1, 3>(const unsigned int body,
+                                               const unsigned int node,
+                                               const Tensor<1, 3> &)>;
+    /** Empty vectors stay empty; without frames nothing happens. */
+    Eigen::VectorXd
+    map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const;
     void
     gather_rigid(const unsigned int body, Eigen::VectorXd &f) const;
 

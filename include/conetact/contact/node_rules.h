@@ -10,6 +10,7 @@
 #include "conetact/pairing/contact_nodes.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,66 @@ namespace conetact::contact
     {
       return (is_rigid(body) ? "obstacle '" : "body '") + names[body] + "'";
     }
+    /**
+     * Where bodies that turn far stand, one for each body; empty: nothing
+     * turns far. A body deforms little in its frame: displacements and forces
+     * of elasticity are components there, x = frame(X + u). What contacts see
+     * and tables tell are those in space.
+     */
+    const std::vector<pairing::RigidMotion> &
+    frames() const
+    {
+      return *places;
+    }
+    /** For ContactModel, which moves them. */
+    std::vector<pairing::RigidMotion> &
+    move_frames() const
+    {
+      return *places;
+    }
+    /** Displacement in space of a node that moved by u in its frame. */
+    Tensor<1, 3>
+    displacement(const unsigned int  body,
+                 const unsigned int  node,
+                 const Tensor<1, 3> &u) const
+    {
+      if (places->empty())
+        return u;
+      const pairing::RigidMotion &frame = (*places)[body];
+      return frame.displacement(structures[body]->position(node)) +
+             frame.direction_to_space(u);
+    }
+    /** The inverse: what moved by u in space, in its frame. */
+    Tensor<1, 3>
+    in_frame(const unsigned int  body,
+             const unsigned int  node,
+             const Tensor<1, 3> &u) const
+    {
+      return places->empty() ?
+               u :
+               (*places)[body].relative(structures[body]->position(node), u);
+    }
+    /** Forces and directions in space, in the frame of a body. */
+    Tensor<1, 3>
+    in_frame(const unsigned int body, const Tensor<1, 3> &direction) const
+    {
+      return places->empty() ? direction :
+                               (*places)[body].direction_to_own(direction);
+    }
+    Tensor<1, 3>
+    in_space(const unsigned int body, const Tensor<1, 3> &direction) const
+    {
+      return places->empty() ? direction :
+                               (*places)[body].direction_to_space(direction);
+    }
+    /** Where its frame puts a node. */
+    Point<3>
+    position(const unsigned int body, const unsigned int node) const
+    {
+      const Point<3> p = structures[body]->position(node);
+      return places->empty() ? p : (*places)[body].to_space(p);
+    }
+
     /** Body and number of nodes that contacts may come to see, in any
      * direction, as they slide. */
     std::vector<std::pair<unsigned int, unsigned int>> nodes_to_keep;
@@ -60,6 +121,10 @@ namespace conetact::contact
     {
       return !is_at_rest(body) && !is_rigid(body);
     }
+
+  private:
+    std::shared_ptr<std::vector<pairing::RigidMotion>> places =
+      std::make_shared<std::vector<pairing::RigidMotion>>();
   };
 
   /**
@@ -167,6 +232,11 @@ namespace conetact::contact
     double
     displacement(const HeldDirection &held,
                  const Point<3>      &p,
+                 const double         t) const;
+    /** The same of a node, in the frame of its body. */
+    double
+    displacement(const NodeRule      &rule,
+                 const HeldDirection &held,
                  const double         t) const;
 
     /** That of a node; null: none. */

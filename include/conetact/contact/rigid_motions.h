@@ -54,6 +54,12 @@ namespace conetact::contact
     {
       return free_modes * a;
     }
+    /** Amounts of no motion. */
+    Amounts
+    none() const
+    {
+      return Amounts::Zero(held.rows());
+    }
     /** Displacements of all dofs of all bodies. */
     Eigen::VectorXd
     field(const Amounts &amounts) const;
@@ -65,9 +71,24 @@ namespace conetact::contact
     at(const Amounts     &amounts,
        const unsigned int body,
        const unsigned int node) const;
+    /** A rigid motion of one body: u(x) = translation + rotation x (x - x0). */
+    struct Motion
+    {
+      unsigned int body;
+      Point<3>     centre;
+      Tensor<1, 3> translation;
+      Tensor<1, 3> rotation; ///< [1/length] of the translation's unit
+      double       size;     ///< of the body [length]
+    };
+    /** What amounts do to a body. */
+    Motion
+    of_body(const Amounts &amounts, const unsigned int body) const;
     /** The axis about which the motion turns a body, times the angle [rad]. */
     Tensor<1, 3>
-    turn(const Amounts &amounts, const unsigned int body) const;
+    turn(const Amounts &amounts, const unsigned int body) const
+    {
+      return of_body(amounts, body).rotation;
+    }
     /** How far that is [rad]. */
     double
     rotation(const Amounts &amounts, const unsigned int body) const
@@ -153,15 +174,6 @@ namespace conetact::contact
     Eigen::MatrixXd
     unseen() const;
 
-    /** A rigid motion of one body: u(x) = translation + rotation x (x - x0). */
-    struct Motion
-    {
-      unsigned int body;
-      Point<3>     centre;
-      Tensor<1, 3> translation;
-      Tensor<1, 3> rotation; ///< [1/length] of the translation's unit
-      double       size;     ///< of the body [length]
-    };
     /**
      * The body that moves most in a combination of the columns of
      * null_space(), and how.

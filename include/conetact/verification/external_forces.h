@@ -29,8 +29,8 @@ namespace conetact::verification
     error() const;
   };
 
-  /** Everything that acts on the bodies from outside at the undeformed nodes.
-   */
+  /** Everything that acts on the bodies from outside, in space, at the
+   * undeformed nodes in the frames of bodies. */
   struct ExternalForces
   {
     std::vector<Balance> bodies;
@@ -46,7 +46,7 @@ namespace conetact::verification
   /**
    * `rest`: forces K w - loads - foundations - contacts on all dofs, which
    * supports hold; `foundations` act on the bodies; `loads`
-   * without thermal ones, which cancel by themselves.
+   * without thermal ones, which cancel by themselves. All in space.
    */
   ExternalForces
   external_forces(const contact::Bodies                  &bodies,
@@ -56,6 +56,12 @@ namespace conetact::verification
                   const std::vector<contact::Foundation> &foundations,
                   const Eigen::VectorXd                  &loads,
                   const Eigen::VectorXd                  &r);
+
+  /** Of forces on all dofs, in space, about the origin. */
+  output::Resultant
+  resultant(const contact::Bodies      &bodies,
+            const contact::Coordinates &plain,
+            const Eigen::VectorXd      &forces);
 
   /** Force on the body at a contact point. */
   Tensor<1, 3>

@@ -14,7 +14,10 @@
 
 namespace conetact::verification
 {
-  /** What an increment claims: displacements R a + w and reactions. */
+  /**
+   * What an increment claims: displacements R a + w and reactions. Loads and
+   * displacements are components in the frames of bodies (contact::Bodies).
+   */
   struct Claim
   {
     Eigen::VectorXd                 amounts; ///< of all rigid motions
@@ -36,8 +39,9 @@ namespace conetact::verification
     double      equilibrium = 0; ///< worst unbalanced force, relative
     std::string why; ///< it is not accepted, a sentence; empty: it is
 
-    Eigen::VectorXd u;             ///< displacements of all dofs [length]
-    Eigen::VectorXd internal;      ///< K w of the bodies, all dofs [force]
+    Eigen::VectorXd u;        ///< displacements of all dofs, in space [length]
+    Eigen::VectorXd acting;   ///< loads and supports, in space [force]
+    Eigen::VectorXd internal; ///< K w of the bodies, all dofs [force]
     Eigen::VectorXd unbalanced;    ///< forces on all dofs [force]
     Eigen::VectorXd displacements; ///< of all contact unknowns, relative
     Eigen::VectorXd change;        ///< of them in this increment

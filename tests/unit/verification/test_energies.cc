@@ -68,6 +68,7 @@ namespace
           finding.external.held.tail(2) = all.tail(2);
         }
       output::IncrementRecord record;
+      finding.acting = claim.loads + finding.external.held;
       energies.add(model.points, claim, finding, record);
       return record;
     }
