@@ -11,25 +11,21 @@ namespace conetact::bodies
   {
     /** Area times normal of a face, on the side of the unit vector `side`. */
     Tensor<1, 3>
-    area_vector(const Structure    &body,
-                const SurfaceFace  &face,
-                const Tensor<1, 3> &side)
+    area_vector(const Structure &body, const SurfaceFace &face)
     {
       const auto from_to = [&](const std::size_t i, const std::size_t j) {
         return body.position(face.nodes[j]) - body.position(face.nodes[i]);
       };
-      Tensor<1, 3> a;
       if (face.nodes.size() == 2)
         {
           Tensor<1, 3> e_z;
           e_z[2] = 1;
-          a      = cross_product_3d(from_to(0, 1), e_z);
+          return cross_product_3d(from_to(0, 1), e_z);
         }
-      else if (face.nodes.size() == 3)
-        a = .5 * cross_product_3d(from_to(0, 1), from_to(0, 2));
-      else // the diagonals of a quadrilateral
-        a = .5 * cross_product_3d(from_to(0, 3), from_to(1, 2));
-      return a * side < 0 ? -a : a;
+      if (face.nodes.size() == 3)
+        return .5 * cross_product_3d(from_to(0, 1), from_to(0, 2));
+      // the diagonals of a quadrilateral
+      return .5 * cross_product_3d(from_to(0, 3), from_to(1, 2));
     }
   } // namespace
 
@@ -40,7 +36,9 @@ namespace conetact::bodies
     std::map<unsigned int, std::vector<Tensor<1, 3>>> around;
     for (SurfaceFace &face : result.faces)
       {
-        const Tensor<1, 3> a = area_vector(*this, face, face.normal);
+        // The side that was outside stays so, however far bodies turn.
+        const double sign = area_vector(body, face) * face.normal < 0 ? -1 : 1;
+        const Tensor<1, 3> a = sign * area_vector(*this, face);
         face.normal          = a / a.norm();
         for (const unsigned int node : face.nodes)
           around[node].push_back(a);
