@@ -99,7 +99,7 @@ def shaft(laws):
     laws.check("shaft: pressure stays", max(means) / min(means) - 1, 1e-3)
 
 
-def rolled(increments, way, cells=3):
+def rolled(increments, way, cells=4):
     """A disc between two rough plates, of which the upper one moves."""
     def plate(normal, point, **entries):
         return {"Shape": "half space", "Normal": normal, "Point": point, **entries}
