@@ -345,6 +345,34 @@ namespace conetact::verification
       }
   }
 
+  /* Supports take whatever a tie carries that they make redundant, at no
+     displacement, and as a scale this force would excuse any error. */
+  void
+  Verification::check_bound_forces(const Claim &claim, Finding &out) const
+  {
+    constexpr double largest_lever = 1e4; // of what acts, and what is strained
+    if (bound_stiffness.size() == 0)
+      return;
+    double cause = solvers::largest(claim.loads) +
+                   bound_stiffness.maxCoeff() * solvers::largest(claim.w);
+    for (const contact::Foundation &foundation : out.foundations)
+      cause = std::max(cause, solvers::largest(foundation.forces));
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      {
+        const contact::ContactPoint &point = points.all()[i];
+        const double                 force = reaction(point, claim.r).norm();
+        if (force <= largest_lever * cause)
+          continue;
+        out.residual = std::numeric_limits<double>::infinity();
+        if (out.why.empty())
+          out.why = place(bodies, point) +
+                    "is bound where supports hold it already, and what it "
+                    "carries is not determined. Take it out of the support or "
+                    "of the contact";
+        return;
+      }
+  }
+
   void
   Verification::find_changes(const double t, Finding &out) const
   {
@@ -415,6 +443,7 @@ namespace conetact::verification
     check_nodes(claim, limits, out);
     check_bodies(limits, out);
     check_law(claim, limits, out);
+    check_bound_forces(claim, out);
     return out;
   }
 

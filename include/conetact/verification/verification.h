@@ -121,6 +121,8 @@ namespace conetact::verification
                  const Scales                &scales,
                  const Finding               &out) const;
     void
+    check_bound_forces(const Claim &claim, Finding &out) const;
+    void
     check_law(const Claim &claim, const Scales &scales, Finding &out) const;
     template <typename Points>
     Eigen::VectorXd

@@ -171,6 +171,23 @@ namespace
     " set Value = 5e-6*t ; -7.7e-5\nend\n" +
     time;
 
+  /** Two blocks that are tied at a side, and held at the same end. */
+  std::string
+  tied_and_held()
+  {
+    const auto block_at = [](const std::string &name, const std::string &box) {
+      return block(name, "2, 2 : " + box, 1000) + "subsection Support " + name +
+             "\n set Body = " + name + "\n set Boundary ids = 0\nend\n";
+    };
+    return "set Bodies = a, b\nset Contacts = joint\nset Supports = a, b\n" +
+           block_at("a", "0, 0 : 1, 1") + block_at("b", "0, 1 : 1, 2") +
+           "subsection Contact joint\n set Body = a\n"
+           " set Boundary ids = 3\n set Master body = b\n"
+           " set Master boundary ids = 2\n set Kind = tie\n"
+           " set Pairing = node to face\nend\n" +
+           time;
+  }
+
   /** A fault at one node, where it has enough force; false: not here. */
   using Fault = bool (*)(Claim &, const ContactPoint &, std::size_t);
 
@@ -266,4 +283,25 @@ TEST(Verification, PlantedFaultsAreFound)
   for (const std::string &scene : {held(false), held(true), stacked, dropped})
     plant_faults(scene, n);
   EXPECT_GE(n, 1000u);
+}
+
+// A tie between nodes that supports hold could carry anything.
+TEST(Verification, WhatSupportsHoldCarriesNothingMore)
+{
+  Solved              solved(tied_and_held());
+  const ContactModel &model = solved.model;
+  ASSERT_EQ(model.points.n_bound(), 3u);
+  solved.verification.set_stiffness(
+    {}, Eigen::VectorXd::Constant(model.points.n_bound_unknowns(), 1e3));
+  Claim claim;
+  claim.amounts = model.motions.placement(1);
+  claim.w = claim.loads = claim.mechanical =
+    Eigen::VectorXd::Zero(model.coordinates.n_dofs());
+  claim.r = Eigen::VectorXd::Zero(model.points.n_all_unknowns());
+  EXPECT_EQ(solved.verification.judge(claim).why, "");
+  for (const ContactPoint &point : model.points.all())
+    if (point.node->position[0] == 0)
+      claim.r[point.first] = 1e6;
+  EXPECT_NE(solved.verification.judge(claim).why.find("not determined"),
+            std::string::npos);
 }
