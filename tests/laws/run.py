@@ -25,7 +25,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
             "hertz": hertz.hertz, "path": path.path, "sliding": sliding.sliding,
-            "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-covered": mortar.covered,
+            "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
+            "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family}
 
 if __name__ == "__main__":

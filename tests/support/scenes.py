@@ -55,6 +55,11 @@ def box(cells, size, origin=None, young=1000.0, poisson=.3, **mesh):
             "Material": {"Young modulus": young, "Poisson ratio": poisson}}
 
 
+def simplices(body):
+    """The same box, its cells cut into triangles or tetrahedra."""
+    return merge(body, {"Mesh": {"Generator": body["Mesh"]["Generator"] + "_with_simplices"}})
+
+
 def ring(inner, outer, cells=12, degrees=0.0, young=1000.0, poisson=.3):
     """Sides: 0 inside, 1 outside."""
     return {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {inner!r} : {outer!r} : {cells} : true",
