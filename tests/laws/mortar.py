@@ -121,27 +121,32 @@ def held(laws):
         laws.check("  the whole force", abs(abs(run.increments[-1][f"{JOINT}_f_y"]) / (2 * PRESSURE) - 1), 1e-10)
 
 
-def covered(laws):
+def turned_on_wider(angle, exchanged, is_cut=False, pressure=PRESSURE, **contact):
     """A turned block on a wider one, which carries the same pressure beside it: all of it is uniform."""
-    covered_in_plane(laws)
     cells, size, small = (4, 5), (2.0, 2.0), 1.1
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    place = [(.97 + c * x - s * y, 1.02 + s * x + c * y)
+             for x, y in ((-small / 2, -small / 2), (small / 2, -small / 2), (small / 2, small / 2), (-small / 2, small / 2))]
+    under = shares_under(cells, size, place)
+    whole = shares_under(cells, size, [(0, 0), (2, 0), (2, 2), (0, 2)])
+    upper = box((3, 4, 1), (small, small, 1.0), (-small / 2, -small / 2, 0.0), Rotation=(0, 0, 1, angle), Translation=(.97, 1.02, 1.0))
+    scene = stacked(3, box((*cells, 2), (*size, 1.0)), simplices(upper) if is_cut else upper, exchanged, **contact)
+    scene.pop("Support wall upper")
+    scene["Load top"]["Value"] = repr(pressure)
+    for k, (node, share) in enumerate(whole.items()):
+        force = -pressure * (share - under.get(node, 0))
+        if abs(force) > 1e-15:
+            scene[f"Load {k}"] = load("point force", f"0; 0; {force!r}", body="lower",
+                                      Point=(node[0] * size[0] / cells[0], node[1] * size[1] / cells[1], 1.0))
+    return scene
+
+
+def covered(laws):
+    covered_in_plane(laws)
     for angle, exchanged, is_cut in (*itertools.product((0.0, 10.0, 30.0, 45.0), (False, True), (False,)),
                                      (20.0, False, True), (20.0, True, True)):
-        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-        place = [(.97 + c * x - s * y, 1.02 + s * x + c * y)
-                 for x, y in ((-small / 2, -small / 2), (small / 2, -small / 2), (small / 2, small / 2), (-small / 2, small / 2))]
-        under = shares_under(cells, size, place)
-        whole = shares_under(cells, size, [(0, 0), (2, 0), (2, 2), (0, 2)])
-        upper = box((3, 4, 1), (small, small, 1.0), (-small / 2, -small / 2, 0.0), Rotation=(0, 0, 1, angle), Translation=(.97, 1.02, 1.0))
-        upper = simplices(upper) if is_cut else upper
-        scene = stacked(3, box((*cells, 2), (*size, 1.0)), upper, exchanged, mu=1.0)
-        scene.pop("Support wall upper")
-        for k, (node, share) in enumerate(whole.items()):
-            force = -PRESSURE * (share - under.get(node, 0))
-            if abs(force) > 1e-15:
-                scene[f"Load {k}"] = load("point force", f"0; 0; {force!r}", body="lower",
-                                          Point=(node[0] * size[0] / cells[0], node[1] * size[1] / cells[1], 1.0))
-        check_patch(laws, f"{'tetrahedra ' * is_cut}turned by {angle:g} degrees{', exchanged' * exchanged}", laws.run(scene))
+        check_patch(laws, f"{'tetrahedra ' * is_cut}turned by {angle:g} degrees{', exchanged' * exchanged}",
+                    laws.run(turned_on_wider(angle, exchanged, is_cut, mu=1.0)))
 
 
 def covered_in_plane(laws):
