@@ -18,10 +18,10 @@ def family(laws, dim, cases, bounds, growth):
     for ratio, cells, exchanged in cases:
         found = [round_pairs.errors(laws.run(round_pairs.pair(laws.folder, dim, n, ratio, exchanged, growth)), n) for n in cells]
         name = f"{cells[-1]} cells a half width on {cells[-1] / ratio:.3g}{', exchanged' * exchanged}"
-        for k, (what, (bound, order)) in enumerate(bounds.items()):
+        for what, (bound, order) in bounds.items():
             laws.check(f"{name}: {what}", found[-1][what], bound)
             if len(cells) > 1 and order > 0:
-                seen = orders(cells, [list(f.values()) for f in found])[k]
+                seen = orders(cells, [[f[what]] for f in found])[0]
                 laws.demand(f"  order {seen:.2f}", seen >= order)
         laws.check(f"{name}: nodes beyond the edge of the stick zone, in cells", found[-1]["nodes out of place, in cells"], 1)
 
