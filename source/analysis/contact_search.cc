@@ -74,6 +74,14 @@ namespace conetact::analysis
           open ? 0 : forces[i] / largest);
         worst.gap   = std::max(worst.gap, change.gap);
         worst.force = std::max(worst.force, change.force);
+        if (node.obstacle != nullptr && !open)
+          // an obstacle that turns moves otherwise at its other points
+          worst.force = std::max(worst.force,
+                                 forces[i] / largest *
+                                   (contact::relative_displacement(now, at, t) -
+                                    contact::relative_displacement(node, at, t))
+                                     .norm() /
+                                   node.spacing);
       }
     return worst;
   }

@@ -55,7 +55,7 @@ namespace conetact::analysis
               first_unsure = next - 1;
               break;
             case Outcome::failed:
-              if (!condense_all())
+              if (!condense_all() && !cut(next))
                 throw AnalysisError(step.why);
           }
       }
@@ -84,26 +84,32 @@ namespace conetact::analysis
       {
         batch.push_back(start(k));
         std::string why = solve_contact(batch.back(), history.start());
+        lost_contacts   = false;
         if (why.empty() && search.is_needed())
-          why = settle(batch.back());
+          {
+            why           = settle(batch.back());
+            lost_contacts = !why.empty();
+          }
         if (!why.empty())
           {
             const std::string failure = failed(batch.back().record, why);
+            history                   = batch.back().before;
             batch.pop_back();
             return {Step::Outcome::failed, k, failure, {}};
           }
       }
-    return {Step::Outcome::accepted, k, {}, {}};
+    return {Step::Outcome::accepted, parts.others_follow() ? first : k, {}, {}};
   }
 
   PendingIncrement
   IncrementAnalysis::start(const unsigned int k)
   {
+    const double t = parts.end(scene.times[k - 1]);
     if (search.is_needed())
-      take(search.guess(scene.times[k - 1]));
+      take(search.guess(t));
     PendingIncrement increment{history, history};
     increment.record.increment = k;
-    increment.record.time      = scene.times[k - 1];
+    increment.record.time      = t;
     apply_loads(increment);
     return increment;
   }
@@ -198,21 +204,68 @@ namespace conetact::analysis
                                    model.condense().expand({&increment.load},
                                                            {increment.primal}));
         ContactSearch::Nodes found = search.find(u, increment.record.time);
-        const auto [gap, force]    = search.change(increment, u, found);
-        const double error         = std::max(gap, force);
-        const bool   is_slow       = n >= most / 2 && error > .9 * before;
-        before                     = error;
-        if (error <= exact || (gap <= enough && (is_slow || n == most)))
+        const pairing::FoundChange change = search.change(increment, u, found);
+        const double               error  = std::max(change.gap, change.force);
+        const bool is_slow = n >= most / 2 && error > .9 * before;
+        before             = error;
+        if (error <= exact)
           return "";
+        if (change.gap <= enough && (is_slow || n == most))
+          {
+            say_unsettled(increment.record, change);
+            return "";
+          }
         if (n++ == most)
           return "contacts that slide are found elsewhere again and again, "
                  "their gaps are off by " +
-                 to_text(gap) +
-                 " of a cell. Use smaller increments, or smoother surfaces";
+                 to_text(change.gap) +
+                 " of a cell, also in parts of the increment. Use smaller "
+                 "increments, or smoother surfaces";
         if (const std::string why = solve_with(std::move(found), increment);
             !why.empty())
           return why;
       }
+  }
+
+  void
+  IncrementAnalysis::say_unsettled(const output::IncrementRecord &record,
+                                   const pairing::FoundChange    &change)
+  {
+    const std::string sentence =
+      name(record) + " (t = " + to_text(record.time) +
+      "): contacts that slide are found elsewhere again and again, as where "
+      "facets meet. Those taken are off by " +
+      to_text(change.gap) + " of a cell in their gaps, by " +
+      to_text(change.force) + " of the largest reaction in their directions";
+    if (said_unsettled)
+      log.note(sentence);
+    else
+      log.say("warning: " + sentence +
+              ". Use smoother surfaces or Pairing = mortar, or smaller "
+              "increments; others are told in log.txt.");
+    said_unsettled = true;
+  }
+
+  bool
+  IncrementAnalysis::cut(const unsigned int k)
+  {
+    const double begin = search.time(), whole = scene.times[k - 1];
+    if (!lost_contacts ||
+        !parts.cut(begin, whole - (k > 1 ? scene.times[k - 2] : 0.), whole))
+      return false;
+    log.note("increment " + std::to_string(k) +
+             ": contacts that slide are not found, it is cut: a part up to "
+             "t = " +
+             to_text(parts.end(whole)));
+    return true;
+  }
+
+  void
+  IncrementAnalysis::keep(output::IncrementRecord               record,
+                          std::vector<output::IncrementRecord> &finished)
+  {
+    if (parts.take(record))
+      finished.push_back(std::move(record));
   }
 
   void
@@ -302,7 +355,7 @@ namespace conetact::analysis
         const bool has_failed = step.outcome == Outcome::failed;
         history               = has_failed ? batch[i].before : batch[i].after;
         if (!has_failed)
-          finished.push_back(std::move(batch[i].record));
+          keep(std::move(batch[i].record), finished);
       }
     write(finished);
     if (step.outcome != Outcome::accepted || n_right == batch.size())
@@ -395,7 +448,7 @@ namespace conetact::analysis
       search.accept(finding.u, increment.record.time);
     // those after it started from what was not exact
     return {corrected ? Step::Outcome::corrected : Step::Outcome::accepted,
-            k + 1,
+            parts.others_follow() ? k : k + 1,
             {},
             {}};
   }

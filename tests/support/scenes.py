@@ -168,7 +168,7 @@ def stack(dim, cells, heights, mu, joint_mu, side="0.002*max(t - 1, 0)"):
         if i > 0:
             scene[f"Contact joint {i}"] = {"Body": f"block {i}", "Boundary ids": bottom,
                                            "Master body": f"block {i - 1}", "Master boundary ids": top,
-                                           "Friction coefficient": joint_mu}
+                                           "Friction coefficient": joint_mu, "Pairing": "node to face"}
     down = "-0.01*min(t, 1)"
     return {**scene, "Support top": support(top, "x, y" if dim == 2 else "x, y, z",
                                             f"{side} ; {down}" if dim == 2 else f"{side} ; 0 ; {down}",

@@ -52,9 +52,15 @@ namespace conetact::analysis
     void
     take(Nodes found, contact::ContactHistory &history) const;
 
-    /** An increment was accepted: the next one starts there. */
+    /** An increment, or a part of one, was accepted: the next starts there. */
     void
     accept(const Eigen::VectorXd &u, const double t);
+    /** Where it ended. */
+    double
+    time() const
+    {
+      return start_t;
+    }
 
   private:
     pairing::SlidingContacts contacts;
