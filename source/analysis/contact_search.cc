@@ -16,17 +16,44 @@ namespace conetact::analysis
   {}
 
   ContactSearch::Nodes
-  ContactSearch::find(const Eigen::VectorXd &u, const double t) const
+  ContactSearch::find_there(const Eigen::VectorXd &u, const double t) const
   {
-    Nodes nodes = contacts.find(
+    return contacts.find(
       model.points.nodes(),
       [&](const unsigned int body, const unsigned int node) {
         return model.displacement(u, body, node);
       },
       t);
+  }
+
+  ContactSearch::Nodes
+  ContactSearch::linearised(Nodes nodes) const
+  {
     contact::align_with_supports(model.bodies, nodes);
     contacts.linearise(nodes);
     return nodes;
+  }
+
+  ContactSearch::Nodes
+  ContactSearch::find(const Eigen::VectorXd &u, const double t) const
+  {
+    return linearised(find_there(u, t));
+  }
+
+  ContactSearch::Nodes
+  ContactSearch::find_between(const Eigen::VectorXd &u,
+                              const double           t,
+                              const double           part) const
+  {
+    Nodes nodes = find_there(u, t);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (const Tensor<1, 3> &last = model.points.nodes()[i].n;
+          nodes[i].slides && nodes[i].n * last > 0)
+        {
+          nodes[i].n = last + part * (nodes[i].n - last);
+          nodes[i].n /= nodes[i].n.norm();
+        }
+    return linearised(std::move(nodes));
   }
 
   ContactSearch::Nodes

@@ -193,10 +193,11 @@ namespace conetact::analysis
   std::string
   IncrementAnalysis::settle(PendingIncrement &increment)
   {
-    constexpr unsigned int most   = 20;
+    constexpr unsigned int most   = 30;
     constexpr double       exact  = 1e-9;
     constexpr double       enough = 1e-3; // where facets meet there is no more
     double                 before = std::numeric_limits<double>::max();
+    unsigned int           n_slow = 1;
     for (unsigned int &n = increment.record.pairings;;)
       {
         const Eigen::VectorXd u =
@@ -206,7 +207,7 @@ namespace conetact::analysis
         ContactSearch::Nodes found = search.find(u, increment.record.time);
         const pairing::FoundChange change = search.change(increment, u, found);
         const double               error  = std::max(change.gap, change.force);
-        const bool is_slow = n >= most / 2 && error > .9 * before;
+        const bool is_slow = n >= most / 3 && error > .9 * before;
         before             = error;
         if (error <= exact)
           return "";
@@ -221,6 +222,8 @@ namespace conetact::analysis
                  to_text(change.gap) +
                  " of a cell, also in parts of the increment. Use smaller "
                  "increments, or smoother surfaces";
+        if (is_slow || n_slow > 1) // from now on
+          found = search.find_between(u, increment.record.time, 1. / ++n_slow);
         if (const std::string why = solve_with(std::move(found), increment);
             !why.empty())
           return why;

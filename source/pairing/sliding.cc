@@ -148,9 +148,8 @@ namespace conetact::pairing
       const Point<3>    met    = meet_obstacle(motion, u, moved(), node);
       // The lever of forces has turned with it: so have the ways that the next
       // bit of a turn leads.
-      node.masters =
-        body.weights_of(motion.to_space(met) - motion.translation);
-      node.moved = moved();
+      node.masters = body.weights_of(motion.to_space(met) - motion.translation);
+      node.moved   = moved();
     }
 
     bool

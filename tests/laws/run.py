@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (balance, bodies, corners, drawn, driven, elements, friction, hertz, kill, loads, mortar, obstacles,  # noqa: E402
+from laws import (balance, bodies, corners, drawn, driven, driven_far, elements, friction, hertz, kill, loads, mortar, obstacles,  # noqa: E402
                   pairs, patch, path, refinement, round_pairs, sliding, supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
 
@@ -25,7 +25,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
             "hertz": hertz.hertz, "path": path.path, "sliding": sliding.sliding,
-            "drawn": drawn.drawn_family, "round-plane": round_pairs.plane, "round-space": round_pairs.space,
+            "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "round-plane": round_pairs.plane, "round-space": round_pairs.space,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family}

@@ -32,6 +32,15 @@ namespace conetact::analysis
     /** Contacts where bodies are at time t: displacements u of all dofs. */
     Nodes
     find(const Eigen::VectorXd &u, const double t) const;
+    /**
+     * The same, but normals go only a part of the way from those that the model
+     * has. On the edge between two facets each of them leads to the other one;
+     * what holds there is a normal between theirs.
+     */
+    Nodes
+    find_between(const Eigen::VectorXd &u,
+                 const double           t,
+                 const double           part) const;
     /** The same before anything is solved: supports carry bodies along. */
     Nodes
     guess(const double t) const;
@@ -63,6 +72,11 @@ namespace conetact::analysis
     }
 
   private:
+    Nodes
+    find_there(const Eigen::VectorXd &u, const double t) const;
+    Nodes
+    linearised(Nodes nodes) const;
+
     pairing::SlidingContacts contacts;
     contact::ContactModel   &model;
     Eigen::VectorXd          start; ///< displacements of all dofs
