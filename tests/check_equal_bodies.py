@@ -139,7 +139,7 @@ def turned_stack(laws):
                                             **{"Boundary ids": f"20: {low} ; 21: {high}"})
             scene[f"Contact {i}"] = {"Body": i, "Boundary ids": 20, "Friction coefficient": .2,
                                      **({"Obstacle": "floor"} if i == 0 else
-                                        {"Master body": i - 1, "Master boundary ids": 21})}
+                                        {"Master body": i - 1, "Master boundary ids": 21, "Pairing": "node to face"})}
         scene["Support top"] = scenes.support(21, TWO[dim], f"{side} ; {down}" if dim == 2 else f"{side} ; 0 ; {down}", 3)
         run = laws.run(scene)
         demand_shared(laws, f"{dim}D, turned blocks in a stack", run, 2, 4)

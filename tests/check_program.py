@@ -180,7 +180,8 @@ class Case:
         return (text + body +
                 subsection("Support under", {"Body": "mat", "Boundary ids": ids[0], "Directions": ", ".join("xyz"[:dim])}) +
                 subsection("Contact bottom", {"Body": "mat", "Boundary ids": ids[1], "Master body": "block",
-                                              "Master boundary ids": ids[0], "Friction coefficient": 0.3}))
+                                              "Master boundary ids": ids[0], "Friction coefficient": 0.3,
+                                              "Pairing": "node to face"}))
 
     def slides(self, name, direction, text):
         run = self.run(text, "--quiet")

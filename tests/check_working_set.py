@@ -111,7 +111,8 @@ def bodies(laws):
         scene = merge(scene, {
             "Body lower": box(tuple(c - 2 for c in cells), size, below),
             "Contact joint": {"Body": "block", "Boundary ids": bottom, "Master body": "lower",
-                              "Master boundary ids": top, "Gap": gap, "Friction coefficient": .4},
+                              "Master boundary ids": top, "Gap": gap, "Friction coefficient": .4,
+                              "Pairing": "node to face"},
             "Contact bottom": {"Body": "lower", "Boundary ids": bottom},
             "Support lower": None})
         counts = both(laws, f"{dim}D, two bodies", scene)

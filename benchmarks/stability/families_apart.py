@@ -72,7 +72,7 @@ def two_bodies(rng, dim):
 
 def joint(body, ids, master, master_ids, mu):
     return {"Body": body, "Boundary ids": ids, "Master body": master, "Master boundary ids": master_ids,
-            "Friction coefficient": mu}
+            "Friction coefficient": mu, "Pairing": "node to face"}
 
 
 def gap_faults(folder, contacts, size):

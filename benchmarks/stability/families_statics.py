@@ -113,7 +113,7 @@ class Mats:
         sides = [("block", bottom), ("mat", top)]
         (body, ids), (master, master_ids) = sides if self.slave_is_block else sides[::-1]
         return {"Body": body, "Boundary ids": ids, "Master body": master, "Master boundary ids": master_ids,
-                "Friction coefficient": mu}, Touch(body, mu, master)
+                "Friction coefficient": mu, "Pairing": "node to face"}, Touch(body, mu, master)
 
 
 def direction_of(rng, dim, along_x):

@@ -13,20 +13,48 @@ namespace conetact::analysis
                                contact::ContactModel          &m)
     : contacts(c)
     , model(m)
+    , frames(m.bodies.frames())
   {}
 
   ContactSearch::Nodes
-  ContactSearch::find(const Eigen::VectorXd &u, const double t) const
+  ContactSearch::find_there(const Eigen::VectorXd &u, const double t) const
   {
-    Nodes nodes = contacts.find(
+    return contacts.find(
       model.points.nodes(),
       [&](const unsigned int body, const unsigned int node) {
         return model.displacement(u, body, node);
       },
       t);
+  }
+
+  ContactSearch::Nodes
+  ContactSearch::linearised(Nodes nodes) const
+  {
     contact::align_with_supports(model.bodies, nodes);
     contacts.linearise(nodes);
     return nodes;
+  }
+
+  ContactSearch::Nodes
+  ContactSearch::find(const Eigen::VectorXd &u, const double t) const
+  {
+    return linearised(find_there(u, t));
+  }
+
+  ContactSearch::Nodes
+  ContactSearch::find_between(const Eigen::VectorXd &u,
+                              const double           t,
+                              const double           part) const
+  {
+    Nodes nodes = find_there(u, t);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (const Tensor<1, 3> &last = model.points.nodes()[i].n;
+          nodes[i].slides && nodes[i].n * last > 0)
+        {
+          nodes[i].n = last + part * (nodes[i].n - last);
+          nodes[i].n /= nodes[i].n.norm();
+        }
+    return linearised(std::move(nodes));
   }
 
   ContactSearch::Nodes
@@ -34,6 +62,7 @@ namespace conetact::analysis
   {
     const contact::RigidMotions &motions = model.motions;
     Eigen::VectorXd              before  = motions.none(), deformed;
+    model.bodies.move_frames()           = frames;
     if (start.size() > 0)
       {
         before   = motions.placement(start_t);
@@ -80,6 +109,14 @@ namespace conetact::analysis
           open ? 0 : forces[i] / largest);
         worst.gap   = std::max(worst.gap, change.gap);
         worst.force = std::max(worst.force, change.force);
+        if (node.obstacle != nullptr && !open)
+          // an obstacle that turns moves otherwise at its other points
+          worst.force = std::max(worst.force,
+                                 forces[i] / largest *
+                                   (contact::relative_displacement(now, at, t) -
+                                    contact::relative_displacement(node, at, t))
+                                     .norm() /
+                                   node.spacing);
       }
     return worst;
   }
@@ -96,5 +133,6 @@ namespace conetact::analysis
   {
     start   = u;
     start_t = t;
+    frames  = model.bodies.frames();
   }
 } // namespace conetact::analysis

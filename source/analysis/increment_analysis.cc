@@ -55,7 +55,7 @@ namespace conetact::analysis
               first_unsure = next - 1;
               break;
             case Outcome::failed:
-              if (!condense_all())
+              if (!condense_all() && !cut(next))
                 throw AnalysisError(step.why);
           }
       }
@@ -84,26 +84,32 @@ namespace conetact::analysis
       {
         batch.push_back(start(k));
         std::string why = solve_contact(batch.back(), history.start());
+        lost_contacts   = false;
         if (why.empty() && search.is_needed())
-          why = settle(batch.back());
+          {
+            why           = settle(batch.back());
+            lost_contacts = !why.empty();
+          }
         if (!why.empty())
           {
             const std::string failure = failed(batch.back().record, why);
+            history                   = batch.back().before;
             batch.pop_back();
             return {Step::Outcome::failed, k, failure, {}};
           }
       }
-    return {Step::Outcome::accepted, k, {}, {}};
+    return {Step::Outcome::accepted, parts.others_follow() ? first : k, {}, {}};
   }
 
   PendingIncrement
   IncrementAnalysis::start(const unsigned int k)
   {
+    const double t = parts.end(scene.times[k - 1]);
     if (search.is_needed())
-      take(search.guess(scene.times[k - 1]));
+      take(search.guess(t));
     PendingIncrement increment{history, history};
     increment.record.increment = k;
-    increment.record.time      = scene.times[k - 1];
+    increment.record.time      = t;
     apply_loads(increment);
     return increment;
   }
@@ -185,39 +191,88 @@ namespace conetact::analysis
   std::string
   IncrementAnalysis::settle(PendingIncrement &increment)
   {
-    constexpr unsigned int most   = 20;
+    constexpr unsigned int most   = 30;
     constexpr double       exact  = 1e-9;
     constexpr double       enough = 1e-3; // where facets meet there is no more
     constexpr double strain = 1e-4; // what false strains are compared with
     double           before = std::numeric_limits<double>::max();
+    unsigned int     n_slow = 1;
     for (unsigned int &n = increment.record.pairings;;)
       {
         const Eigen::VectorXd u =
           acceptance.displacements(increment,
                                    model.condense().expand({&increment.load},
                                                            {increment.primal}));
-        ContactSearch::Nodes found  = search.find(u, increment.record.time);
-        const auto [gap, force]     = search.change(increment, u, found);
-        const Eigen::VectorXd moved = acceptance.amounts(increment);
+        ContactSearch::Nodes found = search.find(u, increment.record.time);
+        const pairing::FoundChange change = search.change(increment, u, found);
+        const Eigen::VectorXd      moved  = acceptance.amounts(increment);
         // cos a - 1 is what a small rotation by a strains its body
         const double angle   = model.turn_of_frames(moved);
         const double turn    = .5 * angle * angle / strain;
-        const double error   = std::max({gap, force, turn});
-        const bool   is_slow = n >= most / 2 && error > .9 * before;
+        const double error   = std::max({change.gap, change.force, turn});
+        const bool   is_slow = n >= most / 3 && error > .9 * before;
         before               = error;
-        if (error <= exact ||
-            (std::max(gap, turn) <= enough && (is_slow || n == most)))
+        if (error <= exact)
           return "";
+        if (std::max(change.gap, turn) <= enough && (is_slow || n == most))
+          {
+            say_unsettled(increment.record, change);
+            return "";
+          }
         if (n++ == most)
           return "contacts that slide are found elsewhere again and again, "
                  "their gaps are off by " +
-                 to_text(gap) +
-                 " of a cell. Use smaller increments, or smoother surfaces";
+                 to_text(change.gap) +
+                 " of a cell, also in parts of the increment. Use smaller "
+                 "increments, or smoother surfaces";
         model.move_frames(moved);
+        if (is_slow || n_slow > 1) // from now on
+          found = search.find_between(u, increment.record.time, 1. / ++n_slow);
         if (const std::string why = solve_with(std::move(found), increment);
             !why.empty())
           return why;
       }
+  }
+
+  void
+  IncrementAnalysis::say_unsettled(const output::IncrementRecord &record,
+                                   const pairing::FoundChange    &change)
+  {
+    const std::string sentence =
+      name(record) + " (t = " + to_text(record.time) +
+      "): contacts that slide are found elsewhere again and again, as where "
+      "facets meet. Those taken are off by " +
+      to_text(change.gap) + " of a cell in their gaps, by " +
+      to_text(change.force) + " of the largest reaction in their directions";
+    if (said_unsettled)
+      log.note(sentence);
+    else
+      log.say("warning: " + sentence +
+              ". Use smoother surfaces or Pairing = mortar, or smaller "
+              "increments; others are told in log.txt.");
+    said_unsettled = true;
+  }
+
+  bool
+  IncrementAnalysis::cut(const unsigned int k)
+  {
+    const double begin = search.time(), whole = scene.times[k - 1];
+    if (!lost_contacts ||
+        !parts.cut(begin, whole - (k > 1 ? scene.times[k - 2] : 0.), whole))
+      return false;
+    log.note("increment " + std::to_string(k) +
+             ": contacts that slide are not found, it is cut: a part up to "
+             "t = " +
+             to_text(parts.end(whole)));
+    return true;
+  }
+
+  void
+  IncrementAnalysis::keep(output::IncrementRecord               record,
+                          std::vector<output::IncrementRecord> &finished)
+  {
+    if (parts.take(record))
+      finished.push_back(std::move(record));
   }
 
   void
@@ -307,7 +362,7 @@ namespace conetact::analysis
         const bool has_failed = step.outcome == Outcome::failed;
         history               = has_failed ? batch[i].before : batch[i].after;
         if (!has_failed)
-          finished.push_back(std::move(batch[i].record));
+          keep(std::move(batch[i].record), finished);
       }
     write(finished);
     if (step.outcome != Outcome::accepted || n_right == batch.size())
@@ -400,7 +455,7 @@ namespace conetact::analysis
       search.accept(finding.u, increment.record.time);
     // those after it started from what was not exact
     return {corrected ? Step::Outcome::corrected : Step::Outcome::accepted,
-            k + 1,
+            parts.others_follow() ? k : k + 1,
             {},
             {}};
   }

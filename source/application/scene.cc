@@ -369,36 +369,7 @@ namespace conetact::application
           throw InputError(in + "meshes are refined for contacts of undeformed "
                                 "bodies. Choose small, or set Adaptive "
                                 "refinement to 0.");
-        refuse_beside_sliding(in);
       }
-  }
-
-  void
-  Scene::refuse_beside_sliding(const std::string &in) const
-  {
-    for (const pairing::Contact &other : contacts)
-      {
-        if (other.kind != pairing::ContactKind::contact)
-          throw InputError(in +
-                           "where contacts slide far there are no ties "
-                           "or bilateral contacts, as Contact '" +
-                           other.name +
-                           "' is. Choose small, or Kind = contact there.");
-        if (other.gap)
-          throw InputError(in +
-                           "where contacts slide far gaps come from "
-                           "geometry, and Contact '" +
-                           other.name +
-                           "' has a Gap. Choose small, or leave it empty.");
-      }
-    for (const pairing::Obstacle &obstacle : obstacles)
-      if (obstacle.free.any() || obstacle.turn)
-        throw InputError(in +
-                         "where contacts slide far obstacles translate as "
-                         "prescribed, and Obstacle '" +
-                         obstacle.name +
-                         "' is Free or turns. Choose small, or leave its Free "
-                         "and Turn empty.");
   }
 
   std::string

@@ -138,6 +138,48 @@ namespace conetact::contact
 
 
 
+  namespace
+  {
+    /**
+     * A mean over faces reaches beyond a plane of symmetry, or an edge that is
+     * held, and there nothing holds its master. Whether the master is held at
+     * the node itself, as the node is: along all directions that a support
+     * holds the node.
+     */
+    bool
+    is_held_with_master(const NodeRule             &rule,
+                        const pairing::ContactNode &node,
+                        const NodeRules            &supports,
+                        const Bodies               &bodies,
+                        const std::vector<double>  &times)
+    {
+      const auto holds = [&](const NodeRule &master, const HeldDirection &own) {
+        if (!is_spanned(own.direction, directions(master.held)))
+          return false;
+        const Point<3> there =
+          bodies.structures[master.body]->position(master.node);
+        return std::all_of(times.begin(), times.end(), [&](const double t) {
+          double slip = supports.displacement(own, node.position, t);
+          for (const HeldDirection &h : master.held)
+            slip -= (h.direction * own.direction) *
+                    supports.displacement(h, there, t);
+          return std::abs(slip) <= least_slide * node.spacing;
+        });
+      };
+      return std::all_of(
+        rule.held.begin(), rule.held.end(), [&](const HeldDirection &own) {
+          return std::any_of(
+            node.masters.begin(), node.masters.end(), [&](const auto &master) {
+              const NodeRule *found = supports.find(node.master, master.first);
+              return found != nullptr && found->masters.empty() &&
+                     holds(*found, own);
+            });
+        });
+    }
+  } // namespace
+
+
+
   /* A support that drags a node along what it touches: the slip is known
      beforehand, and the friction against it is a load on the support. Where
      nothing slides a reaction along it would be undetermined. */
@@ -150,6 +192,9 @@ namespace conetact::contact
       return false;
     if (!node.slaves.empty())
       return true; // nodes beside it may move along what is held here
+    if (node.is_mean && !node.slides &&
+        is_held_with_master(rule, node, supports, bodies, times))
+      return false;
     std::vector<std::pair<const NodeRule *, double>> masters;
     for (const auto &[master, weight] : node.masters)
       if (weight != 0)

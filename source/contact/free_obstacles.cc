@@ -17,17 +17,25 @@ namespace conetact::contact
     std::unique_ptr<bodies::Structure>
     make_body(const pairing::Obstacle &obstacle, Bodies &bodies)
     {
-      std::vector<Point<3>> feet;
+      std::vector<Point<3>>               feet;
+      std::vector<pairing::ContactNode *> sliding;
       for (pairing::ContactNode &node : bodies.contact_nodes)
         if (node.obstacle == &obstacle)
           {
             feet.push_back(node.foot());
             node.master  = static_cast<unsigned int>(bodies.structures.size());
             node.masters = {{static_cast<unsigned int>(feet.size()), 1.}};
+            if (node.slides)
+              sliding.push_back(&node);
           }
-      return std::make_unique<bodies::RigidBody>(bodies.dim,
-                                                 obstacle.reference,
-                                                 feet);
+      auto body = std::make_unique<bodies::RigidBody>(bodies.dim,
+                                                      obstacle.reference,
+                                                      feet);
+      if (!sliding.empty())
+        body->span();
+      for (pairing::ContactNode *node : sliding)
+        node->masters = body->weights_of(node->foot());
+      return body;
     }
 
     /** What is not free follows what is prescribed. */

@@ -20,6 +20,17 @@ namespace conetact::pairing
     /** The way of pairing that each kind of contact has by itself. */
     const std::string by_kind = "automatic";
 
+    /**
+     * The point of an obstacle that a node faces, where that stood at the
+     * start; of a node that slides, as it was found last.
+     */
+    Point<3>
+    foot_found(const ContactNode &node)
+    {
+      return node.position + node.moved -
+             (node.gap + node.n * node.moved) * node.n;
+    }
+
     double
     value_at(const Expression  &expression,
              const Point<3>    &p,
@@ -343,7 +354,7 @@ namespace conetact::pairing
       {ContactKind::contact,
        "contact",
        "the sides press each other and open, with friction",
-       "node to face"},
+       "mortar"},
       {ContactKind::tie,
        "tie",
        "they are joined, without any relative motion, and may pull",
@@ -351,7 +362,7 @@ namespace conetact::pairing
       {ContactKind::bilateral,
        "bilateral",
        "they slide without friction and never lift off",
-       "node to face"}};
+       "mortar"}};
     return rows;
   }
 
@@ -477,9 +488,7 @@ namespace conetact::pairing
         "of frames, on foundations, or held along some directions only: turn "
         "little). Each increment is solved a few times then; "
         "friction is that of the slip in its last tangent plane, so that the "
-        "error of a curved way falls with the increments. The scene may have no "
-        "ties, bilateral contacts, Gap, nor obstacles that are Free or Turn. "
-        "[-]");
+        "error of a curved way falls with the increments. [-]");
     }
 
     void
@@ -524,7 +533,7 @@ namespace conetact::pairing
   obstacle_displacement(const ContactNode &node, const double t)
   {
     return node.obstacle != nullptr ?
-             node.obstacle->motion_at(t).displacement(node.foot()) :
+             node.obstacle->motion_at(t).displacement(foot_found(node)) :
              Tensor<1, 3>();
   }
 
@@ -573,9 +582,14 @@ namespace conetact::pairing
                   const std::string                            &in,
                   const std::vector<const bodies::Structure *> &structures)
     {
+      const std::string small = " Choose Kinematics = small.";
+      if (contact.kind != ContactKind::contact)
+        throw InputError(in +
+                         "Kinematics: ties and bilateral contacts stay with "
+                         "what they met at the start." +
+                         small);
       if (contact.obstacle != nullptr)
         return;
-      const std::string small = " Choose Kinematics = small.";
       if (contact.body == contact.master)
         throw InputError(in +
                          "Kinematics: a body slides far along another "

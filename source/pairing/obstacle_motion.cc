@@ -145,8 +145,9 @@ namespace conetact::pairing
     declare("Turn",
             "0",
             "Angle by which the obstacle has turned since the start about its "
-            "Reference point, a function of t. Normals stay those of the "
-            "undeformed nodes: turns must be small. [degrees]");
+            "Reference point, a function of t. With Kinematics = small normals "
+            "stay those of the undeformed nodes: turns must be small then. "
+            "[degrees]");
     declare("Turn axis",
             "0, 0, 1",
             "Axis of Turn, three components; in 2D it is z.");

@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/bodies/displaced.h"
+#include "conetact/bodies/rigid_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,24 +63,93 @@ namespace conetact::pairing
       node.axis_2 = cross_product_3d(normal, node.axis_1);
     }
 
-    /** Takes the gap and the normal where it is now. */
-    void
-    meet_obstacle(const Tensor<1, 3> &u, ContactNode &node)
+    /**
+     * Takes the gap and the normal where it is now, moved by u in space and by
+     * `last` relative to the point that it met last. Returns the point that it
+     * meets now, where that stood at the start.
+     */
+    Point<3>
+    meet_obstacle(const RigidMotion  &motion,
+                  const Tensor<1, 3> &u,
+                  const Tensor<1, 3> &last,
+                  ContactNode        &node)
     {
       const ObstacleShape   &shape = *node.obstacle->shape;
-      ObstacleShape::Closest closest{node.gap + node.n * u, node.n};
+      const Tensor<1, 3>     own   = motion.relative(node.position, u);
+      ObstacleShape::Closest closest{node.gap + node.n * last,
+                                     motion.direction_to_own(node.n)};
       try
         {
           if (shape.states_gaps()) // of the undeformed node
-            closest.gap = shape.gap_after(node.position, u, node.spacing);
+            closest = {shape.gap_after(node.position, own, node.spacing),
+                       shape.closest(node.position, node.spacing).normal};
           else
-            closest = shape.closest(node.position + u, node.spacing);
+            closest = shape.closest(node.position + own, node.spacing);
         }
       catch (const InputError &)
         {} // no normal there, as far away or deep inside: the last one
-      node.moved = u;
-      node.n     = closest.normal;
-      node.gap   = std::min(closest.gap, far_away * node.spacing);
+      node.n   = motion.direction_to_space(closest.normal);
+      node.gap = std::min(closest.gap, far_away * node.spacing);
+      return node.position + own - closest.gap * closest.normal;
+    }
+
+    /** Of the rigid body behind an obstacle that is free, from the motions of
+     * the nodes that span it. */
+    RigidMotion
+    motion_of(const bodies::RigidBody             &body,
+              const unsigned int                   number,
+              const unsigned int                   dim,
+              const SlidingContacts::Displacement &at)
+    {
+      const Tensor<1, 3> d = at(number, 0);
+      // du_row / dx_column, along the axes to the nodes that span it
+      const auto slope = [&](const unsigned int row,
+                             const unsigned int column) {
+        const unsigned int node = body.spanning_node(column);
+        return (at(number, node) - d)[row] /
+               (body.position(node) - body.position(0))[column];
+      };
+      Tensor<1, 3> turn;
+      turn[2] = slope(1, 0);
+      if (dim == 3)
+        {
+          turn[0] = slope(2, 1);
+          turn[1] = slope(0, 2);
+        }
+      return RigidMotion::turned(d, turn, body.position(0));
+    }
+
+    /** An obstacle that is prescribed, or one that is free. */
+    void
+    find_on_obstacle(const std::vector<const bodies::Structure *> &structures,
+                     const SlidingContacts::Displacement          &at,
+                     const double                                  t,
+                     const unsigned int                            dim,
+                     ContactNode                                  &node)
+    {
+      const Tensor<1, 3> u = at(node.body, node.node);
+      if (node.masters.empty())
+        {
+          const RigidMotion motion = node.obstacle->motion_at(t);
+          const Point<3>    met =
+            meet_obstacle(motion, u, u - obstacle_displacement(node, t), node);
+          node.moved = u - motion.displacement(met);
+          return;
+        }
+      const auto &body =
+        dynamic_cast<const bodies::RigidBody &>(*structures[node.master]);
+      const auto moved = [&]() {
+        Tensor<1, 3> sum = u;
+        for (const auto &[master, weight] : node.masters)
+          sum -= weight * at(node.master, master);
+        return sum;
+      };
+      const RigidMotion motion = motion_of(body, node.master, dim, at);
+      const Point<3>    met    = meet_obstacle(motion, u, moved(), node);
+      // The lever of forces has turned with it: so have the ways that the next
+      // bit of a turn leads.
+      node.masters = body.weights_of(motion.to_space(met) - motion.translation);
+      node.moved   = moved();
     }
 
     bool
@@ -167,9 +237,7 @@ namespace conetact::pairing
     std::vector<ContactNode> nodes = last;
     for (ContactNode &node : nodes)
       if (node.slides && node.obstacle != nullptr)
-        meet_obstacle(at(node.body, node.node) -
-                        node.obstacle->displacement_at(t),
-                      node);
+        find_on_obstacle(structures, at, t, dim, node);
     if (std::any_of(contacts.begin(), contacts.end(), is_pair_that_slides))
       find_pairs(at, nodes);
     return nodes;

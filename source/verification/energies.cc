@@ -42,8 +42,8 @@ namespace conetact::verification
     fill(last.u, now.u.size());
     fill(last.forces, now.forces.size());
     fill(last.r, now.r.size());
+    now.t = claim.t;
     last.reactions.resize(points.all().size());
-    last.obstacles.resize(points.all().size());
     last.foundations.resize(now.foundations.size());
 
     // Of w alone: a rigid motion has no energy.
@@ -67,11 +67,20 @@ namespace conetact::verification
       {
         const contact::ContactPoint &point = points.all()[i];
         now.reactions.push_back(reaction(point, claim.r));
-        now.obstacles.push_back(point.node->opponent_displacement(claim.t));
+        now.nodes.push_back(*point.node);
         // A reaction acts on the body; an obstacle that moves with it does
-        // work, and so does an interference that grows.
-        record.external_work += .5 * (last.reactions[i] + now.reactions[i]) *
-                                (now.obstacles[i] - last.obstacles[i]);
+        // work, and so does an interference that grows. Where nodes slide each
+        // of both reactions goes with the point that it met.
+        const auto moved = [&](const pairing::ContactNode &node) {
+          Tensor<1, 3> d = node.opponent_displacement(now.t);
+          if (!last.nodes.empty())
+            d -= node.opponent_displacement(last.t);
+          return d;
+        };
+        const pairing::ContactNode &before =
+          last.nodes.empty() ? *point.node : last.nodes[i];
+        record.external_work += .5 * (last.reactions[i] * moved(before) +
+                                      now.reactions[i] * moved(*point.node));
         const auto nt   = static_cast<Index>(point.dual.size()) - 1;
         const auto work = [&](const Index first, const Index size) {
           // Friction opposes the slip: its work on the bodies is negative, and

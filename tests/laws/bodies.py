@@ -13,7 +13,7 @@ def shortest_way_out(laws):
     for mu, young in ((0, 1.0), (.05, 3.8), (.5, 3.8), (2, 3.8), (.5, 1.0)):
         run = laws.run({"Dimension": 2, "Body shaft": ring(.5, 1.04, young=1.0), "Body hub": ring(1.0, 2.0, degrees=12, young=young),
                         "Contact joint": contact("hub", 0, "", mu, **{"Master body": "shaft", "Master boundary ids": 1,
-                                                                      "Largest interference": .1}),
+                                                                      "Largest interference": .1, "Pairing": "node to face"}),
                         "Output": {"VTU": 0}})
         laws.demand(f"mu {mu}, E {young}: no force", run.largest("r_n") == 0)
         turns.append(sorted(row["u_t1"] for row in run.last()))
@@ -26,7 +26,8 @@ def turned_apart(laws):
     for gap, code in ((.05, 2), (0, 0)):
         done, _ = laws.start({
             "Dimension": 2, "Body block": box((4, 2), (2.0, 1.0), (-1.0, gap)), "Body base": box((6, 2), (6.0, 1.0), (-3.0, -1.0)),
-            "Contact joint": contact("block", 2, "", .5, **{"Master body": "base", "Master boundary ids": 3}),
+            "Contact joint": contact("block", 2, "", .5, **{"Master body": "base", "Master boundary ids": 3,
+                                                               "Pairing": "node to face"}),
             "Support ground": support(2, "x, y", "-0.2*(y + 1) ; 0.2*x", "base"),
             "Load weight": load("traction", "0 ; -0.1", 3), "Output": {"VTU": 0}})
         laws.demand(f"a base that turns under a block, {gap} apart: exit code {done.returncode}", done.returncode == code)

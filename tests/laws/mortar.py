@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Contact of bodies whose meshes do not match.
 
-plane, space: a uniform pressure through joints; covered: turned blocks that cover a
-part of each other; held: supports take the ends of a joint; hertz: cylinder on
+plane, space: a uniform pressure through joints; triangles: where one or both bodies are of
+triangles or tetrahedra; covered: turned blocks that cover a part of each other; held: supports take the ends of a joint; hertz: cylinder on
 cylinder; rings: shrink fits; many: 100 x 100 faces on as many.
 """
 import itertools
@@ -14,7 +14,7 @@ import time
 from support.half_cylinders import half_cylinder
 from support.meshes import distorted
 from support.polygons import shares_under
-from support.scenes import box, joint, load, ring, support
+from support.scenes import box, joint, load, ring, simplices, support
 
 PRESSURE = 2.0
 JOINT = "joint"
@@ -56,11 +56,32 @@ def stacked(dim, lower, upper, exchanged, mu=0.0, **contact):
             "Output": {"VTU": 0}}
 
 
+def from_files(scene):
+    """Sides of meshes from distorted() have other ids."""
+    for tree in scene.values():
+        for key in ("Boundary ids", "Master boundary ids"):
+            if isinstance(tree, dict) and key in tree:
+                tree[key] = re.sub(r"\d+", lambda m: str(10 + int(m[0])), str(tree[key]))
+    return scene
+
+
+def distorted_cells(laws, dim, counts):
+    for exchanged in (False, True):
+        files = [laws.folder / f"distorted{dim}{n}.msh" for n in counts]
+        for file, n in zip(files, counts):
+            distorted(file, dim, n)
+        blocks = ({"Mesh": {"File": file.name, "Translation": (0, z) if dim == 2 else (0, 0, z)},
+                   "Material": {"Young modulus": 1000, "Poisson ratio": .3}} for z, file in enumerate(files))
+        check_patch(laws, f"distorted cells{', exchanged' * exchanged}",
+                    laws.run(from_files(stacked(dim, *blocks, exchanged))))
+
+
 def plane(laws):
     for ratio, exchanged in itertools.product(((2, 3), (5, 7), (7, 7), (1, 9)), (False, True)):
         lower, upper = (box((n, 3), (2.0, 1.0), (0.0, y)) for n, y in zip(ratio, (0.0, 1.0)))
         run = laws.run(stacked(2, lower, upper, exchanged))
         check_patch(laws, f"{ratio[0]} on {ratio[1]} cells{', exchanged' * exchanged}", run)
+    distorted_cells(laws, 2, (5, 7))
     run = laws.run(stacked(2, box((5, 3), (2.0, 1.0)), box((7, 3), (2.0, 1.0), (0.0, 1.0)), False,
                            Pairing="node to face"))
     laws.demand(f"node to face: nodal pressures swing by {swing(run):.2g}", swing(run) > .05)
@@ -72,19 +93,18 @@ def space(laws):
             blocks = (box(n, (1.5, 1.0, 1.0), (0.0, 0.0, z)) for n, z in ((lower, 0.0), (upper, 1.0)))
             run = laws.run(stacked(3, *blocks, exchanged))
             check_patch(laws, f"{lower} on {upper}{', exchanged' * exchanged}", run)
-    for exchanged in (False, True):
-        files = [laws.folder / f"distorted{n}.msh" for n in (3, 4)]
-        for file, n in zip(files, (3, 4)):
-            distorted(file, 3, n)
-        scene = stacked(3, *({"Mesh": {"File": file.name, "Translation": (0, 0, z)},
-                              "Material": {"Young modulus": 1000, "Poisson ratio": .3}}
-                             for z, file in enumerate(files)), exchanged)
-        for name, tree in scene.items():
-            if isinstance(tree, dict):
-                for key in ("Boundary ids", "Master boundary ids"):
-                    if key in tree:
-                        tree[key] = re.sub(r"\d+", lambda m: str(10 + int(m[0])), str(tree[key]))
-        check_patch(laws, f"distorted cells{', exchanged' * exchanged}", laws.run(scene))
+    distorted_cells(laws, 3, (3, 4))
+
+
+def triangles(laws):
+    for dim, cells in ((2, ((5, 3), (7, 3))), (3, ((2, 3, 1), (3, 4, 1)))):
+        size = (2.0, 1.0) if dim == 2 else (1.5, 1.0, 1.0)
+        blocks = [box(n, size, (0.0,) * (dim - 1) + (z,)) for n, z in zip(cells, (0.0, 1.0))]
+        for cut, exchanged in itertools.product(((True, False), (False, True), (True, True)), (False, True)):
+            bodies = [simplices(block) if is_cut else block for block, is_cut in zip(blocks, cut)]
+            names = [("triangles" if dim == 2 else "tetrahedra") if is_cut else "whole cells" for is_cut in cut]
+            check_patch(laws, f"{dim}D: {names[1]} on {names[0]}{', exchanged' * exchanged}",
+                        laws.run(stacked(dim, *bodies, exchanged)))
 
 
 def held(laws):
@@ -101,24 +121,54 @@ def held(laws):
         laws.check("  the whole force", abs(abs(run.increments[-1][f"{JOINT}_f_y"]) / (2 * PRESSURE) - 1), 1e-10)
 
 
-def covered(laws):
+def turned_on_wider(angle, exchanged, is_cut=False, pressure=PRESSURE, **contact):
     """A turned block on a wider one, which carries the same pressure beside it: all of it is uniform."""
     cells, size, small = (4, 5), (2.0, 2.0), 1.1
-    for angle, exchanged in itertools.product((0.0, 10.0, 30.0, 45.0), (False, True)):
-        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-        place = [(.97 + c * x - s * y, 1.02 + s * x + c * y)
-                 for x, y in ((-small / 2, -small / 2), (small / 2, -small / 2), (small / 2, small / 2), (-small / 2, small / 2))]
-        under = shares_under(cells, size, place)
-        whole = shares_under(cells, size, [(0, 0), (2, 0), (2, 2), (0, 2)])
-        upper = box((3, 4, 1), (small, small, 1.0), (-small / 2, -small / 2, 0.0), Rotation=(0, 0, 1, angle), Translation=(.97, 1.02, 1.0))
-        scene = stacked(3, box((*cells, 2), (*size, 1.0)), upper, exchanged, mu=1.0)
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    place = [(.97 + c * x - s * y, 1.02 + s * x + c * y)
+             for x, y in ((-small / 2, -small / 2), (small / 2, -small / 2), (small / 2, small / 2), (-small / 2, small / 2))]
+    under = shares_under(cells, size, place)
+    whole = shares_under(cells, size, [(0, 0), (2, 0), (2, 2), (0, 2)])
+    upper = box((3, 4, 1), (small, small, 1.0), (-small / 2, -small / 2, 0.0), Rotation=(0, 0, 1, angle), Translation=(.97, 1.02, 1.0))
+    scene = stacked(3, box((*cells, 2), (*size, 1.0)), simplices(upper) if is_cut else upper, exchanged, **contact)
+    scene.pop("Support wall upper")
+    scene["Load top"]["Value"] = repr(pressure)
+    for k, (node, share) in enumerate(whole.items()):
+        force = -pressure * (share - under.get(node, 0))
+        if abs(force) > 1e-15:
+            scene[f"Load {k}"] = load("point force", f"0; 0; {force!r}", body="lower",
+                                      Point=(node[0] * size[0] / cells[0], node[1] * size[1] / cells[1], 1.0))
+    return scene
+
+
+def covered(laws):
+    covered_in_plane(laws)
+    for angle, exchanged, is_cut in (*itertools.product((0.0, 10.0, 30.0, 45.0), (False, True), (False,)),
+                                     (20.0, False, True), (20.0, True, True)):
+        check_patch(laws, f"{'tetrahedra ' * is_cut}turned by {angle:g} degrees{', exchanged' * exchanged}",
+                    laws.run(turned_on_wider(angle, exchanged, is_cut, mu=1.0)))
+
+
+def covered_in_plane(laws):
+    """A narrow block on a wide one: the rest of the wide one carries the same pressure."""
+    n, width, left, right = 5, 2.0, .33, 1.47
+    h = width / n
+
+    def under(k, a, b):
+        """Integral of the hat of node k over [a, b]."""
+        def up_to(x):
+            s = min(max(x / h - k, -1), 1)
+            return h * (s + 1 - math.copysign(s * s, s) / 2 - .5)
+        low, high = max(a, 0), min(b, width)
+        return up_to(high) - up_to(low)
+    for exchanged in (False, True):
+        scene = stacked(2, box((n, 2), (width, 1.0)), box((4, 3), (right - left, 1.0), (left, 1.0)), exchanged, mu=1.0)
         scene.pop("Support wall upper")
-        for k, (node, share) in enumerate(whole.items()):
-            force = -PRESSURE * (share - under.get(node, 0))
+        for k in range(n + 1):
+            force = -PRESSURE * (under(k, 0, width) - under(k, left, right))
             if abs(force) > 1e-15:
-                scene[f"Load {k}"] = load("point force", f"0; 0; {force!r}", body="lower",
-                                          Point=(node[0] * size[0] / cells[0], node[1] * size[1] / cells[1], 1.0))
-        check_patch(laws, f"turned by {angle:g} degrees{', exchanged' * exchanged}", laws.run(scene))
+                scene[f"Load {k}"] = load("point force", f"0; {force!r}", body="lower", Point=(k * h, 1.0))
+        check_patch(laws, f"a narrow block on a wide one{', exchanged' * exchanged}", laws.run(scene))
 
 
 def cylinders(laws, n, ratio, pairing="mortar"):

@@ -170,7 +170,8 @@ def turned_pair(degrees, young, weight, push, times):
         return box(cells, size, place, young=modulus, Rotation=degrees)
     return {"Dimension": 2, "Body block": body((5, 3), (2.0, .8), (-1.0, 0.0), young[0]),
             "Body base": body((4, 3), (12.0, 2.0), (-6.0, -2.0), young[1]),
-            "Contact joint": contact("block", 2, "", .5, **{"Master body": "base", "Master boundary ids": 3}),
+            "Contact joint": contact("block", 2, "", .5, **{"Master body": "base", "Master boundary ids": 3,
+                                                               "Pairing": "node to face"}),
             "Support ground": support(2, "x, y", body="base"),
             "Load weight": load("pressure", weight, 3, "block"), "Load push": load("pressure", push, 0, "block"),
             "Time": {"Times": times}, "Solver": {"Method": "load path"}, "Output": {"VTU": 0}}

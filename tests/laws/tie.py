@@ -4,7 +4,8 @@
 import itertools
 import math
 
-from support.scenes import box, contact, floor, load, merge, support
+from laws.mortar import turned_on_wider
+from support.scenes import box, contact, floor, load, merge, simplices, support
 from support.tables import Events
 
 E, PULL = 1000.0, 2.0
@@ -91,6 +92,28 @@ def turned(laws):
         laws.check(f"turned by {angle:g} degrees{', exchanged' * exchanged}: the whole force",
                    math.dist([sign * last[f"{JOINT}_f_{c}"] for c in "xyz"], (.3 * .81, .1 * .81, PULL * .81)) / PULL, 1e-10)
         laws.check("  both sides", both_sides(run), 1e-10)
+
+
+def turned_and_uniform(laws):
+    """The same under a stress that is uniform."""
+    for angle, exchanged, is_cut in ((0.0, False, False), (30.0, False, False), (30.0, True, False), (45.0, False, True),
+                                     (45.0, True, True)):
+        run = laws.run(merge(turned_on_wider(angle, exchanged, is_cut, -PULL), {
+            f"Contact {JOINT}": {"Kind": "tie", "Friction coefficient": None}}))
+        what = f"{'tetrahedra ' * is_cut}turned by {angle:g} degrees{', exchanged' * exchanged}"
+        laws.check(f"{what}: stress", stress_error(run), 1e-10)
+        laws.check("  both sides", both_sides(run), 1e-10)
+
+
+def cut(laws):
+    """Bars of triangles or tetrahedra."""
+    for dim, meshes in ((2, ((2, 3), (2, 5))), (3, ((2, 2, 3), (2, 3, 2)))):
+        for which in ((True, False), (False, True), (True, True)):
+            left, right = (simplices(bar(dim, n, x)) if is_cut else bar(dim, n, x) for n, x, is_cut in zip(meshes, (0.0, 1.0), which))
+            run = laws.run(pulled(bars(dim, left, right), dim))
+            names = [("triangles" if dim == 2 else "tetrahedra") if is_cut else "whole cells" for is_cut in which]
+            laws.check(f"{dim}D: {names[0]} tied to {names[1]}: stress", stress_error(run), 1e-10)
+            laws.check("  both sides", both_sides(run), 1e-10)
 
 
 def one_mesh(laws):
@@ -302,5 +325,5 @@ def press_fits(laws):
 
 
 def tie_family(laws):
-    for family in (tension, turned, one_mesh, bending, floating, glued, springs, path, elsewhere, redundant, press_fits):
+    for family in (tension, turned, turned_and_uniform, cut, one_mesh, bending, floating, glued, springs, path, elsewhere, redundant, press_fits):
         family(laws)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Meshes of half cylinders whose surface is a parabola, fine at the line of contact."""
+"""Meshes of half cylinders whose surface is a parabola, fine at the line of contact; of dies."""
 import itertools
 
 from support.meshes import write_msh
@@ -34,3 +34,14 @@ def half_cylinder(file, step, radius, size, sign):
     faces = [(tag, [number[i, j], number[i + 1, j]]) for tag, j in ((1, 0), (2, last)) for i in range(len(xs) - 1)]
     faces += [(3, [number[0, j], number[0, j + 1]]) for j in range(last)]
     write_msh(file, 2, points, cells, faces)
+
+
+def die(file, cells, size, radius, bottom=0.0):
+    """A block whose underside is a parabola, lowest at x = 0. Ids 1 underside, 2 top."""
+    (n, m), (width, height) = cells, size
+    places = [(width * (i / n - .5), j / m) for i in range(n + 1) for j in range(m + 1)]
+    points = [(x, bottom + height * y + x * x / (2 * radius) * (1 - y), 0.0) for x, y in places]
+    quads = [[i * (m + 1) + j, (i + 1) * (m + 1) + j, (i + 1) * (m + 1) + j + 1, i * (m + 1) + j + 1]
+             for i in range(n) for j in range(m)]
+    faces = [(tag, [i * (m + 1) + j, (i + 1) * (m + 1) + j]) for tag, j in ((1, 0), (2, m)) for i in range(n)]
+    write_msh(file, 2, points, quads, faces)

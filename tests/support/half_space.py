@@ -149,8 +149,8 @@ def partial_slip(dim, fineness, grading):
     exact = Hertz(dim, poisson, 2)
     scene = {"Dimension": dim, "Contact joint": {
         "Body": "upper", "Boundary ids": 9, "Master body": "lower", "Master boundary ids": 9,
-        "Gap": f"(x^2 + {'0' if dim == 2 else 'y^2'})/{2 * RADIUS!r}", "Friction coefficient": MU},
-        "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
+        "Gap": f"(x^2 + {'0' if dim == 2 else 'y^2'})/{2 * RADIUS!r}", "Friction coefficient": MU,
+        "Pairing": "node to face"}, "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
     press, shear = press_and_shear(exact, poisson, f"abs({'xyz'[dim - 1]})")
     for body, sign in (("upper", 1), ("lower", -1)):
         mirrored = [(sign if i == dim - 1 else 1, sign if i < dim - 1 else 1) for i in range(dim)]

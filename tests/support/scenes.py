@@ -55,6 +55,11 @@ def box(cells, size, origin=None, young=1000.0, poisson=.3, **mesh):
             "Material": {"Young modulus": young, "Poisson ratio": poisson}}
 
 
+def simplices(body):
+    """The same box, its cells cut into triangles or tetrahedra."""
+    return merge(body, {"Mesh": {"Generator": body["Mesh"]["Generator"] + "_with_simplices"}})
+
+
 def ring(inner, outer, cells=12, degrees=0.0, young=1000.0, poisson=.3):
     """Sides: 0 inside, 1 outside."""
     return {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {inner!r} : {outer!r} : {cells} : true",
@@ -163,7 +168,7 @@ def stack(dim, cells, heights, mu, joint_mu, side="0.002*max(t - 1, 0)"):
         if i > 0:
             scene[f"Contact joint {i}"] = {"Body": f"block {i}", "Boundary ids": bottom,
                                            "Master body": f"block {i - 1}", "Master boundary ids": top,
-                                           "Friction coefficient": joint_mu}
+                                           "Friction coefficient": joint_mu, "Pairing": "node to face"}
     down = "-0.01*min(t, 1)"
     return {**scene, "Support top": support(top, "x, y" if dim == 2 else "x, y, z",
                                             f"{side} ; {down}" if dim == 2 else f"{side} ; 0 ; {down}",

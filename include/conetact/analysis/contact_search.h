@@ -33,6 +33,15 @@ namespace conetact::analysis
     Nodes
     find(const Eigen::VectorXd &u, const double t) const;
     /**
+     * The same, but normals go only a part of the way from those that the model
+     * has. On the edge between two facets each of them leads to the other one;
+     * what holds there is a normal between theirs.
+     */
+    Nodes
+    find_between(const Eigen::VectorXd &u,
+                 const double           t,
+                 const double           part) const;
+    /**
      * The same before anything is solved: supports carry bodies and their
      * frames along.
      */
@@ -55,15 +64,27 @@ namespace conetact::analysis
     void
     take(Nodes found, contact::ContactHistory &history) const;
 
-    /** An increment was accepted: the next one starts there. */
+    /** An increment, or a part of one, was accepted: the next starts there. */
     void
     accept(const Eigen::VectorXd &u, const double t);
+    /** Where it ended. */
+    double
+    time() const
+    {
+      return start_t;
+    }
 
   private:
-    pairing::SlidingContacts contacts;
-    contact::ContactModel   &model;
-    Eigen::VectorXd          start; ///< displacements of all dofs
-    double                   start_t = 0;
+    Nodes
+    find_there(const Eigen::VectorXd &u, const double t) const;
+    Nodes
+    linearised(Nodes nodes) const;
+
+    pairing::SlidingContacts          contacts;
+    contact::ContactModel            &model;
+    Eigen::VectorXd                   start; ///< displacements of all dofs
+    double                            start_t = 0;
+    std::vector<pairing::RigidMotion> frames; ///< of bodies, then
   };
 } // namespace conetact::analysis
 

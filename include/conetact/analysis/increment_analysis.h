@@ -6,6 +6,7 @@
 
 #include "conetact/analysis/analysis.h"
 #include "conetact/analysis/contact_search.h"
+#include "conetact/analysis/increment_parts.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/existence.h"
 
@@ -63,6 +64,16 @@ namespace conetact::analysis
      */
     std::string
     settle(PendingIncrement &increment);
+    /** Contacts that are nearly those at the end: they are taken, and said. */
+    void
+    say_unsettled(const output::IncrementRecord &record,
+                  const pairing::FoundChange    &change);
+    /** Contacts of an increment were not found: shall it be cut in parts? */
+    bool
+    cut(const unsigned int increment);
+    void
+    keep(output::IncrementRecord               record,
+         std::vector<output::IncrementRecord> &finished);
     std::string
     solve_with(ContactSearch::Nodes found, PendingIncrement &increment);
     void
@@ -106,8 +117,11 @@ namespace conetact::analysis
     std::unique_ptr<solvers::ContactSolver>  solver;
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
     ContactSearch                            search;
-    unsigned int first_unsure = 0;     ///< increments before the last one
-    bool         correcting   = false; ///< increments need refinement
+    IncrementParts                           parts; ///< of the one that is next
+    bool         lost_contacts  = false; ///< that slide, in what failed last
+    bool         said_unsettled = false;
+    unsigned int first_unsure   = 0;     ///< increments before the last one
+    bool         correcting     = false; ///< increments need refinement
   };
 } // namespace conetact::analysis
 

@@ -6,12 +6,17 @@
 
 #include "conetact/bodies/without_elements.h"
 
+#include <utility>
+#include <vector>
+
 namespace conetact::bodies
 {
   /**
    * A body without elements that moves as a whole. Its first node is a
    * reference point that also rotates: forces and moments act there. The
    * others are points that contacts meet. It has no boundary and no drawing.
+   * Where contacts slide, the points that they meet are means over nodes that
+   * span the axes, which is exact for what moves as a whole.
    */
   class RigidBody : public WithoutElements
   {
@@ -19,6 +24,18 @@ namespace conetact::bodies
     RigidBody(const unsigned int           dim,
               const Point<3>              &reference,
               const std::vector<Point<3>> &points);
+    /** Adds the nodes that span the axes. */
+    void
+    span();
+    /** The one along an axis. */
+    unsigned int
+    spanning_node(const unsigned int axis) const
+    {
+      return n_nodes() - dim + axis;
+    }
+    /** Weights of the reference point and of these nodes, whose mean p is. */
+    std::vector<std::pair<unsigned int, double>>
+    weights_of(const Point<3> &p) const;
 
     unsigned int
     n_nodes() const override
@@ -47,6 +64,7 @@ namespace conetact::bodies
   private:
     unsigned int          dim;
     std::vector<Point<3>> positions;
+    std::size_t           n_points; ///< that contacts meet
   };
 } // namespace conetact::bodies
 

@@ -31,10 +31,12 @@ namespace conetact::verification
   private:
     struct State
     {
-      Eigen::VectorXd                  u, forces; ///< external, all dofs
-      std::vector<contact::Foundation> foundations;
-      std::vector<Tensor<1, 3>>        reactions, obstacles;
-      Eigen::VectorXd                  r;
+      Eigen::VectorXd                   u, forces; ///< external, all dofs
+      std::vector<contact::Foundation>  foundations;
+      std::vector<Tensor<1, 3>>         reactions;
+      std::vector<pairing::ContactNode> nodes; ///< as they were found
+      double                            t = 0;
+      Eigen::VectorXd                   r;
     };
     State last;
   };

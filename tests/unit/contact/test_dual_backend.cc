@@ -57,7 +57,7 @@ namespace
            block("low", 0, 0, 100) + block("high", 0, 1, young) +
            test::section("Contact joint",
                          "Body = high|Boundary ids = 2|Master body = low|"
-                         "Master boundary ids = 3|"
+                         "Master boundary ids = 3|Pairing = node to face|"
                          "Friction coefficient = 0.3");
   }
 

@@ -153,6 +153,7 @@ namespace
     block("mat", "18, 3 : 0, 0 : 9, 1", 10) +
     "subsection Contact joint\n set Body = block\n set Boundary ids = 2\n"
     " set Master body = mat\n set Master boundary ids = 3\n"
+    " set Pairing = node to face\n"
     " set Friction coefficient = 0.4\nend\n"
     "subsection Support low\n set Body = mat\n set Boundary ids = 2\nend\n"
     "subsection Load press\n set Body = block\n set Kind = pressure\n"

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_increment_parts_h
+#define conetact_analysis_increment_parts_h
+
+#include "conetact/output/output.h"
+
+#include <vector>
+
+namespace conetact::analysis
+{
+  /**
+   * An increment in which bodies slide too far at once is cut in halves, and
+   * these again. Its parts are increments that nobody sees: works, slips and
+   * counts of what is written are the sums of theirs.
+   */
+  class IncrementParts
+  {
+  public:
+    /** Where the part that is next ends, of an increment up to `whole`. */
+    double
+    end(const double whole) const
+    {
+      return ends.empty() ? whole : ends.back();
+    }
+    /** Whether others follow the part that is next. */
+    bool
+    others_follow() const
+    {
+      return !ends.empty();
+    }
+    /**
+     * Cuts the part that is next in two; it starts at `begin`, its increment
+     * takes `duration` and ends at `whole`. False: it is small enough.
+     */
+    bool
+    cut(const double begin, const double duration, const double whole);
+
+    /** A part was accepted. Returns whether it was the last one, whose record
+     * becomes that of the increment. */
+    bool
+    take(output::IncrementRecord &record);
+
+  private:
+    void
+    add_to(output::IncrementRecord &record) const;
+
+    std::vector<double>     ends; ///< of parts to come, the next one last
+    output::IncrementRecord sum;
+    unsigned int            n_taken = 0;
+  };
+} // namespace conetact::analysis
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/increment_parts.h"
+
+#include <utility>
+
+namespace conetact::analysis
+{
+  namespace
+  {
+    /** Of an increment: what is shorter is not cut. */
+    constexpr double shortest = 1.9 / 32;
+  } // namespace
+
+  bool
+  IncrementParts::cut(const double begin,
+                      const double duration,
+                      const double whole)
+  {
+    const double length = end(whole) - begin;
+    if (!(length > shortest * duration))
+      return false;
+    ends.push_back(begin + .5 * length);
+    return true;
+  }
+
+  bool
+  IncrementParts::take(output::IncrementRecord &record)
+  {
+    const bool is_last = ends.empty();
+    if (n_taken > 0)
+      add_to(record);
+    ++n_taken;
+    if (is_last)
+      {
+        if (n_taken > 1)
+          record.report.substeps = n_taken;
+        n_taken = 0;
+        return true;
+      }
+    sum = std::move(record);
+    ends.pop_back();
+    return false;
+  }
+
+  void
+  IncrementParts::add_to(output::IncrementRecord &record) const
+  {
+    record.external_work += sum.external_work;
+    record.dissipation += sum.dissipation;
+    record.contact_work_normal += sum.contact_work_normal;
+    record.report.iterations += sum.report.iterations;
+    record.pairings += sum.pairings;
+    // slips turn with the frames of their nodes
+    for (std::size_t i = 0; i < record.rows.size(); ++i)
+      record.rows[i].du += sum.rows[i].du;
+  }
+} // namespace conetact::analysis
