@@ -9,6 +9,7 @@
 #include "conetact/bodies/entries.h"
 
 #include <algorithm>
+#include <set>
 
 namespace conetact::bodies
 {
@@ -139,6 +140,27 @@ namespace conetact::bodies
                        to_text(k) + " at " + to_text(p) +
                        ". Give a value of 0 or more.");
     return k * result;
+  }
+
+  std::optional<Support>
+  axis_support(const Structure   &structure,
+               const unsigned int body,
+               const std::string &body_name)
+  {
+    std::set<unsigned int> hanging; // follow what is held
+    for (const HangingNode &node : structure.hanging_nodes())
+      hanging.insert(node.node);
+    Support support;
+    support.name = "axis of body '" + body_name + "'";
+    support.body = body;
+    support.directions.push_back(Tensor<1, 3>({1., 0., 0.}));
+    support.displacement.emplace_back("0", support.name);
+    for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+      if (structure.position(i)[0] == 0 && hanging.count(i) == 0)
+        support.surface.nodes.push_back({i, structure.position(i), 0, {}, {}});
+    if (support.surface.nodes.empty())
+      return {};
+    return support;
   }
 
   void

@@ -27,7 +27,8 @@ namespace conetact::contact
           }
       return std::make_unique<bodies::RigidBody>(bodies.dim,
                                                  obstacle.reference,
-                                                 feet);
+                                                 feet,
+                                                 bodies.are_axisymmetric());
     }
 
     /** What is not free follows what is prescribed. */

@@ -18,7 +18,8 @@ namespace conetact::bodies
   public:
     RigidBody(const unsigned int           dim,
               const Point<3>              &reference,
-              const std::vector<Point<3>> &points);
+              const std::vector<Point<3>> &points,
+              const bool                   axisymmetric = false);
 
     unsigned int
     n_nodes() const override
@@ -36,6 +37,11 @@ namespace conetact::bodies
       return positions[node];
     }
     bool
+    is_axisymmetric() const override
+    {
+      return is_ring;
+    }
+    bool
     has_dof(const unsigned int node,
             const unsigned int component) const override
     {
@@ -46,6 +52,7 @@ namespace conetact::bodies
 
   private:
     unsigned int          dim;
+    bool                  is_ring;
     std::vector<Point<3>> positions;
   };
 } // namespace conetact::bodies
