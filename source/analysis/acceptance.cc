@@ -28,10 +28,12 @@ namespace conetact::analysis
 
     /**
      * The sum of all resultants over the largest of them; nothing where they
-     * are rounding of the largest `so far`.
+     * are rounding of the largest `so far`. Round an axis radial forces cancel
+     * by themselves.
      */
     double
     balance_of(const output::IncrementRecord &record,
+               const bool                     axisymmetric,
                const double                   reach,
                double                        &so_far)
     {
@@ -50,6 +52,8 @@ namespace conetact::analysis
       for (const output::ObstacleRecord &obstacle : record.obstacles)
         add(obstacle.contacts);
       so_far = std::max(so_far, largest);
+      if (axisymmetric)
+        sum.force[0] = 0;
       return largest > noise * so_far ?
                // Moments about the origin, compared with the largest lever.
                std::max(sum.force.norm() / largest,
@@ -388,7 +392,8 @@ namespace conetact::analysis
     for (const verification::Balance &body : external.bodies)
       record.body_balance.push_back(
         body.forces > noise * largest_force ? body.error() : 0.);
-    record.balance = balance_of(record, reach, largest_force);
+    record.balance =
+      balance_of(record, model.bodies.are_axisymmetric(), reach, largest_force);
     if (record.body_balance.size() == 1)
       record.body_balance.clear();
   }

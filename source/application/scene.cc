@@ -3,6 +3,7 @@
 
 #include "conetact/application/scene.h"
 
+#include "conetact/application/axisymmetry.h"
 #include "conetact/application/load_history.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/application/solver_options.h"
@@ -270,6 +271,13 @@ namespace conetact::application
                          "', Second friction coefficient: "
                          "there is one tangent only in 2D. Leave it empty.");
     });
+    if (dim == 2)
+      check_axisymmetric(bodies.names, bodies.structures, obstacles, contacts);
+    if (bodies.are_axisymmetric())
+      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+        if (auto axis =
+              bodies::axis_support(*bodies.structures[b], b, bodies.names[b]))
+          bodies.supports.push_back(std::move(*axis));
     contact_sides = contact_names;
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {

@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/continuum/continuum.h"
 #include "conetact/bodies/continuum/grids.h"
+#include "conetact/bodies/continuum/material_groups.h"
 #include "conetact/bodies/frame/frame.h"
 #include "conetact/bodies/frame/parameters.h"
 
@@ -85,11 +86,30 @@ namespace conetact::bodies
       prm.leave_subsection();
     }
 
+    /** What bodies of revolution do not have. */
+    void
+    check_section(const unsigned int dim,
+                  const std::string &element,
+                  const bool         goes_round,
+                  const std::string &body)
+    {
+      if (dim == 3)
+        throw InputError(body + ", Material/Plane: axisymmetric is for "
+                                "Dimension = 2, where the mesh is half a "
+                                "section. Set that, or remove Plane.");
+      if (!goes_round)
+        throw InputError(body + ", Element: " + element +
+                         " is not for bodies of revolution (Plane = "
+                         "axisymmetric), whose strains round the axis its "
+                         "modes do not know. Use Q1 or Q1 B-bar.");
+    }
+
     template <int dim>
     std::unique_ptr<Structure>
-    make_continuum(MeshParameters        &mesh,
-                   const ElasticMaterial &material,
-                   const std::string     &element)
+    make_continuum(MeshParameters                      &mesh,
+                   const std::vector<MaterialOfGroups> &materials,
+                   const std::string                   &element,
+                   const std::string                   &body)
     {
       const ElementRow<dim> *row = element == automatic ?
                                      nullptr :
@@ -97,13 +117,22 @@ namespace conetact::bodies
       if (row != nullptr)
         mesh.cells = row->is_simplex ? MeshParameters::Cells::simplices :
                                        MeshParameters::Cells::hypercubes;
-      auto triangulation = make_mesh<dim>(mesh);
+      mesh.on_axis = materials.front().material.is_axisymmetric();
+      if (mesh.on_axis)
+        check_section(dim, element, row == nullptr || row->goes_round, body);
+      MeshGroups groups;
+      auto       triangulation = make_mesh<dim>(mesh, groups);
+      set_materials(*triangulation, materials, groups.cells, body);
       if (row == nullptr)
         row = &default_element<dim>(
           !triangulation->all_reference_cells_are_hyper_cube());
+      std::vector<ElasticMaterial> of_cells;
+      for (const MaterialOfGroups &material : materials)
+        of_cells.push_back(material.material);
       return std::make_unique<Continuum<dim>>(std::move(triangulation),
-                                              material,
-                                              *row);
+                                              of_cells,
+                                              *row,
+                                              groups.faces);
     }
 
     std::unique_ptr<Structure>
@@ -115,16 +144,16 @@ namespace conetact::bodies
     {
       const std::string body = "Body '" + name + "'";
       expect_unset(prm, {"Generator", "File", "Nodes"}, "Frame", body);
-      const std::string     element  = prm.get("Element");
-      const ElasticMaterial material = parse_material(prm, body);
-      MeshParameters        mesh     = parse_mesh(prm, dim, folder, body);
-      mesh.refinements               = refinements;
+      const std::string element   = prm.get("Element");
+      const auto        materials = parse_materials(prm, dim, body);
+      MeshParameters    mesh      = parse_mesh(prm, dim, folder, body);
+      mesh.refinements            = refinements;
       switch (dim)
         {
           case 2:
-            return make_continuum<2>(mesh, material, element);
+            return make_continuum<2>(mesh, materials, element, body);
           case 3:
-            return make_continuum<3>(mesh, material, element);
+            return make_continuum<3>(mesh, materials, element, body);
           default:
             throw InputError("Dimension: " + std::to_string(dim) +
                              " is neither 2 nor 3.");

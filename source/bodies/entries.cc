@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/groups.h"
 
 #include <algorithm>
 
@@ -31,8 +32,9 @@ namespace conetact::bodies
                 const std::string &body,
                 const std::string &entry)
   {
-    const BoundaryIds ids   = to_ids(text, entry);
-    const BoundaryIds known = structure.boundary_ids();
+    const auto       &groups = structure.boundary_groups();
+    const BoundaryIds ids    = to_ids(text, groups, "a boundary id", entry);
+    const BoundaryIds known  = structure.boundary_ids();
     for (const unsigned int id : ids)
       if (known.count(id) == 0)
         throw InputError(entry + ": no face of body '" + body + "' has id " +

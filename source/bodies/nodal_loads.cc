@@ -40,6 +40,8 @@ namespace conetact::bodies
             else
               sum.second[dim == 2 ? 2 : c - dim] += own[c];
           sum.first += force;
+          if (structure.is_axisymmetric())
+            continue; // moments cancel round the axis
           sum.second +=
             cross_product_3d(Tensor<1, 3>(structure.position(i)), force);
         }

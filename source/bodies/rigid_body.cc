@@ -9,8 +9,10 @@ namespace conetact::bodies
 {
   RigidBody::RigidBody(const unsigned int           d,
                        const Point<3>              &reference,
-                       const std::vector<Point<3>> &points)
+                       const std::vector<Point<3>> &points,
+                       const bool                   axisymmetric)
     : dim(d)
+    , is_ring(axisymmetric)
     , positions(1, reference)
     , n_points(points.size())
   {

@@ -10,6 +10,7 @@
 #include "conetact/bodies/placement.h"
 
 #include <algorithm>
+#include <set>
 
 namespace conetact::bodies
 {
@@ -181,6 +182,10 @@ namespace conetact::bodies
       if (support.stiffness)
         throw InputError(in + "Turn: springs do not turn. Leave Stiffness "
                               "empty, or Turn 0.");
+      if (structure.is_axisymmetric())
+        throw InputError(in + "Turn: a body of revolution turns about its axis "
+                              "without moving, and about no other. Leave it "
+                              "0.");
       if (structure.n_components() > dim || structure.may_be_mechanism())
         throw InputError(in + "Turn: it is for bodies of cells, not for bars "
                               "and beams. Prescribe a Displacement.");
@@ -200,6 +205,27 @@ namespace conetact::bodies
                           to_vector(centre, dim, in + "Reference point"))};
     }
   } // namespace
+
+  std::optional<Support>
+  axis_support(const Structure   &structure,
+               const unsigned int body,
+               const std::string &body_name)
+  {
+    std::set<unsigned int> hanging; // follow what is held
+    for (const HangingNode &node : structure.hanging_nodes())
+      hanging.insert(node.node);
+    Support support;
+    support.name = "axis of body '" + body_name + "'";
+    support.body = body;
+    support.directions.push_back(Tensor<1, 3>({1., 0., 0.}));
+    support.displacement.emplace_back("0", support.name);
+    for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+      if (structure.position(i)[0] == 0 && hanging.count(i) == 0)
+        support.surface.nodes.push_back({i, structure.position(i), 0, {}, {}});
+    if (support.surface.nodes.empty())
+      return {};
+    return support;
+  }
 
   void
   declare_support(dealii::ParameterHandler &prm)

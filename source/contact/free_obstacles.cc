@@ -28,9 +28,8 @@ namespace conetact::contact
             if (node.slides)
               sliding.push_back(&node);
           }
-      auto body = std::make_unique<bodies::RigidBody>(bodies.dim,
-                                                      obstacle.reference,
-                                                      feet);
+      auto body = std::make_unique<bodies::RigidBody>(
+        bodies.dim, obstacle.reference, feet, bodies.are_axisymmetric());
       if (!sliding.empty())
         body->span();
       for (pairing::ContactNode *node : sliding)

@@ -30,13 +30,25 @@ namespace conetact::contact
       return e;
     }
 
-    /** Mode k of a body at p; rotations move its rim by about 1. */
+    /** Whether mode k is one of a body of revolution round y. */
+    bool
+    is_axial(const unsigned int k)
+    {
+      return k == 1;
+    }
+
+    /**
+     * Mode k of a body at p; rotations move its rim by about 1. What strains a
+     * body of revolution is no motion: nothing.
+     */
     Tensor<1, 3>
     mode(const unsigned int          k,
          const unsigned int          dim,
          const RigidMotions::Motion &frame,
          const Point<3>             &p)
     {
+      if (frame.axisymmetric && !is_axial(k))
+        return Tensor<1, 3>();
       if (k < dim)
         return axis(k);
       const Tensor<1, 3> about = axis(dim == 2 ? 2 : k - dim);
@@ -46,8 +58,9 @@ namespace conetact::contact
     RigidMotions::Motion
     frame_of(const unsigned int body, const bodies::Structure &structure)
     {
-      RigidMotions::Motion frame{body, {}, {}, {}, 0};
-      const unsigned int   n = structure.n_nodes();
+      RigidMotions::Motion frame{
+        body, structure.is_axisymmetric(), {}, {}, {}, 0};
+      const unsigned int n = structure.n_nodes();
       for (unsigned int i = 0; i < n; ++i)
         // Any point near the middle of the nodes will do.
         frame.centre += Tensor<1, 3>(structure.position(i)) / n;
@@ -205,6 +218,11 @@ namespace conetact::contact
           // A rotation moves the rim by 1.
           held(first + h.component, first + h.component) += 1;
       }
+    for (Index body = 0; body < n_bodies; ++body)
+      if (frames[static_cast<std::size_t>(body)].axisymmetric)
+        for (unsigned int k = 0; k < n_one; ++k)
+          if (!is_axial(k)) // neither free nor ever moved
+            held(body * n_one + k, body * n_one + k) = 1;
     own_modes = Eigen::MatrixXd(n, 0);
     for (Index body = 0; body < n_bodies; ++body)
       {

@@ -33,11 +33,27 @@ namespace conetact::pairing
       double                                  size = 0;
     };
 
-    /** In 2D lengths are areas over the thickness of the slave. */
+    /** The radius at a point of a face, where bodies go round an axis. */
+    double
+    radius(const FaceNet::Face &face, const Eigen::VectorXd &shape)
+    {
+      double r = 0;
+      for (std::size_t v = 0; v < face.corners.size(); ++v)
+        r += shape[static_cast<Index>(v)] * face.corners[v][0];
+      return r;
+    }
+
+    /**
+     * In 2D lengths are areas over the thickness of the slave; round an axis,
+     * lengths times radii are areas over 2 pi.
+     */
     double
     thickness_of(const bodies::Surface            &surface,
-                 const std::vector<FaceNet::Face> &faces)
+                 const std::vector<FaceNet::Face> &faces,
+                 const bool                        axisymmetric)
     {
+      if (axisymmetric)
+        return 2 * M_PI;
       if (faces.front().corners.size() > 2)
         return 1;
       double area = 0, length = 0;
@@ -67,8 +83,10 @@ namespace conetact::pairing
         , one_by_one(contact, structures)
         , slave(*structures[contact.body], one_by_one.slave_surface())
         , facing(one_by_one.master_surface())
-        , rows(slave.all(), contact.sharp_edge)
-        , thickness(thickness_of(one_by_one.slave_surface(), slave.all()))
+        , axisymmetric(structures[contact.body]->is_axisymmetric())
+        , rows(slave.all(), contact.sharp_edge, axisymmetric)
+        , thickness(
+            thickness_of(one_by_one.slave_surface(), slave.all(), axisymmetric))
       {
         // Hanging nodes first: what they give may be next to nothing. Whether a
         // node is seen is asked before small rows are given up, as these are
@@ -147,9 +165,11 @@ namespace conetact::pairing
             sums.size = std::max(sums.size, other.size);
             for (const PlanePoint &q : gauss_points(part.where, level))
               {
-                const auto            here     = own.at(q.position);
-                const Eigen::VectorXd N        = here.shape.head(n);
-                const Eigen::VectorXd weighted = q.weight * here.stretch * N;
+                const auto            here = own.at(q.position);
+                const Eigen::VectorXd N    = here.shape.head(n);
+                const double around        = axisymmetric ? radius(face, N) : 1;
+                const Eigen::VectorXd weighted =
+                  q.weight * here.stretch * around * N;
                 sums.areas += weighted;
                 sums.mass += weighted * N.transpose();
                 const Eigen::Vector4d there =
@@ -166,10 +186,11 @@ namespace conetact::pairing
       void
       add_face(const std::size_t f)
       {
-        const FaceNet::Face &face = slave.all()[f];
-        const FaceIntegrals  sums = integrate(face);
-        const double         size = sums.areas.sum();
-        if (!(size > least_covered *
+        const FaceNet::Face &face   = slave.all()[f];
+        const FaceIntegrals  sums   = integrate(face);
+        const double         size   = sums.areas.sum();
+        const double         around = axisymmetric ? face.centre[0] : 1;
+        if (!(size > around * least_covered *
                        std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
           return;
         // Dual to the shape functions on the covered part: so D is diagonal
@@ -252,6 +273,7 @@ namespace conetact::pairing
       NodeToFace                                    one_by_one;
       FaceNet                                       slave;
       FacingParts                                   facing;
+      bool                                          axisymmetric;
       MortarRows                                    rows;
       double                                        thickness;
       std::set<unsigned int>                        seen;

@@ -15,11 +15,12 @@ namespace conetact::pairing
     constexpr double next_to_nothing = 1e-3;
 
     double
-    area_of(const FaceNet::Face &face)
+    area_of(const FaceNet::Face &face, const bool axisymmetric)
     {
       const auto &x = face.corners;
       if (x.size() == 2)
-        return x[0].distance(x[1]);
+        return x[0].distance(x[1]) *
+               (axisymmetric ? .5 * (x[0][0] + x[1][0]) : 1);
       if (x.size() == 3)
         return .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm();
       return .5 * cross_product_3d(x[3] - x[0], x[2] - x[1]).norm();
@@ -61,7 +62,8 @@ namespace conetact::pairing
   } // namespace
 
   MortarRows::MortarRows(const std::vector<FaceNet::Face> &faces,
-                         const double                      sharp_edge)
+                         const double                      sharp_edge,
+                         const bool                        axisymmetric)
     : row_of(faces.size())
   {
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -81,8 +83,8 @@ namespace conetact::pairing
             MortarRow &row = at(f, c);
             // Equal shares of a face are near enough: they weigh normals, and
             // tell which part of a node's faces is covered.
-            const double share =
-              area_of(faces[f]) / static_cast<double>(faces[f].nodes.size());
+            const double share = area_of(faces[f], axisymmetric) /
+                                 static_cast<double>(faces[f].nodes.size());
             row.whole += share;
             row.normal += share * faces[f].outward;
           }

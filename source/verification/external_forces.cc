@@ -65,20 +65,26 @@ namespace conetact::verification
       {
         if (force.norm_square() == 0 && moment.norm_square() == 0)
           return; // as on most nodes
-        resultant.force += force;
-        resultant.moment += moment + cross_product_3d(Tensor<1, 3>(p), force);
         Balance &balance = all.bodies[body];
+        resultant.force += force;
+        balance.forces += force.norm();
+        balance.largest = std::max(balance.largest, force.norm());
+        if (bodies.structures[body]->is_axisymmetric())
+          {
+            // What acts radially cancels round the axis, moments do, too.
+            balance.sum.force[1] += force[1];
+            return;
+          }
+        resultant.moment += moment + cross_product_3d(Tensor<1, 3>(p), force);
         // The scene has one point for all moments. A body has its own centre,
         // since about a far point its moments would be rounding.
         const Tensor<1, 3> turning = cross_product_3d(p - centres[body], force);
         balance.sum.force += force;
         balance.sum.moment += moment + turning;
-        balance.forces += force.norm();
         // Magnitudes do not cancel: what sums of rounded terms may be off is
         // measured by them, however small the sums are.
         balance.moments += moment.norm() + turning.norm();
         balance.arms += (p - centres[body]).norm() * force.norm();
-        balance.largest = std::max(balance.largest, force.norm());
       }
 
       /** Forces on all dofs, nodes of one body or of all. */

@@ -45,6 +45,16 @@ namespace conetact::bodies
     {
       return body.hanging_nodes();
     }
+    bool
+    is_axisymmetric() const override
+    {
+      return body.is_axisymmetric();
+    }
+    const std::map<std::string, BoundaryIds> &
+    boundary_groups() const override
+    {
+      return body.boundary_groups();
+    }
     BoundaryIds
     boundary_ids() const override
     {

@@ -23,7 +23,8 @@ namespace conetact::bodies
   public:
     RigidBody(const unsigned int           dim,
               const Point<3>              &reference,
-              const std::vector<Point<3>> &points);
+              const std::vector<Point<3>> &points,
+              const bool                   axisymmetric = false);
     /** Adds the nodes that span the axes. */
     void
     span();
@@ -53,6 +54,11 @@ namespace conetact::bodies
       return positions[node];
     }
     bool
+    is_axisymmetric() const override
+    {
+      return is_ring;
+    }
+    bool
     has_dof(const unsigned int node,
             const unsigned int component) const override
     {
@@ -63,6 +69,7 @@ namespace conetact::bodies
 
   private:
     unsigned int          dim;
+    bool                  is_ring;
     std::vector<Point<3>> positions;
     std::size_t           n_points; ///< that contacts meet
   };

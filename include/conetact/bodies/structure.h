@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -26,7 +27,7 @@ namespace conetact::bodies
     unsigned int node; ///< its number in the body
     Point<3>     position;
     double       area; ///< integral of its shape function [length^2; 2D: times
-                       ///< thickness]
+                       ///< thickness or circumference]
     Tensor<1, 3> normal; ///< outward, unit length, mean over its faces
     /**
      * One outward normal of unit length for each smooth patch of faces that
@@ -118,7 +119,8 @@ namespace conetact::bodies
    * A linear elastic body: sparse stiffness, load vectors, surfaces, its own
    * drawing. Displacement component c of node i is dof
    * `i * n_components() + c`; positions and vectors leave a body with three
-   * components (z = 0 in 2D), forces are those on the body's given thickness.
+   * components (z = 0 in 2D), forces are those on the body's given thickness or
+   * whole circumference.
    * Neither supports nor hanging nodes are eliminated here: vectors and
    * elements are in all dofs of the body.
    */
@@ -283,6 +285,29 @@ namespace conetact::bodies
     /** For log and dry run: "2500 cells Q1, 2601 nodes". */
     virtual std::string
     description() const = 0;
+
+    /**
+     * Whether it is a body of revolution, cut along its axis: x is the radius,
+     * y the axis, and forces and areas are those of the whole circumference.
+     * Only translations along y are rigid motions of it, and radial forces
+     * balance round the axis by themselves.
+     */
+    virtual bool
+    is_axisymmetric() const
+    {
+      return false;
+    }
+
+    /**
+     * Ids of the groups of faces that a mesh file names; several where groups
+     * overlap. They stand for ids in all entries.
+     */
+    virtual const std::map<std::string, BoundaryIds> &
+    boundary_groups() const
+    {
+      static const std::map<std::string, BoundaryIds> none;
+      return none;
+    }
   };
 
   /** Largest distance of a node from the origin [length]. */

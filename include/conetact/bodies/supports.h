@@ -75,6 +75,15 @@ namespace conetact::bodies
     spring(const Point<3> &p, const Tensor<1, 3> &outward_normal) const;
   };
 
+  /**
+   * Holds the nodes of a body of revolution that lie on its axis, radially;
+   * none if it has a hole. `body` is its index.
+   */
+  std::optional<Support>
+  axis_support(const Structure   &structure,
+               const unsigned int body,
+               const std::string &body_name);
+
   /** Entries of `subsection Support NAME`; the handler stands inside it. */
   void
   declare_support(dealii::ParameterHandler &prm);

@@ -38,6 +38,12 @@ namespace conetact::contact
     {
       return body >= n_elastic();
     }
+    /** Bodies of revolution round the y axis: all of them or none. */
+    bool
+    are_axisymmetric() const
+    {
+      return !structures.empty() && structures.front()->is_axisymmetric();
+    }
     /** "body 'block'" or "obstacle 'plate'". */
     std::string
     called(const std::size_t body) const

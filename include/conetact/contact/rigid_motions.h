@@ -75,6 +75,7 @@ namespace conetact::contact
     struct Motion
     {
       unsigned int body;
+      bool         axisymmetric; ///< moves along y only
       Point<3>     centre;
       Tensor<1, 3> translation;
       Tensor<1, 3> rotation; ///< [1/length] of the translation's unit

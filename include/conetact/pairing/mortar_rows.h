@@ -30,8 +30,10 @@ namespace conetact::pairing
   class MortarRows
   {
   public:
+    /** Axisymmetric: areas contain the radius. */
     MortarRows(const std::vector<FaceNet::Face> &faces,
-               const double                      sharp_edge);
+               const double                      sharp_edge,
+               const bool                        axisymmetric = false);
 
     /** The row of a corner of a face. */
     MortarRow &

@@ -39,9 +39,9 @@ namespace conetact::pairing
   std::size_t
   read_whole(std::istream &stream);
 
-  /** The text of a Gmsh file; of dim = 2 the lines. */
+  /** The contents of a Gmsh file; of dim = 2 the lines. */
   SurfaceFaces
-  read_msh(const std::string &text, const unsigned int dim);
+  read_msh(const std::string &contents, const unsigned int dim);
 } // namespace conetact::pairing
 
 #endif

@@ -27,9 +27,13 @@ namespace conetact::bodies
     {
       std::vector<double> x;
       double              tolerance;
+      unsigned int        phase;
 
-      explicit Outline(const std::vector<Point<dim>> &vertices)
+      Outline(const std::vector<Point<dim>> &vertices,
+              const bool                     is_ring,
+              const unsigned int             material)
         : x(dim * (vertices.size() - 1))
+        , phase(material)
       {
         double size = 0, distance = 0;
         for (unsigned int i = 0; i < x.size(); ++i)
@@ -41,6 +45,8 @@ namespace conetact::bodies
         // round-off of the coordinates themselves
         tolerance =
           1e-12 * size + 8 * std::numeric_limits<double>::epsilon() * distance;
+        if (is_ring) // only those that are moved along the axis are alike
+          x.push_back(vertices[0][0]);
       }
 
       /** A number that is (nearly) equal for congruent cells only. */
@@ -52,7 +58,7 @@ namespace conetact::bodies
           // Weights without any relation: other shapes hardly have the same
           // sum.
           key += x[i] * std::cos(1. + 3. * static_cast<double>(i));
-        return key;
+        return key * (1 + phase);
       }
 
       bool
@@ -61,17 +67,18 @@ namespace conetact::bodies
         for (unsigned int i = 0; i < x.size(); ++i)
           if (!(std::abs(x[i] - other.x[i]) <= tolerance))
             return false;
-        return true;
+        return phase == other.phase;
       }
     };
   } // namespace
 
   template <int dim>
   CellMatrices<dim>::CellMatrices(const ContinuumMesh<dim> &of_mesh,
-                                  const Element            &formulation,
+                                  const Phases<dim>        &materials,
                                   const double              body_thickness)
     : mesh(of_mesh)
-    , element(formulation)
+    , phases(materials)
+    , is_ring(phases.front().element->is_axisymmetric())
     , thickness(body_thickness)
   {
     find_shapes();
@@ -87,7 +94,9 @@ namespace conetact::bodies
     shape_of_cell.reserve(mesh.n_cells());
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       {
-        const Outline<dim> outline(mesh.vertices(cell));
+        const Outline<dim> outline(mesh.vertices(cell),
+                                   is_ring,
+                                   mesh.phase(cell));
         // Most meshes have long runs of one shape.
         unsigned int shape = cell > 0 ? shape_of_cell.back() : 0;
         if (known.empty() || !outline.equals(known[shape]))
@@ -95,8 +104,8 @@ namespace conetact::bodies
             const double key = outline.key();
             // Weights are 1 at most: so much may the keys of equal cells
             // differ.
-            const double range =
-              outline.tolerance * static_cast<double>(outline.x.size());
+            const double range = outline.tolerance * (1 + outline.phase) *
+                                 static_cast<double>(outline.x.size());
             const auto end = by_key.upper_bound(key + range);
             const auto found =
               std::find_if(by_key.lower_bound(key - range),
@@ -138,8 +147,12 @@ namespace conetact::bodies
   CellMatrices<dim>::compute(const unsigned int cell) const
   {
     typename Element::Matrix k =
-      thickness * element.stiffness(mesh.vertices(cell));
-    make_sums_exact(k, dim);
+      thickness *
+      phases[mesh.phase(cell)].element->stiffness(mesh.vertices(cell));
+    if (is_ring)
+      make_axial_sums_exact(k);
+    else
+      make_sums_exact(k, dim);
     return k;
   }
 
@@ -175,8 +188,10 @@ namespace conetact::bodies
         const auto nodes = mesh.cell(cell);
         // What the cell moves as a whole has no force, and would cost the
         // digits of what strains it.
-        const Eigen::Matrix<double, dim, 1> base =
+        Eigen::Matrix<double, dim, 1> base =
           u.template segment<dim>(dim * nodes[0]);
+        if (is_ring)
+          base[0] = 0; // to grow is to strain
         for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
           result.template block<dim, 1>(dim * v, cell - first) =
             u.template segment<dim>(dim * nodes[v]) - base;

@@ -24,20 +24,35 @@ namespace conetact::bodies
 
     template <int dim>
     ContinuumMesh<dim>
-    plain(const Discretization<dim> &body)
+    plain(const Discretization<dim> &body, const bool has_phases)
     {
       ContinuumMesh<dim> mesh;
       mesh.nodes.resize(body.dof_handler.n_dofs() / dim);
       mesh.n_cell_nodes = body.fe.dofs_per_cell / dim;
       mesh.hanging      = body.hanging_nodes();
       for (const auto &cell : body.dof_handler.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            const unsigned int node = cell->vertex_dof_index(v, 0) / dim;
-            mesh.nodes_of_cells.push_back(node);
-            mesh.nodes[node] = cell->vertex(v);
-          }
+        {
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              const unsigned int node = cell->vertex_dof_index(v, 0) / dim;
+              mesh.nodes_of_cells.push_back(node);
+              mesh.nodes[node] = cell->vertex(v);
+            }
+          if (has_phases)
+            mesh.phase_of_cell.push_back(cell->material_id());
+        }
       return mesh;
+    }
+
+    template <int dim>
+    Phases<dim>
+    make_phases(const std::vector<ElasticMaterial> &materials,
+                const ElementRow<dim>              &row)
+    {
+      Phases<dim> phases;
+      for (const ElasticMaterial &material : materials)
+        phases.push_back({material, row.create(material)});
+      return phases;
     }
 
     template <int dim>
@@ -151,14 +166,28 @@ namespace conetact::bodies
     std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
     const ElasticMaterial                           &elastic,
     const ElementRow<dim>                           &row)
+    : Continuum(std::move(finished_mesh),
+                std::vector<ElasticMaterial>(1, elastic),
+                row,
+                {})
+  {}
+
+  template <int dim>
+  Continuum<dim>::Continuum(
+    std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
+    const std::vector<ElasticMaterial>              &materials,
+    const ElementRow<dim>                           &row,
+    const MeshGroups::Ids                           &groups)
     : discretization(
         std::make_unique<Discretization<dim>>(std::move(finished_mesh)))
-    , mesh(plain(*discretization))
-    , material(elastic)
-    , thickness(dim == 2 ? material.thickness : 1)
+    , mesh(plain(*discretization, materials.size() > 1))
+    , phases(make_phases(materials, row))
+    , groups_of_faces(groups)
+    , thickness(dim == 2 && !materials.front().is_axisymmetric() ?
+                  materials.front().thickness :
+                  1)
     , element_name(row.name)
-    , element(row.create(material))
-    , matrices(mesh, *element, thickness)
+    , matrices(mesh, phases, thickness)
   {}
 
   template <int dim>
@@ -190,6 +219,31 @@ namespace conetact::bodies
   Continuum<dim>::hanging_nodes() const
   {
     return mesh.hanging;
+  }
+
+  template <int dim>
+  bool
+  Continuum<dim>::is_axisymmetric() const
+  {
+    return phases.front().material.is_axisymmetric();
+  }
+
+  template <int dim>
+  double
+  Continuum<dim>::extent(const Point<dim> &p) const
+  {
+    return is_axisymmetric() ? 2 * numbers::PI * p[0] : thickness;
+  }
+
+  template <int dim>
+  void
+  Continuum<dim>::clear_axis(Eigen::VectorXd &f) const
+  {
+    if (!is_axisymmetric())
+      return;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      if (mesh.nodes[i][0] == 0)
+        f[static_cast<Eigen::Index>(dim * i)] = 0;
   }
 
   template <int dim>
@@ -235,10 +289,10 @@ namespace conetact::bodies
           mean += fe.JxW(q) * normal;
           for (unsigned int v = 0; v < numbers.size(); ++v)
             {
-              // The tributary area int N_v, times the thickness in 2D, and the
-              // same with the normal.
-              const double part =
-                thickness * fe.JxW(q) * fe.shape_value(face.shapes[v], q);
+              // The tributary area int N_v, times thickness or circumference in
+              // 2D, and the same with the normal.
+              const double part = extent(fe.quadrature_point(q)) * fe.JxW(q) *
+                                  fe.shape_value(face.shapes[v], q);
               nodes[numbers[v]].area += part;
               shares[v] += part * normal;
             }
@@ -279,11 +333,12 @@ namespace conetact::bodies
           [&](const unsigned int v) {
             return fe.shape_value(face.shapes[v], q);
           },
-          thickness * fe.JxW(q) *
+          extent(fe.quadrature_point(q)) * fe.JxW(q) *
             traction(to_space(fe.quadrature_point(q)),
                      to_space(fe.normal_vector(q))),
           f);
     });
+    clear_axis(f);
   }
 
   template <int dim>
@@ -306,9 +361,11 @@ namespace conetact::bodies
             [&](const unsigned int v) {
               return fe.shape_value(body.fe.component_to_system_index(0, v), q);
             },
-            thickness * fe.JxW(q) * force(to_space(fe.quadrature_point(q))),
+            extent(fe.quadrature_point(q)) * fe.JxW(q) *
+              force(to_space(fe.quadrature_point(q))),
             f);
       }
+    clear_axis(f);
   }
 
   /* By the shape functions of the cell, which keep the force and its moment
@@ -335,6 +392,7 @@ namespace conetact::bodies
       },
       force,
       f);
+    clear_axis(f);
     return true;
   }
 
@@ -349,7 +407,7 @@ namespace conetact::bodies
       Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
       for (const unsigned int q : fe.quadrature_point_indices())
         {
-          const Tensor<2, 3> s = thickness * fe.JxW(q) *
+          const Tensor<2, 3> s = extent(fe.quadrature_point(q)) * fe.JxW(q) *
                                  stiffness(to_space(fe.quadrature_point(q)),
                                            to_space(fe.normal_vector(q)));
           const auto shape = [&](const unsigned int i) {
@@ -380,23 +438,26 @@ namespace conetact::bodies
                                   Eigen::VectorXd   &f) const
   {
     using Element                  = ElementFormulation<dim>;
-    const Eigen::VectorXd unit     = material.thermal_strain(dim);
     const Eigen::VectorXd at_nodes = nodal_values(mesh, change);
     const unsigned int    n        = mesh.n_cell_nodes;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       {
-        const auto                cell = mesh.cell(c);
+        const auto                cell  = mesh.cell(c);
+        const Phase<dim>         &phase = phases[mesh.phase(c)];
+        const Eigen::VectorXd     unit  = phase.material.thermal_strain(dim);
         typename Element::Strains strains(Element::n_strains, n);
         for (unsigned int v = 0; v < n; ++v)
           strains.col(v) = at_nodes[cell[v]] * unit;
         // Forces int B^T C alpha T: they would strain the cell as the heat
         // would if nothing resisted. They sum to zero in each cell.
         const typename Element::Displacements forces =
-          thickness * element->forces(mesh.vertices(c), strains);
+          thickness * phase.element->forces(mesh.vertices(c), strains);
         for (unsigned int i = 0; i < dim * n; ++i)
           f[dim * cell[i / dim] + i % dim] += forces[i];
       }
-    return material.expansion != 0;
+    return std::any_of(phases.begin(), phases.end(), [](const auto &phase) {
+      return phase.material.expansion != 0;
+    });
   }
 
   template <int dim>
@@ -412,7 +473,7 @@ namespace conetact::bodies
     for (const Action &action : actions)
       if (action.kind == Action::Kind::temperature)
         temperature += nodal_values(mesh, action.temperature);
-    write_continuum(mesh, *element, material, u, w, temperature, time, file);
+    write_continuum(mesh, phases, u, w, temperature, time, file);
   }
 
   template <int dim>
@@ -434,6 +495,8 @@ namespace conetact::bodies
     std::string text = std::to_string(mesh.n_cells()) + " cells " +
                        element_name + ", " + std::to_string(n_nodes()) +
                        " nodes";
+    if (phases.size() > 1)
+      text += ", " + std::to_string(phases.size()) + " materials";
     if (!mesh.hanging.empty())
       text += " (" + std::to_string(mesh.hanging.size()) + " hanging)";
     return text;
@@ -453,8 +516,10 @@ namespace conetact::bodies
     if (discretization->has_simplices()) // no mesh that could be refined
       return {};
     std::vector<double> errors = squared_jumps(*discretization, u);
-    for (double &error : errors)
-      error *= thickness * material.young_modulus;
+    for (const auto &cell : discretization->dof_handler.active_cell_iterators())
+      errors[cell->active_cell_index()] *=
+        extent(cell->center()) *
+        phases[mesh.phase(cell->active_cell_index())].material.stiffness();
     return errors;
   }
 

@@ -4,12 +4,27 @@
 #include "conetact/bodies/continuum/element_formulation.h"
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
 
 namespace conetact::bodies
 {
   using dealii::GeometryInfo;
   using dealii::Tensor;
+
+  namespace
+  {
+    /** Distance from the axis of a point with these shape values. */
+    template <int dim, class Shapes>
+    double
+    radius(const std::vector<dealii::Point<dim>> &vertices, const Shapes &N)
+    {
+      double r = 0;
+      for (int v = 0; v < N.size(); ++v)
+        r += N[v] * vertices[static_cast<std::size_t>(v)][0];
+      return r;
+    }
+  } // namespace
 
   template <int dim>
   DLinearElement<dim>::DLinearElement(const ElasticMaterial &material)
@@ -60,25 +75,38 @@ namespace conetact::bodies
                                 const bool      with_vertices) const
   {
     StrainField field;
-    const auto  add = [&](const Gradients<n_vertices> &unit,
-                         std::vector<Columns>        &strains) {
+    const auto  add = [&](const Gradients<n_vertices>                &unit,
+                         const Eigen::Matrix<double, n_vertices, 1> &N,
+                         std::vector<Columns>                       &strains) {
       const Tensor<2, dim>  j       = jacobian(vertices, unit);
       const Tensor<2, dim>  inverse = invert(j);
       Gradients<n_vertices> gradients;
       for (unsigned int v = 0; v < n_vertices; ++v)
         // dN/dx = dN/dxi dxi/dx, with the Jacobian dx/dxi at the point itself.
         gradients[v] = unit[v] * inverse;
-      strains.push_back(this->template strain_matrix<n_vertices>(gradients));
-      return determinant(j);
+      auto   b    = this->template strain_matrix<n_vertices>(gradients);
+      double size = 1; // of the cell along what the mesh does not show
+      if (this->is_ring)
+        {
+          const double r = radius(vertices, N);
+          this->template go_round<n_vertices>(vertices, N, r, b);
+          size = 2 * dealii::numbers::PI * r;
+        }
+      strains.push_back(b);
+      return size * determinant(j);
     };
     for (unsigned int q = 0; q < at_points.size(); ++q)
       field.weights.push_back(unit_weights[q] *
-                              add(at_points[q], field.at_points));
+                              add(at_points[q],
+                                  shapes.col(static_cast<Eigen::Index>(q)),
+                                  field.at_points));
     if (with_vertices)
       // Stresses are those of the vertices themselves, not continued from the
       // points.
-      for (const auto &unit : at_corners)
-        add(unit, field.at_vertices);
+      for (int v = 0; v < n_vertices; ++v)
+        add(at_corners[static_cast<std::size_t>(v)],
+            Eigen::Matrix<double, n_vertices, 1>::Unit(v),
+            field.at_vertices);
     return field;
   }
 
@@ -148,8 +176,9 @@ namespace conetact::bodies
 
 
   template <int dim>
-  typename LinearElement<dim>::StrainOfCell
-  LinearElement<dim>::strain(const Vertices &vertices) const
+  std::vector<typename LinearElement<dim>::PointOfCell>
+  LinearElement<dim>::at(const Vertices        &vertices,
+                         const Eigen::MatrixXd &shapes) const
   {
     Tensor<2, dim> edges; // columns, from the first vertex
     for (unsigned int d = 0; d < dim; ++d)
@@ -165,16 +194,53 @@ namespace conetact::bodies
         gradients[v + 1] = inverse[v];
         gradients[0] -= inverse[v];
       }
-    return {this->template strain_matrix<n_vertices>(gradients),
-            determinant(edges) / (dim == 2 ? 2 : 6)};
+    const auto   b      = this->template strain_matrix<n_vertices>(gradients);
+    const double volume = determinant(edges) / (dim == 2 ? 2 : 6) /
+                          static_cast<double>(shapes.rows());
+    std::vector<PointOfCell> result;
+    for (Eigen::Index q = 0; q < shapes.rows(); ++q)
+      {
+        result.push_back({b, shapes.row(q).transpose(), volume});
+        PointOfCell &point = result.back();
+        if (!this->is_ring)
+          continue;
+        const double r = radius(vertices, point.shapes);
+        this->template go_round<n_vertices>(vertices, point.shapes, r, point.b);
+        point.volume *= 2 * dealii::numbers::PI * r;
+      }
+    return result;
+  }
+
+  /* Strains round an axis are not uniform, and in one point a triangle would
+     turn about it without strain. Three integrate r times a linear strain as
+     it is. */
+  template <int dim>
+  std::vector<typename LinearElement<dim>::PointOfCell>
+  LinearElement<dim>::points(const Vertices &vertices) const
+  {
+    if (!this->is_ring)
+      return at(vertices,
+                Eigen::MatrixXd::Constant(1, n_vertices, 1. / n_vertices));
+    Eigen::MatrixXd shapes =
+      Eigen::MatrixXd::Constant(n_vertices, n_vertices, 1. / 6);
+    shapes.diagonal().setConstant(2. / 3);
+    return at(vertices, shapes);
+  }
+
+  template <int dim>
+  std::vector<typename LinearElement<dim>::PointOfCell>
+  LinearElement<dim>::corners(const Vertices &vertices) const
+  {
+    return at(vertices, Eigen::MatrixXd::Identity(n_vertices, n_vertices));
   }
 
   template <int dim>
   typename LinearElement<dim>::Matrix
   LinearElement<dim>::stiffness(const Vertices &vertices) const
   {
-    const auto [b, volume] = strain(vertices);
-    Matrix k               = b.transpose() * (volume * this->c) * b;
+    Matrix k = Matrix::Zero(n_dofs, n_dofs);
+    for (const PointOfCell &p : points(vertices))
+      k += p.b.transpose() * (p.volume * this->c) * p.b;
     k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
     return k;
   }
@@ -184,8 +250,10 @@ namespace conetact::bodies
   LinearElement<dim>::forces(const Vertices &vertices,
                              const Strains  &initial) const
   {
-    const auto [b, volume] = strain(vertices); // the mean is what counts
-    return b.transpose() * (volume * this->c * initial.rowwise().mean());
+    Displacements f = Displacements::Zero(n_dofs);
+    for (const PointOfCell &p : points(vertices))
+      f += p.b.transpose() * (p.volume * this->c * (initial * p.shapes));
+    return f;
   }
 
   template <int dim>
@@ -194,8 +262,15 @@ namespace conetact::bodies
                                const Displacements &u,
                                const Strains       &initial) const
   {
-    const Eigen::Matrix<double, n_strains, 1> uniform = strain(vertices).b * u;
-    return this->c * (uniform.replicate(1, n_vertices) - initial);
+    Strains    result(n_strains, n_vertices);
+    const auto at_corners = corners(vertices);
+    for (std::size_t v = 0; v < n_vertices; ++v)
+      {
+        const auto column = static_cast<Eigen::Index>(v);
+        result.col(column) =
+          this->c * (at_corners[v].b * u - initial.col(column));
+      }
+    return result;
   }
 
   template class DLinearElement<2>;

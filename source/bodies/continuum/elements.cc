@@ -168,8 +168,11 @@ namespace conetact::bodies
        &create_b_bar<dim>},
       {"Q1 incompatible modes",
        false,
-       "Q1 with internal modes, exact for bending of rectangular cells",
-       &create<dim, IncompatibleModes>},
+       "Q1 with internal modes, exact for bending of rectangular cells; not "
+       "for bodies of revolution",
+       &create<dim, IncompatibleModes>,
+       // round an axis the modes would have to be without mean over r
+       false},
       {"P1",
        true,
        "linear displacements on triangles or tetrahedra, uniform strains; far "

@@ -29,17 +29,32 @@ namespace conetact::bodies
           sum += k(i + c, j + d);
       return sum;
     }
+
+    /** Times 2^exponent. */
+    void
+    scale(Eigen::Ref<Eigen::MatrixXd> k, const int exponent)
+    {
+      k = k.unaryExpr([&](const double x) { return std::ldexp(x, exponent); });
+    }
+
+    /** Entries become whole multiples of 2^exponent; returns the exponent. */
+    int
+    round_entries(Eigen::Ref<Eigen::MatrixXd> k, const int dim)
+    {
+      const int exponent = std::ilogb(k.cwiseAbs().maxCoeff()) + 1 + dim - bits;
+      k                  = k.unaryExpr([&](const double x) {
+        return std::nearbyint(std::ldexp(x, -exponent));
+      });
+      return exponent;
+    }
   } // namespace
 
   void
   make_sums_exact(Eigen::Ref<Eigen::MatrixXd> k, const int dim)
   {
-    const double largest = k.cwiseAbs().maxCoeff();
-    if (!(largest > 0))
+    if (!(k.cwiseAbs().maxCoeff() > 0))
       return;
-    const int exponent = std::ilogb(largest) + 1 + dim - bits;
-    k                  = k.unaryExpr(
-      [&](const double x) { return std::nearbyint(std::ldexp(x, -exponent)); });
+    const int exponent = round_entries(k, dim);
 
     // blocks on the diagonal will be symmetric: off the diagonal, what is not
     // adds up to zero at each node
@@ -55,6 +70,22 @@ namespace conetact::bodies
       for (Index c = 0; c < dim; ++c)
         for (Index d = 0; d < dim; ++d)
           k(j + c, j + d) = -sum_of_others(k, dim, j, c, d);
-    k = k.unaryExpr([&](const double x) { return std::ldexp(x, exponent); });
+    scale(k, exponent);
+  }
+
+  void
+  make_axial_sums_exact(Eigen::Ref<Eigen::MatrixXd> k)
+  {
+    if (!(k.cwiseAbs().maxCoeff() > 0))
+      return;
+    const int exponent = round_entries(k, 2);
+    for (Index j = 0; j < k.cols(); j += 2)
+      {
+        // Symmetric: rows sum to zero over what moves along y, the coupling of
+        // a node with itself takes the rest.
+        k(j, j + 1) = k(j + 1, j) = -sum_of_others(k, 2, j, 1, 0);
+        k(j + 1, j + 1)           = -sum_of_others(k, 2, j, 1, 1);
+      }
+    scale(k, exponent);
   }
 } // namespace conetact::bodies

@@ -87,14 +87,12 @@ namespace conetact::bodies
     /** Sum over the cells of a node, divided by their number. */
     template <int dim>
     Eigen::MatrixXd
-    averaged_stresses(const ContinuumMesh<dim>      &mesh,
-                      const ElementFormulation<dim> &element,
-                      const ElasticMaterial         &material,
-                      const Eigen::VectorXd         &w,
-                      const Eigen::VectorXd         &temperature)
+    averaged_stresses(const ContinuumMesh<dim> &mesh,
+                      const Phases<dim>        &phases,
+                      const Eigen::VectorXd    &w,
+                      const Eigen::VectorXd    &temperature)
     {
-      using Element                 = ElementFormulation<dim>;
-      const Eigen::VectorXd thermal = material.thermal_strain(dim);
+      using Element           = ElementFormulation<dim>;
       const auto      n_nodes = static_cast<Eigen::Index>(mesh.nodes.size());
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Element::n_strains, n_nodes);
       Eigen::VectorXd n_cells           = Eigen::VectorXd::Zero(n_nodes);
@@ -103,7 +101,9 @@ namespace conetact::bodies
       typename Element::Strains       initial(Element::n_strains, n);
       for (unsigned int c = 0; c < mesh.n_cells(); ++c)
         {
-          const auto cell = mesh.cell(c);
+          const auto            cell    = mesh.cell(c);
+          const Phase<dim>     &phase   = phases[mesh.phase(c)];
+          const Eigen::VectorXd thermal = phase.material.thermal_strain(dim);
           for (unsigned int v = 0; v < n; ++v)
             {
               w_cell.template segment<dim>(dim * v) =
@@ -111,7 +111,7 @@ namespace conetact::bodies
               initial.col(v) = temperature[cell[v]] * thermal;
             }
           const typename Element::Strains stresses =
-            element.stresses(mesh.vertices(c), w_cell, initial);
+            phase.element->stresses(mesh.vertices(c), w_cell, initial);
           for (unsigned int v = 0; v < n; ++v)
             {
               sum.col(cell[v]) += stresses.col(v);
@@ -156,17 +156,16 @@ namespace conetact::bodies
 
   template <int dim>
   void
-  write_continuum(const ContinuumMesh<dim>      &mesh,
-                  const ElementFormulation<dim> &element,
-                  const ElasticMaterial         &material,
-                  const Eigen::VectorXd         &u,
-                  const Eigen::VectorXd         &w,
-                  const Eigen::VectorXd         &temperature,
-                  const double                   time,
-                  const std::filesystem::path   &file)
+  write_continuum(const ContinuumMesh<dim>    &mesh,
+                  const Phases<dim>           &phases,
+                  const Eigen::VectorXd       &u,
+                  const Eigen::VectorXd       &w,
+                  const Eigen::VectorXd       &temperature,
+                  const double                 time,
+                  const std::filesystem::path &file)
   {
     const Eigen::MatrixXd stresses =
-      averaged_stresses(mesh, element, material, w, temperature);
+      averaged_stresses(mesh, phases, w, temperature);
     NodalFields fields = NodalFields::Zero(stresses.cols(), n_fields);
     for (Eigen::Index i = 0; i < fields.rows(); ++i)
       {
@@ -188,8 +187,7 @@ namespace conetact::bodies
 
   template void
   write_continuum<2>(const ContinuumMesh<2> &,
-                     const ElementFormulation<2> &,
-                     const ElasticMaterial &,
+                     const Phases<2> &,
                      const Eigen::VectorXd &,
                      const Eigen::VectorXd &,
                      const Eigen::VectorXd &,
@@ -197,8 +195,7 @@ namespace conetact::bodies
                      const std::filesystem::path &);
   template void
   write_continuum<3>(const ContinuumMesh<3> &,
-                     const ElementFormulation<3> &,
-                     const ElasticMaterial &,
+                     const Phases<3> &,
                      const Eigen::VectorXd &,
                      const Eigen::VectorXd &,
                      const Eigen::VectorXd &,

@@ -4,8 +4,10 @@
 #include "conetact/bodies/continuum/grid_sources.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/gmsh_file.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/continuum/generator_arguments.h"
+#include "conetact/bodies/continuum/gmsh_mesh.h"
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/grid/grid_generator.h>
@@ -242,9 +244,9 @@ namespace conetact::bodies
       double version = 0;
       int    binary  = 0;
       if (trim(line) == "$MeshFormat" && stream >> version >> binary && binary)
-        throw InputError(file +
-                         " is a binary Gmsh file. Save it as ASCII (in " +
-                         "Gmsh 'Mesh.Binary = 0;').");
+        throw InputError(file + " is a binary Gmsh file of version " +
+                         to_text(version) + ". Save it as version 4.1 or 2.2 " +
+                         "(in Gmsh 'Mesh.MshFileVersion = 4.1;').");
     }
 
     /** GridIn would wait for the rest of a Gmsh file for ever. */
@@ -284,16 +286,42 @@ namespace conetact::bodies
       stream.seekg(0);
     }
 
+    /** GridIn knows no names, reads text only and refuses groups inside. */
+    bool
+    is_for_own_reader(const std::string &contents)
+    {
+      const double version = gmsh_version(contents);
+      return (version >= 2 && version < 3) || version == 4.1;
+    }
+
     template <int dim>
     void
-    read(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    read(Triangulation<dim>   &mesh,
+         const MeshParameters &parameters,
+         MeshGroups           &groups)
     {
       const std::string where  = parameters.where + "File: ";
       std::ifstream     stream = open_mesh(parameters.file, where);
       const auto        format = static_cast<typename GridIn<dim>::Format>(
         format_of(parameters.file, stream, where));
       if (format == GridIn<dim>::msh)
-        check_gmsh(stream, where + "'" + parameters.file.string() + "'");
+        {
+          std::ostringstream contents;
+          contents << stream.rdbuf();
+          if (is_for_own_reader(contents.str()))
+            {
+              groups = read_gmsh_mesh<dim>(contents.str(), parameters, mesh);
+              return;
+            }
+          stream.clear();
+          stream.seekg(0);
+          check_gmsh(stream, where + "'" + parameters.file.string() + "'");
+        }
+      if (!parameters.group.empty())
+        throw InputError(parameters.where + "Group: only Gmsh's files (.msh) "
+                                            "of version 2 and 4.1 have "
+                                            "groups of cells. Save the mesh as "
+                                            "one, or remove Group.");
       try
         {
           GridIn<dim>(mesh).read(stream, format);
@@ -361,19 +389,19 @@ namespace conetact::bodies
 
   template <int dim>
   std::unique_ptr<Triangulation<dim>>
-  generate_or_read(const MeshParameters &parameters)
+  generate_or_read(const MeshParameters &parameters, MeshGroups &groups)
   {
     auto mesh = std::make_unique<Triangulation<dim>>();
     if (parameters.file.empty())
       generate(*mesh, parameters);
     else
-      read(*mesh, parameters);
+      read(*mesh, parameters, groups);
     settle_cells(mesh, parameters);
     return mesh;
   }
 
   template std::unique_ptr<Triangulation<2>>
-  generate_or_read<2>(const MeshParameters &);
+  generate_or_read<2>(const MeshParameters &, MeshGroups &);
   template std::unique_ptr<Triangulation<3>>
-  generate_or_read<3>(const MeshParameters &);
+  generate_or_read<3>(const MeshParameters &, MeshGroups &);
 } // namespace conetact::bodies

@@ -67,6 +67,30 @@ namespace conetact::bodies
       mesh.reset_all_manifolds();
     }
 
+    /** What rounding put beside the axis of a half section lies on it. */
+    template <int dim>
+    void
+    put_on_axis(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    {
+      constexpr double round_off = 1e-10;
+
+      double size = 0;
+      for (const Point<dim> &p : mesh.get_vertices())
+        size = std::max(size, p.norm());
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          if (double &r = cell->vertex(v)[0]; std::abs(r) <= round_off * size)
+            r = 0;
+          else if (r < 0)
+            throw InputError(
+              parameters.where +
+              (parameters.file.empty() ? "Generator: " : "File: ") +
+              "the mesh of a body of revolution (Plane = axisymmetric) is " +
+              "half its section, where x is the radius, and has a node at " +
+              to_text(Tensor<1, 3>(to_space(cell->vertex(v)))) +
+              ". Give the half with x >= 0 only.");
+    }
+
     /** Of the edges that leave each vertex; a simplex has one for all. */
     template <int dim, class Cell>
     std::vector<double>
@@ -169,9 +193,14 @@ namespace conetact::bodies
 
   template <int dim>
   std::unique_ptr<Triangulation<dim>>
-  make_mesh(const MeshParameters &parameters)
+  make_mesh(MeshParameters &parameters, MeshGroups &groups)
   {
-    auto mesh = generate_or_read<dim>(parameters);
+    auto mesh = generate_or_read<dim>(parameters, groups);
+    for (MeshParameters::Zone &zone : parameters.zones)
+      zone.ids = to_ids(zone.text,
+                        groups.faces,
+                        "a boundary id",
+                        parameters.where + "Refinement distance");
     refine_globally(*mesh, parameters);
     refuse_local_refinement(*mesh, parameters);
     refine_locally(*mesh, parameters);
@@ -180,12 +209,14 @@ namespace conetact::bodies
     if (mesh->has_hanging_nodes())
       straighten_hanging_vertices(*mesh);
     place(*mesh, parameters);
+    if (parameters.on_axis)
+      put_on_axis(*mesh, parameters);
     refuse_distorted(*mesh, parameters);
     return mesh;
   }
 
   template std::unique_ptr<Triangulation<2>>
-  make_mesh<2>(const MeshParameters &);
+  make_mesh<2>(MeshParameters &, MeshGroups &);
   template std::unique_ptr<Triangulation<3>>
-  make_mesh<3>(const MeshParameters &);
+  make_mesh<3>(MeshParameters &, MeshGroups &);
 } // namespace conetact::bodies

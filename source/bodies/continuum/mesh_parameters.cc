@@ -45,9 +45,19 @@ namespace conetact::bodies
         Patterns::Anything(),
         "A file with a mesh of quadrilaterals or of triangles (2D), of "
         "hexahedra or of tetrahedra (3D), relative to the scene's folder. Known by extension: Gmsh (.msh, "
-        "ASCII, versions 1, 2 and 4; physical groups of lines or surfaces "
-        "become boundary ids), .vtk, .vtu, .unv, .inp (Abaqus and UCD), .ucd, "
-        ".xda, .dbmesh, Tecplot's .dat. [length]");
+        "versions 2 and 4.1, text or binary, 1 and 4.0 as text; physical "
+        "groups of lines or surfaces become boundary ids, and their names "
+        "stand for them in all entries: 'Boundary ids = floor'), .vtk, .vtu, "
+        ".unv, .inp (Abaqus and UCD), .ucd, .xda, .dbmesh, Tecplot's .dat. "
+        "[length]");
+      prm.declare_entry(
+        "Group",
+        "",
+        Patterns::Anything(),
+        "Physical groups of a Gmsh file whose cells are this body, by name or "
+        "number, separated by commas; empty: all cells. So bodies may share "
+        "one file, each with a Group of its own; boundary groups that lie "
+        "between two of them belong to both. [-]");
     }
 
     void
@@ -76,7 +86,7 @@ namespace conetact::bodies
         "",
         Patterns::Anything(),
         "Boundaries beside which the mesh is refined further, such as those "
-        "of contact: boundary ids, a distance and the number of divisions, "
+        "of contact: boundary ids or names of groups, a distance and the number of divisions, "
         "'2 : 5 : 3 ; 4, 6 : 1 : 2'. Cells nearer than the distance to a face "
         "of these ids (between the boxes around cell and face, along the axes "
         "of the mesh as generated or read) are refined. Boxes come first. "
@@ -165,8 +175,7 @@ namespace conetact::bodies
           if (!(distance > 0 && std::isfinite(distance)))
             throw InputError(entry + ": the distance '" + fields[1] +
                              "' is not positive. Give a length above 0.");
-          zones.push_back(
-            {to_ids(fields[0], entry), distance, to_levels(fields[2], entry)});
+          zones.push_back({fields[0], distance, to_levels(fields[2], entry)});
         }
       return zones;
     }
@@ -193,6 +202,10 @@ namespace conetact::bodies
                          (mesh.file.empty() ?
                             "there is no mesh. Set Generator or File." :
                             "both Generator and File are set. Remove one."));
+      if (mesh.file.empty() && !mesh.group.empty())
+        throw InputError(mesh.where + "Group: a generated mesh has no groups. "
+                                      "Set File to a mesh of Gmsh, or remove "
+                                      "it.");
       if (!mesh.file.empty() && !mesh.arguments.empty())
         throw InputError(mesh.where + "Arguments: a file takes no arguments. " +
                          "Remove them.");
@@ -236,6 +249,7 @@ namespace conetact::bodies
     mesh.arguments = text("Arguments");
     if (!text("File").empty())
       mesh.file = folder / text("File");
+    mesh.group = text("Group");
     check_source(mesh);
     mesh.global_refinements =
       static_cast<unsigned int>(prm.get_integer("Global refinements"));

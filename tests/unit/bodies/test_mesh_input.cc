@@ -118,6 +118,45 @@ TEST(MeshInput, GmshFilesGiveBoundaryIds)
     }
 }
 
+TEST(MeshInput, GroupsOfAFileHaveNames)
+{
+  // two squares beside each other, a line between them; the left line twice
+  const std::string file = write_file(
+    "groups.msh",
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n5\n"
+    "1 7 \"floor\"\n1 8 \"between\"\n1 9 \"outside\"\n2 3 \"steel\"\n"
+    "2 4 \"rubber\"\n$EndPhysicalNames\n$Nodes\n6\n1 0 0 0\n2 2 0 0\n"
+    "3 2 1 0\n4 0 1 0\n5 1 0 0\n6 1 1 0\n$EndNodes\n$Elements\n6\n"
+    "1 1 2 7 1 1 5\n2 1 2 8 2 5 6\n3 1 2 9 1 1 5\n4 1 2 9 1 4 1\n"
+    "5 3 2 3 1 1 5 6 4\n6 3 2 4 1 5 2 3 6\n$EndElements\n");
+  const std::string both = "Poisson ratio = 0|Young modulus = 5 ; 20|"
+                           "Material group = rubber ; steel";
+
+  const auto whole  = make_body(2, "File = " + file, both);
+  const auto groups = whole->boundary_groups();
+  EXPECT_EQ(groups.count("between"), 0);                  // no boundary of it
+  EXPECT_EQ(groups.at("floor"), (BoundaryIds{10}));       // a new id
+  EXPECT_EQ(groups.at("outside"), (BoundaryIds{9, 10}));
+  EXPECT_EQ(groups.at("7"), (BoundaryIds{10}));
+  EXPECT_EQ(whole->boundary_ids(), (BoundaryIds{0, 9, 10}));
+  // shear of a square: energy G / 2
+  const Eigen::VectorXd u = interpolate(*whole, [](const Point<3> &p) {
+    return Tensor<1, 3>({p[1], 0., 0.});
+  });
+  EXPECT_NEAR(u.dot(stiffness(*whole) * u), 2.5 + 10, 1e-13);
+
+  const auto part = make_body(2, "File = " + file + "|Group = 'rubber'");
+  EXPECT_EQ(part->n_nodes(), 4);
+  EXPECT_EQ(part->boundary_groups().at("between"), (BoundaryIds{8}));
+
+  expect_refusal(refusal(2, "File = " + file + "|Group = copper"),
+                 "Mesh/Group",
+                 "has the groups rubber, steel");
+  expect_refusal(refusal(2, "File = " + file + "|Group = 5"),
+                 "Mesh/Group",
+                 "no cell");
+}
+
 TEST(MeshInput, MeshIsScaledThenRotatedThenMoved)
 {
   const auto body =

@@ -215,7 +215,8 @@ TEST(SurfaceMesh, RefusesWhatHasNoInside)
               "it has no triangles or quadrilaterals");
   expect_says(refused("far.obj", tetrahedron + "f 1 2 9\n"),
               "a face names the vertex '9', one of 4");
-  expect_says(refused("binary.msh", "$MeshFormat\n2.2 1 8\n"), "it is binary");
+  expect_says(refused("binary.msh", "$MeshFormat\n2.2 1 8\n"),
+              "section 'MeshFormat' does not end");
   expect_says(refused("cut.msh",
                       msh_of_square("2 1 2 0 1 1 2\n").substr(0, 130)),
               "a surface: ");

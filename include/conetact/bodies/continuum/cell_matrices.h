@@ -12,7 +12,7 @@
 namespace conetact::bodies
 {
   /**
-   * Stiffness matrices of all cells of a mesh of one material. Cells that are
+   * Stiffness matrices of all cells of a mesh. Cells of one material that are
    * translated copies of each other have the same: it is computed once, and
    * kept. Matrices of single cells are kept as long as there is room.
    */
@@ -23,11 +23,10 @@ namespace conetact::bodies
     using Element = ElementFormulation<dim>;
 
     /**
-     * Mesh and formulation must live longer than this object; thickness 1 in
-     * 3D.
+     * Mesh and phases must live longer than this object; thickness 1 in 3D.
      */
     CellMatrices(const ContinuumMesh<dim> &of_mesh,
-                 const Element            &formulation,
+                 const Phases<dim>        &materials,
                  const double              thickness);
 
     void
@@ -59,7 +58,8 @@ namespace conetact::bodies
     };
 
     const ContinuumMesh<dim>             &mesh;
-    const Element                        &element;
+    const Phases<dim>                    &phases;
+    bool                                  is_ring; ///< round an axis
     double                                thickness;
     std::vector<Shape>                    shapes;
     std::vector<unsigned int>             shape_of_cell;

@@ -8,6 +8,7 @@
 #include "conetact/bodies/continuum/continuum_mesh.h"
 #include "conetact/bodies/continuum/elements.h"
 #include "conetact/bodies/continuum/material.h"
+#include "conetact/bodies/groups.h"
 #include "conetact/bodies/structure.h"
 
 #include <memory>
@@ -37,6 +38,14 @@ namespace conetact::bodies
     Continuum(std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
               const ElasticMaterial                           &elastic,
               const ElementRow<dim>                           &row);
+    /**
+     * Of several materials: ids of cells are their places in the list. `groups`
+     * are the boundary ids that have names.
+     */
+    Continuum(std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
+              const std::vector<ElasticMaterial>              &materials,
+              const ElementRow<dim>                           &row,
+              const MeshGroups::Ids                           &groups);
     ~Continuum() override;
 
     unsigned int
@@ -47,6 +56,8 @@ namespace conetact::bodies
     position(const unsigned int node) const override;
     const std::vector<HangingNode> &
     hanging_nodes() const override;
+    bool
+    is_axisymmetric() const override;
 
     void
     for_each_element(const ElementVisitor &visit) const override;
@@ -56,6 +67,11 @@ namespace conetact::bodies
 
     BoundaryIds
     boundary_ids() const override;
+    const MeshGroups::Ids &
+    boundary_groups() const override
+    {
+      return groups_of_faces;
+    }
     /**
      * Hanging nodes are no surface nodes: their share of area and normal goes
      * to the nodes that they follow. Faces list them nevertheless.
@@ -102,12 +118,19 @@ namespace conetact::bodies
     element_errors(const Eigen::VectorXd &u) const override;
 
   private:
+    /** Of the body at p, beside the mesh: thickness or circumference. */
+    double
+    extent(const dealii::Point<dim> &p) const;
+    /** Nodes on the axis do not move radially: no force acts on them there. */
+    void
+    clear_axis(Eigen::VectorXd &f) const;
+
     std::unique_ptr<const Discretization<dim>> discretization;
     ContinuumMesh<dim>                         mesh;
-    ElasticMaterial                            material;
-    double                                     thickness; ///< 1 in 3D
+    Phases<dim>                                phases;
+    MeshGroups::Ids                            groups_of_faces;
+    double                                     thickness; ///< 1 in 3D, of rings
     const char                                *element_name;
-    std::unique_ptr<ElementFormulation<dim>>   element;
     CellMatrices<dim>                          matrices;
   };
 } // namespace conetact::bodies

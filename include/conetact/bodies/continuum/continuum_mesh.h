@@ -24,6 +24,7 @@ namespace conetact::bodies
     unsigned int              n_cell_nodes = 0;
     std::vector<unsigned int> nodes_of_cells; ///< one active cell by another
     std::vector<HangingNode>  hanging;
+    std::vector<unsigned int> phase_of_cell; ///< empty: one for all
 
     unsigned int
     n_cells() const
@@ -35,6 +36,12 @@ namespace conetact::bodies
     {
       return {&nodes_of_cells[std::size_t{number} * n_cell_nodes],
               n_cell_nodes};
+    }
+    /** Which of the body's materials. */
+    unsigned int
+    phase(const unsigned int number) const
+    {
+      return phase_of_cell.empty() ? 0 : phase_of_cell[number];
     }
     std::vector<Point<dim>>
     vertices(const unsigned int number) const

@@ -21,7 +21,9 @@ namespace conetact::bodies
    * its vertices, and from them its stiffness
    * @f$\int \bar B^T C \bar B\,dx@f$. Vertices come in deal.II's order, dof
    * `dim * vertex + component`; strains and stresses as in
-   * ElasticMaterial::elasticity(). Without the thickness of 2D bodies.
+   * ElasticMaterial::elasticity(). Without the thickness of 2D bodies;
+   * of bodies of revolution, @f$dx = 2\pi r\,dA@f$ and
+   * @f$\varepsilon_{zz} = u_r / r@f$, the whole circumference.
    */
   template <int dim>
   class ElementFormulation
@@ -51,8 +53,16 @@ namespace conetact::bodies
 
     explicit ElementFormulation(const ElasticMaterial &material)
       : c(material.elasticity(dim))
+      , is_ring(material.is_axisymmetric())
     {}
     virtual ~ElementFormulation() = default;
+
+    /** Whether cells are rings round the y axis. */
+    bool
+    is_axisymmetric() const
+    {
+      return is_ring;
+    }
 
     /** Exactly symmetric. */
     virtual Matrix
@@ -73,6 +83,25 @@ namespace conetact::bodies
   protected:
     template <int n>
     using Gradients = std::array<dealii::Tensor<1, dim>, n>;
+
+    /**
+     * Completes the strains of a ring whose n nodes have shape values N at
+     * the radius r = sum N_v x_v: zz is u_r / r, and du_r / dr on the axis,
+     * the limit. Nodes on the axis have no u_r.
+     */
+    template <int n, class Shapes>
+    void
+    go_round(const Vertices                            &vertices,
+             const Shapes                              &N,
+             const double                               r,
+             Eigen::Matrix<double, n_strains, dim * n> &b) const
+    {
+      for (int v = 0; v < n; ++v)
+        if (vertices[static_cast<std::size_t>(v)][0] > 0)
+          b(2, dim * v) = r > 0 ? N[v] / r : b(0, dim * v);
+        else
+          b.col(dim * v).setZero();
+    }
 
     /** Strains over the factors of n functions in each component. */
     template <int n>
@@ -98,6 +127,7 @@ namespace conetact::bodies
     }
 
     const Elasticity c;
+    const bool       is_ring;
   };
 
   /**
@@ -165,7 +195,10 @@ namespace conetact::bodies
     d_linear(const Vertices &vertices, const bool with_vertices) const;
   };
 
-  /** Of triangles and tetrahedra: linear displacements, uniform strains. */
+  /**
+   * Of triangles and tetrahedra: linear displacements, uniform strains but
+   * round an axis.
+   */
   template <int dim>
   class LinearElement : public ElementFormulation<dim>
   {
@@ -190,13 +223,21 @@ namespace conetact::bodies
              const Strains       &initial) const override;
 
   private:
-    struct StrainOfCell
+    /** Strains over the dofs at a point of the cell, and its volume. */
+    struct PointOfCell
     {
-      Eigen::Matrix<double, n_strains, n_dofs> b; ///< over the dofs
+      Eigen::Matrix<double, n_strains, n_dofs> b;
+      Eigen::Matrix<double, n_vertices, 1>     shapes;
       double                                   volume;
     };
-    StrainOfCell
-    strain(const Vertices &vertices) const;
+    /** Of those with the rows of shape values: one, three of a ring. */
+    std::vector<PointOfCell>
+    points(const Vertices &vertices) const;
+    /** At its vertices. */
+    std::vector<PointOfCell>
+    corners(const Vertices &vertices) const;
+    std::vector<PointOfCell>
+    at(const Vertices &vertices, const Eigen::MatrixXd &shapes) const;
   };
 } // namespace conetact::bodies
 

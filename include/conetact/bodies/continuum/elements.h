@@ -19,7 +19,18 @@ namespace conetact::bodies
     bool        is_simplex; ///< of triangles and tetrahedra
     const char *description;
     std::unique_ptr<ElementFormulation<dim>> (*create)(const ElasticMaterial &);
+    bool goes_round = true; ///< also for bodies of revolution
   };
+  /** A material, and how cells that are made of it strain. */
+  template <int dim>
+  struct Phase
+  {
+    ElasticMaterial                          material;
+    std::unique_ptr<ElementFormulation<dim>> element;
+  };
+  template <int dim>
+  using Phases = std::vector<Phase<dim>>;
+
   template <int dim>
   const std::vector<ElementRow<dim>> &
   element_table();

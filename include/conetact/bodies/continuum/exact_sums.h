@@ -19,6 +19,13 @@ namespace conetact::bodies
    */
   void
   make_sums_exact(Eigen::Ref<Eigen::MatrixXd> k, const int dim);
+
+  /**
+   * The same of a ring round the y axis, which only translations along it do
+   * not strain.
+   */
+  void
+  make_axial_sums_exact(Eigen::Ref<Eigen::MatrixXd> k);
 } // namespace conetact::bodies
 
 #endif

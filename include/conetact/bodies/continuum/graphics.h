@@ -20,14 +20,13 @@ namespace conetact::bodies
    */
   template <int dim>
   void
-  write_continuum(const ContinuumMesh<dim>      &mesh,
-                  const ElementFormulation<dim> &element,
-                  const ElasticMaterial         &material,
-                  const Eigen::VectorXd         &u,
-                  const Eigen::VectorXd         &w,
-                  const Eigen::VectorXd         &temperature,
-                  const double                   time,
-                  const std::filesystem::path   &file);
+  write_continuum(const ContinuumMesh<dim>    &mesh,
+                  const Phases<dim>           &phases,
+                  const Eigen::VectorXd       &u,
+                  const Eigen::VectorXd       &w,
+                  const Eigen::VectorXd       &temperature,
+                  const double                 time,
+                  const std::filesystem::path &file);
 } // namespace conetact::bodies
 
 #endif

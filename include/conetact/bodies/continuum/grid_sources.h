@@ -5,6 +5,7 @@
 #define conetact_bodies_continuum_grid_sources_h
 
 #include "conetact/bodies/continuum/mesh_parameters.h"
+#include "conetact/bodies/groups.h"
 
 #include <memory>
 
@@ -18,11 +19,12 @@ namespace conetact::bodies
 {
   /**
    * The coarse mesh of quadrilaterals or hexahedra, by a generator's name (with
-   * its curved geometry) or from a file. Throws InputError.
+   * its curved geometry) or from a file, which may name groups. Throws
+   * InputError.
    */
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>
-  generate_or_read(const MeshParameters &parameters);
+  generate_or_read(const MeshParameters &parameters, MeshGroups &groups);
 } // namespace conetact::bodies
 
 #endif

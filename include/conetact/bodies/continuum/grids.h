@@ -5,6 +5,7 @@
 #define conetact_bodies_continuum_grids_h
 
 #include "conetact/bodies/continuum/mesh_parameters.h"
+#include "conetact/bodies/groups.h"
 
 #include <memory>
 
@@ -20,11 +21,12 @@ namespace conetact::bodies
    * The finished mesh of quadrilaterals or hexahedra: generated or read,
    * refined on its curved geometry, then scaled, rotated, moved and tagged.
    * Its cells are straight-edged; hanging vertices lie on the straight edges
-   * and faces of their coarser neighbours. Throws InputError.
+   * and faces of their coarser neighbours. `groups` are those that a file
+   * names; they give zones their ids. Throws InputError.
    */
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>
-  make_mesh(const MeshParameters &parameters);
+  make_mesh(MeshParameters &parameters, MeshGroups &groups);
 } // namespace conetact::bodies
 
 #endif

@@ -8,27 +8,60 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace conetact::bodies
 {
   /**
-   * Isotropic linear elasticity,
-   * @f$\sigma = \lambda\,\mathrm{tr}\,\varepsilon\,I + 2 G \varepsilon@f$.
+   * Orthotropic linear elasticity along three axes 1, 2, 3 of the material:
+   * @f$\varepsilon_{11} = \sigma_{11}/E_1 - \nu_{12}\sigma_{22}/E_1 -
+   * \nu_{13}\sigma_{33}/E_1@f$ and so on, with
+   * @f$\nu_{ij}/E_i = \nu_{ji}/E_j@f$, and @f$\gamma_{12} =
+   * \sigma_{12}/G_{12}@f$.
+   */
+  struct Orthotropy
+  {
+    Eigen::Vector3d young;   ///< E_1, E_2, E_3 [force/length^2]
+    Eigen::Vector3d poisson; ///< nu_12, nu_13, nu_23
+    Eigen::Vector3d shear;   ///< G_12, G_13, G_23 [force/length^2]
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< columns, scene's
+
+    /**
+     * Strains over stresses in the scene's axes, xx, yy, zz, xy, yz, zx with
+     * the engineers' shear strains.
+     */
+    Eigen::MatrixXd
+    compliance() const;
+  };
+
+  /**
+   * Linear elasticity, isotropic,
+   * @f$\sigma = \lambda\,\mathrm{tr}\,\varepsilon\,I + 2 G \varepsilon@f$,
+   * or orthotropic.
    */
   struct ElasticMaterial
   {
     enum class Plane
     {
       strain,
-      stress
+      stress,
+      axisymmetric ///< x is the radius, zz goes round the axis
     };
 
-    double young_modulus = 1;             ///< E [force/length^2]
-    double poisson_ratio = .3;            ///< nu
-    Plane  plane         = Plane::strain; ///< 2D only
-    double thickness     = 1;             ///< 2D only [length]
-    double expansion     = 0;             ///< alpha [1/K]
+    double                    young_modulus = 1;  ///< E [force/length^2]
+    double                    poisson_ratio = .3; ///< nu
+    Plane                     plane         = Plane::strain; ///< 2D only
+    double                    thickness     = 1; ///< 2D only [length]
+    double                    expansion     = 0; ///< alpha [1/K]
+    std::optional<Orthotropy> orthotropy;        ///< instead of E and nu
+
+    bool
+    is_axisymmetric() const
+    {
+      return plane == Plane::axisymmetric;
+    }
 
     /**
      * Elasticity matrix of stresses over strains in the order xx, yy, zz, xy
@@ -38,17 +71,36 @@ namespace conetact::bodies
     Eigen::MatrixXd
     elasticity(const unsigned int dim) const;
 
+    /** The largest modulus [force/length^2]. */
+    double
+    stiffness() const
+    {
+      return orthotropy ? orthotropy->young.maxCoeff() : young_modulus;
+    }
+
     /** Strain that 1 K causes where nothing resists, in that order. */
     Eigen::VectorXd
     thermal_strain(const unsigned int dim) const;
   };
 
+  /** What the cells of some groups are made of. */
+  struct MaterialOfGroups
+  {
+    std::string     groups; ///< names or numbers; empty: all cells
+    ElasticMaterial material;
+  };
+
   /** Entries of `subsection Material`, in the body's subsection. */
   void
   declare_material(dealii::ParameterHandler &prm);
-  /** `body` is for messages: "Body 'block'". Throws InputError. */
-  ElasticMaterial
-  parse_material(dealii::ParameterHandler &prm, const std::string &body);
+  /**
+   * One material, or one for each Material group. `body` is for messages:
+   * "Body 'block'". Throws InputError.
+   */
+  std::vector<MaterialOfGroups>
+  parse_materials(dealii::ParameterHandler &prm,
+                  const unsigned int        dim,
+                  const std::string        &body);
 } // namespace conetact::bodies
 
 #endif

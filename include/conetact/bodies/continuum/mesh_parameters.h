@@ -32,9 +32,10 @@ namespace conetact::bodies
     /** Cells nearer to faces of `ids` are refined `levels` times more. */
     struct Zone
     {
-      std::set<unsigned int> ids;
+      std::string            text;     ///< ids or names of groups
       double                 distance; ///< of the scene [length]
       unsigned int           levels;
+      std::set<unsigned int> ids{}; ///< when the mesh is there
     };
     /** What elements ask for; quadrilaterals can be made into triangles. */
     enum class Cells
@@ -46,13 +47,15 @@ namespace conetact::bodies
     std::string              where; ///< for messages: "Body 'block', Mesh/"
     Cells                    cells = Cells::any;
     std::string              generator, arguments;
-    std::filesystem::path    file; ///< empty: generated
+    std::filesystem::path    file;  ///< empty: generated
+    std::string              group; ///< of cells in the file; empty: all
     unsigned int             global_refinements = 0;
     std::vector<Box>         boxes;
     std::vector<Zone>        zones; ///< beside boundaries
     Placement                placement;
-    std::vector<BoundaryTag> tags;        ///< of faces, by their centres
-    Refinements              refinements; ///< of tagged meshes
+    bool                     on_axis = false; ///< half a section, x >= 0
+    std::vector<BoundaryTag> tags;            ///< of faces, by their centres
+    Refinements              refinements;     ///< of tagged meshes
 
     /** A point of the mesh as generated or read, scaled, rotated, moved. */
     dealii::Point<3>

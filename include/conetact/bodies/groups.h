@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_groups_h
+#define conetact_bodies_groups_h
+
+#include "conetact/bodies/structure.h"
+
+#include <map>
+#include <string>
+
+namespace conetact::bodies
+{
+  /**
+   * Groups of faces and of cells that a mesh file names, as boundary and
+   * material ids: several where groups overlap. The number of a group is a
+   * name of it as well, unless it is just the id.
+   */
+  struct MeshGroups
+  {
+    using Ids = std::map<std::string, BoundaryIds>;
+    Ids faces, cells;
+  };
+
+  /**
+   * Words of a list, separated by commas, that are names of groups (quotes
+   * round them are taken off) or ids. Throws InputError that names the entry
+   * and `what` a word is not: "a boundary id".
+   */
+  BoundaryIds
+  to_ids(const std::string     &text,
+         const MeshGroups::Ids &groups,
+         const std::string     &what,
+         const std::string     &entry);
+} // namespace conetact::bodies
+
+#endif

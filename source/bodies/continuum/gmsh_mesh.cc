@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/continuum/gmsh_mesh.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/gmsh_file.h"
+#include "conetact/base/text.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::bodies
+{
+  using dealii::GeometryInfo;
+  using dealii::Triangulation;
+
+  namespace
+  {
+    using Groups = std::set<unsigned int>;
+
+    /**
+     * An id for each combination of groups: the number of a group that is
+     * alone, a new one where several overlap, 0 for none.
+     */
+    class GroupIds
+    {
+    public:
+      GroupIds(const GmshMesh &m, const unsigned int d)
+        : mesh(m)
+        , dim(d)
+      {
+        for (const GmshMesh::Element &element : mesh.elements)
+          if (element.dim == dim)
+            for (const unsigned int group : element.groups)
+              next = std::max(next, group + 1);
+      }
+
+      unsigned int
+      operator()(const Groups &groups)
+      {
+        if (groups.size() < 2)
+          return groups.empty() ? 0 : *groups.begin();
+        const auto [known, is_new] = overlaps.emplace(groups, next);
+        next += is_new;
+        return known->second;
+      }
+
+      /** Of all that was asked for. */
+      MeshGroups::Ids
+      names(const std::set<Groups> &seen)
+      {
+        MeshGroups::Ids                     result;
+        std::map<unsigned int, BoundaryIds> numbers;
+        for (const Groups &groups : seen)
+          for (const unsigned int group : groups)
+            {
+              const unsigned int id = (*this)(groups);
+              if (const auto name = mesh.names.find({dim, group});
+                  name != mesh.names.end())
+                result[name->second].insert(id);
+              numbers[group].insert(id);
+            }
+        for (const auto &[group, ids] : numbers)
+          if (ids != BoundaryIds{group})
+            result[std::to_string(group)] = ids;
+        return result;
+      }
+
+    private:
+      const GmshMesh                &mesh;
+      unsigned int                   dim, next = 1;
+      std::map<Groups, unsigned int> overlaps;
+    };
+
+    /** Numbers and names of groups of this dimension that are asked for. */
+    Groups
+    wanted_groups(const GmshMesh       &mesh,
+                  const unsigned int    dim,
+                  const MeshParameters &parameters)
+    {
+      MeshGroups::Ids known;
+      for (const auto &[key, name] : mesh.names)
+        if (key.first == dim)
+          known[name] = {key.second};
+      return to_ids(parameters.group,
+                    known,
+                    "the number of a group",
+                    parameters.where + "Group");
+    }
+
+    std::vector<const GmshMesh::Element *>
+    cells_of(const GmshMesh       &mesh,
+             const unsigned int    dim,
+             const MeshParameters &parameters)
+    {
+      Groups wanted;
+      if (!parameters.group.empty())
+        wanted = wanted_groups(mesh, dim, parameters);
+      Groups                                 seen;
+      std::vector<const GmshMesh::Element *> cells;
+      for (const GmshMesh::Element &element : mesh.elements)
+        if (element.dim == dim)
+          {
+            bool is_wanted = wanted.empty();
+            for (const unsigned int group : element.groups)
+              if (wanted.count(group) > 0)
+                {
+                  is_wanted = true;
+                  seen.insert(group);
+                }
+            if (is_wanted)
+              cells.push_back(&element);
+          }
+      for (const unsigned int group : wanted)
+        if (seen.count(group) == 0)
+          throw InputError(parameters.where + "Group: no cell of '" +
+                           parameters.file.string() + "' is in the group " +
+                           std::to_string(group) + ". Name a physical " +
+                           (dim == 2 ? "surface" : "volume") + " of the file.");
+      return cells;
+    }
+
+    /** The points of the cells, renumbered without holes. */
+    class Vertices
+    {
+    public:
+      Vertices(const GmshMesh                               &mesh,
+               const std::vector<const GmshMesh::Element *> &cells)
+        : number(mesh.points.size(), unused)
+      {
+        for (const GmshMesh::Element *cell : cells)
+          for (const unsigned int node : cell->nodes)
+            number[node] = 0;
+        for (unsigned int i = 0; i < number.size(); ++i)
+          if (number[i] != unused)
+            {
+              number[i] = static_cast<unsigned int>(places.size());
+              places.push_back(mesh.points[i]);
+            }
+      }
+
+      static constexpr unsigned int unused = ~0u;
+      std::vector<unsigned int>     number; ///< of the file's points
+      std::vector<dealii::Point<3>> places;
+    };
+
+    template <int dim>
+    std::vector<dealii::Point<dim>>
+    in_plane(const std::vector<dealii::Point<3>> &places,
+             const std::string                   &where)
+    {
+      double size = 0, beside = 0;
+      for (const dealii::Point<3> &p : places)
+        {
+          size   = std::max(size, p.norm());
+          beside = std::max(beside, std::abs(p[2] - places.front()[2]));
+        }
+      if (dim == 2 && beside > 1e-9 * size)
+        throw InputError(where + "the mesh does not lie in the plane z = 0: " +
+                         "its nodes differ in z by " + to_text(beside) +
+                         ". Save it in the plane x, y.");
+      std::vector<dealii::Point<dim>> result;
+      for (const dealii::Point<3> &p : places)
+        {
+          result.emplace_back();
+          for (unsigned int d = 0; d < dim; ++d)
+            result.back()[d] = p[d];
+        }
+      return result;
+    }
+
+    template <int dim>
+    std::vector<dealii::CellData<dim>>
+    cell_data(const std::vector<const GmshMesh::Element *> &cells,
+              const Vertices                               &vertices,
+              GroupIds                                     &ids)
+    {
+      std::vector<dealii::CellData<dim>> result;
+      for (const GmshMesh::Element *cell : cells)
+        {
+          const auto n = static_cast<unsigned int>(cell->nodes.size());
+          dealii::CellData<dim> data(n);
+          for (unsigned int i = 0; i < n; ++i)
+            // Gmsh counts round faces of hypercubes, as UCD files do.
+            data.vertices[n == GeometryInfo<dim>::vertices_per_cell ?
+                            GeometryInfo<dim>::ucd_to_deal[i] :
+                            i] = vertices.number[cell->nodes[i]];
+          data.material_id = ids(cell->groups);
+          result.push_back(data);
+        }
+      return result;
+    }
+
+    using Corners = std::vector<unsigned int>; ///< of a face, sorted
+
+    template <int dim>
+    MeshGroups::Ids
+    set_boundary_ids(const GmshMesh     &file,
+                     const Vertices     &vertices,
+                     Triangulation<dim> &mesh)
+    {
+      std::map<Corners, const Groups *> groups_of;
+      for (const GmshMesh::Element &element : file.elements)
+        if (element.dim == dim - 1 && !element.groups.empty())
+          {
+            Corners corners;
+            for (const unsigned int node : element.nodes)
+              corners.push_back(vertices.number[node]);
+            std::sort(corners.begin(), corners.end());
+            groups_of.emplace(corners, &element.groups);
+          }
+      GroupIds         ids(file, dim - 1);
+      std::set<Groups> seen;
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          {
+            Corners corners;
+            for (const unsigned int v : face->vertex_indices())
+              corners.push_back(face->vertex_index(v));
+            std::sort(corners.begin(), corners.end());
+            if (const auto found = groups_of.find(corners);
+                found != groups_of.end())
+              {
+                face->set_boundary_id(ids(*found->second));
+                seen.insert(*found->second);
+              }
+          }
+      return ids.names(seen);
+    }
+  } // namespace
+
+  template <int dim>
+  MeshGroups
+  read_gmsh_mesh(const std::string    &contents,
+                 const MeshParameters &parameters,
+                 Triangulation<dim>   &mesh)
+  {
+    const std::string where = parameters.where + "File: ";
+    GmshMesh          file;
+    try
+      {
+        file = read_gmsh(contents);
+      }
+    catch (const GmshFault &fault)
+      {
+        throw InputError(
+          where + "'" + parameters.file.string() +
+          "' is no mesh of Gmsh that can be taken: " + fault.why + ".");
+      }
+    const auto cells = cells_of(file, dim, parameters);
+    if (cells.empty())
+      throw InputError(where + "'" + parameters.file.string() +
+                       "' has no cells of dimension " + std::to_string(dim) +
+                       (dim == 2 ? ", quadrilaterals or triangles" :
+                                   ", hexahedra or tetrahedra") +
+                       ". Mesh it and save all elements (in Gmsh " +
+                       "'Mesh.SaveAll = 1;'), or set Dimension.");
+    const Vertices vertices(file, cells);
+    const auto     places = in_plane<dim>(vertices.places, where);
+    GroupIds       ids(file, dim);
+    auto           data = cell_data<dim>(cells, vertices, ids);
+    dealii::GridTools::invert_cells_with_negative_measure(places, data);
+    dealii::GridTools::consistently_order_cells(data);
+    mesh.create_triangulation(places, data, dealii::SubCellData());
+
+    std::set<Groups> seen;
+    for (const GmshMesh::Element *cell : cells)
+      if (!cell->groups.empty())
+        seen.insert(cell->groups);
+    MeshGroups groups;
+    groups.cells = ids.names(seen);
+    groups.faces = set_boundary_ids(file, vertices, mesh);
+    return groups;
+  }
+
+  template MeshGroups
+  read_gmsh_mesh<2>(const std::string &,
+                    const MeshParameters &,
+                    Triangulation<2> &);
+  template MeshGroups
+  read_gmsh_mesh<3>(const std::string &,
+                    const MeshParameters &,
+                    Triangulation<3> &);
+} // namespace conetact::bodies

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/groups.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
+#include "conetact/base/text.h"
+
+#include <cctype>
+
+namespace conetact::bodies
+{
+  namespace
+  {
+    std::string
+    unquoted(const std::string &word)
+    {
+      if (word.size() > 1 && word.front() == word.back() &&
+          (word.front() == '"' || word.front() == '\''))
+        return trim(word.substr(1, word.size() - 2));
+      return word;
+    }
+
+    bool
+    begins_like_a_name(const std::string &word)
+    {
+      return !word.empty() &&
+             (std::isalpha(static_cast<unsigned char>(word.front())) != 0 ||
+              word.front() == '_' || word.front() == '"' ||
+              word.front() == '\'');
+    }
+
+    std::string
+    names_of(const MeshGroups::Ids &groups)
+    {
+      std::vector<std::string> names;
+      for (const auto &[name, ids] : groups)
+        names.push_back(name);
+      return join(names);
+    }
+  } // namespace
+
+  BoundaryIds
+  to_ids(const std::string     &text,
+         const MeshGroups::Ids &groups,
+         const std::string     &what,
+         const std::string     &entry)
+  {
+    BoundaryIds ids;
+    std::string numbers;
+    for (const std::string &word : split(text, ','))
+      if (const auto found = groups.find(unquoted(word)); found != groups.end())
+        ids.insert(found->second.begin(), found->second.end());
+      else if (begins_like_a_name(word))
+        throw InputError(entry + ": '" + unquoted(word) + "' is not " + what +
+                         (groups.empty() ?
+                            ". Give whole numbers, separated by commas: the "
+                            "mesh has no groups with names." :
+                            ". The mesh has the groups " + names_of(groups) +
+                              ": give one of them, or a number."));
+      else
+        numbers += (numbers.empty() ? "" : ", ") + word;
+    if (!numbers.empty() || ids.empty())
+      ids.merge(conetact::to_ids(numbers, entry));
+    return ids;
+  }
+} // namespace conetact::bodies

@@ -1,0 +1,83 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Meshes of Gmsh as they come: formats, names of groups, several materials in a body, several bodies in a file."""
+from support.gmsh import FORMATS, gmsh_file, tower
+from support.scenes import contact, floor, joint, load, merge, support
+
+PRESSURE = 2.0
+SOFT, STIFF = 100.0, 400.0
+
+
+def column(dim, file, **material):
+    """A column on a floor, pressed from above; all sides by name. Poisson's ratio 0: stresses are uniform."""
+    return {"Dimension": dim,
+            "Body column": {"Mesh": {"File": file}, "Material": {"Poisson ratio": 0, **material}},
+            "Obstacle floor": floor(dim), "Contact bottom": contact("column", '"floor"'),
+            "Support left": support("left", "x", body="column"),
+            **({"Support front": support("front", "y", body="column")} if dim == 3 else {}),
+            "Load top": load("pressure", repr(PRESSURE), "top", "column"), "Output": {"VTU": 0}}
+
+
+def settlement(run):
+    """The mean way of the top, by the work of the pressure on it, which grows in one increment."""
+    return 2 * run.increments[-1]["external_work"] / PRESSURE
+
+
+def formats(laws):
+    """The same mesh in every format gives the same results; a column of two materials settles by the sum of both."""
+    for dim in (2, 3):
+        tables = []
+        for version, binary in FORMATS:
+            file = laws.folder / f"column-{version}-{binary}.msh"
+            file.write_bytes(gmsh_file(*tower(dim, 2, (1.0, .5), ("rubber", "steel")), version, binary))
+            run = laws.run(column(dim, file.name, **{"Material group": "rubber ; steel", "Young modulus": f"{SOFT} ; {STIFF}"}))
+            exact = PRESSURE * (1.0 / SOFT + .5 / STIFF)
+            what = f"{dim}D, {version} {'binary' if binary else 'text'}"
+            laws.check(f"{what}: settlement of two materials", abs(settlement(run) / exact - 1), 1e-12)
+            laws.check(f"{what}: pressure", max(abs(row["r_n"] / row["area"] / PRESSURE - 1) for row in run.rows), 1e-11)
+            tables.append([row["r_n"] for row in run.rows])
+        laws.demand(f"{dim}D: reactions do not depend on the format", all(table == tables[0] for table in tables))
+
+
+def bodies_of_a_file(laws):
+    """Two bodies of one file in contact at the group between them; overlapping groups by name and by number."""
+    file = laws.folder / "parts.msh"
+    for dim in (2, 3):
+        file.write_bytes(gmsh_file(*tower(dim, 2, (1.0, .5), ("rubber", "steel"))))
+        walls = {"Support lower": support("outside", "normal", body="lower"), "Support upper": support("24", "normal", body="upper")}
+        scene = {"Dimension": dim, **walls,
+                 "Body lower": {"Mesh": {"File": file.name, "Group": "rubber"},
+                                "Material": {"Poisson ratio": .3, "Young modulus": SOFT}},
+                 "Body upper": {"Mesh": {"File": file.name, "Group": "2"}, "Material": {"Poisson ratio": .3, "Young modulus": STIFF}},
+                 "Obstacle floor": floor(dim), "Contact bottom": contact("lower", "floor"),
+                 "Contact joint": joint("upper", "joint 0", "lower", "joint 0", **{"Friction coefficient": 0}),
+                 "Load top": load("pressure", repr(PRESSURE), "top", "upper"), "Output": {"VTU": 0}}
+        run = laws.run(scene)
+        for name in ("bottom", "joint"):
+            rows = [row for row in run.rows if row["contact"] == name]
+            laws.check(f"{dim}D, two bodies of a file: pressure of '{name}'",
+                       max(abs(row["r_n"] / row["area"] / PRESSURE - 1) for row in rows), 1e-10)
+        refined = merge(scene, {"Body lower": {"Mesh": {"Refinement distance": "joint 0 : 0.1 : 1"}}})
+        rows = [row for row in laws.run(refined).rows if row["contact"] == "bottom"]
+        laws.check(f"{dim}D, refined beside a group: pressure", max(abs(row["r_n"] / row["area"] / PRESSURE - 1) for row in rows), 1e-10)
+
+
+def heat(laws):
+    """Each material expands by itself: a heated column of two between plates and walls is pressed by the sum of both."""
+    file = laws.folder / "heated.msh"
+    file.write_bytes(gmsh_file(*tower(2, 2, (1.0, .5), ("rubber", "steel"))))
+    alpha, change = (1e-3, 3e-3), 10.0
+    scene = merge(column(2, file.name, **{"Material group": "rubber ; steel", "Young modulus": f"{SOFT} ; {STIFF}",
+                                          "Expansion coefficient": " ; ".join(map(repr, alpha))}),
+                  {"Body column": {"Mesh": {"Boundary ids": "99: x > 0.999"}}, "Load top": None,
+                   "Load heat": load("temperature", change, body="column"),
+                   "Support top": support("top", "y", body="column"), "Support right": support(99, "x", body="column")})
+    run = laws.run(scene)
+    stress = change * (alpha[0] * 1.0 + alpha[1] * .5) / (1.0 / SOFT + .5 / STIFF)
+    laws.check("heated column of two materials: pressure",
+               max(abs(row["r_n"] / row["area"] / stress - 1) for row in run.rows), 1e-12)
+
+
+def gmsh(laws):
+    for law in (formats, bodies_of_a_file, heat):
+        law(laws)

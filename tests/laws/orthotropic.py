@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Orthotropic materials along any axes: uniform stress, and a body that is turned with its material."""
+import itertools
+import math
+
+from support.scenes import ELEMENTS, box, contact, floor, load, merge, support
+
+MODULI, RATIOS, SHEAR = (1000.0, 400.0, 250.0), (.3, .25, .35), (300.0, 200.0, 120.0)
+PRESSURE = 2.0
+
+
+def orthotropic(body, axes=0.0, **entries):
+    return merge(body, {"Material": {"Young modulus": None, "Poisson ratio": None, "Young moduli": MODULI, "Poisson ratios": RATIOS,
+                                     "Shear moduli": SHEAR, "Axes": axes, **entries}})
+
+
+def along(degrees):
+    """Modulus along y of a plate in plane stress whose axes are turned, and the strain along x over that along y."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    both = 1 / SHEAR[0] - 2 * RATIOS[0] / MODULI[0]
+    young = 1 / (s**4 / MODULI[0] + c**4 / MODULI[1] + both * s**2 * c**2)
+    across = (1 / MODULI[0] + 1 / MODULI[1] - 1 / SHEAR[0]) * s**2 * c**2 - RATIOS[0] / MODULI[0] * (s**4 + c**4)
+    return young, across * young
+
+
+def settlement(run):
+    """The mean way of the loaded side of a unit block, by the work of its pressure."""
+    return 2 * run.increments[-1]["external_work"] / PRESSURE
+
+
+def pressed(dim, body):
+    """On a floor without friction."""
+    ids = (2, 3) if dim == 2 else (4, 5)
+    return {"Dimension": dim, "Body block": body, "Obstacle floor": floor(dim), "Contact bottom": contact(ids=ids[0]),
+            "Load top": load("pressure", repr(PRESSURE), ids[1]), "Output": {"VTU": 0}}
+
+
+def plates(laws):
+    for degrees, element in itertools.product((0.0, 30.0, 60.0, 90.0, 135.0), (*ELEMENTS, "P1")):
+        body = merge(orthotropic(box((4, 3), (1.0, 1.0)), degrees, Plane="stress"), {"Element": element})
+        young, ratio = along(degrees)
+        scene = pressed(2, body)
+        scene["Support foot"] = support(2, "x", f"{-ratio * PRESSURE / young!r}*x")  # as it strains by itself
+        run = laws.run(scene)
+        laws.check(f"plate, {element}, axes at {degrees}: modulus", abs(settlement(run) / (PRESSURE / young) - 1), 1e-11)
+        laws.check(f"plate, {element}, axes at {degrees}: friction of the foot",
+                   abs(run.increments[-1]["support_foot_f_x"]) / PRESSURE, 1e-11)
+        laws.check(f"plate, {element}, axes at {degrees}: pressure",
+                   max(abs(row["r_n"] / row["area"] / PRESSURE - 1) for row in run.rows), 1e-11)
+
+
+def blocks(laws):
+    """Turned by right angles about each axis a block is as stiff as along each of its own axes."""
+    for axis, degrees, stiff in (((0, 0, 1), 90.0, MODULI[2]), ((1, 0, 0), 90.0, MODULI[1]), ((0, 1, 0), 90.0, MODULI[0])):
+        scene = pressed(3, orthotropic(box((3, 2, 2), (1.0, 1.0, 1.0)), (*map(float, axis), degrees)))
+        run = laws.run({**scene, "Support left": support(0, "x"), "Support front": support(2, "y")})
+        laws.check(f"block turned about {axis}: modulus", abs(settlement(run) / (PRESSURE / stiff) - 1), 1e-11)
+
+
+def isotropic(laws):
+    """With equal moduli it is the isotropic material, whatever the axes."""
+    young, ratio = 1000.0, .3
+    for dim, plane in ((2, "strain"), (2, "stress"), (2, "axisymmetric"), (3, "strain")):
+        body = box((5, 4) if dim == 2 else (3, 3, 3), (1.0,) * dim)
+        both = []
+        for material in ({}, {"Young modulus": None, "Poisson ratio": None, "Young moduli": (young,) * 3, "Poisson ratios": (ratio,) * 3,
+                              "Shear moduli": (young / (2 + 2 * ratio),) * 3, "Axes": 27.0 if dim == 2 else (1.0, 2.0, -1.0, 27.0)}):
+            scene = merge(pressed(dim, merge(body, {"Material": {**material, **({"Plane": plane} if dim == 2 else {})}})),
+                          {"Contact bottom": {"Friction coefficient": .1},
+                           "Support top": support(3 if dim == 2 else 5, "x, y, z"[:3 * dim - 2], " ; ".join(["0"] * (dim - 1) + ["-0.01"]))})
+            both.append(laws.run(scene))
+        laws.same(f"{dim}D, {plane}: orthotropic with equal moduli", *both, 1e-10)
+
+
+def orthotropy(laws):
+    for law in (plates, blocks, isotropic):
+        law(laws)
