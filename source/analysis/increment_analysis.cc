@@ -195,7 +195,6 @@ namespace conetact::analysis
   {
     constexpr unsigned int most   = 30;
     constexpr double       exact  = 1e-9;
-    constexpr double       enough = 1e-3; // where facets meet there is no more
     double                 before = std::numeric_limits<double>::max();
     unsigned int           n_slow = 1;
     for (unsigned int &n = increment.record.pairings;;)
@@ -211,7 +210,7 @@ namespace conetact::analysis
         before             = error;
         if (error <= exact)
           return "";
-        if (change.gap <= enough && (is_slow || n == most))
+        if ((is_slow || n == most) && may_take(increment.record, change))
           {
             say_unsettled(increment.record, change);
             return "";
@@ -228,6 +227,25 @@ namespace conetact::analysis
             !why.empty())
           return why;
       }
+  }
+
+  bool
+  IncrementAnalysis::may_take(const output::IncrementRecord &record,
+                              const pairing::FoundChange    &change) const
+  {
+    constexpr double enough = 1e-3; // where facets meet there is no more
+    constexpr double nearly = 1e-2; // of directions
+    return change.gap <= enough &&
+           (change.force <= nearly ||
+            !parts.is_long(search.time(),
+                           duration(record.increment),
+                           scene.times[record.increment - 1]));
+  }
+
+  double
+  IncrementAnalysis::duration(const unsigned int k) const
+  {
+    return scene.times[k - 1] - (k > 1 ? scene.times[k - 2] : 0.);
   }
 
   void
@@ -252,9 +270,8 @@ namespace conetact::analysis
   bool
   IncrementAnalysis::cut(const unsigned int k)
   {
-    const double begin = search.time(), whole = scene.times[k - 1];
-    if (!lost_contacts ||
-        !parts.cut(begin, whole - (k > 1 ? scene.times[k - 2] : 0.), whole))
+    const double whole = scene.times[k - 1];
+    if (!lost_contacts || !parts.cut(search.time(), duration(k), whole))
       return false;
     log.note("increment " + std::to_string(k) +
              ": contacts that slide are not found, it is cut: a part up to "
