@@ -191,12 +191,12 @@ namespace conetact::analysis
   std::string
   IncrementAnalysis::settle(PendingIncrement &increment)
   {
-    constexpr unsigned int most   = 30;
-    constexpr double       exact  = 1e-9;
-    constexpr double       enough = 1e-3; // where facets meet there is no more
-    constexpr double strain = 1e-4; // what false strains are compared with
-    double           before = std::numeric_limits<double>::max();
-    unsigned int     n_slow = 1;
+    constexpr unsigned int most       = 30;
+    constexpr double       exact      = 1e-9;
+    constexpr double       least_turn = 1e-3; // where the rest is not exact
+    constexpr double       strain = 1e-4; // what false ones are compared with
+    double                 before = std::numeric_limits<double>::max();
+    unsigned int           n_slow = 1;
     for (unsigned int &n = increment.record.pairings;;)
       {
         const Eigen::VectorXd u =
@@ -214,7 +214,8 @@ namespace conetact::analysis
         before               = error;
         if (error <= exact)
           return "";
-        if (std::max(change.gap, turn) <= enough && (is_slow || n == most))
+        if ((is_slow || n == most) && turn <= least_turn &&
+            may_take(increment.record, change))
           {
             say_unsettled(increment.record, change);
             return "";
@@ -232,6 +233,25 @@ namespace conetact::analysis
             !why.empty())
           return why;
       }
+  }
+
+  bool
+  IncrementAnalysis::may_take(const output::IncrementRecord &record,
+                              const pairing::FoundChange    &change) const
+  {
+    constexpr double enough = 1e-3; // where facets meet there is no more
+    constexpr double nearly = 1e-2; // of directions
+    return change.gap <= enough &&
+           (change.force <= nearly ||
+            !parts.is_long(search.time(),
+                           duration(record.increment),
+                           scene.times[record.increment - 1]));
+  }
+
+  double
+  IncrementAnalysis::duration(const unsigned int k) const
+  {
+    return scene.times[k - 1] - (k > 1 ? scene.times[k - 2] : 0.);
   }
 
   void
@@ -256,9 +276,8 @@ namespace conetact::analysis
   bool
   IncrementAnalysis::cut(const unsigned int k)
   {
-    const double begin = search.time(), whole = scene.times[k - 1];
-    if (!lost_contacts ||
-        !parts.cut(begin, whole - (k > 1 ? scene.times[k - 2] : 0.), whole))
+    const double whole = scene.times[k - 1];
+    if (!lost_contacts || !parts.cut(search.time(), duration(k), whole))
       return false;
     log.note("increment " + std::to_string(k) +
              ": contacts that slide are not found, it is cut: a part up to "

@@ -5,6 +5,7 @@ import math
 
 from laws.driven import along_last, layer
 from laws.sliding import FAR, energy_error, place_of, slip_error
+from support.logs import log_of
 from support.scenes import box, contact, floor, load, merge, press_and_shear, support
 from support.surfaces import brick, write_msh, write_stl
 
@@ -156,6 +157,21 @@ def beside(laws):
     laws.check("  energies", energy_error(run), 1e-9)
 
 
+def in_parts(laws):
+    """A narrow block that jumps over hills: the increments are cut, and said to be."""
+    scene = {"Dimension": 2, "Body block": box((1, 4), (.1, .4), (-.05, .05)),
+             "Obstacle hill": {"Shape": "implicit", "Function": "y - 0.2*(1 - cos(2*pi*x))"},
+             "Contact bottom": contact(obstacle="hill", mu=.3, **FAR), "Support top": support(3, "x", "2*max(t - 1, 0)"),
+             "Load weight": load("pressure", "min(t, 1)", 3), "Time": {"Stages": "1 : 1, 2 : 3"}, "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    parts = [int(row["substeps"]) for row in run.increments]
+    laws.demand(f"increments in {parts} parts", max(parts) > 1)
+    laws.demand("  the log says so", "it is cut: a part up to t = " in log_of(run))
+    laws.check("  energies of whole increments", energy_error(run), 1e-9)
+    slips = sum(abs(row["du_t1"]) for row in run.rows if row["increment"] == 3)
+    laws.demand(f"  slips are those of whole increments: {slips:.3g}", slips > .5)
+
+
 def driven_far(laws):
-    for family in (spun, rolled, turned_box, shapes, pressed, beside):
+    for family in (spun, rolled, turned_box, shapes, pressed, beside, in_parts):
         family(laws)

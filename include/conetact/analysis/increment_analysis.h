@@ -64,13 +64,20 @@ namespace conetact::analysis
      */
     std::string
     settle(PendingIncrement &increment);
-    /** Contacts that are nearly those at the end: they are taken, and said. */
+    /** Whether contacts that do not stay are near enough to those at the end,
+     * or cutting the increment would not help. */
+    bool
+    may_take(const output::IncrementRecord &record,
+             const pairing::FoundChange    &change) const;
+    /** They are taken, and said. */
     void
     say_unsettled(const output::IncrementRecord &record,
                   const pairing::FoundChange    &change);
     /** Contacts of an increment were not found: shall it be cut in parts? */
     bool
     cut(const unsigned int increment);
+    double
+    duration(const unsigned int increment) const;
     void
     keep(output::IncrementRecord               record,
          std::vector<output::IncrementRecord> &finished);

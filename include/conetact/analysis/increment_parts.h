@@ -37,6 +37,14 @@ namespace conetact::analysis
     bool
     cut(const double begin, const double duration, const double whole);
 
+    /** Whether the part that is next is more than a quarter of its increment.
+     */
+    bool
+    is_long(const double begin, const double duration, const double whole) const
+    {
+      return end(whole) - begin > .3 * duration;
+    }
+
     /** A part was accepted. Returns whether it was the last one, whose record
      * becomes that of the increment. */
     bool

@@ -126,8 +126,6 @@ namespace conetact::application
     void
     check_sliding() const;
     void
-    refuse_beside_sliding(const std::string &in) const;
-    void
     keep_nodes();
 
     std::filesystem::path    file;
