@@ -77,7 +77,12 @@ namespace
     std::error_code ignored;
     for (const char *table : {"events.csv", "refinement.csv"})
       std::filesystem::remove(folder / table, ignored);
-    log.open(folder);
+    const bool goes_on =
+      scene.restart &&
+      std::filesystem::equivalent(scene.restart->folder, folder, ignored);
+    if (!goes_on)
+      std::filesystem::remove(folder / "checkpoint.bin", ignored);
+    log.open(folder, goes_on);
     write_atomically(folder / "used.prm", scene.values());
   }
 
@@ -110,6 +115,8 @@ namespace
     catch (const AnalysisError &error)
       {
         log.note(error.what());
+        if (analysis.has_results())
+          analysis.say_closing();
         note_work(analysis, log);
         throw;
       }
@@ -161,7 +168,7 @@ namespace
     if (scene.adaptive.cycles > 0)
       adaptive.advance(scene, analysis->last_increment(), folder, log);
     if (last)
-      log.say("Results are in " + folder.string());
+      analysis->say_closing();
     note_work(*analysis, log);
     return !last;
   }

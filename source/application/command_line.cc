@@ -18,6 +18,10 @@ Coulomb cone.
 
   -o, --output FOLDER           write there (default: output/SCENE)
   -s, --set SECTION/ENTRY=VALUE replace an entry of the scene; may be repeated
+      --restart FOLDER          go on from the last checkpoint in the FOLDER of
+                                results (Output/Checkpoint) with what the scene
+                                has beyond its time; loads, supports and times
+                                may be others
       --parameters              print all entries of the scene with their
                                 documentation
       --dry-run                 read, check and mesh the scene; report sizes,
@@ -42,6 +46,7 @@ converged, all increments before it are on disk; 3 cannot write.
     static const option long_options[] = {
       {"output", required_argument, nullptr, 'o'},
       {"set", required_argument, nullptr, 's'},
+      {"restart", required_argument, nullptr, 'r'},
       {"parameters", no_argument, nullptr, 'p'},
       {"dry-run", no_argument, nullptr, 'd'},
       {"verify", no_argument, nullptr, 'V'},
@@ -60,6 +65,11 @@ converged, all increments before it are on disk; 3 cannot write.
             line.folder = optarg;
             if (line.folder.empty())
               throw InputError("Option -o: the folder's name is empty.");
+            break;
+          case 'r':
+            line.restart = optarg;
+            if (line.restart.empty())
+              throw InputError("Option --restart: the folder's name is empty.");
             break;
           case 's':
             line.overrides.emplace_back(optarg);

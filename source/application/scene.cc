@@ -125,6 +125,10 @@ namespace conetact::application
       throw InputError("Bodies: the scene names no body. Add for example "
                        "'set Bodies = block' and 'subsection Body block'.");
     read_options();
+    refuse_checkpoints();
+    if (!line.restart.empty())
+      continue_from(line.restart);
+    read_problem_increments();
   }
 
   void
@@ -186,6 +190,20 @@ namespace conetact::application
                       dealii::Patterns::Integer(0),
                       "Write VTU files for ParaView at every n-th increment; "
                       "0: none.");
+    prm.declare_entry("Probes",
+                      "",
+                      dealii::Patterns::Anything(),
+                      "Points of the undeformed bodies whose displacement "
+                      "history.csv tells, each with a name: 'tip: 1, 0, 0 ; "
+                      "edge: 0.5, 0, 1'; 'edge in block: 0.5, 0, 1' where "
+                      "several bodies hold the point. Between nodes it is that "
+                      "of the element [length].");
+    prm.declare_entry("Checkpoint",
+                      "0",
+                      dealii::Patterns::Integer(0),
+                      "Keep what is needed to go on with --restart, in "
+                      "checkpoint.bin, at every n-th increment and at the "
+                      "last one; 0: never.");
     prm.declare_entry("FCLib increments",
                       "",
                       dealii::Patterns::Anything(),
@@ -221,7 +239,15 @@ namespace conetact::application
       prm.get("Working set") == "automatic" && !path.follows;
     prm.leave_subsection();
     prm.enter_subsection("Output");
-    vtu_every = static_cast<unsigned int>(prm.get_integer("VTU"));
+    vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));
+    checkpoint_every = static_cast<unsigned int>(prm.get_integer("Checkpoint"));
+    prm.leave_subsection();
+  }
+
+  void
+  Scene::read_problem_increments()
+  {
+    prm.enter_subsection("Output");
     const auto increments_of = [&](const std::string &entry) {
       return output::parse_problem_increments(prm.get(entry),
                                               static_cast<unsigned int>(
@@ -271,13 +297,18 @@ namespace conetact::application
                          "there is one tangent only in 2D. Leave it empty.");
     });
     contact_sides = contact_names;
+    for (const pairing::Contact &contact : contacts)
+      side_bodies.push_back(contact.body);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const bool pair = contacts[c].obstacle == nullptr;
         master_side.push_back(
           pair ? static_cast<unsigned int>(contact_sides.size()) : c);
         if (pair)
-          contact_sides.push_back(contact_names[c] + "_master");
+          {
+            contact_sides.push_back(contact_names[c] + "_master");
+            side_bodies.push_back(contacts[c].master);
+          }
       }
     pairing::ContactNodes found = pairing::find_contact_nodes(contacts,
                                                               bodies.names,
@@ -288,6 +319,13 @@ namespace conetact::application
     contact::align_with_supports(bodies);
     contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();
+    prm.enter_subsection("Output");
+    probes = bodies::parse_probes(prm.get("Probes"),
+                                  dim,
+                                  bodies.names,
+                                  bodies.structures,
+                                  "Output, Probes");
+    prm.leave_subsection();
     check_path();
     check_adaptive(adaptive, bodies.structures);
     for (auto &body : contact::add_free_obstacles(obstacles, bodies))

@@ -399,6 +399,17 @@ namespace conetact::application
       }
   }
 
+  Entries
+  entries_of(const std::string &text)
+  {
+    Entries entries;
+    for (const Line &line : read_lines(text))
+      if (line.kind == Line::Kind::set)
+        entries[join(line.path, "/") + (line.path.empty() ? "" : "/") +
+                line.name] = value_of(line);
+    return entries;
+  }
+
   void
   parse_override(Handler           &prm,
                  const std::string &override,

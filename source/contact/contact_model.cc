@@ -280,6 +280,27 @@ namespace conetact::contact
     return sum;
   }
 
+  namespace
+  {
+    std::vector<double>
+    to_numbers(const std::vector<solvers::NodeState> &states)
+    {
+      std::vector<double> numbers;
+      for (const solvers::NodeState state : states)
+        numbers.push_back(static_cast<double>(state));
+      return numbers;
+    }
+
+    std::vector<solvers::NodeState>
+    to_states(const std::vector<double> &numbers)
+    {
+      std::vector<solvers::NodeState> states;
+      for (const double number : numbers)
+        states.push_back(static_cast<solvers::NodeState>(number));
+      return states;
+    }
+  } // namespace
+
   ContactHistory::ContactHistory(ContactModel &m)
     : model(&m)
     , initial_gap(m.points.layout().n_nodes())
@@ -334,6 +355,38 @@ namespace conetact::contact
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       gap[i] += q[layout.normal(i)];
     return gap;
+  }
+
+  void
+  ContactHistory::save(Archive &archive) const
+  {
+    archive.put("contact/q", q);
+    archive.put("contact/r", r);
+    archive.put("contact/elastic", elastic);
+    archive.put("contact/a", a);
+    archive.put("contact/base", base);
+    archive.put("contact/largest", largest);
+    archive.put("contact/gap", initial_gap);
+    archive.put("contact/states", to_numbers(states));
+  }
+
+  void
+  ContactHistory::restore(const Archive &archive)
+  {
+    Eigen::VectorXd gap(initial_gap.size());
+    archive.fill("contact/gap", gap);
+    if ((gap - initial_gap).lpNorm<Eigen::Infinity>() >
+        1e-12 * gap.lpNorm<Eigen::Infinity>())
+      throw InputError("The checkpoint does not fit the scene: contact nodes "
+                       "have other gaps. Meshes and obstacles must be those "
+                       "of the run that is continued.");
+    archive.fill("contact/q", q);
+    archive.fill("contact/r", r);
+    archive.fill("contact/elastic", elastic);
+    archive.fill("contact/a", a);
+    archive.fill("contact/base", base);
+    archive.fill("contact/largest", largest);
+    states = to_states(archive.get("contact/states"));
   }
 
   solvers::ContactProblem

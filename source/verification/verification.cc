@@ -395,6 +395,20 @@ namespace conetact::verification
   }
 
   void
+  Verification::save(Archive &archive) const
+  {
+    archive.put("verification/before", before);
+    archive.put("verification/history", history);
+  }
+
+  void
+  Verification::restore(const Archive &archive)
+  {
+    archive.fill("verification/before", before);
+    archive.fill("verification/history", history);
+  }
+
+  void
   Verification::accept(const Claim &, const Finding &finding)
   {
     // The slip of the next increment starts here.

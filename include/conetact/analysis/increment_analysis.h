@@ -45,6 +45,11 @@ namespace conetact::analysis
       Eigen::VectorXd gaps; ///< of all candidates, some negative [length]
     };
 
+    /** Keeps the state after the increments on disk, where that is wanted. */
+    void
+    save_state(const bool at_end);
+    void
+    restore_state();
     std::size_t
     batch_size(const unsigned int n_finished) const;
     /** Solves increments from `first` on, up to one that fails. */
@@ -90,6 +95,7 @@ namespace conetact::analysis
 
     std::unique_ptr<solvers::ContactSolver>  solver;
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
+    unsigned int n_saved      = 0;     ///< increments before the checkpoint
     unsigned int first_unsure = 0;     ///< increments before the last one
     bool         correcting   = false; ///< increments need refinement
   };

@@ -16,6 +16,7 @@ namespace conetact::application
   {
     std::filesystem::path    scene;
     std::filesystem::path    folder;    ///< of results; empty: the default
+    std::filesystem::path    restart;   ///< folder of the run to be continued
     std::vector<std::string> overrides; ///< "Section/Entry=value"
     bool                     print_parameters = false;
     bool                     dry_run          = false;

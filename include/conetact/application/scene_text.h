@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <string>
 
 namespace conetact::application
@@ -28,6 +29,11 @@ namespace conetact::application
    */
   void
   refuse_repeats(const std::string &text, const std::string &file);
+
+  /** Values by their paths, "Contact bottom/Friction coefficient". */
+  using Entries = std::map<std::string, std::string>;
+  Entries
+  entries_of(const std::string &text);
 
   /**
    * Sets one entry, "A/B/Entry=value" of the command line. Throws InputError,

@@ -42,6 +42,16 @@ namespace conetact::contact
          const double                 t,
          const bool                   whole = true);
 
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
+
+    /** Before the first increment: gaps, and nothing else. */
+    std::vector<output::ContactRow>
+    undeformed() const;
+
   private:
     void
     set_candidate(const std::size_t            i,

@@ -27,6 +27,13 @@ namespace conetact::verification
         const Finding                &finding,
         output::IncrementRecord      &record);
 
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive, const std::vector<std::string> &supports) const;
+    /** Springs of supports that the checkpoint does not know are new. */
+    void
+    restore(const Archive &archive, const std::vector<std::string> &supports);
+
   private:
     struct State
     {

@@ -91,6 +91,12 @@ namespace conetact::verification
     void
     accept(const Claim &claim, const Finding &finding);
 
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
+
   private:
     struct Scales;
     Scales

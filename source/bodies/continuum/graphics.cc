@@ -3,87 +3,14 @@
 
 #include "conetact/bodies/continuum/graphics.h"
 
-#include "conetact/base/atomic_file.h"
-
-#include <deal.II/base/data_out_base.h>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
-#include <sstream>
 
 namespace conetact::bodies
 {
   namespace
   {
-    using DataRanges = std::vector<std::tuple<
-      unsigned int,
-      unsigned int,
-      std::string,
-      dealii::DataComponentInterpretation::DataComponentInterpretation>>;
-
-    constexpr unsigned int n_fields = 3 + 9 + 1;
-    /** A row for each node: displacement, stress by rows, von Mises. */
-    using NodalFields =
-      Eigen::Matrix<double, Eigen::Dynamic, n_fields, Eigen::RowMajor>;
-
-    /** Nodal fields in the form that deal.II's writers take. */
-    template <int dim>
-    class NodalOutput : public dealii::DataOutInterface<dim, 3>
-    {
-    public:
-      using Patch = dealii::DataOutBase::Patch<dim, 3>;
-
-      NodalOutput(const ContinuumMesh<dim> &mesh, const NodalFields &fields)
-        : patches(mesh.n_cells())
-      {
-        for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-          {
-            const auto cell      = mesh.cell(c);
-            Patch     &patch     = patches[c];
-            patch.patch_index    = c;
-            patch.reference_cell = kind(mesh.n_cell_nodes);
-            patch.data.reinit(n_fields, static_cast<unsigned int>(cell.size()));
-            for (unsigned int v = 0; v < cell.size(); ++v)
-              {
-                patch.vertices[v] = to_space(mesh.nodes[cell[v]]);
-                for (unsigned int i = 0; i < n_fields; ++i)
-                  patch.data(i, v) = static_cast<float>(fields(cell[v], i));
-              }
-          }
-      }
-
-    private:
-      std::vector<Patch> patches;
-
-      static dealii::ReferenceCell
-      kind(const unsigned int n_nodes)
-      {
-        return n_nodes == dim + 1 ?
-                 dealii::ReferenceCells::get_simplex<dim>() :
-                 dealii::ReferenceCells::get_hypercube<dim>();
-      }
-
-      const std::vector<Patch> &
-      get_patches() const override
-      {
-        return patches;
-      }
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        std::vector<std::string> names(3, "displacement");
-        names.insert(names.end(), 9, "stress");
-        names.push_back("von_mises");
-        return names;
-      }
-      DataRanges
-      get_nonscalar_data_ranges() const override
-      {
-        using namespace dealii::DataComponentInterpretation;
-        return {{0, 2, "displacement", component_is_part_of_vector},
-                {3, 11, "stress", component_is_part_of_tensor}};
-      }
-    };
-
     /** Sum over the cells of a node, divided by their number. */
     template <int dim>
     Eigen::MatrixXd
@@ -146,62 +73,148 @@ namespace conetact::bodies
     }
 
     double
-    von_mises(const Eigen::Matrix3d &stress)
+    equivalent(const Eigen::Matrix3d &stress)
     {
       const Eigen::Matrix3d deviator =
         stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
       return std::sqrt(1.5) * deviator.norm();
     }
+    /** Hooke's law in space, which holds in plane strain and stress, too. */
+    Eigen::Matrix3d
+    strain_of(const Eigen::Matrix3d &stress,
+              const ElasticMaterial &material,
+              const double           temperature)
+    {
+      const double E = material.young_modulus, nu = material.poisson_ratio;
+      return (1 + nu) / E * stress +
+             (material.expansion * temperature - nu / E * stress.trace()) *
+               Eigen::Matrix3d::Identity();
+    }
+
+    /** The largest first. */
+    Eigen::Vector3d
+    principal(const Eigen::Matrix3d &symmetric)
+    {
+      return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+               symmetric, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .reverse();
+    }
+
+    /** Fields of the nodes, filled node by node. */
+    struct NodalFields
+    {
+      VtuField displacement = {"displacement", 3, {}};
+      VtuField stress       = {"stress", 9, {}};
+      VtuField von_mises    = {"von_mises", 1, {}};
+      VtuField strain       = {"strain", 9, {}};
+      VtuField principal_stresses{"principal_stresses",
+                                  3,
+                                  {},
+                                  {"largest", "middle", "least"}};
+      VtuField principal_strains{"principal_strains",
+                                 3,
+                                 {},
+                                 {"largest", "middle", "least"}};
+
+      template <class Values>
+      static void
+      append(VtuField &field, const Values &values)
+      {
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+          field.values.push_back(values.data()[i]);
+      }
+
+      void
+      append(const Eigen::Matrix3d &stress_here,
+             const ElasticMaterial &material,
+             const double           temperature)
+      {
+        const Eigen::Matrix3d strain_here =
+          strain_of(stress_here, material, temperature);
+        append(stress, stress_here);
+        von_mises.values.push_back(equivalent(stress_here));
+        append(strain, strain_here);
+        append(principal_stresses, principal(stress_here));
+        append(principal_strains, principal(strain_here));
+      }
+
+      std::vector<VtuField>
+      all() &&
+      {
+        return {std::move(displacement),
+                std::move(stress),
+                std::move(von_mises),
+                std::move(strain),
+                std::move(principal_stresses),
+                std::move(principal_strains)};
+      }
+    };
+
+    template <int dim>
+    VtuGrid::Shape
+    shape_of(const unsigned int n_cell_nodes)
+    {
+      using Shape = VtuGrid::Shape;
+      if (n_cell_nodes == dim + 1)
+        return dim == 2 ? Shape::triangle : Shape::tetrahedron;
+      return dim == 2 ? Shape::quadrilateral : Shape::hexahedron;
+    }
+
+    template <int dim>
+    VtuGrid
+    bare_grid(const ContinuumMesh<dim> &mesh)
+    {
+      VtuGrid grid;
+      for (const Point<dim> &node : mesh.nodes)
+        grid.points.push_back(to_space(node));
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        {
+          const auto cell = mesh.cell(c);
+          grid.add_cell(shape_of<dim>(mesh.n_cell_nodes),
+                        {cell.begin(), cell.end()});
+        }
+      grid.cell_ids = {{"material_id", mesh.material_ids}};
+      return grid;
+    }
   } // namespace
 
   template <int dim>
-  void
-  write_continuum(const ContinuumMesh<dim>      &mesh,
-                  const ElementFormulation<dim> &element,
-                  const ElasticMaterial         &material,
-                  const Eigen::VectorXd         &u,
-                  const Eigen::VectorXd         &w,
-                  const Eigen::VectorXd         &temperature,
-                  const double                   time,
-                  const std::filesystem::path   &file)
+  VtuGrid
+  draw_continuum(const ContinuumMesh<dim>      &mesh,
+                 const ElementFormulation<dim> &element,
+                 const ElasticMaterial         &material,
+                 const Eigen::VectorXd         &u,
+                 const Eigen::VectorXd         &w,
+                 const Eigen::VectorXd         &temperature)
   {
     const Eigen::MatrixXd stresses =
       averaged_stresses(mesh, element, material, w, temperature);
-    NodalFields fields = NodalFields::Zero(stresses.cols(), n_fields);
-    for (Eigen::Index i = 0; i < fields.rows(); ++i)
+    NodalFields fields;
+    for (Eigen::Index i = 0; i < stresses.cols(); ++i)
       {
-        fields.row(i).template head<dim>() = u.segment<dim>(dim * i);
-        const Eigen::Matrix3d stress       = tensor(stresses.col(i));
-        fields.row(i).segment<9>(3) =
-          Eigen::Map<const Eigen::Matrix<double, 1, 9>>(stress.data());
-        fields(i, 12) = von_mises(stress);
+        Eigen::Vector3d displacement      = Eigen::Vector3d::Zero();
+        displacement.template head<dim>() = u.segment<dim>(dim * i);
+        NodalFields::append(fields.displacement, displacement);
+        fields.append(tensor(stresses.col(i)), material, temperature[i]);
       }
-
-    NodalOutput<dim>              output(mesh, fields);
-    dealii::DataOutBase::VtkFlags flags(time, 0, false);
-    flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
-    output.set_flags(flags);
-    std::ostringstream text;
-    output.write_vtu(text);
-    write_atomically(file, text.str());
+    VtuGrid grid      = bare_grid(mesh);
+    grid.point_fields = std::move(fields).all();
+    return grid;
   }
 
-  template void
-  write_continuum<2>(const ContinuumMesh<2> &,
-                     const ElementFormulation<2> &,
-                     const ElasticMaterial &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const double,
-                     const std::filesystem::path &);
-  template void
-  write_continuum<3>(const ContinuumMesh<3> &,
-                     const ElementFormulation<3> &,
-                     const ElasticMaterial &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const double,
-                     const std::filesystem::path &);
+  template VtuGrid
+  draw_continuum<2>(const ContinuumMesh<2> &,
+                    const ElementFormulation<2> &,
+                    const ElasticMaterial &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &);
+  template VtuGrid
+  draw_continuum<3>(const ContinuumMesh<3> &,
+                    const ElementFormulation<3> &,
+                    const ElasticMaterial &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &);
 } // namespace conetact::bodies

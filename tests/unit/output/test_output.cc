@@ -78,16 +78,17 @@ namespace
     {
       return {};
     }
-    void
-    write_graphics(const Eigen::VectorXd &u,
-                   const Eigen::VectorXd &w,
-                   const Actions &,
-                   const double,
-                   const fs::path &file) const override
+    VtuGrid
+    drawing(const Eigen::VectorXd &u,
+            const Eigen::VectorXd &w,
+            const Actions &) const override
     {
       if (fails)
         throw WriteError("full");
-      std::ofstream(file) << u.transpose() << " | " << w.transpose();
+      VtuGrid grid;
+      grid.points       = {Point<3>(u[0], w[0], 0)};
+      grid.point_fields = {{"displacement", 1, {u[0]}}};
+      return grid;
     }
   };
 
