@@ -5,6 +5,8 @@
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/make_analysis.h"
 #include "conetact/application/command_line.h"
+#include "conetact/application/located.h"
+#include "conetact/application/manual.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
@@ -217,23 +219,27 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  ProcessSession process;
+  ProcessSession           process;
+  application::CommandLine line;
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try
     {
       refuse_many_processes(ranks_of_mpirun().size);
-      const application::CommandLine line =
-        application::parse_command_line(argc, argv);
-      if (line.answer.empty())
-        run(line);
-      else
+      line = application::parse_command_line(argc, argv);
+      if (!line.answer.empty())
         std::cout << line.answer;
+      else if (!line.new_scene.empty())
+        std::cout << application::write_starter_scene(line.new_scene);
+      else if (line.scene.empty())
+        std::cout << application::manual();
+      else
+        run(line);
       return 0;
     }
   catch (const InputError &error)
     {
-      return say(error.what(), 1);
+      return say(application::located(error.what(), line), 1);
     }
   catch (const AnalysisError &error)
     {

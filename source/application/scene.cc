@@ -4,6 +4,7 @@
 #include "conetact/application/scene.h"
 
 #include "conetact/application/load_history.h"
+#include "conetact/application/scene_entries.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/base/errors.h"
@@ -15,7 +16,6 @@
 #include "conetact/pairing/obstacle_table.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -24,23 +24,6 @@ namespace conetact::application
   namespace
   {
     using Handler = dealii::ParameterHandler;
-
-    std::string
-    read_file(const std::filesystem::path &file)
-    {
-      std::ifstream      stream(file);
-      std::ostringstream text;
-      // Of an empty file nothing can be inserted, which is no failure to read.
-      const bool is_empty = stream.peek() == std::ifstream::traits_type::eof();
-      if (std::filesystem::is_directory(file) || !stream.is_open() ||
-          (!is_empty && !(text << stream.rdbuf())))
-        throw InputError("The scene file " + file.string() +
-                         " cannot be read. Check its name and permissions.");
-      // some editors begin files with a mark of their encoding
-      const std::string mark = "\xef\xbb\xbf";
-      const std::string all  = text.str();
-      return all.rfind(mark, 0) == 0 ? all.substr(mark.size()) : all;
-    }
 
     std::vector<std::string>
     get_names(Handler &prm, const std::string &list)
@@ -55,45 +38,6 @@ namespace conetact::application
           throw InputError(list + ": '" + name +
                            "' stands there twice. Give each one its own name.");
       return names;
-    }
-
-    void
-    declare_names(Handler &prm)
-    {
-      using namespace dealii::Patterns;
-      prm.declare_entry("Dimension",
-                        "2",
-                        Selection("2|3"),
-                        "Dimension of space: 2 (plane strain or stress) or 3.");
-      const auto declare = [&](const std::string &list,
-                               const std::string &what) {
-        prm.declare_entry(list,
-                          "",
-                          Anything(),
-                          "Names of " + what +
-                            ", separated by commas; each has "
-                            "its own subsection.");
-      };
-      declare("Bodies", "the elastic bodies");
-      declare("Obstacles", "the rigid obstacles");
-      declare("Contacts", "the contacts");
-      declare("Supports", "the supports");
-      declare("Loads", "the loads");
-    }
-
-    template <typename Declare>
-    void
-    declare_each(Handler                        &prm,
-                 const std::string              &kind,
-                 const std::vector<std::string> &names,
-                 const Declare                  &declare)
-    {
-      for (const std::string &name : names)
-        {
-          prm.enter_subsection(kind + " " + name);
-          declare(prm);
-          prm.leave_subsection();
-        }
     }
 
     template <typename Create>
@@ -115,11 +59,13 @@ namespace conetact::application
   Scene::Scene(const CommandLine &line)
     : file(line.scene)
     , overrides(line.overrides)
-    , text(read_file(line.scene))
+    , text(read_scene_file(line.scene))
   {
-    refuse_repeats(text, file.string());
+    refuse_repeats(text);
     read_names();
-    declare();
+    declare_scene(
+      prm,
+      {bodies.names, obstacle_names, contact_names, support_names, load_names});
     parse_all(prm, false);
     if (bodies.names.empty())
       throw InputError("Bodies: the scene names no body. Add for example "
@@ -134,7 +80,7 @@ namespace conetact::application
   void
   Scene::parse_all(Handler &handler, const bool skip_undefined) const
   {
-    parse_scene_text(handler, text, file.string(), skip_undefined);
+    parse_scene_text(handler, text, skip_undefined);
     for (const std::string &override : overrides)
       parse_override(handler, override, skip_undefined);
   }
@@ -143,7 +89,7 @@ namespace conetact::application
   Scene::read_names()
   {
     Handler lists;
-    declare_names(lists);
+    declare_lists(lists);
     parse_all(lists, true);
     bodies.dim     = static_cast<unsigned int>(lists.get_integer("Dimension"));
     bodies.names   = get_names(lists, "Bodies");
@@ -151,76 +97,6 @@ namespace conetact::application
     contact_names  = get_names(lists, "Contacts");
     support_names  = get_names(lists, "Supports");
     load_names     = get_names(lists, "Loads");
-  }
-
-  void
-  Scene::declare()
-  {
-    declare_names(prm);
-    declare_adaptive(prm);
-    declare_each(prm, "Body", bodies.names, bodies::declare_body);
-    declare_each(prm, "Obstacle", obstacle_names, pairing::declare_obstacle);
-    declare_each(prm, "Contact", contact_names, pairing::declare_contact);
-    declare_each(prm, "Support", support_names, bodies::declare_support);
-    declare_each(prm, "Load", load_names, bodies::declare_load);
-    prm.enter_subsection("Time");
-    declare_time(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Solver");
-    declare_solver(prm);
-    prm.declare_entry("Threads",
-                      "1",
-                      dealii::Patterns::Integer(0, 1024),
-                      "Threads of the factorisation of the bodies' stiffness; "
-                      "0: one for each core. Results do not depend on it but "
-                      "for rounding.");
-    prm.declare_entry("Working set",
-                      "automatic",
-                      dealii::Patterns::Selection("automatic|all"),
-                      "Contact nodes that are condensed. automatic: those that "
-                      "are likely to touch, where that saves much; as soon as "
-                      "another one would penetrate it joins them, so that the "
-                      "result is that of all. all: all from the start, as "
-                      "where condensed problems are written, and for the load "
-                      "path.");
-    prm.leave_subsection();
-    prm.enter_subsection("Output");
-    prm.declare_entry("VTU",
-                      "1",
-                      dealii::Patterns::Integer(0),
-                      "Write VTU files for ParaView at every n-th increment; "
-                      "0: none.");
-    prm.declare_entry("Probes",
-                      "",
-                      dealii::Patterns::Anything(),
-                      "Points of the undeformed bodies whose displacement "
-                      "history.csv tells, each with a name: 'tip: 1, 0, 0 ; "
-                      "edge: 0.5, 0, 1'; 'edge in block: 0.5, 0, 1' where "
-                      "several bodies hold the point. Between nodes it is that "
-                      "of the element [length].");
-    prm.declare_entry("Checkpoint",
-                      "0",
-                      dealii::Patterns::Integer(0),
-                      "Keep what is needed to go on with --restart, in "
-                      "checkpoint.bin, at every n-th increment and at the "
-                      "last one; 0: never.");
-    prm.declare_entry("FCLib increments",
-                      "",
-                      dealii::Patterns::Anything(),
-                      "Write the condensed problem of these increments "
-                      "(numbers from 1 on separated by commas, or all) with "
-                      "its solution as problem-0001.hdf5, ..., local problems "
-                      "of FCLib; empty: none.");
-    prm.declare_entry("Text increments",
-                      "",
-                      dealii::Patterns::Anything(),
-                      "Write the condensed problem of these increments "
-                      "(numbers from 1 on separated by commas, or all) as "
-                      "plain text, problem-0001.txt, ..., in the units of the "
-                      "scene, for conetact-reproductions or a script; of a "
-                      "load path: of these stages, with its constant loads "
-                      "as problem-0000.txt; empty: none.");
-    prm.leave_subsection();
   }
 
   void

@@ -282,6 +282,15 @@ namespace conetact::contact
 
   namespace
   {
+    std::vector<Tensor<1, 3>>
+    directions_of(const ContactPoints &points)
+    {
+      std::vector<Tensor<1, 3>> all;
+      for (const ContactPoint &point : points.all())
+        all.insert(all.end(), point.directions.begin(), point.directions.end());
+      return all;
+    }
+
     std::vector<double>
     to_numbers(const std::vector<solvers::NodeState> &states)
     {
@@ -367,6 +376,7 @@ namespace conetact::contact
     archive.put("contact/base", base);
     archive.put("contact/largest", largest);
     archive.put("contact/gap", initial_gap);
+    archive.put("contact/directions", directions_of(model->points));
     archive.put("contact/states", to_numbers(states));
   }
 
@@ -375,18 +385,29 @@ namespace conetact::contact
   {
     Eigen::VectorXd gap(initial_gap.size());
     archive.fill("contact/gap", gap);
-    if ((gap - initial_gap).lpNorm<Eigen::Infinity>() >
-        1e-12 * gap.lpNorm<Eigen::Infinity>())
+    std::vector<Tensor<1, 3>> now = directions_of(model->points), then(now);
+    archive.fill("contact/directions", then);
+    double turned = conetact::solvers::largest(gap - initial_gap) /
+                    std::max(conetact::solvers::largest(gap), 1e-300);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      turned = std::max(turned, (now[i] - then[i]).norm());
+    if (turned > 1e-9)
       throw InputError("The checkpoint does not fit the scene: contact nodes "
-                       "have other gaps. Meshes and obstacles must be those "
-                       "of the run that is continued.");
+                       "have other gaps or directions. Meshes, obstacles and "
+                       "supports of contact nodes must be those of the run "
+                       "that is continued.");
     archive.fill("contact/q", q);
     archive.fill("contact/r", r);
     archive.fill("contact/elastic", elastic);
-    archive.fill("contact/a", a);
-    archive.fill("contact/base", base);
     archive.fill("contact/largest", largest);
     states = to_states(archive.get("contact/states"));
+    // Where other supports leave other motions free, the problem is written
+    // about the undeformed place, which is as good.
+    if (archive.get("contact/a").size() == static_cast<std::size_t>(a.size()))
+      {
+        archive.fill("contact/a", a);
+        archive.fill("contact/base", base);
+      }
   }
 
   solvers::ContactProblem

@@ -6,6 +6,7 @@
 
 #include "conetact/application/adaptive_settings.h"
 #include "conetact/application/command_line.h"
+#include "conetact/application/scene_file.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/base/archive.h"
 #include "conetact/bodies/nodal_loads.h"
@@ -132,8 +133,6 @@ namespace conetact::application
     void
     read_names();
     void
-    declare();
-    void
     read_options();
     void
     read_problem_increments();
@@ -150,7 +149,7 @@ namespace conetact::application
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;
-    std::string              text; ///< of the file
+    SceneText                text; ///< of the file and what it includes
     std::vector<std::string> obstacle_names;
 
     mutable dealii::ParameterHandler                prm;
