@@ -137,12 +137,12 @@ class Series:
                 contacts.draw_map(figure, panel, contact, same, self.units)
             else:
                 contacts.draw_line(panel, contact, same, self.result, self.units)
-        save(figure, file)
+        save(figure, file, self.args.dpi)
 
 
-def save(figure, file):
+def save(figure, file, dpi):
     try:
-        figure.savefig(file, dpi=130)
+        figure.savefig(file, dpi=dpi)
     except (OSError, ValueError) as error:
         raise ConetactError(f"{file} cannot be written: {error}") from None
     plt.close(figure)
@@ -163,6 +163,7 @@ def parse(arguments):
     parser.add_argument("--amplify", type=float, help="displacements are drawn so many times larger; default: to be seen")
     parser.add_argument("--contact", help="only this contact on the right")
     parser.add_argument("--no-contacts", action="store_true", help="only the bodies")
+    parser.add_argument("--dpi", type=int, default=130, help="dots an inch; default 130")
     parser.add_argument("--units", help="of length, force and stress, such as 'mm, N, MPa'; default: those of the scene")
     parser.add_argument("--view", type=view, default=(22., -60.), metavar="ELEVATION,AZIMUTH", help="in space, degrees")
     args = parser.parse_args(arguments)

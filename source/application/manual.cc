@@ -113,7 +113,9 @@ end
       for (std::string raw; std::getline(stream, raw);)
         {
           const std::string line = trim(raw);
-          if (line.rfind("# ", 0) == 0)
+          if (line.rfind("# ---", 0) == 0)
+            about.clear(); // of the head of the listing
+          else if (line.rfind("# ", 0) == 0)
             about += (about.empty() ? "" : " ") + comment(line);
           else if (line.rfind("set ", 0) == 0)
             page += entry(line, about);

@@ -78,10 +78,11 @@ namespace conetact::output
               n_kept)
           entries += line + '\n';
       }
-    if (!entries.empty())
-      return write();
     std::error_code ignored; // if it cannot be removed, nor can it be written
-    fs::remove(file, ignored);
+    if (entries.empty())
+      fs::remove(file, ignored);
+    else
+      write();
   }
 
 

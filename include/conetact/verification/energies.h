@@ -4,6 +4,7 @@
 #ifndef conetact_verification_energies_h
 #define conetact_verification_energies_h
 
+#include "conetact/base/archive.h"
 #include "conetact/output/output.h"
 #include "conetact/verification/verification.h"
 

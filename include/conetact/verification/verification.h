@@ -4,6 +4,7 @@
 #ifndef conetact_verification_verification_h
 #define conetact_verification_verification_h
 
+#include "conetact/base/archive.h"
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
