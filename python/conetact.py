@@ -32,7 +32,8 @@ from vtu import read_vtu
 
 TOP = Path(__file__).resolve().parent.parent
 INTEGERS = ("increment", "node", "substeps", "iterations", "open", "stick", "slip", "event")
-TEXTS = ("contact", "state", "solver", "determinate", "from", "to")
+TEXTS = ("contact", "state", "solver", "determinate", "from", "to", "largest_displacement_body",
+         "largest_pressure_contact")
 
 
 class ConetactError(Exception):
@@ -128,7 +129,7 @@ class Result:
         return f"Result({str(self.folder)!r}, changes={self.changes}, exit_code={self.exit_code})"
 
     def table(self, name):
-        """Any table: `reactions`, `increments`, `refinement`."""
+        """Any table: `reactions`, `increments`, `history`, `refinement`."""
         if name not in self._tables:
             self._tables[name] = read_table(self.folder / f"{name}.csv")
         return self._tables[name]
@@ -140,6 +141,11 @@ class Result:
     @property
     def increments(self):
         return self.table("increments")
+
+    @property
+    def history(self):
+        """Largest displacement and pressure of each increment, displacements of the probes."""
+        return self.table("history")
 
     @property
     def events(self):
@@ -186,14 +192,19 @@ class Result:
             raise ResultError(f"{self.folder} holds no {name}: is it a folder of results?") from None
 
     def drawn_increments(self):
-        """Those with VTU files."""
+        """Those with VTU files, but for 0, the undeformed bodies."""
         found = (re.fullmatch(r"solution-.+-(\d{4,})\.vtu", file.name) for file in self.folder.iterdir())
-        return sorted({int(match[1]) for match in found if match})
+        return sorted({int(match[1]) for match in found if match and int(match[1]) > 0})
 
     def bodies(self, increment):
         """Meshes with displacements and stresses by the names of bodies (letters that files cannot have are _)."""
         files = sorted(self.folder.glob(f"solution-*-{increment:04}.vtu"))
         return {file.name[9:-len(f"-{increment:04}.vtu")]: read_vtu(file) for file in files}
+
+    def surfaces(self, increment):
+        """Their surfaces with pressure, traction, gap and state of contact."""
+        files = sorted(self.folder.glob(f"surface-*-{increment:04}.vtu"))
+        return {file.name[8:-len(f"-{increment:04}.vtu")]: read_vtu(file) for file in files}
 
 
 def value_text(value):

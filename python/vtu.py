@@ -15,11 +15,12 @@ LINE, TRIANGLE, QUADRILATERAL, TETRAHEDRON, HEXAHEDRON = 3, 5, 9, 10, 12
 
 @dataclass
 class Mesh:
-    """Points (n x 3), cells by VTK's type, arrays of the points by name."""
+    """Points (n x 3), cells by VTK's type, arrays of the points and of the cells by name."""
 
     points: np.ndarray
     cells: dict
     arrays: dict
+    cell_arrays: dict
 
 
 def unzipped(text):
@@ -59,6 +60,7 @@ def read_vtu(file):
         points = array_of(piece.find("Points/DataArray")).astype(float)
         cells = cells_of({a.get("Name"): array_of(a) for a in piece.findall("Cells/DataArray")})
         arrays = {a.get("Name"): array_of(a).astype(float) for a in piece.findall("PointData/DataArray")}
+        of_cells = {a.get("Name"): array_of(a) for a in piece.findall("CellData/DataArray")}
     except (xml.ParseError, AttributeError, KeyError, ValueError, zlib.error) as error:
         raise ValueError(f"{file} is no VTU file of the program ({error}).") from None
-    return Mesh(points.reshape(-1, 3), cells, arrays)
+    return Mesh(points.reshape(-1, 3), cells, arrays, of_cells)

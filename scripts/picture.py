@@ -138,7 +138,7 @@ class Series:
                 contacts.draw_map(figure, panel, contact, same, self.units)
             else:
                 contacts.draw_line(panel, contact, same, self.result, self.units)
-        save(figure, file)
+        save(figure, file, self.args.dpi)
 
 
 def view(text):
@@ -155,6 +155,7 @@ def parse(arguments):
     parser.add_argument("--amplify", type=float, help="displacements are drawn so many times larger; default: to be seen")
     parser.add_argument("--contact", help="only this contact on the right")
     parser.add_argument("--no-contacts", action="store_true", help="only the bodies")
+    parser.add_argument("--dpi", type=int, default=130, help="dots an inch; default 130")
     parser.add_argument("--units", help="of length, force and stress, such as 'mm, N, MPa'; default: those of the scene")
     parser.add_argument("--view", type=view, default=(22., -60.), metavar="ELEVATION,AZIMUTH", help="in space, degrees")
     args = parser.parse_args(arguments)

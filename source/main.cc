@@ -5,6 +5,8 @@
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/make_analysis.h"
 #include "conetact/application/command_line.h"
+#include "conetact/application/located.h"
+#include "conetact/application/manual.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
@@ -77,7 +79,12 @@ namespace
     std::error_code ignored;
     for (const char *table : {"events.csv", "refinement.csv"})
       std::filesystem::remove(folder / table, ignored);
-    log.open(folder);
+    const bool goes_on =
+      scene.restart &&
+      std::filesystem::equivalent(scene.restart->folder, folder, ignored);
+    if (!goes_on)
+      std::filesystem::remove(folder / "checkpoint.bin", ignored);
+    log.open(folder, goes_on);
     write_atomically(folder / "used.prm", scene.values());
   }
 
@@ -110,6 +117,8 @@ namespace
     catch (const AnalysisError &error)
       {
         log.note(error.what());
+        if (analysis.has_results())
+          analysis.say_closing();
         note_work(analysis, log);
         throw;
       }
@@ -161,7 +170,7 @@ namespace
     if (scene.adaptive.cycles > 0)
       adaptive.advance(scene, analysis->last_increment(), folder, log);
     if (last)
-      log.say("Results are in " + folder.string());
+      analysis->say_closing();
     note_work(*analysis, log);
     return !last;
   }
@@ -210,23 +219,27 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  ProcessSession process;
+  ProcessSession           process;
+  application::CommandLine line;
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try
     {
       refuse_many_processes(ranks_of_mpirun().size);
-      const application::CommandLine line =
-        application::parse_command_line(argc, argv);
-      if (line.answer.empty())
-        run(line);
-      else
+      line = application::parse_command_line(argc, argv);
+      if (!line.answer.empty())
         std::cout << line.answer;
+      else if (!line.new_scene.empty())
+        std::cout << application::write_starter_scene(line.new_scene);
+      else if (line.scene.empty())
+        std::cout << application::manual();
+      else
+        run(line);
       return 0;
     }
   catch (const InputError &error)
     {
-      return say(error.what(), 1);
+      return say(application::located(error.what(), line), 1);
     }
   catch (const AnalysisError &error)
     {

@@ -11,6 +11,7 @@ usage: check_program.py PROGRAM CASE [COUNT]
   loads       the log tells the resultant of each load
   directions  a body that slides does so where it is pushed
   condensers  what condenses bodies changes no sentence; --verify tells by how much
+  first-contact  the manual, a starter scene that runs, includes, line ends, the closing screen
   numbers     COUNT meshes of shipped scenes and of deal.II's generators with
               other numbers (default 60): accepted or refused with a sentence,
               never a crash
@@ -144,7 +145,8 @@ class Case:
         self.run(held(2), "-s", "Time/Increments=2")
         left = sorted(p.name for p in self.result.glob("*.vtu"))
         self.demand("pictures of the shorter run and what is not ours",
-                    left == ["solution-block-0001.vtu", "solution-block-0002.vtu", "solution-notes.vtu"], left)
+                    left == [*(f"solution-block-000{k}.vtu" for k in range(3)), "solution-notes.vtu",
+                             *(f"surface-block-000{k}.vtu" for k in range(3))], left)
 
     def loads(self):
         for dim, resultant in ((2, "(0.5, 1, 0) at t = 1, on 3 nodes"), (3, "(0.5, 1, 0) at t = 1, on 9 nodes")):
@@ -211,6 +213,46 @@ class Case:
         run = self.run(held(2), "--verify")
         self.demand("nothing to verify without contacts", run.returncode == 0 and
                     "verify: no node may touch anything" in run.stdout, run)
+
+    def first_contact(self):
+        """What a new user types first."""
+        def say(*words):
+            return subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, text=True)
+        manual = say("--parameters")
+        self.demand("--parameters alone prints the manual", manual.returncode == 0 and
+                    all(f"\n## {name}\n" in manual.stdout for name in ("Body NAME/Material", "Contact NAME", "Solver",
+                                                                     "Output")), manual.stdout[:200] + manual.stderr)
+        new = say("--new", "mine")
+        self.demand("--new writes a scene", new.returncode == 0 and (self.folder / "mine.prm").exists(), new.stderr)
+        run = say("mine.prm")
+        self.demand("  which runs", run.returncode == 0, run.stderr)
+        lines = run.stdout.splitlines()
+        for start in ("increment 20 of 20, t = 2: ", "contact bottom: force (", "supports: force (",
+                      "largest displacement: ", "largest pressure: ", "probe edge: displacement (0.3, -0.1, 0)",
+                      "Results are in output/mine: increments.csv, reactions.csv, history.csv, scene.pvd, log.txt"):
+            self.demand(f"  the last screen says '{start}'", any(line.startswith(start) for line in lines), run.stdout)
+        self.demand("  in about ten lines", len(lines) - next(
+            (i for i, line in enumerate(lines) if line.startswith("increment 20")), 0) <= 11, run.stdout)
+        again = say("--new", "mine.prm")
+        self.demand("  and is never overwritten", again.returncode == 1 and "exists already" in again.stderr, again.stderr)
+        (self.folder / "below").mkdir()
+        (self.folder / "below" / "other.prm").write_bytes(
+            "# gr\xfc\xdfe\r\ninclude ../mine.prm\r\nsubsection Contact bottom\r\n  set Friction coefficient = 0\r\nend\r\n"
+            .encode("latin-1"))
+        run = say("below/other.prm", "-o", "result")
+        self.demand("an included scene is changed behind the include, with line ends of Windows and Latin-1",
+                    run.returncode == 0 and re.search(r"contact bottom: force \((\S+),", run.stdout)[1] == "0", run)
+        (self.folder / "below" / "other.prm").write_text("include ../mine.prm\nsubsection Contact bottom\n  set Fiction = 0\nend\n")
+        run = say("below/other.prm", "-o", "result")
+        self.demand("mistakes are told with their own file and line",
+                    "below/other.prm, line 3: there is no entry 'Fiction' in 'Contact bottom'" in run.stderr, run.stderr)
+        text = (self.folder / "mine.prm").read_text()
+        (self.folder / "mine.prm").write_text(text.replace("Poisson ratio = 0.3", "Poisson ratio = 0,3"))
+        line = text[:text.index("Poisson ratio")].count("\n") + 1
+        (self.folder / "below" / "other.prm").write_text("include ../mine.prm\n")
+        run = say("below/other.prm", "-o", "result")
+        self.demand("  those of an included file with that file",
+                    f"mine.prm, line {line}: Body 'block', Material/Poisson ratio: '0,3' has a comma" in run.stderr, run.stderr)
 
     def numbers(self, count=60):
         """Each number of a mesh, replaced by what its generator cannot mean."""

@@ -4,6 +4,7 @@
 #include "conetact/analysis/acceptance.h"
 
 #include "conetact/base/text.h"
+#include "conetact/output/extremes.h"
 #include "conetact/pairing/true_gap.h"
 
 #include <algorithm>
@@ -356,6 +357,7 @@ namespace conetact::analysis
       warnings.is_determinate(states) &&
       warnings.are_forces_determinate(states, increment.state.r);
     warnings.check_size(accepted.amounts, w);
+    observe(record, finding.u);
     if (drawn)
       add_displacements(record, finding.u, w);
     return "";
@@ -432,6 +434,56 @@ namespace conetact::analysis
             record.obstacles[k].rotation[bodies.dim == 2 ? 2 : c - 3] =
               finding.u[first + c];
       }
+  }
+
+  void
+  Acceptance::save(Archive &archive) const
+  {
+    verification.save(archive);
+    contact_rows.save(archive);
+    energies.save(archive, scene.support_names);
+    archive.put("acceptance/largest_force", largest_force);
+  }
+
+  void
+  Acceptance::restore(const Archive &archive)
+  {
+    verification.restore(archive);
+    contact_rows.restore(archive);
+    energies.restore(archive, scene.support_names);
+    archive.fill("acceptance/largest_force", largest_force);
+  }
+
+  output::IncrementRecord
+  Acceptance::undeformed() const
+  {
+    output::IncrementRecord record;
+    record.rows = contact_rows.undeformed();
+    for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
+      {
+        record.displacements.push_back(
+          Eigen::VectorXd::Zero(scene.bodies.structures[b]->n_dofs()));
+        record.actions.emplace_back();
+      }
+    return record;
+  }
+
+  /* What history.csv tells of displacements. */
+  void
+  Acceptance::observe(output::IncrementRecord &record,
+                      const Eigen::VectorXd   &u) const
+  {
+    const contact::Bodies &bodies = model.bodies;
+    const auto size = [&](const unsigned int b, const unsigned int i) {
+      return model.displacement(u, b, i).norm();
+    };
+    record.largest_displacement =
+      output::largest_displacement(bodies.structures, bodies.n_elastic(), size);
+    record.probes.clear();
+    for (const bodies::Probe &probe : scene.probes)
+      record.probes.push_back(
+        probe.displacement(u.segment(model.coordinates.offset(probe.body),
+                                     bodies.structures[probe.body]->n_dofs())));
   }
 
   void

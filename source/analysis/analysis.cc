@@ -8,6 +8,8 @@
 #include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/output/closing.h"
+#include "conetact/output/former_rows.h"
 #include "conetact/output/output_table.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/output/progress.h"
@@ -59,12 +61,23 @@ namespace conetact::analysis
   void
   Analysis::choose_working_set()
   {
-    if (scene.leave_out_far_nodes)
+    if (scene.restart && scene.leave_out_far_nodes)
+      resume_working_set();
+    else if (scene.leave_out_far_nodes)
       set.start(
         [&](const double t) -> Eigen::VectorXd {
           return loads.at(t) + scene.obstacle_forces(t);
         },
         scene.times);
+  }
+
+  void
+  Analysis::resume_working_set()
+  {
+    std::vector<Eigen::Index> nodes;
+    for (const double node : scene.restart->state.get("working set"))
+      nodes.push_back(static_cast<Eigen::Index>(node));
+    set.resume(std::move(nodes));
   }
 
   void
@@ -82,8 +95,9 @@ namespace conetact::analysis
   void
   Analysis::check_history()
   {
-    for (const double t : scene.times)
+    for (std::size_t k = scene.n_done(); k < scene.times.size(); ++k)
       {
+        const double                     t      = scene.times[k];
         const bodies::NodalLoads::Acting acting = loads.acting(t);
         model.coordinates.prescribed(t);
         refuse_unbalanced(acting.mechanical + scene.obstacle_forces(t) +
@@ -129,6 +143,8 @@ namespace conetact::analysis
              ": order, factor and Schur complement" +
              (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
     report_shared_bodies(scene.bodies, model.condense().n_shared_bodies(), log);
+    if (scene.restart)
+      output::check_former_tables(scene.restart->folder, scene.n_done());
     if (!scene.fclib_increments.empty())
       output::check_problem_is_writable(*model.condense().system());
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
@@ -151,16 +167,24 @@ namespace conetact::analysis
                            const std::size_t            n_increments,
                            const bool                   quiet)
   {
-    description.folder     = folder;
-    description.contacts   = scene.contact_sides;
-    description.bodies     = scene.bodies.names;
-    description.structures = scene.bodies.structures;
-    description.supports   = scene.support_names;
-    description.loads      = scene.load_names;
+    description.folder         = folder;
+    description.contacts       = scene.contact_sides;
+    description.contact_bodies = scene.side_bodies;
+    description.bodies         = scene.bodies.names;
+    description.structures     = scene.bodies.structures;
+    description.supports       = scene.support_names;
+    description.loads          = scene.load_names;
     for (std::size_t b = scene.bodies.n_elastic();
          b < scene.bodies.names.size();
          ++b)
       description.obstacles.push_back(scene.bodies.names[b]);
+    for (const bodies::Probe &probe : scene.probes)
+      description.probes.push_back(probe.name);
+    if (scene.restart)
+      {
+        description.former   = scene.restart->folder;
+        description.n_former = scene.restart->n_done;
+      }
     description.dim              = scene.bodies.dim;
     description.n_increments     = static_cast<unsigned int>(n_increments);
     description.end              = scene.times.empty() ? 0 : scene.times.back();
@@ -171,6 +195,11 @@ namespace conetact::analysis
     for (const output::OutputRow &row : output::output_table())
       outputs.push_back(row.create(description));
     outputs.push_back(std::make_unique<output::Progress>(description, quiet));
+    if (scene.restart)
+      return; // its pictures begin where it goes on
+    const output::IncrementRecord undeformed = acceptance.undeformed();
+    for (const auto &output : outputs)
+      output->begin(undeformed);
   }
 
   std::size_t
@@ -185,6 +214,17 @@ namespace conetact::analysis
       std::clamp<Eigen::Index>(16000000 / std::max<Eigen::Index>(n, 1),
                                1,
                                std::max(16u, n_finished / 8)));
+  }
+
+  void
+  Analysis::say_closing() const
+  {
+    for (const std::string &line : closing_lines)
+      log.say(line);
+    if (log.n_warnings() > 0)
+      log.say("warnings: " + std::to_string(log.n_warnings()) +
+              ", above and in log.txt");
+    log.say(output::files_written(description.folder));
   }
 
   Work
@@ -265,6 +305,8 @@ namespace conetact::analysis
       output->write(finished);
     if (scene.adaptive.cycles > 0)
       final_record = finished.back();
+    closing_lines = output::closing_lines(description, finished.back());
+    n_on_disk     = finished.back().increment;
     log.time("their tables and drawings");
     for (const output::IncrementRecord &record : finished)
       log.note(name(record) + ", " + record.report.solver + ": " +

@@ -28,18 +28,23 @@ namespace conetact::analysis
     : Analysis(s, l)
     , solver(solvers::make_solver(scene.solver))
     , search(scene.sliding_contacts(), model)
-  {}
+  {
+    if (scene.restart)
+      restore_state();
+  }
 
   void
   IncrementAnalysis::run(const std::filesystem::path &folder, const bool quiet)
   {
     using Outcome = Step::Outcome;
     create_outputs(folder, scene.times.size(), quiet);
-    for (unsigned int next = 1; next <= scene.times.size();)
+    for (unsigned int next = scene.n_done() + 1; next <= scene.times.size();)
       {
         std::vector<PendingIncrement> batch;
         const Step                    solved = solve_batch(next, batch);
         Step                          step   = finish(batch);
+        save_state(step.outcome == Outcome::failed ||
+                   solved.outcome == Outcome::failed);
         if (step.outcome == Outcome::accepted)
           step = solved;
         next = step.next;
@@ -62,12 +67,49 @@ namespace conetact::analysis
     report_skips(scene, model, loads, set, log);
   }
 
+  void
+  IncrementAnalysis::save_state(const bool at_end)
+  {
+    const unsigned int every = scene.checkpoint_every;
+    if (every == 0 || n_on_disk == n_saved ||
+        (!at_end && n_on_disk % every != 0 && n_on_disk != scene.times.size()))
+      return;
+    Archive archive;
+    archive.put_text("scene", scene.values());
+    archive.put("times",
+                std::vector<double>(scene.times.begin(),
+                                    scene.times.begin() + n_on_disk));
+    const auto &nodes = model.working_set().nodes();
+    archive.put("working set", std::vector<double>(nodes.begin(), nodes.end()));
+    archive.put("correcting", correcting ? 1. : 0.);
+    history.save(archive);
+    acceptance.save(archive);
+    archive.write(description.folder / "checkpoint.bin");
+    n_saved = n_on_disk;
+  }
+
+  void
+  IncrementAnalysis::restore_state()
+  {
+    const Archive &archive = scene.restart->state;
+    double         exact   = 0;
+    archive.fill("correcting", exact);
+    correcting = exact > 0;
+    history.restore(archive);
+    Eigen::VectorXd u(model.coordinates.n_dofs()); // meshes may be other ones
+    archive.fill("energies/u", u);
+    acceptance.restore(archive);
+    n_saved = n_on_disk = first_unsure = scene.n_done();
+  }
+
   std::size_t
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
     if (correcting || search.is_needed())
       return 1;
-    const std::size_t most = most_at_once(n_finished);
+    std::size_t most = most_at_once(n_finished);
+    if (const unsigned int every = scene.checkpoint_every; every > 0)
+      most = std::min<std::size_t>(most, every - n_finished % every);
     // what follows an increment in which a node is missing is solved in vain
     return model.working_set().is_all() ?
              most :

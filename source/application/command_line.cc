@@ -18,8 +18,13 @@ Coulomb cone.
 
   -o, --output FOLDER           write there (default: output/SCENE)
   -s, --set SECTION/ENTRY=VALUE replace an entry of the scene; may be repeated
+      --restart FOLDER          go on from the last checkpoint in the FOLDER of
+                                results (Output/Checkpoint) with what the scene
+                                has beyond its time; loads, supports and times
+                                may be others
       --parameters              print all entries of the scene with their
-                                documentation
+                                documentation; without a scene the whole manual
+      --new NAME                write a commented scene to start from, NAME.prm
       --dry-run                 read, check and mesh the scene; report sizes,
                                 memory, time and what will be skipped
       --verify                  condense all bodies once more by an independent
@@ -42,6 +47,8 @@ converged, all increments before it are on disk; 3 cannot write.
     static const option long_options[] = {
       {"output", required_argument, nullptr, 'o'},
       {"set", required_argument, nullptr, 's'},
+      {"restart", required_argument, nullptr, 'r'},
+      {"new", required_argument, nullptr, 'n'},
       {"parameters", no_argument, nullptr, 'p'},
       {"dry-run", no_argument, nullptr, 'd'},
       {"verify", no_argument, nullptr, 'V'},
@@ -60,6 +67,16 @@ converged, all increments before it are on disk; 3 cannot write.
             line.folder = optarg;
             if (line.folder.empty())
               throw InputError("Option -o: the folder's name is empty.");
+            break;
+          case 'r':
+            line.restart = optarg;
+            if (line.restart.empty())
+              throw InputError("Option --restart: the folder's name is empty.");
+            break;
+          case 'n':
+            line.new_scene = optarg;
+            if (line.new_scene.empty())
+              throw InputError("Option --new: the scene's name is empty.");
             break;
           case 's':
             line.overrides.emplace_back(optarg);
@@ -89,6 +106,11 @@ converged, all increments before it are on disk; 3 cannot write.
             throw InputError(std::string("Option ") + argv[optind - 1] +
                              " is not known." + see_help);
         }
+    if (optind >= argc && (line.print_parameters || !line.new_scene.empty()))
+      return line;
+    if (!line.new_scene.empty())
+      throw InputError(std::string("--new writes a scene of its own. Leave ") +
+                       argv[optind] + " out.");
     if (optind >= argc)
       throw InputError(std::string("No scene file is given.") + see_help);
     if (optind + 1 < argc)

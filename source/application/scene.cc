@@ -5,6 +5,7 @@
 
 #include "conetact/application/axisymmetry.h"
 #include "conetact/application/load_history.h"
+#include "conetact/application/scene_entries.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/base/errors.h"
@@ -16,7 +17,6 @@
 #include "conetact/pairing/obstacle_table.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -25,23 +25,6 @@ namespace conetact::application
   namespace
   {
     using Handler = dealii::ParameterHandler;
-
-    std::string
-    read_file(const std::filesystem::path &file)
-    {
-      std::ifstream      stream(file);
-      std::ostringstream text;
-      // Of an empty file nothing can be inserted, which is no failure to read.
-      const bool is_empty = stream.peek() == std::ifstream::traits_type::eof();
-      if (std::filesystem::is_directory(file) || !stream.is_open() ||
-          (!is_empty && !(text << stream.rdbuf())))
-        throw InputError("The scene file " + file.string() +
-                         " cannot be read. Check its name and permissions.");
-      // some editors begin files with a mark of their encoding
-      const std::string mark = "\xef\xbb\xbf";
-      const std::string all  = text.str();
-      return all.rfind(mark, 0) == 0 ? all.substr(mark.size()) : all;
-    }
 
     std::vector<std::string>
     get_names(Handler &prm, const std::string &list)
@@ -56,45 +39,6 @@ namespace conetact::application
           throw InputError(list + ": '" + name +
                            "' stands there twice. Give each one its own name.");
       return names;
-    }
-
-    void
-    declare_names(Handler &prm)
-    {
-      using namespace dealii::Patterns;
-      prm.declare_entry("Dimension",
-                        "2",
-                        Selection("2|3"),
-                        "Dimension of space: 2 (plane strain or stress) or 3.");
-      const auto declare = [&](const std::string &list,
-                               const std::string &what) {
-        prm.declare_entry(list,
-                          "",
-                          Anything(),
-                          "Names of " + what +
-                            ", separated by commas; each has "
-                            "its own subsection.");
-      };
-      declare("Bodies", "the elastic bodies");
-      declare("Obstacles", "the rigid obstacles");
-      declare("Contacts", "the contacts");
-      declare("Supports", "the supports");
-      declare("Loads", "the loads");
-    }
-
-    template <typename Declare>
-    void
-    declare_each(Handler                        &prm,
-                 const std::string              &kind,
-                 const std::vector<std::string> &names,
-                 const Declare                  &declare)
-    {
-      for (const std::string &name : names)
-        {
-          prm.enter_subsection(kind + " " + name);
-          declare(prm);
-          prm.leave_subsection();
-        }
     }
 
     template <typename Create>
@@ -116,22 +60,28 @@ namespace conetact::application
   Scene::Scene(const CommandLine &line)
     : file(line.scene)
     , overrides(line.overrides)
-    , text(read_file(line.scene))
+    , text(read_scene_file(line.scene))
   {
-    refuse_repeats(text, file.string());
+    refuse_repeats(text);
     read_names();
-    declare();
+    declare_scene(
+      prm,
+      {bodies.names, obstacle_names, contact_names, support_names, load_names});
     parse_all(prm, false);
     if (bodies.names.empty())
       throw InputError("Bodies: the scene names no body. Add for example "
                        "'set Bodies = block' and 'subsection Body block'.");
     read_options();
+    refuse_checkpoints();
+    if (!line.restart.empty())
+      continue_from(line.restart);
+    read_problem_increments();
   }
 
   void
   Scene::parse_all(Handler &handler, const bool skip_undefined) const
   {
-    parse_scene_text(handler, text, file.string(), skip_undefined);
+    parse_scene_text(handler, text, skip_undefined);
     for (const std::string &override : overrides)
       parse_override(handler, override, skip_undefined);
   }
@@ -140,7 +90,7 @@ namespace conetact::application
   Scene::read_names()
   {
     Handler lists;
-    declare_names(lists);
+    declare_lists(lists);
     parse_all(lists, true);
     bodies.dim     = static_cast<unsigned int>(lists.get_integer("Dimension"));
     bodies.names   = get_names(lists, "Bodies");
@@ -148,62 +98,6 @@ namespace conetact::application
     contact_names  = get_names(lists, "Contacts");
     support_names  = get_names(lists, "Supports");
     load_names     = get_names(lists, "Loads");
-  }
-
-  void
-  Scene::declare()
-  {
-    declare_names(prm);
-    declare_adaptive(prm);
-    declare_each(prm, "Body", bodies.names, bodies::declare_body);
-    declare_each(prm, "Obstacle", obstacle_names, pairing::declare_obstacle);
-    declare_each(prm, "Contact", contact_names, pairing::declare_contact);
-    declare_each(prm, "Support", support_names, bodies::declare_support);
-    declare_each(prm, "Load", load_names, bodies::declare_load);
-    prm.enter_subsection("Time");
-    declare_time(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Solver");
-    declare_solver(prm);
-    prm.declare_entry("Threads",
-                      "1",
-                      dealii::Patterns::Integer(0, 1024),
-                      "Threads of the factorisation of the bodies' stiffness; "
-                      "0: one for each core. Results do not depend on it but "
-                      "for rounding.");
-    prm.declare_entry("Working set",
-                      "automatic",
-                      dealii::Patterns::Selection("automatic|all"),
-                      "Contact nodes that are condensed. automatic: those that "
-                      "are likely to touch, where that saves much; as soon as "
-                      "another one would penetrate it joins them, so that the "
-                      "result is that of all. all: all from the start, as "
-                      "where condensed problems are written, and for the load "
-                      "path.");
-    prm.leave_subsection();
-    prm.enter_subsection("Output");
-    prm.declare_entry("VTU",
-                      "1",
-                      dealii::Patterns::Integer(0),
-                      "Write VTU files for ParaView at every n-th increment; "
-                      "0: none.");
-    prm.declare_entry("FCLib increments",
-                      "",
-                      dealii::Patterns::Anything(),
-                      "Write the condensed problem of these increments "
-                      "(numbers from 1 on separated by commas, or all) with "
-                      "its solution as problem-0001.hdf5, ..., local problems "
-                      "of FCLib; empty: none.");
-    prm.declare_entry("Text increments",
-                      "",
-                      dealii::Patterns::Anything(),
-                      "Write the condensed problem of these increments "
-                      "(numbers from 1 on separated by commas, or all) as "
-                      "plain text, problem-0001.txt, ..., in the units of the "
-                      "scene, for conetact-reproductions or a script; of a "
-                      "load path: of these stages, with its constant loads "
-                      "as problem-0000.txt; empty: none.");
-    prm.leave_subsection();
   }
 
   void
@@ -222,7 +116,15 @@ namespace conetact::application
       prm.get("Working set") == "automatic" && !path.follows;
     prm.leave_subsection();
     prm.enter_subsection("Output");
-    vtu_every = static_cast<unsigned int>(prm.get_integer("VTU"));
+    vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));
+    checkpoint_every = static_cast<unsigned int>(prm.get_integer("Checkpoint"));
+    prm.leave_subsection();
+  }
+
+  void
+  Scene::read_problem_increments()
+  {
+    prm.enter_subsection("Output");
     const auto increments_of = [&](const std::string &entry) {
       return output::parse_problem_increments(prm.get(entry),
                                               static_cast<unsigned int>(
@@ -279,13 +181,18 @@ namespace conetact::application
               bodies::axis_support(*bodies.structures[b], b, bodies.names[b]))
           bodies.supports.push_back(std::move(*axis));
     contact_sides = contact_names;
+    for (const pairing::Contact &contact : contacts)
+      side_bodies.push_back(contact.body);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const bool pair = contacts[c].obstacle == nullptr;
         master_side.push_back(
           pair ? static_cast<unsigned int>(contact_sides.size()) : c);
         if (pair)
-          contact_sides.push_back(contact_names[c] + "_master");
+          {
+            contact_sides.push_back(contact_names[c] + "_master");
+            side_bodies.push_back(contacts[c].master);
+          }
       }
     for (const pairing::Contact &contact : contacts)
       // rows change all the time: all nodes are known from the start
@@ -300,6 +207,13 @@ namespace conetact::application
     keep_nodes();
     contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();
+    prm.enter_subsection("Output");
+    probes = bodies::parse_probes(prm.get("Probes"),
+                                  dim,
+                                  bodies.names,
+                                  bodies.structures,
+                                  "Output, Probes");
+    prm.leave_subsection();
     check_path();
     check_sliding();
     check_adaptive(adaptive, bodies.structures);
@@ -358,6 +272,13 @@ namespace conetact::application
   void
   Scene::check_sliding() const
   {
+    const bool keeps_state = checkpoint_every > 0 || restart;
+    for (const bodies::Support &support : bodies.supports)
+      if (support.turn && keeps_state)
+        throw InputError("Support '" + support.name +
+                         "', Turn: a run in which bodies turn far cannot be "
+                         "continued from a checkpoint. Set Output/Checkpoint "
+                         "to 0.");
     for (const bodies::Support &support : bodies.supports)
       if (support.turn && (path.follows || adaptive.cycles > 0))
         throw InputError("Support '" + support.name +
@@ -369,6 +290,10 @@ namespace conetact::application
         if (!contact.slides)
           continue;
         const std::string in = "Contact '" + contact.name + "', Kinematics: ";
+        if (keeps_state)
+          throw InputError(in + "a run in which contacts slide far cannot be "
+                                "continued from a checkpoint. Set "
+                                "Output/Checkpoint to 0.");
         if (path.follows)
           throw InputError(in + "a load path follows contacts of undeformed "
                                 "bodies. Choose small, or another "

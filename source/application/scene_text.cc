@@ -4,6 +4,7 @@
 #include "conetact/application/scene_text.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
 
 #include <algorithm>
@@ -49,6 +50,12 @@ namespace conetact::application
         return false;
       rest = one_line(text.substr(word.size()));
       return true;
+    }
+
+    std::string
+    path_of(const Line &line)
+    {
+      return join(line.path, "/") + (line.path.empty() ? "" : "/") + line.name;
     }
 
     std::string
@@ -100,25 +107,6 @@ namespace conetact::application
       return lines;
     }
 
-    /** Levenshtein's: how many letters must be changed. */
-    std::size_t
-    distance(const std::string &a, const std::string &b)
-    {
-      std::vector<std::size_t> last(b.size() + 1);
-      for (std::size_t j = 0; j <= b.size(); ++j)
-        last[j] = j;
-      for (std::size_t i = 0; i < a.size(); ++i)
-        {
-          std::vector<std::size_t> next = {i + 1};
-          for (std::size_t j = 0; j < b.size(); ++j)
-            next.push_back(std::min({next[j] + 1,
-                                     last[j + 1] + 1,
-                                     last[j] + (a[i] == b[j] ? 0 : 1)}));
-          last = std::move(next);
-        }
-      return last.back();
-    }
-
     /** Declared names of one kind in the subsection `path`. */
     std::vector<std::string>
     declared(const Handler                  &prm,
@@ -134,22 +122,46 @@ namespace conetact::application
       return names;
     }
 
-    std::string
-    nearest(const std::string &name, const std::vector<std::string> &names)
+    /** What other programs, or formulas, call an entry. */
+    struct OtherName
     {
-      std::string best;
-      std::size_t least = name.size() / 2 + 1;
-      for (const std::string &other : names)
-        {
-          const bool        begins  = other.rfind(name, 0) == 0;
-          const std::size_t changes = begins ? 1 : distance(name, other);
-          if (changes < least)
-            {
-              best  = other;
-              least = changes;
-            }
-        }
-      return best;
+      const char *name, *here;
+    };
+    const OtherName other_names[] = {{"mu", "Friction coefficient"},
+                                     {"friction", "Friction coefficient"},
+                                     {"friction coeff", "Friction coefficient"},
+                                     {"e", "Young modulus"},
+                                     {"youngs modulus", "Young modulus"},
+                                     {"young's modulus", "Young modulus"},
+                                     {"elastic modulus", "Young modulus"},
+                                     {"nu", "Poisson ratio"},
+                                     {"poisson's ratio", "Poisson ratio"},
+                                     {"poissons ratio", "Poisson ratio"},
+                                     {"steps", "Increments"},
+                                     {"number of steps", "Increments"},
+                                     {"number of increments", "Increments"},
+                                     {"time step", "Increments"},
+                                     {"end time", "End"},
+                                     {"body", "Bodies"},
+                                     {"block", "Bodies"},
+                                     {"boundary", "Boundary ids"},
+                                     {"ids", "Boundary ids"},
+                                     {"method", "Method"},
+                                     {"alpha", "Expansion coefficient"},
+                                     {"force", "Value"},
+                                     {"type", "Kind"},
+                                     {"refinement", "Global refinements"},
+                                     {"refinements", "Global refinements"}};
+
+    /** The declared name that is meant, as far as one can tell; or empty. */
+    std::string
+    meant(const std::string &name, const std::vector<std::string> &names)
+    {
+      for (const OtherName &other : other_names)
+        if (lower_case(name) == other.name &&
+            std::find(names.begin(), names.end(), other.here) != names.end())
+          return other.here;
+      return nearest(name, names);
     }
 
     std::string
@@ -187,8 +199,18 @@ namespace conetact::application
         line.path.empty() && !entry ? list_of(line.name, name) : "";
       if (!list.empty())
         text += ", since the list " + list + " does not name '" + name + "'";
-      const std::string other =
-        nearest(line.name, declared(prm, line.kind, line.path));
+      const std::vector<std::string> names =
+        declared(prm, line.kind, line.path);
+      // one name where several are meant: "top bottom", "top; bottom"
+      for (const std::string &other : names)
+        if (!list.empty() && other.rfind(line.name, 0) == 0 &&
+            other.size() > line.name.size())
+          return text + " but '" +
+                 other.substr(line.name.size() - name.size()) +
+                 "'. Separate names by commas, begin comments with #.";
+      if (line.name == "Density" && entry)
+        return text + ". Weight is a Load of Kind = body force.";
+      const std::string other = meant(line.name, names);
       if (!other.empty())
         return text + ". Did you mean '" + other + "'?";
       if (!list.empty())
@@ -198,7 +220,7 @@ namespace conetact::application
 
     /** "[Double 0...1 (inclusive)]" as a request. */
     std::string
-    request(std::string pattern)
+    request(std::string pattern, const std::string &value)
     {
       pattern = trim(pattern);
       if (pattern.size() > 1 && pattern.front() == '[' && pattern.back() == ']')
@@ -222,7 +244,12 @@ namespace conetact::application
                  " from " + text.substr(0, dots) + " to " + upper;
       };
       if (is("Selection"))
-        return "Give one of: " + join(split(behind("Selection"), '|')) + ".";
+        {
+          const auto        names = split(behind("Selection"), '|');
+          const std::string other = nearest(value, names);
+          return (other.empty() ? "" : "Did you mean '" + other + "'? ") +
+                 "Give one of: " + join(names) + ".";
+        }
       if (is("Integer range"))
         return "Give a whole number" + range(behind("Integer range")) + ".";
       if (is("Integer"))
@@ -288,7 +315,35 @@ namespace conetact::application
       const std::string pattern = "does not match the given pattern:";
       return line.name + in_section(line.path) + ": '" + value_of(line) +
              "' is not possible. " +
-             request(message.substr(message.find(pattern) + pattern.size()));
+             request(message.substr(message.find(pattern) + pattern.size()),
+                     value_of(line));
+    }
+
+    /** A hint for a line that is none. */
+    std::string
+    what_is_meant(const Line &line)
+    {
+      const std::string word =
+        line.text.substr(0, line.text.find_first_of(" ="));
+      const std::string rest = trim(line.text.substr(word.size()));
+      const auto        mark = line.text.find(':');
+      if (line.kind == Line::Kind::set && mark != line.text.npos)
+        return "Write '" + trim(line.text.substr(0, mark)) + " = " +
+               trim(line.text.substr(mark + 1)) + "'.";
+      if (line.kind == Line::Kind::set)
+        return "It lacks the '=': write 'set Entry = value'.";
+      if (line.text.rfind("//", 0) == 0 || line.text.rfind(';', 0) == 0 ||
+          line.text.rfind('%', 0) == 0 || line.text.rfind("/*", 0) == 0)
+        return "Comments begin with '#'.";
+      if (lower_case(word) == "subsection")
+        return "It lacks a name: write 'subsection NAME'.";
+      if (rest.rfind('=', 0) == 0 || line.text.find('=') != line.text.npos)
+        if (n_changes(lower_case(word), "set") > 1)
+          return "Write 'set " + line.text + "' to set an entry.";
+      for (const char *keyword : {"set", "subsection", "end", "include"})
+        if (n_changes(lower_case(word), keyword) <= 2)
+          return std::string("Did you mean '") + keyword + "'?";
+      return "Write 'set Entry = value', 'subsection NAME' or 'end'.";
     }
 
     std::string
@@ -301,21 +356,18 @@ namespace conetact::application
       if (message.find("no such subsection") != message.npos ||
           message.find("No entry with name") != message.npos)
         return undeclared(prm, line);
+      if (line.kind == Line::Kind::end && line.text.size() > 3)
+        return "'" + line.text + "' is not understood. Write 'end' alone.";
       if (line.kind == Line::Kind::end)
         return "'" + line.text +
                "' ends no subsection. Remove it, or add "
                "the line 'subsection NAME' before.";
-      std::string file;
-      if (starts_with(line.text, "include", file))
-        return "the file '" + file + "' cannot be included. Check its name; " +
-               "it is searched for in the folder of the run.";
-      return "'" + line.text + "' is not understood. Write 'set Entry = " +
-             "value', 'subsection NAME' or 'end'.";
+      return "'" + line.text + "' is not understood. " + what_is_meant(line);
     }
 
     /** Where a subsection that is not ended begins. */
     std::string
-    unbalanced(const std::vector<Line> &lines)
+    unbalanced(const SceneText &scene, const std::vector<Line> &lines)
     {
       std::vector<std::size_t> open;
       for (std::size_t i = 0; i < lines.size(); ++i)
@@ -324,10 +376,14 @@ namespace conetact::application
         else if (lines[i].kind == Line::Kind::end && !open.empty())
           open.pop_back();
       if (open.empty())
-        return ": an 'end' ends no subsection. Remove it.";
-      return ", line " + std::to_string(open.back() + 1) + ": subsection '" +
+        return scene.place(lines.size()) +
+               ": an 'end' ends no subsection. Remove it.";
+      return scene.place(open.back()) + ": subsection '" +
              lines[open.back()].name + "' has no 'end'. Add it.";
     }
+
+    /** What deal.II calls the text in its messages, which are rewritten. */
+    const std::string the_text = "scene";
 
     /** Number of the line that deal.II names, or 0. */
     std::size_t
@@ -352,35 +408,33 @@ namespace conetact::application
   } // namespace
 
   void
-  parse_scene_text(Handler           &prm,
-                   const std::string &text,
-                   const std::string &file,
-                   const bool         skip_undefined)
+  parse_scene_text(Handler         &prm,
+                   const SceneText &scene,
+                   const bool       skip_undefined)
   {
-    std::istringstream stream(text);
+    std::istringstream stream(scene.text);
     try
       {
-        prm.parse_input(stream, file, "", skip_undefined);
+        prm.parse_input(stream, the_text, "", skip_undefined);
       }
     catch (const dealii::ExceptionBase &error)
       {
-        const std::vector<Line> lines   = read_lines(text);
+        const std::vector<Line> lines   = read_lines(scene.text);
         const std::string       message = message_of(error);
         const std::size_t       number  = line_number(message);
-        const bool here = message.find("of file <" + file) != message.npos;
-        if (here && number > 0 && number <= lines.size())
-          throw InputError(file + ", line " + std::to_string(number) + ": " +
+        if (number > 0 && number <= lines.size())
+          throw InputError(scene.place(number - 1) + ": " +
                            sentence(prm, lines[number - 1], message));
         if (message.find("unequal numbers of 'subsection'") != message.npos)
-          throw InputError(file + unbalanced(lines));
-        throw InputError(file + ": " + message);
+          throw InputError(unbalanced(scene, lines));
+        throw InputError(scene.place(0) + ": " + message);
       }
   }
 
   void
-  refuse_repeats(const std::string &text, const std::string &file)
+  refuse_repeats(const SceneText &scene)
   {
-    const std::vector<Line>            lines = read_lines(text);
+    const std::vector<Line>            lines = read_lines(scene.text);
     std::map<std::string, std::size_t> first;
     for (std::size_t i = 0; i < lines.size(); ++i)
       {
@@ -390,13 +444,45 @@ namespace conetact::application
           continue;
         const std::string what = (entry ? "entry '" : "subsection '") +
                                  line.name + "'" + in_section(line.path);
-        const auto [known, is_new] = first.emplace(what, i + 1);
-        if (!is_new)
-          throw InputError(file + ", line " + std::to_string(i + 1) + ": the " +
-                           what + " stands in line " +
-                           std::to_string(known->second) +
-                           " already. Remove one of them.");
+        const auto [known, is_new] = first.emplace(what, i);
+        const std::size_t before   = known->second;
+        known->second              = i;
+        if (is_new || scene.origins[i].depth < scene.origins[before].depth)
+          continue;
+        const bool same_file =
+          scene.origins[i].file == scene.origins[before].file;
+        throw InputError(
+          scene.place(i) + ": the " + what + " stands in " +
+          (same_file ? "line " + std::to_string(scene.origins[before].number) :
+                       scene.place(before)) +
+          " already. Remove one of them" +
+          (same_file ? "." :
+                       ", or include that file before the entry that is to "
+                       "replace what it says."));
       }
+  }
+
+  std::optional<std::size_t>
+  place_of(const SceneText &scene, const std::string &path)
+  {
+    const std::vector<Line>    lines = read_lines(scene.text);
+    std::optional<std::size_t> place;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if ((lines[i].kind == Line::Kind::set ||
+           lines[i].kind == Line::Kind::subsection) &&
+          path_of(lines[i]) == path)
+        place = i;
+    return place;
+  }
+
+  Entries
+  entries_of(const std::string &text)
+  {
+    Entries entries;
+    for (const Line &line : read_lines(text))
+      if (line.kind == Line::Kind::set)
+        entries[path_of(line)] = value_of(line);
+    return entries;
   }
 
   void

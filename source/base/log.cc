@@ -37,6 +37,7 @@ namespace conetact
   Log::say(const std::string &line)
   {
     keep(line);
+    warnings += line.rfind("warning: ", 0) == 0;
     if (!quiet)
       std::cout << line << std::endl;
   }
@@ -53,9 +54,9 @@ namespace conetact
   }
 
   void
-  Log::open(const std::filesystem::path &folder)
+  Log::open(const std::filesystem::path &folder, const bool goes_on)
   {
-    file.open(folder / "log.txt");
+    file.open(folder / "log.txt", goes_on ? std::ios::app : std::ios::out);
     if (!(file << kept << std::flush))
       throw WriteError("The folder " + folder.string() +
                        " cannot be written: check its permissions and the "

@@ -11,9 +11,40 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <regex>
 
 namespace conetact
 {
+  namespace
+  {
+    /** Numbers as people write them elsewhere, with what is meant. */
+    void
+    refuse_what_is_no_number(const std::string &text, const std::string &entry)
+    {
+      char *end = nullptr;
+      std::strtod(text.c_str(), &end);
+      if (end == text.c_str() + text.size())
+        return;
+      static const std::string number = "([+-]?[0-9.]+([eE][+-]?[0-9]+)?)";
+      static const std::regex  comma("([+-]?[0-9]+),([0-9]+)");
+      static const std::regex  unit(number + "\\s*(%|[A-Za-z][A-Za-z/^0-9*]*)");
+      static const std::regex  blank("([+-]?[0-9.]+)\\s+([eE][+-]?[0-9]+)");
+      std::smatch              parts;
+      const std::string        start = entry + ": '" + text + "' ";
+      if (std::regex_match(text, parts, comma))
+        throw InputError(start + "has a comma. Decimals have a point: " +
+                         parts[1].str() + "." + parts[2].str() + ".");
+      if (std::regex_match(text, parts, blank))
+        throw InputError(start + "has a blank in it. Write " + parts[1].str() +
+                         parts[2].str() + ".");
+      if (std::regex_match(text, parts, unit) && parts[3] != "e" &&
+          parts[3] != "E")
+        throw InputError(start + "has '" + parts[3].str() +
+                         "' behind the number. Leave it out: units are yours, "
+                         "any consistent ones.");
+    }
+  } // namespace
+
   double
   to_number(const std::string &text, const std::string &entry)
   {
@@ -23,6 +54,7 @@ namespace conetact
         std::isinf(std::strtod(text.c_str(), nullptr)))
       throw InputError(entry + ": '" + trim(text) +
                        "' is not a finite number. Give one.");
+    refuse_what_is_no_number(trim(text), entry);
     const Expression expression(text, entry);
     if (!expression.is_constant())
       throw InputError(entry + ": '" + trim(text) +
@@ -48,6 +80,9 @@ namespace conetact
             const unsigned int dim,
             const std::string &entry)
   {
+    if (text.find(';') != text.npos)
+      throw InputError(entry + ": '" + trim(text) +
+                       "' has a ';'. Separate components by commas here.");
     std::string inner = trim(text);
     if (inner.size() > 1 && inner.front() == '(' && inner.back() == ')' &&
         split(inner, ',').size() == 1)

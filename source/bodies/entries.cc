@@ -48,6 +48,9 @@ namespace conetact::bodies
                    const std::size_t  n,
                    const std::string &entry)
   {
+    if (n > 1 && text.find(';') == text.npos && split(text, ',').size() > 1)
+      throw InputError(entry + ": '" + text + "' has commas. Separate the " +
+                       std::to_string(n) + " expressions by ';'.");
     std::vector<Expression> expressions = parse_expressions(text, entry);
     if (expressions.size() == 1 && expressions[0].is_zero())
       while (expressions.size() < n)

@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/structure.h"
 
+#include "conetact/base/atomic_file.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -46,5 +48,13 @@ namespace conetact::bodies
     for (unsigned int node = 0; node < body.n_nodes(); ++node)
       reach = std::max(reach, body.position(node).norm());
     return reach;
+  }
+
+  void
+  Structure::write_graphics(const Eigen::VectorXd       &u,
+                            const double                 time,
+                            const std::filesystem::path &file) const
+  {
+    write_atomically(file, drawing(u, u, {}).text(time, 0));
   }
 } // namespace conetact::bodies

@@ -82,7 +82,10 @@ namespace conetact::bodies
     {
       const bool rotates = structure.n_components() > dim;
       const auto words   = direction_words(text, dim, rotates);
-      auto       expressions =
+      for (const std::string &word : words)
+        if (!rotation_component(word, dim))
+          parse_direction(word, dim, in + "Directions");
+      auto expressions =
         parse_components(displacement, words.size(), in + "Displacement");
       for (std::size_t i = 0; i < words.size(); ++i)
         if (const auto component = rotation_component(words[i], dim))

@@ -387,6 +387,36 @@ namespace conetact::contact
     return sum;
   }
 
+  namespace
+  {
+    std::vector<Tensor<1, 3>>
+    directions_of(const ContactPoints &points)
+    {
+      std::vector<Tensor<1, 3>> all;
+      for (const ContactPoint &point : points.all())
+        all.insert(all.end(), point.directions.begin(), point.directions.end());
+      return all;
+    }
+
+    std::vector<double>
+    to_numbers(const std::vector<solvers::NodeState> &states)
+    {
+      std::vector<double> numbers;
+      for (const solvers::NodeState state : states)
+        numbers.push_back(static_cast<double>(state));
+      return numbers;
+    }
+
+    std::vector<solvers::NodeState>
+    to_states(const std::vector<double> &numbers)
+    {
+      std::vector<solvers::NodeState> states;
+      for (const double number : numbers)
+        states.push_back(static_cast<solvers::NodeState>(number));
+      return states;
+    }
+  } // namespace
+
   ContactHistory::ContactHistory(ContactModel &m)
     : model(&m)
     , initial_gap(m.points.layout().n_nodes())
@@ -456,6 +486,50 @@ namespace conetact::contact
       if (model->has_frame(
             model->motions.body_of_free()[static_cast<std::size_t>(j)]))
         a[j] = base[j] = 0;
+  }
+
+  void
+  ContactHistory::save(Archive &archive) const
+  {
+    archive.put("contact/q", q);
+    archive.put("contact/r", r);
+    archive.put("contact/elastic", elastic);
+    archive.put("contact/a", a);
+    archive.put("contact/base", base);
+    archive.put("contact/largest", largest);
+    archive.put("contact/gap", initial_gap);
+    archive.put("contact/directions", directions_of(model->points));
+    archive.put("contact/states", to_numbers(states));
+  }
+
+  void
+  ContactHistory::restore(const Archive &archive)
+  {
+    Eigen::VectorXd gap(initial_gap.size());
+    archive.fill("contact/gap", gap);
+    std::vector<Tensor<1, 3>> now = directions_of(model->points), then(now);
+    archive.fill("contact/directions", then);
+    double turned = conetact::solvers::largest(gap - initial_gap) /
+                    std::max(conetact::solvers::largest(gap), 1e-300);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      turned = std::max(turned, (now[i] - then[i]).norm());
+    if (turned > 1e-9)
+      throw InputError("The checkpoint does not fit the scene: contact nodes "
+                       "have other gaps or directions. Meshes, obstacles and "
+                       "supports of contact nodes must be those of the run "
+                       "that is continued.");
+    archive.fill("contact/q", q);
+    archive.fill("contact/r", r);
+    archive.fill("contact/elastic", elastic);
+    archive.fill("contact/largest", largest);
+    states = to_states(archive.get("contact/states"));
+    // Where other supports leave other motions free, the problem is written
+    // about the undeformed place, which is as good.
+    if (archive.get("contact/a").size() == static_cast<std::size_t>(a.size()))
+      {
+        archive.fill("contact/a", a);
+        archive.fill("contact/base", base);
+      }
   }
 
   solvers::ContactProblem

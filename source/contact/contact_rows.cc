@@ -166,6 +166,58 @@ namespace conetact::contact
     return rows;
   }
 
+  std::vector<output::ContactRow>
+  ContactRows::undeformed() const
+  {
+    std::vector<output::ContactRow> rows = last;
+    for (std::size_t i = model.points.size(); i < rows.size(); ++i)
+      rows[i].state = solvers::NodeState::stick; // what equations bind
+    append_masters(rows);
+    return rows;
+  }
+
+  void
+  ContactRows::save(Archive &archive) const
+  {
+    std::vector<double>       gaps, states;
+    std::vector<Tensor<1, 3>> u, du, reactions;
+    for (const output::ContactRow &row : last)
+      {
+        gaps.push_back(row.gap);
+        states.push_back(static_cast<double>(row.state));
+        u.push_back(row.u);
+        du.push_back(row.du);
+        reactions.push_back(row.reaction);
+      }
+    archive.put("rows/gaps", gaps);
+    archive.put("rows/states", states);
+    archive.put("rows/u", u);
+    archive.put("rows/du", du);
+    archive.put("rows/reactions", reactions);
+    archive.put("rows/other", other_before);
+  }
+
+  void
+  ContactRows::restore(const Archive &archive)
+  {
+    std::vector<double>       gaps(last.size()), states(last.size());
+    std::vector<Tensor<1, 3>> u(last.size()), du(u), reactions(u);
+    archive.fill("rows/gaps", gaps);
+    archive.fill("rows/states", states);
+    archive.fill("rows/u", u);
+    archive.fill("rows/du", du);
+    archive.fill("rows/reactions", reactions);
+    archive.fill("rows/other", other_before);
+    for (std::size_t i = 0; i < last.size(); ++i)
+      {
+        last[i].gap      = gaps[i];
+        last[i].state    = static_cast<solvers::NodeState>(states[i]);
+        last[i].u        = u[i];
+        last[i].du       = du[i];
+        last[i].reaction = reactions[i];
+      }
+  }
+
   void
   ContactRows::set_candidate(const std::size_t            i,
                              const solvers::ContactState &state,

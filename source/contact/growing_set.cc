@@ -22,6 +22,13 @@ namespace conetact::contact
     n_first = size();
   }
 
+  void
+  GrowingSet::resume(std::vector<Eigen::Index> nodes)
+  {
+    model.choose(WorkingSet(model.points.layout(), std::move(nodes)));
+    n_first = size();
+  }
+
   bool
   GrowingSet::suffices(const Eigen::VectorXd &gaps) const
   {

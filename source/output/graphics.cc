@@ -6,11 +6,9 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/output/csv.h"
 
-#include <deal.II/base/data_out_base.h>
-
 #include <cstdio>
+#include <fstream>
 #include <regex>
-#include <sstream>
 
 namespace conetact::output
 {
@@ -26,111 +24,30 @@ namespace conetact::output
       return stem + number;
     }
 
-    Tensor<1, 3>
-    to_global(const ContactRow &row, const Tensor<1, 3> &v)
+    /** The increment of one of our files, 0 of others. */
+    unsigned long
+    increment_of(const std::string &name)
     {
-      return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;
-    }
-
-    using Patch = dealii::DataOutBase::Patch<0, 3>;
-    using dealii::DataComponentInterpretation::component_is_part_of_vector;
-    using Range = std::tuple<
-      unsigned int,
-      unsigned int,
-      std::string,
-      dealii::DataComponentInterpretation::DataComponentInterpretation>;
-
-    // What is drawn at each contact node, in the order of values().
-    const std::vector<std::string> vectors = {"reaction",
-                                              "traction",
-                                              "slip",
-                                              "u",
-                                              "normal"};
-    const std::vector<std::string> scalars = {"gap", "state", "contact"};
-
-    std::vector<double>
-    values(const ContactRow &row)
-    {
-      const Tensor<1, 3> reaction = to_global(row, row.reaction);
-      const Tensor<1, 3> traction =
-        row.area > 0 ? reaction / row.area : Tensor<1, 3>();
-      const Tensor<1, 3> slip = row.du[1] * row.t1 + row.du[2] * row.t2;
-
-      std::vector<double> v;
-      for (const Tensor<1, 3> &vector :
-           {reaction, traction, slip, to_global(row, row.u), row.normal})
-        for (unsigned int d = 0; d < 3; ++d)
-          v.push_back(vector[d]);
-      v.push_back(row.gap);
-      v.push_back(static_cast<double>(row.state));
-      v.push_back(row.contact);
-      return v;
-    }
-
-    std::vector<std::string>
-    component_names()
-    {
-      std::vector<std::string> names;
-      for (const std::string &name : vectors)
-        names.insert(names.end(), 3, name);
-      names.insert(names.end(), scalars.begin(), scalars.end());
-      return names;
-    }
-
-    std::vector<Range>
-    vector_ranges()
-    {
-      std::vector<Range> ranges;
-      for (unsigned int i = 0; i < vectors.size(); ++i)
-        ranges.emplace_back(3 * i,
-                            3 * i + 2,
-                            vectors[i],
-                            component_is_part_of_vector);
-      return ranges;
-    }
-
-    std::vector<Patch>
-    points(const std::vector<ContactRow> &rows)
-    {
-      std::vector<Patch> patches(rows.size());
-      for (unsigned int i = 0; i < rows.size(); ++i)
-        {
-          const std::vector<double> v = values(rows[i]);
-          patches[i].vertices[0]      = rows[i].position;
-          patches[i].patch_index      = i;
-          patches[i].data.reinit(static_cast<unsigned int>(v.size()), 1);
-          for (unsigned int c = 0; c < v.size(); ++c)
-            patches[i].data(c, 0) = static_cast<float>(v[c]);
-        }
-      return patches;
-    }
-
-    std::string
-    contact_vtu(const IncrementRecord &record)
-    {
-      std::ostringstream            out;
-      dealii::DataOutBase::VtkFlags flags;
-      flags.time                = record.time;
-      flags.cycle               = record.increment;
-      flags.print_date_and_time = false; // the same run, the same file
-      dealii::DataOutBase::write_vtu(
-        points(record.rows), component_names(), vector_ranges(), flags, out);
-      return out.str();
+      static const std::regex numbered(".*-([0-9]{4,})\\.vtu");
+      std::smatch             parts;
+      return std::regex_match(name, parts, numbered) ? std::stoul(parts[1]) : 0;
     }
 
     // ParaView groups files by their numbers: those of a longer run before
-    // this one would seem to go on where this one ends.
+    // this one would seem to go on where this one ends. Those of a run that
+    // goes on stay.
     void
-    remove_old_files(const fs::path &folder)
+    remove_old_files(const fs::path &folder, const unsigned int n_kept)
     {
       static const std::regex ours(
-        "(solution-[A-Za-z0-9_.-]+|contact)-[0-9]{4,}\\.vtu|"
-        "mechanism(-[A-Za-z0-9_.-]+)?\\.vtu|"
-        "(solution|contact|mechanism)\\.pvd");
+        "((solution|surface)-[A-Za-z0-9_.-]+|contact)-[0-9]{4,}\\.vtu|"
+        "mechanism(-[A-Za-z0-9_.-]+)?\\.vtu|mechanism\\.pvd");
       std::error_code       error; // if one cannot be removed, it stays
       std::vector<fs::path> old;
       for (const auto &file : fs::directory_iterator(folder, error))
-        if (std::regex_match(file.path().filename().string(), ours))
+        if (const std::string name = file.path().filename().string();
+            std::regex_match(name, ours) &&
+            (n_kept == 0 || increment_of(name) > n_kept))
           old.push_back(file.path());
       for (const fs::path &file : old)
         fs::remove(file, error);
@@ -149,18 +66,29 @@ namespace conetact::output
 
 
   // An old collection must not pass for one of this run.
-  PvdFile::PvdFile(const fs::path &path)
+  PvdFile::PvdFile(const fs::path &path, const unsigned int n_kept)
     : file(path)
   {
+    std::ifstream old(file);
+    for (std::string line; n_kept > 0 && std::getline(old, line);)
+      {
+        const auto name = line.find("file=\"");
+        if (name != line.npos && line.size() > name + 9 &&
+            increment_of(line.substr(name + 6, line.size() - name - 9)) <=
+              n_kept)
+          entries += line + '\n';
+      }
     std::error_code ignored; // if it cannot be removed, nor can it be written
-    fs::remove(file, ignored);
+    if (entries.empty())
+      fs::remove(file, ignored);
+    else
+      write();
   }
 
 
 
   void
-  PvdFile::add(const double                                            time,
-               const std::vector<std::pair<std::string, std::string>> &blocks)
+  PvdFile::add(const double time, const std::vector<Block> &blocks)
   {
     unsigned int part = 0;
     for (const auto &[name, vtu] : blocks)
@@ -170,6 +98,14 @@ namespace conetact::output
         entries += "\" group=\"\" part=\"" + std::to_string(part++) +
                    "\" name=\"" + name + "\" file=\"" + vtu + "\"/>\n";
       }
+    write();
+  }
+
+
+
+  void
+  PvdFile::write() const
+  {
     write_atomically(file,
                      "<?xml version=\"1.0\"?>\n"
                      "<VTKFile type=\"Collection\" version=\"0.1\" "
@@ -181,10 +117,23 @@ namespace conetact::output
 
   Graphics::Graphics(const RunDescription &description)
     : run(description)
-    , solution(description.folder / "solution.pvd")
-    , contact(description.folder / "contact.pvd")
+    , names(safe_names(run.bodies))
+    , n_kept(run.goes_on_in_place() ? run.n_former : 0)
+    , solution(run.folder / "solution.pvd", n_kept)
+    , surface(run.folder / "surface.pvd", n_kept)
+    , contact(run.folder / "contact.pvd", n_kept)
+    , scene(run.folder / "scene.pvd", n_kept)
   {
-    remove_old_files(run.folder);
+    remove_old_files(run.folder, n_kept);
+  }
+
+
+
+  void
+  Graphics::begin(const IncrementRecord &undeformed)
+  {
+    if (run.vtu_every > 0)
+      draw(undeformed);
   }
 
 
@@ -195,8 +144,7 @@ namespace conetact::output
     for (const IncrementRecord &record : finished)
       if (run.is_drawn(record.increment))
         {
-          write_bodies(record);
-          write_contacts(record);
+          draw(record);
           ++drawings;
         }
   }
@@ -212,34 +160,77 @@ namespace conetact::output
 
 
   void
-  Graphics::write_bodies(const IncrementRecord &record)
+  Graphics::draw(const IncrementRecord &record)
   {
-    std::vector<std::pair<std::string, std::string>> blocks;
-    const std::vector<std::string> names = safe_names(run.bodies);
-    for (unsigned int b = 0; b < record.displacements.size(); ++b)
-      {
-        const std::string body = names.at(b);
-        const std::string name = vtu_name("solution-" + body, record.increment);
-        run.structures.at(b)->write_graphics(record.displacements[b],
-                                             deformation(record, b),
-                                             record.actions.at(b),
-                                             record.time,
-                                             run.folder / name);
-        blocks.emplace_back(body, name);
-      }
-    if (!blocks.empty())
-      solution.add(record.time, blocks);
+    for (std::size_t b = skins.size(); b < record.displacements.size(); ++b)
+      skins.push_back(make_skin(*run.structures.at(b)));
+    std::vector<Block> all;
+    const auto         collect = [&](const std::vector<Block> &blocks,
+                             const std::string        &kind,
+                             PvdFile                  &pvd) {
+      if (blocks.empty())
+        return;
+      pvd.add(record.time, blocks);
+      for (const auto &[name, file] : blocks)
+        all.emplace_back(name == kind ? kind : kind + ' ' + name, file);
+    };
+    collect(write_bodies(record), "body", solution);
+    collect(write_surfaces(record), "surface", surface);
+    collect(write_contacts(record), "contact", contact);
+    scene.add(record.time, all);
   }
 
 
 
-  void
-  Graphics::write_contacts(const IncrementRecord &record)
+  std::vector<Block>
+  Graphics::write_bodies(const IncrementRecord &record) const
+  {
+    std::vector<Block> blocks;
+    for (unsigned int b = 0; b < record.displacements.size(); ++b)
+      {
+        VtuGrid grid = run.structures.at(b)->drawing(record.displacements[b],
+                                                     deformation(record, b),
+                                                     record.actions.at(b));
+        grid.cell_ids.push_back(
+          {"body", std::vector<int>(grid.n_cells(), static_cast<int>(b))});
+        blocks.emplace_back(names.at(b),
+                            vtu_name("solution-" + names[b], record.increment));
+        write_atomically(run.folder / blocks.back().second,
+                         grid.text(record.time, record.increment));
+      }
+    return blocks;
+  }
+
+
+
+  std::vector<Block>
+  Graphics::write_surfaces(const IncrementRecord &record) const
+  {
+    std::vector<Block> blocks;
+    for (unsigned int b = 0; b < record.displacements.size(); ++b)
+      if (skins.at(b).grid.n_cells() > 0)
+        {
+          blocks.emplace_back(names.at(b),
+                              vtu_name("surface-" + names[b],
+                                       record.increment));
+          write_atomically(run.folder / blocks.back().second,
+                           draw_skin(skins[b], run, record, b)
+                             .text(record.time, record.increment));
+        }
+    return blocks;
+  }
+
+
+
+  std::vector<Block>
+  Graphics::write_contacts(const IncrementRecord &record) const
   {
     if (record.rows.empty())
-      return;
+      return {};
     const std::string name = vtu_name("contact", record.increment);
-    write_atomically(run.folder / name, contact_vtu(record));
-    contact.add(record.time, {{"contact", name}});
+    write_atomically(
+      run.folder / name,
+      draw_contact_nodes(run, record).text(record.time, record.increment));
+    return {{"contact", name}};
   }
 } // namespace conetact::output

@@ -4,6 +4,7 @@
 #include "conetact/output/output_table.h"
 
 #include "conetact/output/graphics.h"
+#include "conetact/output/history_table.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/output/problem_texts.h"
 #include "conetact/output/tables.h"
@@ -32,6 +33,10 @@ namespace conetact::output
        "node; increments.csv: iterations, residuals, numbers of states, "
        "resultants and energies",
        create<Tables>},
+      {"history",
+       "history.csv: largest displacement and pressure, displacements of chosen "
+       "points",
+       create<HistoryTable>},
       {"problems",
        "problem-0001.hdf5: condensed problems of chosen increments for FCLib",
        create<ProblemFiles>},

@@ -56,7 +56,8 @@ namespace conetact::output
     : folder(description.folder)
     , increments(description.fclib_increments)
   {
-    remove_problem_files(folder, "hdf5");
+    if (!description.goes_on_in_place())
+      remove_problem_files(folder, "hdf5");
   }
 
 

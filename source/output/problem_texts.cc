@@ -12,7 +12,8 @@ namespace conetact::output
     : folder(description.folder)
     , increments(description.text_increments)
   {
-    remove_problem_files(folder, "txt");
+    if (!description.goes_on_in_place())
+      remove_problem_files(folder, "txt");
   }
 
 

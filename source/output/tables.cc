@@ -5,6 +5,7 @@
 
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
+#include "conetact/output/former_rows.h"
 
 namespace conetact::output
 {
@@ -12,8 +13,10 @@ namespace conetact::output
     : folder(run.folder)
     , reactions(run)
     , increments(run)
-    , reactions_text(reactions.header())
-    , increments_text(increments.header())
+    , reactions_text(reactions.header() +
+                     former_rows(run, "reactions.csv", reactions.header()))
+    , increments_text(increments.header() +
+                      former_rows(run, "increments.csv", increments.header()))
   {
     rewrite();
   }

@@ -20,6 +20,9 @@ namespace conetact::verification
       return .5 * (f0 + f1).dot(u1 - u0);
     }
 
+    /** Of names in checkpoints. */
+    const std::string foundation = "energies/foundation ";
+
     void
     fill(VectorXd &x, const Index n)
     {
@@ -94,5 +97,52 @@ namespace conetact::verification
         record.contact_work_normal += work(point.first + nt, 1);
       }
     last = std::move(now);
+  }
+
+  void
+  Energies::save(Archive                        &archive,
+                 const std::vector<std::string> &supports) const
+  {
+    archive.put("energies/u", last.u);
+    archive.put("energies/forces", last.forces);
+    archive.put("energies/relative", last.relative);
+    archive.put("energies/r", last.r);
+    archive.put("energies/reactions", last.reactions);
+    archive.put("energies/obstacles", last.obstacles);
+    archive.put("energies/points", static_cast<double>(last.reactions.size()));
+    for (std::size_t s = 0; s < last.foundations.size(); ++s)
+      if (last.foundations[s].forces.size() > 0)
+        {
+          const std::string name = foundation + supports[s];
+          archive.put(name + "/forces", last.foundations[s].forces);
+          archive.put(name + "/ground", last.foundations[s].ground);
+        }
+  }
+
+  void
+  Energies::restore(const Archive                  &archive,
+                    const std::vector<std::string> &supports)
+  {
+    const auto number = [&](const std::string &name) {
+      double value = 0;
+      archive.fill(name, value);
+      return static_cast<std::size_t>(value);
+    };
+    archive.fill_any("energies/u", last.u);
+    archive.fill_any("energies/forces", last.forces);
+    archive.fill_any("energies/relative", last.relative);
+    archive.fill_any("energies/r", last.r);
+    last.reactions.resize(number("energies/points"));
+    last.obstacles.resize(last.reactions.size());
+    archive.fill("energies/reactions", last.reactions);
+    archive.fill("energies/obstacles", last.obstacles);
+    last.foundations.resize(supports.size());
+    for (std::size_t s = 0; s < supports.size(); ++s)
+      if (const std::string name = foundation + supports[s];
+          archive.has(name + "/forces"))
+        {
+          archive.fill_any(name + "/forces", last.foundations[s].forces);
+          archive.fill_any(name + "/ground", last.foundations[s].ground);
+        }
   }
 } // namespace conetact::verification

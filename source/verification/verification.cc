@@ -448,6 +448,23 @@ namespace conetact::verification
   }
 
   void
+  Verification::save(Archive &archive) const
+  {
+    archive.put("verification/u", last.u);
+    archive.put("verification/t", last.t);
+    archive.put("verification/history", history);
+  }
+
+  void
+  Verification::restore(const Archive &archive)
+  {
+    last.u.setZero(plain.n_dofs());
+    archive.fill("verification/u", last.u);
+    archive.fill("verification/t", last.t);
+    archive.fill("verification/history", history);
+  }
+
+  void
   Verification::accept(const Claim &claim, const Finding &finding)
   {
     // The slip of the next increment starts here.

@@ -42,6 +42,16 @@ namespace conetact::analysis
              const Eigen::VectorXd       &w,
              const bool                   drawn);
 
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
+
+    /** Increment 0: the bodies before anything acts. */
+    output::IncrementRecord
+    undeformed() const;
+
     /** Displacements of all dofs. */
     Eigen::VectorXd
     displacements(const PendingIncrement &increment,
@@ -93,6 +103,8 @@ namespace conetact::analysis
     void
     add_obstacles(output::IncrementRecord     &record,
                   const verification::Finding &finding) const;
+    void
+    observe(output::IncrementRecord &record, const Eigen::VectorXd &u) const;
     void
     add_displacements(output::IncrementRecord &record,
                       const Eigen::VectorXd   &u,

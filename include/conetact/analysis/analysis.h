@@ -64,6 +64,15 @@ namespace conetact::analysis
     virtual void
     run(const std::filesystem::path &folder, const bool quiet) = 0;
 
+    /** The last increment on disk in ten lines, to log and screen. */
+    void
+    say_closing() const;
+    bool
+    has_results() const
+    {
+      return !closing_lines.empty();
+    }
+
     /** What was done so far. */
     Work
     work() const;
@@ -79,6 +88,8 @@ namespace conetact::analysis
     /** Throws InputError where loads drive a body that nothing can hold. */
     void
     refuse_unbalanced(const Eigen::VectorXd &forces, const double t) const;
+    void
+    resume_working_set();
     /** `n_increments` is 0 where it is not known beforehand. */
     void
     create_outputs(const std::filesystem::path &folder,
@@ -115,7 +126,9 @@ namespace conetact::analysis
     contact::GrowingSet       set;
     Acceptance                acceptance;
     output::RunDescription    description;
-    output::IncrementRecord   final_record; ///< of adaptive scenes
+    output::IncrementRecord   final_record;  ///< of adaptive scenes
+    std::vector<std::string>  closing_lines; ///< of the last increment
+    unsigned int              n_on_disk = 0; ///< increments
     std::vector<std::unique_ptr<output::Output>> outputs;
     Work                                         done;
   };

@@ -47,6 +47,11 @@ namespace conetact::analysis
       Eigen::VectorXd gaps; ///< of all candidates, some negative [length]
     };
 
+    /** Keeps the state after the increments on disk, where that is wanted. */
+    void
+    save_state(const bool at_end);
+    void
+    restore_state();
     std::size_t
     batch_size(const unsigned int n_finished) const;
     /** Solves increments from `first` on, up to one that fails. */
@@ -127,6 +132,7 @@ namespace conetact::analysis
     IncrementParts                           parts; ///< of the one that is next
     bool         lost_contacts  = false; ///< that slide, in what failed last
     bool         said_unsettled = false;
+    unsigned int n_saved        = 0;     ///< increments before the checkpoint
     unsigned int first_unsure   = 0;     ///< increments before the last one
     bool         correcting     = false; ///< increments need refinement
   };

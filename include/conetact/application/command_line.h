@@ -16,11 +16,13 @@ namespace conetact::application
   {
     std::filesystem::path    scene;
     std::filesystem::path    folder;    ///< of results; empty: the default
+    std::filesystem::path    restart;   ///< folder of the run to be continued
     std::vector<std::string> overrides; ///< "Section/Entry=value"
     bool                     print_parameters = false;
     bool                     dry_run          = false;
     bool                     quiet            = false;
     bool                     verify           = false;
+    std::string              new_scene; ///< name of a scene to be written
     /** Text to print instead of doing anything: help, version. */
     std::string answer;
   };

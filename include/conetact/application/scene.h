@@ -6,8 +6,11 @@
 
 #include "conetact/application/adaptive_settings.h"
 #include "conetact/application/command_line.h"
+#include "conetact/application/scene_file.h"
 #include "conetact/application/solver_options.h"
+#include "conetact/base/archive.h"
 #include "conetact/bodies/nodal_loads.h"
+#include "conetact/bodies/probes.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/pairing/obstacles.h"
 #include "conetact/pairing/sliding.h"
@@ -16,6 +19,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -83,12 +87,14 @@ namespace conetact::application
      */
     std::vector<std::string>      contact_sides;
     std::vector<unsigned int>     master_side;
-    std::vector<pairing::Pairing> pairings; ///< of each contact
+    std::vector<unsigned int>     side_bodies; ///< the body of each of them
+    std::vector<pairing::Pairing> pairings;    ///< of each contact
     std::vector<double>           times;
     solvers::SolverOptions        solver;
     const backends::Condenser    *condenser = &backends::default_condenser();
     PathSettings                  path;
     AdaptiveSettings              adaptive;
+    std::vector<bodies::Probe>    probes;
     unsigned int                  vtu_every = 1;
     /** Increments that are drawn. */
     std::size_t
@@ -104,6 +110,21 @@ namespace conetact::application
       fclib_increments.clear();
       text_increments.clear();
     }
+    /** A run that is continued, from its last checkpoint on. */
+    struct Restart
+    {
+      std::filesystem::path folder;
+      Archive               state;
+      unsigned int          n_done = 0; ///< increments
+    };
+    std::optional<Restart> restart;
+    /** Increments that are done already; `times` begins with theirs. */
+    unsigned int
+    n_done() const
+    {
+      return restart ? restart->n_done : 0;
+    }
+    unsigned int           checkpoint_every    = 0; ///< 0: never
     unsigned int           threads             = 1;
     bool                   leave_out_far_nodes = true; ///< working set
     std::set<unsigned int> fclib_increments; ///< with a file of their own
@@ -116,9 +137,9 @@ namespace conetact::application
     void
     read_names();
     void
-    declare();
-    void
     read_options();
+    void
+    read_problem_increments();
     std::vector<bool>
     bodies_at_rest() const;
     void
@@ -127,10 +148,16 @@ namespace conetact::application
     check_sliding() const;
     void
     keep_nodes();
+    void
+    continue_from(const std::filesystem::path &folder);
+    void
+    refuse_changes(const Restart &run) const;
+    void
+    refuse_checkpoints() const;
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;
-    std::string              text; ///< of the file
+    SceneText                text; ///< of the file and what it includes
     std::vector<std::string> obstacle_names;
 
     mutable dealii::ParameterHandler                prm;

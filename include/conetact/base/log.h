@@ -24,16 +24,25 @@ namespace conetact
     /** log.txt only. */
     void
     note(const std::string &line);
-    /** log.txt and standard output. */
+    /** log.txt and standard output; a warning begins with "warning: ". */
     void
     say(const std::string &line);
+    /** Warnings said so far. */
+    unsigned int
+    n_warnings() const
+    {
+      return warnings;
+    }
     /** A note with the seconds since the last time() or the start. */
     void
     time(const std::string &what);
 
-    /** From now on lines go to FOLDER/log.txt. Throws WriteError. */
+    /**
+     * From now on lines go to FOLDER/log.txt, behind those that are there if
+     * the run goes on. Throws WriteError.
+     */
     void
-    open(const std::filesystem::path &folder);
+    open(const std::filesystem::path &folder, const bool goes_on = false);
 
   private:
     void
@@ -42,6 +51,7 @@ namespace conetact
     using Clock = std::chrono::steady_clock;
     const bool        quiet, verbose;
     Clock::time_point last;
+    unsigned int      warnings = 0;
     std::string       kept;
     std::ofstream     file;
   };

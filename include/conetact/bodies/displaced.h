@@ -97,14 +97,12 @@ namespace conetact::bodies
     {
       body.visit_springs(ids, stiffness, visit);
     }
-    void
-    write_graphics(const Eigen::VectorXd       &displacement,
-                   const Eigen::VectorXd       &deformation,
-                   const Actions               &actions,
-                   const double                 time,
-                   const std::filesystem::path &file) const override
+    VtuGrid
+    drawing(const Eigen::VectorXd &displacement,
+            const Eigen::VectorXd &deformation,
+            const Actions         &actions) const override
     {
-      body.write_graphics(displacement, deformation, actions, time, file);
+      return body.drawing(displacement, deformation, actions);
     }
     std::string
     description() const override

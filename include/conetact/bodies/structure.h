@@ -5,6 +5,7 @@
 #define conetact_bodies_structure_h
 
 #include "conetact/base/points.h"
+#include "conetact/base/vtu_grid.h"
 
 #include <Eigen/Core>
 
@@ -254,26 +255,24 @@ namespace conetact::bodies
                   const ElementVisitor     &visit) const = 0;
 
     /**
-     * Writes the displacement u (all dofs) and the stresses or section forces
-     * of the deformation w, with `actions` at work, to a VTU file. w is u
-     * without a rigid motion, which would cost digits of the stresses. Throws
-     * WriteError.
+     * A picture of the undeformed body with `displacement` u (all dofs), the
+     * stresses or section forces of the deformation w, with `actions` at work,
+     * and ids of its cells. w is u without a rigid motion, which would cost
+     * digits of the stresses.
      */
-    virtual void
-    write_graphics(const Eigen::VectorXd       &u,
-                   const Eigen::VectorXd       &w,
-                   const Actions               &actions,
-                   const double                 time,
-                   const std::filesystem::path &file) const = 0;
+    virtual VtuGrid
+    drawing(const Eigen::VectorXd &u,
+            const Eigen::VectorXd &w,
+            const Actions         &actions) const = 0;
 
-    /** The same of w = u with nothing at work inside the body. */
+    /**
+     * Writes that of w = u with nothing at work inside the body to a VTU file.
+     * Throws WriteError.
+     */
     void
     write_graphics(const Eigen::VectorXd       &u,
                    const double                 time,
-                   const std::filesystem::path &file) const
-    {
-      write_graphics(u, u, {}, time, file);
-    }
+                   const std::filesystem::path &file) const;
 
     /** What a user must know of its results, a sentence; empty: nothing. */
     virtual std::string

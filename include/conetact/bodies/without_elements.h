@@ -57,13 +57,13 @@ namespace conetact::bodies
                   const SurfaceTensorField &,
                   const ElementVisitor &) const override
     {}
-    void
-    write_graphics(const Eigen::VectorXd &,
-                   const Eigen::VectorXd &,
-                   const Actions &,
-                   const double,
-                   const std::filesystem::path &) const override
-    {}
+    VtuGrid
+    drawing(const Eigen::VectorXd &,
+            const Eigen::VectorXd &,
+            const Actions &) const override
+    {
+      return {};
+    }
   };
 } // namespace conetact::bodies
 

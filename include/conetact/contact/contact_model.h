@@ -4,6 +4,7 @@
 #ifndef conetact_contact_contact_model_h
 #define conetact_contact_contact_model_h
 
+#include "conetact/base/archive.h"
 #include "conetact/contact/condensation.h"
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/dual_backend.h"
@@ -212,6 +213,12 @@ namespace conetact::contact
     {
       return a;
     }
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
+
     /** What ElasticBackend::expand() takes. */
     Eigen::VectorXd
     primal() const;

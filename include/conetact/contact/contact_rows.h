@@ -48,6 +48,15 @@ namespace conetact::contact
      */
     void
     relink();
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
+
+    /** Before the first increment: gaps, and nothing else. */
+    std::vector<output::ContactRow>
+    undeformed() const;
 
   private:
     void

@@ -24,6 +24,10 @@ namespace conetact::contact
     start(const std::function<Eigen::VectorXd(const double t)> &forces,
           const std::vector<double>                            &times);
 
+    /** One that has grown before, of a run that is continued. */
+    void
+    resume(std::vector<Eigen::Index> nodes);
+
     /** Whether no candidate outside penetrates, by the gaps of all [length]. */
     bool
     suffices(const Eigen::VectorXd &gaps) const;

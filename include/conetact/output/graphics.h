@@ -5,11 +5,15 @@
 #define conetact_output_graphics_h
 
 #include "conetact/output/output.h"
+#include "conetact/output/skin.h"
 
 #include <string>
 
 namespace conetact::output
 {
+  /** Name of a block and its file, of one time. */
+  using Block = std::pair<std::string, std::string>;
+
   /**
    * A ParaView collection: which file shows which time. Rewritten with each
    * file, so that it lists finished files only.
@@ -17,26 +21,29 @@ namespace conetact::output
   class PvdFile
   {
   public:
-    explicit PvdFile(const std::filesystem::path &path);
-    /** Files of one time, each with the name of its block. */
+    /** What an old one lists beyond the increment `n_kept` is forgotten. */
+    explicit PvdFile(const std::filesystem::path &path,
+                     const unsigned int           n_kept = 0);
     void
-    add(const double                                            time,
-        const std::vector<std::pair<std::string, std::string>> &blocks);
+    add(const double time, const std::vector<Block> &blocks);
 
   private:
+    void
+    write() const;
+
     const std::filesystem::path file;
     std::string                 entries;
   };
 
   /**
-   * Pictures of every `vtu_every`-th increment for ParaView:
+   * Pictures of every `vtu_every`-th increment and, as increment 0, of the
+   * undeformed bodies for ParaView:
    * - `solution.pvd` and `solution-BODY-0001.vtu`, drawn by the bodies;
-   * - `contact.pvd` and `contact-0001.vtu`: the contact nodes as points at
-   *   their undeformed places, with the vectors reaction [force], traction
-   *   (reaction over tributary area, [stress]), slip (of the increment), u
-   *   (total, relative to the obstacle) and normal in global coordinates and
-   *   the scalars gap, state (0 open, 1 stick, 2 slip) and contact (its place
-   *   in the list of contacts). Single precision.
+   * - `surface.pvd` and `surface-BODY-0001.vtu`: their surfaces with contact;
+   * - `contact.pvd` and `contact-0001.vtu`: the contact nodes as points;
+   * - `scene.pvd`: all of them.
+   * All have `displacement` and, for each cell, `body`, its place in the list
+   * of bodies. Double precision.
    */
   class Graphics : public Output
   {
@@ -44,20 +51,28 @@ namespace conetact::output
     /** Removes files of these names that an earlier run left. */
     explicit Graphics(const RunDescription &description);
     void
+    begin(const IncrementRecord &undeformed) override;
+    void
     write(const std::vector<IncrementRecord> &finished) override;
     OutputWork
     work() const override;
 
   private:
     void
-    write_bodies(const IncrementRecord &record);
-    void
-    write_contacts(const IncrementRecord &record);
+    draw(const IncrementRecord &record);
+    std::vector<Block>
+    write_bodies(const IncrementRecord &record) const;
+    std::vector<Block>
+    write_surfaces(const IncrementRecord &record) const;
+    std::vector<Block>
+    write_contacts(const IncrementRecord &record) const;
 
-    const RunDescription run;
-    PvdFile              solution;
-    PvdFile              contact;
-    unsigned int         drawings = 0;
+    const RunDescription           run;
+    const std::vector<std::string> names;  ///< of bodies, in those of files
+    const unsigned int             n_kept; ///< increments that stay
+    PvdFile                        solution, surface, contact, scene;
+    std::vector<Skin>              skins; ///< of the bodies, once known
+    unsigned int                   drawings = 0;
   };
 } // namespace conetact::output
 

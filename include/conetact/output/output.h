@@ -51,6 +51,14 @@ namespace conetact::output
     Resultant    contacts;     ///< what all contacts do to it
   };
 
+  /** Where the bodies move most. */
+  struct LargestDisplacement
+  {
+    double       size = 0; ///< [length]
+    unsigned int body = 0;
+    Point<3>     position; ///< undeformed
+  };
+
   /** An increment as its contact nodes see it. */
   struct CondensedIncrement
   {
@@ -81,6 +89,9 @@ namespace conetact::output
 
     std::vector<ObstacleRecord> obstacles; ///< that are free
 
+    LargestDisplacement       largest_displacement;
+    std::vector<Tensor<1, 3>> probes; ///< displacements of chosen points
+
     double strain_energy = 0; ///< at the end [force x length]
     // of the increment [force x length]
     double external_work       = 0; ///< of loads and moving supports
@@ -103,17 +114,31 @@ namespace conetact::output
   /** What the outputs need to know before the first increment. */
   struct RunDescription
   {
-    std::filesystem::path    folder;    ///< exists and is writable
-    std::vector<std::string> contacts;  ///< names
-    std::vector<std::string> supports;  ///< names
-    std::vector<std::string> loads;     ///< names
-    std::vector<std::string> bodies;    ///< names
-    std::vector<std::string> obstacles; ///< names of those that are free
+    std::filesystem::path    folder;   ///< exists and is writable
+    std::vector<std::string> contacts; ///< names, then those of masters' sides
+    /** The body that each of them is on, an index into `bodies`. */
+    std::vector<unsigned int> contact_bodies;
+    std::vector<std::string>  supports;  ///< names
+    std::vector<std::string>  loads;     ///< names
+    std::vector<std::string>  bodies;    ///< names
+    std::vector<std::string>  obstacles; ///< names of those that are free
+    std::vector<std::string>  probes;    ///< names of chosen points
     std::vector<const bodies::Structure *> structures;
     unsigned int                           dim = 2;
     unsigned int n_increments                  = 0; ///< 0: not known yet
     double       end                           = 0; ///< time of the last one
     unsigned int vtu_every                     = 1; ///< 0: never
+
+    /** The folder of a run that is continued, and how many increments of it. */
+    std::filesystem::path former;
+    unsigned int          n_former = 0;
+    /** Whether its files are in the way: it is continued where it is. */
+    bool
+    goes_on_in_place() const
+    {
+      std::error_code error;
+      return n_former > 0 && std::filesystem::equivalent(former, folder, error);
+    }
 
     /** Increments whose condensed problem is written. */
     std::set<unsigned int> fclib_increments, text_increments;
@@ -137,6 +162,10 @@ namespace conetact::output
   {
   public:
     virtual ~Output() = default;
+    /** The undeformed bodies at t = 0, before anything acts: increment 0. */
+    virtual void
+    begin(const IncrementRecord & /*undeformed*/)
+    {}
     /**
      * Increments that were finished together, in their order. Every file is
      * whole at every moment: temporary name, then rename.

@@ -15,8 +15,9 @@ namespace conetact::output
   /**
    * `reactions.csv` and `increments.csv`, rewritten from the text of all
    * finished increments once for those that finish together, and replaced
-   * together. The constructor writes them without rows, so that old tables do
-   * not pass for those of this run.
+   * together. The constructor writes them without rows, or with those of the
+   * run that is continued, so that old tables do not pass for those of this
+   * run.
    */
   class Tables : public Output
   {

@@ -4,6 +4,7 @@
 #ifndef conetact_verification_energies_h
 #define conetact_verification_energies_h
 
+#include "conetact/base/archive.h"
 #include "conetact/output/output.h"
 #include "conetact/verification/verification.h"
 
@@ -27,6 +28,13 @@ namespace conetact::verification
         const Claim                  &claim,
         const Finding                &finding,
         output::IncrementRecord      &record);
+
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive, const std::vector<std::string> &supports) const;
+    /** Springs of supports that the checkpoint does not know are new. */
+    void
+    restore(const Archive &archive, const std::vector<std::string> &supports);
 
   private:
     struct State

@@ -4,6 +4,7 @@
 #ifndef conetact_verification_verification_h
 #define conetact_verification_verification_h
 
+#include "conetact/base/archive.h"
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
@@ -97,6 +98,12 @@ namespace conetact::verification
     /** The claim becomes the state that the next one is judged against. */
     void
     accept(const Claim &claim, const Finding &finding);
+
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
 
   private:
     struct Scales;

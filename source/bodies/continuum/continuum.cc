@@ -32,6 +32,7 @@ namespace conetact::bodies
       mesh.hanging      = body.hanging_nodes();
       for (const auto &cell : body.dof_handler.active_cell_iterators())
         {
+          mesh.material_ids.push_back(static_cast<int>(cell->material_id()));
           for (const unsigned int v : cell->vertex_indices())
             {
               const unsigned int node = cell->vertex_dof_index(v, 0) / dim;
@@ -461,19 +462,17 @@ namespace conetact::bodies
   }
 
   template <int dim>
-  void
-  Continuum<dim>::write_graphics(const Eigen::VectorXd       &u,
-                                 const Eigen::VectorXd       &w,
-                                 const Actions               &actions,
-                                 const double                 time,
-                                 const std::filesystem::path &file) const
+  VtuGrid
+  Continuum<dim>::drawing(const Eigen::VectorXd &u,
+                          const Eigen::VectorXd &w,
+                          const Actions         &actions) const
   {
     Eigen::VectorXd temperature =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
     for (const Action &action : actions)
       if (action.kind == Action::Kind::temperature)
         temperature += nodal_values(mesh, action.temperature);
-    write_continuum(mesh, phases, u, w, temperature, time, file);
+    return draw_continuum(mesh, phases, u, w, temperature);
   }
 
   template <int dim>

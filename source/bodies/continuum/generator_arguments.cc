@@ -4,6 +4,7 @@
 #include "conetact/bodies/continuum/generator_arguments.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 
@@ -459,6 +460,16 @@ namespace conetact::bodies
     for (const GeneratorRow &row : generator_table())
       if (row.name == parameters.generator)
         check_row(row, parameters, arguments, dim);
+  }
+
+  std::string
+  generator_hint(const std::string &name)
+  {
+    std::vector<std::string> names;
+    for (const GeneratorRow &row : generator_table())
+      names.emplace_back(row.name);
+    const std::string other = nearest(name, names);
+    return other.empty() ? "" : "Did you mean '" + other + "'? ";
   }
 
   void

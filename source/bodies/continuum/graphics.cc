@@ -3,99 +3,109 @@
 
 #include "conetact/bodies/continuum/graphics.h"
 
-#include "conetact/base/atomic_file.h"
-
-#include <deal.II/base/data_out_base.h>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
-#include <sstream>
+#include <map>
+#include <optional>
+#include <tuple>
 
 namespace conetact::bodies
 {
   namespace
   {
-    using DataRanges = std::vector<std::tuple<
-      unsigned int,
-      unsigned int,
-      std::string,
-      dealii::DataComponentInterpretation::DataComponentInterpretation>>;
-
-    constexpr unsigned int n_fields = 3 + 9 + 1;
-    /** A row for each node: displacement, stress by rows, von Mises. */
-    using NodalFields =
-      Eigen::Matrix<double, Eigen::Dynamic, n_fields, Eigen::RowMajor>;
-
-    /** Nodal fields in the form that deal.II's writers take. */
+    /**
+     * Points of a drawing: each node once for each material around it, so that
+     * stresses may jump there.
+     */
     template <int dim>
-    class NodalOutput : public dealii::DataOutInterface<dim, 3>
+    class DrawnPoints
     {
     public:
-      using Patch = dealii::DataOutBase::Patch<dim, 3>;
-
-      NodalOutput(const ContinuumMesh<dim> &mesh, const NodalFields &fields)
-        : patches(mesh.n_cells())
+      explicit DrawnPoints(const ContinuumMesh<dim> &mesh)
       {
+        if (mesh.phase_of_cell.empty())
+          for (unsigned int node = 0; node < mesh.nodes.size(); ++node)
+            add(0, node);
         for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-          {
-            const auto cell      = mesh.cell(c);
-            Patch     &patch     = patches[c];
-            patch.patch_index    = c;
-            patch.reference_cell = kind(mesh.n_cell_nodes);
-            patch.data.reinit(n_fields, static_cast<unsigned int>(cell.size()));
-            for (unsigned int v = 0; v < cell.size(); ++v)
-              {
-                patch.vertices[v] = to_space(mesh.nodes[cell[v]]);
-                for (unsigned int i = 0; i < n_fields; ++i)
-                  patch.data(i, v) = static_cast<float>(fields(cell[v], i));
-              }
-          }
+          for (const unsigned int node : mesh.cell(c))
+            of_cells.push_back(add(mesh.phase(c), node));
+      }
+
+      struct Place
+      {
+        unsigned int phase, node;
+        bool
+        operator<(const Place &other) const
+        {
+          return std::tie(phase, node) < std::tie(other.phase, other.node);
+        }
+      };
+      std::vector<Place>        places;
+      std::vector<unsigned int> of_cells; ///< points of one cell by another
+
+      /** The point of a node in a material; none: it is not there. */
+      std::optional<unsigned int>
+      find(const Place &place) const
+      {
+        const auto found = numbers.find(place);
+        return found == numbers.end() ?
+                 std::nullopt :
+                 std::optional<unsigned int>(found->second);
       }
 
     private:
-      std::vector<Patch> patches;
-
-      static dealii::ReferenceCell
-      kind(const unsigned int n_nodes)
+      unsigned int
+      add(const unsigned int phase, const unsigned int node)
       {
-        return n_nodes == dim + 1 ?
-                 dealii::ReferenceCells::get_simplex<dim>() :
-                 dealii::ReferenceCells::get_hypercube<dim>();
+        const auto [entry, is_new] =
+          numbers.emplace(Place{phase, node},
+                          static_cast<unsigned int>(places.size()));
+        if (is_new)
+          places.push_back(entry->first);
+        return entry->second;
       }
 
-      const std::vector<Patch> &
-      get_patches() const override
-      {
-        return patches;
-      }
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        std::vector<std::string> names(3, "displacement");
-        names.insert(names.end(), 9, "stress");
-        names.push_back("von_mises");
-        return names;
-      }
-      DataRanges
-      get_nonscalar_data_ranges() const override
-      {
-        using namespace dealii::DataComponentInterpretation;
-        return {{0, 2, "displacement", component_is_part_of_vector},
-                {3, 11, "stress", component_is_part_of_tensor}};
-      }
+      std::map<Place, unsigned int> numbers;
     };
 
-    /** Sum over the cells of a node, divided by their number. */
+    /** Continuous across faces with hanging nodes. */
+    template <int dim>
+    void
+    unhang(const ContinuumMesh<dim> &mesh,
+           const DrawnPoints<dim>   &points,
+           const unsigned int        n_phases,
+           Eigen::MatrixXd          &values)
+    {
+      for (const HangingNode &node : mesh.hanging)
+        for (unsigned int phase = 0; phase < n_phases; ++phase)
+          {
+            Eigen::VectorXd sum  = Eigen::VectorXd::Zero(values.rows());
+            const auto      here = points.find({phase, node.node});
+            bool            all  = here.has_value();
+            for (const auto &[master, weight] : node.masters)
+              if (const auto there = points.find({phase, master}))
+                sum += weight * values.col(*there);
+              else
+                all = false;
+            if (all)
+              values.col(*here) = sum;
+          }
+    }
+
+    /** Of each point: sum over its cells, divided by their number. */
     template <int dim>
     Eigen::MatrixXd
     averaged_stresses(const ContinuumMesh<dim> &mesh,
+                      const DrawnPoints<dim>   &points,
                       const Phases<dim>        &phases,
                       const Eigen::VectorXd    &w,
                       const Eigen::VectorXd    &temperature)
     {
-      using Element           = ElementFormulation<dim>;
-      const auto      n_nodes = static_cast<Eigen::Index>(mesh.nodes.size());
-      Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Element::n_strains, n_nodes);
-      Eigen::VectorXd n_cells           = Eigen::VectorXd::Zero(n_nodes);
+      using Element       = ElementFormulation<dim>;
+      const auto n_points = static_cast<Eigen::Index>(points.places.size());
+      Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Element::n_strains, n_points);
+      Eigen::VectorXd n_cells           = Eigen::VectorXd::Zero(n_points);
       const unsigned int              n = mesh.n_cell_nodes;
       typename Element::Displacements w_cell(dim * n);
       typename Element::Strains       initial(Element::n_strains, n);
@@ -114,20 +124,14 @@ namespace conetact::bodies
             phase.element->stresses(mesh.vertices(c), w_cell, initial);
           for (unsigned int v = 0; v < n; ++v)
             {
-              sum.col(cell[v]) += stresses.col(v);
-              n_cells[cell[v]] += 1;
+              const unsigned int p = points.of_cells[std::size_t{c} * n + v];
+              sum.col(p) += stresses.col(v);
+              n_cells[p] += 1;
             }
         }
-      for (Eigen::Index i = 0; i < n_nodes; ++i)
+      for (Eigen::Index i = 0; i < n_points; ++i)
         sum.col(i) /= n_cells[i];
-
-      // continuous across faces with hanging nodes
-      for (const HangingNode &node : mesh.hanging)
-        {
-          sum.col(node.node).setZero();
-          for (const auto &[master, weight] : node.masters)
-            sum.col(node.node) += weight * sum.col(master);
-        }
+      unhang(mesh, points, static_cast<unsigned int>(phases.size()), sum);
       return sum;
     }
 
@@ -146,59 +150,164 @@ namespace conetact::bodies
     }
 
     double
-    von_mises(const Eigen::Matrix3d &stress)
+    equivalent(const Eigen::Matrix3d &stress)
     {
       const Eigen::Matrix3d deviator =
         stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
       return std::sqrt(1.5) * deviator.norm();
     }
+
+    /** Hooke's law in space, which holds in plane strain and stress, too. */
+    Eigen::Matrix3d
+    elastic_strain(const Eigen::Matrix3d &stress,
+                   const ElasticMaterial &material)
+    {
+      if (!material.orthotropy)
+        {
+          const double E = material.young_modulus, nu = material.poisson_ratio;
+          return (1 + nu) / E * stress -
+                 nu / E * stress.trace() * Eigen::Matrix3d::Identity();
+        }
+      Eigen::VectorXd s(6); // engineers' shear strains come out
+      s << stress.diagonal(), stress(0, 1), stress(1, 2), stress(2, 0);
+      Eigen::VectorXd e = material.orthotropy->compliance() * s;
+      e.tail<3>() *= .5;
+      return tensor(e);
+    }
+
+    Eigen::Matrix3d
+    strain_of(const Eigen::Matrix3d &stress,
+              const ElasticMaterial &material,
+              const double           temperature)
+    {
+      return elastic_strain(stress, material) +
+             material.expansion * temperature * Eigen::Matrix3d::Identity();
+    }
+
+    /** The largest first. */
+    Eigen::Vector3d
+    principal(const Eigen::Matrix3d &symmetric)
+    {
+      return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+               symmetric, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .reverse();
+    }
+
+    /** Fields of the nodes, filled node by node. */
+    struct NodalFields
+    {
+      VtuField displacement = {"displacement", 3, {}};
+      VtuField stress       = {"stress", 9, {}};
+      VtuField von_mises    = {"von_mises", 1, {}};
+      VtuField strain       = {"strain", 9, {}};
+      VtuField principal_stresses{"principal_stresses",
+                                  3,
+                                  {},
+                                  {"largest", "middle", "least"}};
+      VtuField principal_strains{"principal_strains",
+                                 3,
+                                 {},
+                                 {"largest", "middle", "least"}};
+
+      template <class Values>
+      static void
+      append(VtuField &field, const Values &values)
+      {
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+          field.values.push_back(values.data()[i]);
+      }
+
+      void
+      append(const Eigen::Matrix3d &stress_here,
+             const ElasticMaterial &material,
+             const double           temperature)
+      {
+        const Eigen::Matrix3d strain_here =
+          strain_of(stress_here, material, temperature);
+        append(stress, stress_here);
+        von_mises.values.push_back(equivalent(stress_here));
+        append(strain, strain_here);
+        append(principal_stresses, principal(stress_here));
+        append(principal_strains, principal(strain_here));
+      }
+
+      std::vector<VtuField>
+      all() &&
+      {
+        return {std::move(displacement),
+                std::move(stress),
+                std::move(von_mises),
+                std::move(strain),
+                std::move(principal_stresses),
+                std::move(principal_strains)};
+      }
+    };
+
+    template <int dim>
+    VtuGrid::Shape
+    shape_of(const unsigned int n_cell_nodes)
+    {
+      using Shape = VtuGrid::Shape;
+      if (n_cell_nodes == dim + 1)
+        return dim == 2 ? Shape::triangle : Shape::tetrahedron;
+      return dim == 2 ? Shape::quadrilateral : Shape::hexahedron;
+    }
+
+    template <int dim>
+    VtuGrid
+    bare_grid(const ContinuumMesh<dim> &mesh, const DrawnPoints<dim> &points)
+    {
+      VtuGrid grid;
+      for (const auto &place : points.places)
+        grid.points.push_back(to_space(mesh.nodes[place.node]));
+      const unsigned int n    = mesh.n_cell_nodes;
+      auto               next = points.of_cells.begin();
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c, next += n)
+        grid.add_cell(shape_of<dim>(n), {next, next + n});
+      grid.cell_ids = {{"material_id", mesh.material_ids}};
+      return grid;
+    }
   } // namespace
 
   template <int dim>
-  void
-  write_continuum(const ContinuumMesh<dim>    &mesh,
-                  const Phases<dim>           &phases,
-                  const Eigen::VectorXd       &u,
-                  const Eigen::VectorXd       &w,
-                  const Eigen::VectorXd       &temperature,
-                  const double                 time,
-                  const std::filesystem::path &file)
+  VtuGrid
+  draw_continuum(const ContinuumMesh<dim> &mesh,
+                 const Phases<dim>        &phases,
+                 const Eigen::VectorXd    &u,
+                 const Eigen::VectorXd    &w,
+                 const Eigen::VectorXd    &temperature)
   {
-    const Eigen::MatrixXd stresses =
-      averaged_stresses(mesh, phases, w, temperature);
-    NodalFields fields = NodalFields::Zero(stresses.cols(), n_fields);
-    for (Eigen::Index i = 0; i < fields.rows(); ++i)
+    const DrawnPoints<dim> points(mesh);
+    const Eigen::MatrixXd  stresses =
+      averaged_stresses(mesh, points, phases, w, temperature);
+    NodalFields fields;
+    for (Eigen::Index i = 0; i < stresses.cols(); ++i)
       {
-        fields.row(i).template head<dim>() = u.segment<dim>(dim * i);
-        const Eigen::Matrix3d stress       = tensor(stresses.col(i));
-        fields.row(i).segment<9>(3) =
-          Eigen::Map<const Eigen::Matrix<double, 1, 9>>(stress.data());
-        fields(i, 12) = von_mises(stress);
+        const auto [phase, node] = points.places[static_cast<std::size_t>(i)];
+        Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+        displacement.template head<dim>() =
+          u.segment<dim>(dim * static_cast<Eigen::Index>(node));
+        NodalFields::append(fields.displacement, displacement);
+        fields.append(tensor(stresses.col(i)),
+                      phases[phase].material,
+                      temperature[node]);
       }
-
-    NodalOutput<dim>              output(mesh, fields);
-    dealii::DataOutBase::VtkFlags flags(time, 0, false);
-    flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
-    output.set_flags(flags);
-    std::ostringstream text;
-    output.write_vtu(text);
-    write_atomically(file, text.str());
+    VtuGrid grid      = bare_grid(mesh, points);
+    grid.point_fields = std::move(fields).all();
+    return grid;
   }
 
-  template void
-  write_continuum<2>(const ContinuumMesh<2> &,
-                     const Phases<2> &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const double,
-                     const std::filesystem::path &);
-  template void
-  write_continuum<3>(const ContinuumMesh<3> &,
-                     const Phases<3> &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &,
-                     const double,
-                     const std::filesystem::path &);
+  template VtuGrid
+  draw_continuum<2>(const ContinuumMesh<2> &,
+                    const Phases<2> &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &);
+  template VtuGrid
+  draw_continuum<3>(const ContinuumMesh<3> &,
+                    const Phases<3> &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &,
+                    const Eigen::VectorXd &);
 } // namespace conetact::bodies

@@ -169,7 +169,8 @@ namespace conetact::bodies
             throw InputError(
               parameters.where + "Generator: there is no mesh generator '" +
               parameters.generator + "' in " + std::to_string(dim) +
-              "D. Use a function name of deal.II's GridGenerator such as " +
+              "D. " + generator_hint(parameters.generator) +
+              "Use a function name of deal.II's GridGenerator such as "
               "hyper_rectangle.");
           throw InputError(parameters.where + "Arguments: '" +
                            parameters.arguments + "' does not suit " +

@@ -240,17 +240,15 @@ namespace conetact::bodies
 
 
 
-  void
-  Frame::write_graphics(const Eigen::VectorXd       &u,
-                        const Eigen::VectorXd       &w,
-                        const Actions               &actions,
-                        const double                 time,
-                        const std::filesystem::path &file) const
+  VtuGrid
+  Frame::drawing(const Eigen::VectorXd &u,
+                 const Eigen::VectorXd &w,
+                 const Actions         &actions) const
   {
     std::vector<MemberMotion> motions;
     for (const Member &member : members)
       motions.push_back({displacements(member, u), displacements(member, w)});
-    write_frame(members, motions, member_loads(actions), model.dim, time, file);
+    return draw_frame(model, members, motions, member_loads(actions));
   }
 
   std::string

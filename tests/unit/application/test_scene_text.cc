@@ -30,7 +30,7 @@ namespace
     ParameterHandler prm;
     declare(prm);
     return test::sentence_of(
-      [&] { parse_scene_text(prm, text, "s.prm", skip_undefined); });
+      [&] { parse_scene_text(prm, SceneText(text, "s.prm"), skip_undefined); });
   }
 
   std::string
@@ -48,11 +48,12 @@ TEST(SceneText, EntriesAreSet)
 {
   ParameterHandler prm;
   declare(prm);
-  parse_scene_text(prm,
-                   "set Dimension = 3 # of space\nsubsection Contact feet\n"
-                   "  set Kind = b\nend\n",
-                   "s.prm",
-                   false);
+  parse_scene_text(
+    prm,
+    SceneText("set Dimension = 3 # of space\nsubsection Contact feet\n"
+              "  set Kind = b\nend\n",
+              "s.prm"),
+    false);
   parse_override(prm, "Contact feet / Friction coefficient = 0.1 + x", false);
   EXPECT_EQ(prm.get_integer("Dimension"), 3);
   prm.enter_subsection("Contact feet");
@@ -111,7 +112,7 @@ TEST(SceneText, OverridesAreNamed)
 TEST(SceneText, NothingStandsTwice)
 {
   const auto repeats = [](const std::string &text) {
-    return test::sentence_of([&] { refuse_repeats(text, "s.prm"); });
+    return test::sentence_of([&] { refuse_repeats(SceneText(text, "s.prm")); });
   };
   EXPECT_EQ(repeats("set A = 1\nsubsection S\nset A = 1\nend\n"), "accepted");
   EXPECT_EQ(repeats("set A = 1\n\nset A = 2\n"),

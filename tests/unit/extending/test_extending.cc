@@ -263,14 +263,12 @@ namespace
                   const SurfaceTensorField & /*stiffness*/,
                   const ElementVisitor & /*visit*/) const override
     {} // no foundation
-    void
-    write_graphics(const Eigen::VectorXd & /*u*/,
-                   const Eigen::VectorXd & /*w*/,
-                   const Actions & /*actions*/,
-                   const double /*time*/,
-                   const std::filesystem::path &file) const override
+    VtuGrid
+    drawing(const Eigen::VectorXd & /*u*/,
+            const Eigen::VectorXd & /*w*/,
+            const Actions & /*actions*/) const override
     {
-      write_atomically(file, "<VTKFile type=\"UnstructuredGrid\"/>\n");
+      return {};
     }
     std::string
     description() const override

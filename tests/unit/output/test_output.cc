@@ -5,9 +5,12 @@
 
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
+#include "conetact/output/closing.h"
 #include "conetact/output/csv.h"
+#include "conetact/output/extremes.h"
 #include "conetact/output/output_table.h"
 #include "conetact/output/progress.h"
+#include "conetact/output/skin.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -21,6 +24,7 @@
 
 #include "empty_structure.h"
 #include "files.h"
+#include "sentence.h"
 
 using namespace conetact;
 using namespace conetact::bodies;
@@ -61,12 +65,12 @@ namespace
   class Sketch : public test::EmptyStructure
   {
   public:
-    bool fails = false;
+    bool fails = false, has_surface = false;
 
     unsigned int
     n_nodes() const override
     {
-      return 1;
+      return 2;
     }
     unsigned int
     n_components() const override
@@ -74,20 +78,33 @@ namespace
       return 2;
     }
     Point<3>
-    position(const unsigned int) const override
+    position(const unsigned int node) const override
     {
-      return {};
+      return Point<3>(node, 0, 0);
     }
-    void
-    write_graphics(const Eigen::VectorXd &u,
-                   const Eigen::VectorXd &w,
-                   const Actions &,
-                   const double,
-                   const fs::path &file) const override
+    VtuGrid
+    drawing(const Eigen::VectorXd &u,
+            const Eigen::VectorXd &w,
+            const Actions &) const override
     {
       if (fails)
         throw WriteError("full");
-      std::ofstream(file) << u.transpose() << " | " << w.transpose();
+      VtuGrid grid;
+      grid.points       = {Point<3>(u[0], w[0], 0)};
+      grid.point_fields = {{"displacement", 1, {u[0]}}};
+      return grid;
+    }
+    BoundaryIds
+    boundary_ids() const override
+    {
+      return has_surface ? BoundaryIds{7} : BoundaryIds();
+    }
+    Surface
+    surface(const BoundaryIds &) const override
+    {
+      Surface surface;
+      surface.faces = {{{1, 0}, {}}};
+      return surface;
     }
   };
 
@@ -102,10 +119,11 @@ namespace
         fs::temp_directory_path() /
         ("conetact-output-" + std::to_string(::getpid()) + '-' + test->name());
       fs::create_directories(run.folder);
-      run.contacts     = {"left side"};
-      run.bodies       = {"my block"};
-      run.structures   = {&body};
-      run.n_increments = 3;
+      run.contacts       = {"left side"};
+      run.contact_bodies = {0};
+      run.bodies         = {"my block"};
+      run.structures     = {&body};
+      run.n_increments   = 3;
     }
 
     void
@@ -125,7 +143,7 @@ namespace
       r.contacts.resize(run.contacts.size());
       r.contacts[0].force = Tensor<1, 3>({0., 30., 0.});
       r.loads.force       = Tensor<1, 3>({1e-13, -30., 0.});
-      r.displacements     = {Eigen::VectorXd::Constant(2, .25)};
+      r.displacements     = {Eigen::VectorXd::Constant(4, .25)};
       r.actions           = {Actions()};
       for (unsigned int i = 0; i < 2; ++i)
         {
@@ -151,6 +169,20 @@ namespace
         if (row.name == name)
           return row.create(run);
       return nullptr;
+    }
+
+    /** The file of the sketch. */
+    static std::string
+    drawn(const double       u,
+          const double       w,
+          const double       time,
+          const unsigned int increment)
+    {
+      VtuGrid grid;
+      grid.points       = {Point<3>(u, w, 0)};
+      grid.point_fields = {{"displacement", 1, {u}}};
+      grid.cell_ids     = {{"body", {}}};
+      return grid.text(time, increment);
     }
 
     std::set<std::string>
@@ -419,12 +451,13 @@ namespace
               (std::set<std::string>{"contact-0002.vtu",
                                      "contact-0004.vtu",
                                      "contact.pvd",
+                                     "scene.pvd",
                                      "solution-my_block-0002.vtu",
                                      "solution-my_block-0004.vtu",
                                      "solution.pvd"}));
     EXPECT_EQ(graphics->work().drawings, 2u);
     EXPECT_EQ(test::read_file(run.folder / "solution-my_block-0002.vtu"),
-              "0.25 0.25 | 0.25 0.25");
+              drawn(.25, .25, 1., 2));
     const std::string pvd = test::read_file(run.folder / "solution.pvd");
     EXPECT_NE(pvd.find("timestep=\"1\" group=\"\" part=\"0\" name=\"my_block\" "
                        "file=\"solution-my_block-0002.vtu\""),
@@ -438,10 +471,10 @@ namespace
   {
     const auto      graphics = create("graphics");
     IncrementRecord r        = record(1);
-    r.deformations           = {Eigen::VectorXd::Constant(2, 1e-3)};
+    r.deformations           = {Eigen::VectorXd::Constant(4, 1e-3)};
     graphics->write({r});
     EXPECT_EQ(test::read_file(run.folder / "solution-my_block-0001.vtu"),
-              "0.25 0.25 | 0.001 0.001");
+              drawn(.25, 1e-3, .5, 1));
   }
 
   TEST_F(OutputTest, NoPicturesAndNoOldOnes)
@@ -454,7 +487,10 @@ namespace
       std::ofstream(run.folder / name) << "of somebody else";
     for (const char *name : {"solution.pvd",
                              "contact.pvd",
+                             "surface.pvd",
+                             "scene.pvd",
                              "mechanism.pvd",
+                             "surface-my_block-0012.vtu",
                              "solution-my_block-0012.vtu",
                              "solution-an-other.body-10000.vtu",
                              "contact-0012.vtu",
@@ -478,6 +514,7 @@ namespace
     EXPECT_EQ(files(),
               (std::set<std::string>{"contact-0001.vtu",
                                      "contact.pvd",
+                                     "scene.pvd",
                                      "solution-my_block-0001.vtu",
                                      "solution.pvd"}));
   }
@@ -494,11 +531,180 @@ namespace
                              "normal",
                              "gap",
                              "state",
-                             "contact"})
+                             "contact",
+                             "displacement",
+                             "pressure",
+                             "body"})
       EXPECT_NE(vtu.find("Name=\"" + std::string(name) + '"'),
                 std::string::npos);
     EXPECT_NE(vtu.find("</VTKFile>"), std::string::npos);
     EXPECT_NE(vtu.find("NumberOfPoints=\"2\""), std::string::npos);
+  }
+
+
+
+  TEST_F(OutputTest, TheUndeformedBodiesAreIncrementZero)
+  {
+    const auto      graphics   = create("graphics");
+    IncrementRecord undeformed = record(1);
+    undeformed.increment       = 0;
+    undeformed.time            = 0;
+    graphics->begin(undeformed);
+    EXPECT_EQ(graphics->work().drawings, 0u);
+    const std::string pvd = test::read_file(run.folder / "scene.pvd");
+    for (const char *part :
+         {"timestep=\"0\" group=\"\" part=\"0\" name=\"body my_block\" "
+          "file=\"solution-my_block-0000.vtu\"",
+          "part=\"1\" name=\"contact\" file=\"contact-0000.vtu\""})
+      EXPECT_NE(pvd.find(part), std::string::npos) << pvd;
+  }
+
+  TEST_F(OutputTest, SurfacesCarryTheirContact)
+  {
+    body.has_surface  = true;
+    IncrementRecord r = record(1);
+    r.rows[0].gap     = .125;
+    r.rows.resize(1);
+    r.rows.push_back(r.rows[0]); // in a second contact, less pressed
+    r.rows[1].reaction = Tensor<1, 3>({4., 0., 0.});
+    r.rows[1].state    = NodeState::slip;
+    r.rows[1].gap      = 0;
+
+    const Skin    skin = make_skin(body);
+    const VtuGrid grid = draw_skin(skin, run, r, 0);
+    EXPECT_EQ(skin.nodes, (std::vector<unsigned int>{1, 0}));
+    EXPECT_EQ(grid.n_cells(), 1u);
+    const auto field = [&](const std::string &name) {
+      for (const VtuField &f : grid.point_fields)
+        if (f.name == name)
+          return f.values;
+      return std::vector<double>();
+    };
+    EXPECT_EQ(field("contact_pressure"), (std::vector<double>{0, 40}));
+    EXPECT_EQ(field("state"), (std::vector<double>{-1, 1}));
+    EXPECT_TRUE(std::isnan(field("gap")[0]));
+    EXPECT_EQ(field("gap")[1], 0.);
+    EXPECT_EQ(field("displacement"),
+              (std::vector<double>{.25, .25, 0, .25, .25, 0}));
+    EXPECT_NEAR(field("contact_traction")[4], 48., 1e-12);
+
+    create("graphics")->write({r});
+    EXPECT_EQ(files().count("surface-my_block-0001.vtu"), 1u);
+    EXPECT_EQ(files().count("surface.pvd"), 1u);
+  }
+
+
+
+  TEST_F(OutputTest, HistoryColumns)
+  {
+    run.probes              = {"tip"};
+    const auto      table   = create("history");
+    IncrementRecord r       = record(2);
+    r.largest_displacement  = {3., 0, Point<3>(1, 2, 0)};
+    r.probes                = {Tensor<1, 3>({.5, -.5, 0.})};
+    IncrementRecord nothing = record(3);
+    nothing.rows            = {};
+    table->write({r, nothing});
+    const Rows rows = read_csv(run.folder / "history.csv");
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[1].size(), rows[0].size());
+    EXPECT_EQ(cell(rows, 1, "increment"), "2");
+    EXPECT_EQ(cell(rows, 1, "time"), "1");
+    EXPECT_EQ(cell(rows, 1, "largest_displacement"), "3");
+    EXPECT_EQ(cell(rows, 1, "largest_displacement_body"), "my block");
+    EXPECT_EQ(cell(rows, 1, "largest_displacement_y"), "2");
+    EXPECT_EQ(cell(rows, 1, "largest_pressure"), "40");
+    EXPECT_EQ(cell(rows, 1, "largest_pressure_contact"), "left side");
+    EXPECT_EQ(cell(rows, 1, "largest_pressure_x"), "0.1");
+    EXPECT_EQ(cell(rows, 1, "tip_u_y"), "-0.5");
+    EXPECT_EQ(cell(rows, 2, "largest_pressure"), "0");
+    EXPECT_EQ(cell(rows, 2, "largest_pressure_contact"), "");
+    EXPECT_EQ(table->work().table_bytes,
+              fs::file_size(run.folder / "history.csv") +
+                test::read_file(run.folder / "history.csv").find('\n') + 1);
+  }
+
+  TEST_F(OutputTest, OfNodesThatMoveAlikeTheFirstIsTheLargest)
+  {
+    const auto at = [&](const double second) {
+      return largest_displacement({&body},
+                                  1,
+                                  [second](const unsigned int,
+                                           const unsigned int i) {
+                                    return i == 0 ? 1. : second;
+                                  })
+        .position[0];
+    };
+    EXPECT_EQ(at(1 + 1e-12), 0.);
+    EXPECT_EQ(at(1 + 1e-6), 1.);
+  }
+
+  TEST_F(OutputTest, AClosingScreen)
+  {
+    run.probes                           = {"tip"};
+    run.supports                         = {"top"};
+    run.loads                            = {"weight"};
+    IncrementRecord r                    = record(3);
+    r.largest_displacement               = {3., 0, Point<3>(1, 2, 0)};
+    r.probes                             = {Tensor<1, 3>({.5, -.5, 0.})};
+    const std::vector<std::string> lines = closing_lines(run, r);
+    EXPECT_EQ(
+      lines,
+      (std::vector<std::string>{
+        "increment 3 of 3, t = 1.5: 0 contact nodes open, 1 stick, 1 slip",
+        "contact left side: force (0, 30, 0)",
+        "supports: force (0, 0, 0), loads: force (0, -30, 0)",
+        "largest displacement: 3, body my block at (1, 2, 0)",
+        "largest pressure: 40, contact left side at (0.1, 0, 0)",
+        "probe tip: displacement (0.5, -0.5, 0)"}));
+    run.contacts.assign(9, "c");
+    r.contacts.resize(9);
+    EXPECT_EQ(closing_lines(run, r)[5], "  and 5 more: increments.csv");
+  }
+
+  TEST_F(OutputTest, TablesGoOnWhereARunEnded)
+  {
+    create("tables")->write({record(1), record(2), record(3)});
+    run.former   = run.folder;
+    run.n_former = 2;
+    run.loads    = {"new"};
+    create("tables")->write({record(3), record(4)});
+    const Rows rows = read_csv(run.folder / "increments.csv");
+    ASSERT_EQ(rows.size(), 5u);
+    for (std::size_t k = 1; k < rows.size(); ++k)
+      {
+        EXPECT_EQ(cell(rows, k, "increment"), std::to_string(k));
+        EXPECT_EQ(rows[k].size(), rows[0].size());
+        EXPECT_EQ(cell(rows, k, "left_side_f_y"), "30");
+        EXPECT_EQ(cell(rows, k, "load_new_f_x"), "0");
+      }
+    EXPECT_EQ(read_csv(run.folder / "reactions.csv").size(), 9u);
+    run.n_former = 5;
+    EXPECT_EQ(test::sentence_of([&] {
+                create("tables");
+              }).find("does not hold the increments 1 to 5") ==
+                std::string::npos,
+              false);
+  }
+
+  TEST_F(OutputTest, PicturesGoOnWhereARunEnded)
+  {
+    {
+      const auto graphics = create("graphics");
+      for (unsigned int i = 1; i <= 4; ++i)
+        graphics->write({record(i)});
+    }
+    run.former          = run.folder;
+    run.n_former        = 2;
+    const auto graphics = create("graphics");
+    EXPECT_EQ(files().count("contact-0002.vtu"), 1u);
+    EXPECT_EQ(files().count("contact-0003.vtu"), 0u);
+    EXPECT_EQ(test::read_file(run.folder / "scene.pvd").find("0003"),
+              std::string::npos);
+    graphics->write({record(3)});
+    const std::string pvd = test::read_file(run.folder / "contact.pvd");
+    for (const char *name : {"0001.vtu", "0002.vtu", "0003.vtu"})
+      EXPECT_NE(pvd.find(name), std::string::npos) << pvd;
   }
 
 

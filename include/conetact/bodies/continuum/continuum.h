@@ -99,13 +99,10 @@ namespace conetact::bodies
     add_temperature(const ScalarField &change,
                     Eigen::VectorXd   &f) const override;
 
-    using Structure::write_graphics;
-    void
-    write_graphics(const Eigen::VectorXd       &u,
-                   const Eigen::VectorXd       &w,
-                   const Actions               &actions,
-                   const double                 time,
-                   const std::filesystem::path &file) const override;
+    VtuGrid
+    drawing(const Eigen::VectorXd &u,
+            const Eigen::VectorXd &w,
+            const Actions         &actions) const override;
     /** Of triangles and tetrahedra: they lock. */
     std::string
     caution() const override;

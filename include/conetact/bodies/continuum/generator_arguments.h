@@ -21,6 +21,10 @@ namespace conetact::bodies
   check_generator_arguments(const MeshParameters &parameters,
                             const unsigned int    dim);
 
+  /** "Did you mean 'hyper_cube'? ", or nothing. */
+  std::string
+  generator_hint(const std::string &name);
+
   /**
    * Throws InputError where a mesh of so many cells has no room in the memory.
    * `entry` is what makes it so large: "Global refinements".

@@ -11,22 +11,22 @@
 namespace conetact::bodies
 {
   /**
-   * VTU of the undeformed mesh with nodal fields: `displacement` (3), `stress`
-   * (9, the full tensor by rows; in plane strain with sigma_zz), `von_mises`
-   * (1), and the time as field data TIME. The displacement is u, the stresses
-   * are those of the deformation w, of the cells at their vertices less those
-   * of the change of temperature there ([K], one a node), averaged at the
-   * nodes; von Mises' is that of the averaged tensor. Throws WriteError.
+   * The undeformed mesh with nodal fields: `displacement` (3), `stress` (9, the
+   * full tensor by rows; in plane strain with sigma_zz), `von_mises` (1),
+   * `strain` (9, the whole one, with that of the temperature),
+   * `principal_stresses` and `principal_strains` (3, the largest first); and
+   * `material_id` of the cells. The displacement is u. The stresses are those
+   * of the deformation w, of the cells at their vertices less those of the
+   * change of temperature there ([K], one a node), averaged at the
+   * nodes of each material; all else follows from these means.
    */
   template <int dim>
-  void
-  write_continuum(const ContinuumMesh<dim>    &mesh,
-                  const Phases<dim>           &phases,
-                  const Eigen::VectorXd       &u,
-                  const Eigen::VectorXd       &w,
-                  const Eigen::VectorXd       &temperature,
-                  const double                 time,
-                  const std::filesystem::path &file);
+  VtuGrid
+  draw_continuum(const ContinuumMesh<dim> &mesh,
+                 const Phases<dim>        &phases,
+                 const Eigen::VectorXd    &u,
+                 const Eigen::VectorXd    &w,
+                 const Eigen::VectorXd    &temperature);
 } // namespace conetact::bodies
 
 #endif

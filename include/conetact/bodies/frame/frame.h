@@ -93,13 +93,10 @@ namespace conetact::bodies
                   const SurfaceTensorField &stiffness,
                   const ElementVisitor     &visit) const override;
 
-    using Structure::write_graphics;
-    void
-    write_graphics(const Eigen::VectorXd       &u,
-                   const Eigen::VectorXd       &w,
-                   const Actions               &actions,
-                   const double                 time,
-                   const std::filesystem::path &file) const override;
+    VtuGrid
+    drawing(const Eigen::VectorXd &u,
+            const Eigen::VectorXd &w,
+            const Actions         &actions) const override;
     std::string
     description() const override;
 

@@ -18,21 +18,19 @@ namespace conetact::bodies
   };
 
   /**
-   * VTU of the undeformed members as lines, beams in eight pieces each, with
+   * The undeformed members as lines, beams in eight pieces each, with
    * `displacement` (3), `axial_force` (positive in tension), `axial_stress`
    * (over the area), and in the members' local axes `shear_force` and `moment`
    * in 2D, `shear_force_y`, `shear_force_z`, `torque`, `moment_y`, `moment_z`
    * in 3D: what the part beyond a cut exerts on the part before it. Points are
-   * not shared by members. Forces are those of the deformation. The time is
-   * field data TIME. Throws WriteError.
+   * not shared by members. Forces are those of the deformation. `material_id`
+   * is the number of the section, which count from 0.
    */
-  void
-  write_frame(const std::vector<Member>       &members,
-              const std::vector<MemberMotion> &motions,
-              const std::vector<MemberLoad>   &loads,
-              const unsigned int               dim,
-              const double                     time,
-              const std::filesystem::path     &file);
+  VtuGrid
+  draw_frame(const FrameModel                &model,
+             const std::vector<Member>       &members,
+             const std::vector<MemberMotion> &motions,
+             const std::vector<MemberLoad>   &loads);
 } // namespace conetact::bodies
 
 #endif

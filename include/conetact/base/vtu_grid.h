@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_base_vtu_grid_h
+#define conetact_base_vtu_grid_h
+
+#include "conetact/base/points.h"
+
+#include <string>
+#include <vector>
+
+namespace conetact
+{
+  /** A field of a grid, values point by point or cell by cell. */
+  struct VtuField
+  {
+    std::string         name;
+    unsigned int        n_components = 1; ///< 3: a vector, 9: a tensor by rows
+    std::vector<double> values;
+    /** Of each component, where x, y, z would be wrong. */
+    std::vector<std::string> components = {};
+  };
+
+  /** Whole numbers of cells, such as ids. */
+  struct VtuIds
+  {
+    std::string      name;
+    std::vector<int> values;
+  };
+
+  /**
+   * Points, cells and fields of a picture, as VTK's unstructured grids are:
+   * deal.II's writers know neither fields of cells nor double precision, and
+   * double each point for each cell. The text is XML with arrays in binary,
+   * zipped and in base64, positions and fields with all their digits.
+   */
+  struct VtuGrid
+  {
+    std::vector<Point<3>> points;
+    std::vector<VtuField> point_fields;
+    std::vector<VtuField> cell_fields;
+    std::vector<VtuIds>   cell_ids;
+
+    /** A vertex, line, triangle, quadrilateral, tetrahedron or hexahedron. */
+    enum class Shape : unsigned char
+    {
+      vertex        = 1,
+      line          = 3,
+      triangle      = 5,
+      quadrilateral = 9,
+      tetrahedron   = 10,
+      hexahedron    = 12
+    };
+    /** `nodes` in deal.II's order. */
+    void
+    add_cell(const Shape shape, std::vector<unsigned int> nodes);
+    std::size_t
+    n_cells() const
+    {
+      return shapes.size();
+    }
+
+    /** The file, for a time and an increment (its time step). */
+    std::string
+    text(const double time, const unsigned int increment) const;
+
+  private:
+    std::vector<int>   connectivity, offsets;
+    std::vector<Shape> shapes;
+  };
+} // namespace conetact
+
+#endif

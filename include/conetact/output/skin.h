@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_output_skin_h
+#define conetact_output_skin_h
+
+#include "conetact/base/vtu_grid.h"
+#include "conetact/output/output.h"
+
+namespace conetact::output
+{
+  /** The surface of a body as cells; points are its nodes there. */
+  struct Skin
+  {
+    VtuGrid                   grid;  ///< with `boundary_id`, without fields
+    std::vector<unsigned int> nodes; ///< their numbers in the body
+  };
+
+  Skin
+  make_skin(const bodies::Structure &body);
+
+  /** Displacement of a node of a drawn body; 0 where it is not known. */
+  Tensor<1, 3>
+  displacement_of(const RunDescription  &run,
+                  const IncrementRecord &record,
+                  const unsigned int     body,
+                  const unsigned int     node);
+
+  /** Reaction and traction of a row in space. */
+  Tensor<1, 3>
+  to_space(const ContactRow &row, const Tensor<1, 3> &v);
+
+  /**
+   * A skin with the fields of its points: `displacement` [length],
+   * `contact_pressure` and the vector `contact_traction` [stress], `gap`
+   * [length] and `state`: -1 where nothing may touch (its gap is not a number),
+   * 0 open, 1 stick, 2 slip. A node in several contacts has the sum of their
+   * tractions, the largest pressure with its state, and the least gap.
+   */
+  VtuGrid
+  draw_skin(const Skin            &skin,
+            const RunDescription  &run,
+            const IncrementRecord &record,
+            const unsigned int     body);
+
+  /**
+   * Contact nodes at their undeformed places, with the vectors `reaction`
+   * [force], `traction` (reaction over tributary area, [stress]), `slip` (of
+   * the increment), `u` (total, relative to the other side), `normal` and
+   * `displacement` [length] in global coordinates, and the scalars `gap`,
+   * `state` (0 open, 1 stick, 2 slip), `contact` (its place in the list of
+   * contacts) and `pressure`.
+   */
+  VtuGrid
+  draw_contact_nodes(const RunDescription &run, const IncrementRecord &record);
+} // namespace conetact::output
+
+#endif

@@ -1,0 +1,55 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs shipped scenes and draws the gallery of the README, small pictures in doc/gallery.
+
+usage: gallery.py [SCENE...]      (all of them by default)
+
+The program is build/conetact, or what CONETACT names in the environment. Needs python3-numpy
+and python3-matplotlib.
+"""
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import drawing  # noqa: F401 (first: it knows the way to python/)
+from conetact import run
+
+TOP = Path(__file__).resolve().parent.parent
+# other values of entries, options of picture.py
+GALLERY = {
+    "inclined-obstacle": ({}, ["--increment", "12"]),
+    "square-greco": ({}, []),
+    "partial-slip": ({}, []),
+    "stacked-blocks": ({}, []),
+    "shrink-fit": ({}, []),
+    "cylinder-on-plane": ({}, []),
+    "block-press-shear": ({"Body block/Mesh/Arguments": "8, 8, 8 : 0, 0, 0 : 1, 1, 1 : true"}, []),
+    "sphere-on-layer": ({}, []),
+    "pushed-block-3d": ({"Output/VTU": 1}, []),
+    "sheet-pile": ({}, []),
+    "double-layer-grid-04": ({}, []),
+    "floating-block": ({}, []),
+}
+
+
+def draw(name, folder):
+    changes, options = GALLERY[name]
+    run(TOP / "parameter-files" / f"{name}.prm", changes, folder / name)
+    picture = TOP / "doc" / "gallery" / f"{name}.png"
+    picture.parent.mkdir(exist_ok=True)
+    subprocess.run([TOP / "scripts" / "picture.py", folder / name, "-o", picture, "--dpi", "45", *options], check=True)
+
+
+def main(names):
+    unknown = [name for name in names if name not in GALLERY]
+    if unknown:
+        sys.exit(f"gallery.py: there is no {unknown[0]} in the gallery; it has {', '.join(GALLERY)}.")
+    with tempfile.TemporaryDirectory() as folder:
+        for name in names or GALLERY:
+            draw(name, Path(folder))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

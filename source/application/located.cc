@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/located.h"
+
+#include "conetact/application/scene_file.h"
+#include "conetact/application/scene_text.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <regex>
+
+namespace conetact::application
+{
+  namespace
+  {
+    /** "Body block/Material/Poisson ratio"; empty: no entry is named. */
+    std::string
+    path_of(const std::string &sentence)
+    {
+      static const std::regex of_name(
+        "(Body|Obstacle|Contact|Support|Load) '([^']+)'(, ([^:']*))?.*");
+      static const std::regex of_section(
+        "(Time|Solver|Output)((/|, )([^:']*))?:.*");
+      static const std::regex of_list(
+        "(Dimension|Bodies|Obstacles|Contacts|Supports|Loads|"
+        "Adaptive refinement|Adaptive fraction)[,:].*");
+      std::smatch parts;
+      if (std::regex_match(sentence, parts, of_name))
+        return parts[1].str() + ' ' + parts[2].str() +
+               (parts[4].matched ? '/' + parts[4].str() : "");
+      if (std::regex_match(sentence, parts, of_section))
+        return parts[1].str() + (parts[4].matched ? '/' + parts[4].str() : "");
+      if (std::regex_match(sentence, parts, of_list))
+        return parts[1];
+      return {};
+    }
+
+    /** Without its last part: "a/b, c" -> "a/b" -> "a" -> "". */
+    std::string
+    shorter(const std::string &path)
+    {
+      const auto end = path.find_last_of("/,");
+      return end == path.npos ? "" : path.substr(0, end);
+    }
+
+    bool
+    is_replaced(const std::string &path, const std::string &override)
+    {
+      const auto equals = override.find('=');
+      if (equals == override.npos)
+        return false;
+      std::vector<std::string> parts = split(override.substr(0, equals), '/');
+      for (std::string &part : parts)
+        part = one_line(part);
+      return join(parts, "/") == path;
+    }
+  } // namespace
+
+
+
+  std::string
+  located(const std::string &sentence, const CommandLine &line)
+  try
+    {
+      std::string path = path_of(one_line(sentence));
+      if (path.empty() || line.scene.empty())
+        return sentence;
+      const SceneText scene = read_scene_file(line.scene);
+      for (; !path.empty(); path = shorter(path))
+        {
+          for (const std::string &override : line.overrides)
+            if (is_replaced(path, override))
+              return "Option -s '" + override + "': " + sentence;
+          if (const auto at = place_of(scene, path))
+            return scene.place(*at) + ": " + sentence;
+        }
+      return sentence;
+    }
+  catch (const InputError &) // the scene itself cannot be read
+    {
+      return sentence;
+    }
+} // namespace conetact::application

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// A scene that goes on where a run has ended: what may differ, and from when.
+
+#include "conetact/application/scene.h"
+#include "conetact/application/scene_text.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <set>
+
+namespace conetact::application
+{
+  namespace
+  {
+    /** Entries of obstacles that are loads: the way they move. */
+    bool
+    is_motion(const std::string &entry)
+    {
+      static const std::set<std::string> motions = {"Displacement",
+                                                    "Turn",
+                                                    "Force",
+                                                    "Moment"};
+      return motions.count(entry) > 0;
+    }
+
+    /** What makes a state: bodies, what they touch and how. */
+    bool
+    must_stay(const std::string &path)
+    {
+      const auto begins = [&](const std::string &start) {
+        return path.rfind(start, 0) == 0;
+      };
+      if (begins("Obstacle "))
+        return !is_motion(path.substr(path.find('/') + 1));
+      return begins("Body ") || begins("Contact ") || path == "Dimension" ||
+             path == "Bodies" || path == "Obstacles" || path == "Contacts";
+    }
+
+    std::string
+    value_in(const Entries &entries, const std::string &path)
+    {
+      const auto found = entries.find(path);
+      return found == entries.end() ? "" : found->second;
+    }
+
+    constexpr const char *what_may_differ =
+      " Supports, loads, motions of obstacles, times, solver and output may "
+      "differ from the run that is continued, nothing else.";
+  } // namespace
+
+
+
+  void
+  Scene::refuse_checkpoints() const
+  {
+    if (checkpoint_every == 0)
+      return;
+    if (path.follows)
+      throw InputError("Output, Checkpoint: a load path cannot be continued, "
+                       "for its follower keeps more than a state. Set it to 0, "
+                       "or choose another Solver/Method.");
+    if (adaptive.cycles > 0)
+      throw InputError("Output, Checkpoint: a scene with Adaptive refinement "
+                       "runs its history on several meshes and cannot be "
+                       "continued. Set one of them to 0.");
+  }
+
+
+
+  void
+  Scene::refuse_changes(const Restart &run) const
+  {
+    const Entries then = entries_of(run.state.get_text("scene"));
+    const Entries now  = entries_of(values());
+    Entries       both = then;
+    both.insert(now.begin(), now.end());
+    for (const auto &[path, value] : both)
+      if (must_stay(path) && value_in(then, path) != value_in(now, path))
+        throw InputError("Option --restart: " + path + " was '" +
+                         value_in(then, path) + "' in " + run.folder.string() +
+                         " and is '" + value_in(now, path) + "' here." +
+                         what_may_differ);
+    for (const auto &[path, value] : then)
+      if (path.rfind("Support ", 0) == 0 && !value.empty() &&
+          path.substr(path.find('/')) == "/Stiffness" &&
+          value_in(now, path) != value)
+        throw InputError("Option --restart: " + path + " was '" + value +
+                         "' in " + run.folder.string() +
+                         ". Springs hold energy of the run that is continued: "
+                         "keep that support as it was.");
+  }
+
+
+
+  void
+  Scene::continue_from(const std::filesystem::path &folder)
+  {
+    const std::filesystem::path file = folder / "checkpoint.bin";
+    if (path.follows)
+      throw InputError("Option --restart: a load path cannot be continued. "
+                       "Run the scene from its start.");
+    if (adaptive.cycles > 0)
+      throw InputError("Option --restart: a scene with Adaptive refinement "
+                       "cannot be continued. Run it from its start.");
+    if (!std::filesystem::is_regular_file(file))
+      throw InputError("Option --restart: there is no checkpoint.bin in " +
+                       folder.string() +
+                       ". Give the folder of results of a run with "
+                       "Output/Checkpoint = 1 or more.");
+    Restart run{folder, Archive::read(file)};
+    refuse_changes(run);
+    std::vector<double> all = run.state.get("times");
+    run.n_done              = static_cast<unsigned int>(all.size());
+    const double reached    = all.back();
+    for (const double t : times)
+      if (t > reached * (1 + 1e-12))
+        all.push_back(t);
+    if (all.size() == run.n_done)
+      throw InputError("Time: the run in " + folder.string() +
+                       " has reached t = " + to_text(reached) +
+                       ", and the scene has no increment after that. Choose a "
+                       "larger End and more Increments, or Times beyond.");
+    times   = std::move(all);
+    restart = std::move(run);
+  }
+} // namespace conetact::application

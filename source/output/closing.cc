@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/output/closing.h"
+
+#include "conetact/base/text.h"
+#include "conetact/output/csv.h"
+#include "conetact/output/extremes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace conetact::output
+{
+  namespace
+  {
+    /** Contacts or probes that have a line of their own. */
+    constexpr std::size_t most_lines = 4;
+
+    std::string
+    states(const RunDescription &run, const IncrementRecord &last)
+    {
+      std::string text = "increment " + std::to_string(last.increment);
+      if (run.n_increments > 0)
+        text += " of " + std::to_string(run.n_increments);
+      text += ", t = " + to_text(last.time);
+      if (last.rows.empty())
+        return text + ": no contact nodes";
+      std::array<unsigned int, 3> n{};
+      for (const ContactRow &row : last.rows)
+        if (!row.master)
+          ++n.at(static_cast<std::size_t>(row.state));
+      return text + ": " + std::to_string(n[0]) + " contact nodes open, " +
+             std::to_string(n[1]) + " stick, " + std::to_string(n[2]) + " slip";
+    }
+
+    /** Forces that are rounding noise read as 0. */
+    std::string
+    force(const Resultant &resultant, const NoiseFloor &forces)
+    {
+      Tensor<1, 3> clean;
+      for (unsigned int d = 0; d < 3; ++d)
+        clean[d] = forces.clean(resultant.force[d]);
+      return to_text(clean);
+    }
+
+    template <typename Line>
+    void
+    add_list(const std::size_t         n,
+             const std::string        &more,
+             const Line               &line,
+             std::vector<std::string> &lines)
+    {
+      const std::size_t shown = n > most_lines + 1 ? most_lines : n;
+      for (std::size_t i = 0; i < shown; ++i)
+        lines.push_back(line(i));
+      if (n > shown)
+        lines.push_back("  and " + std::to_string(n - shown) +
+                        " more: " + more);
+    }
+
+    /** Supports and loads together; the table has each. */
+    std::string
+    external(const RunDescription  &run,
+             const IncrementRecord &last,
+             const NoiseFloor      &forces)
+    {
+      std::vector<std::string> parts;
+      if (!run.supports.empty())
+        parts.push_back("supports: force " + force(last.supports, forces));
+      if (!run.loads.empty())
+        parts.push_back("loads: force " + force(last.loads, forces));
+      return join(parts);
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  closing_lines(const RunDescription &run, const IncrementRecord &last)
+  {
+    const NoiseFloor         forces = noise_of_forces(last);
+    std::vector<std::string> lines  = {states(run, last)};
+    add_list(
+      std::min(run.contacts.size(), last.contacts.size()),
+      "increments.csv",
+      [&](const std::size_t c) {
+        return "contact " + run.contacts[c] + ": force " +
+               force(last.contacts[c], forces);
+      },
+      lines);
+    if (const std::string line = external(run, last, forces); !line.empty())
+      lines.push_back(line);
+    if (const LargestDisplacement &moved = last.largest_displacement;
+        moved.size > 0)
+      lines.push_back("largest displacement: " + to_text(moved.size) +
+                      ", body " + run.bodies.at(moved.body) + " at " +
+                      to_text(moved.position));
+    if (const LargestPressure pressed = largest_pressure(last);
+        pressed.pressure > 0)
+      lines.push_back("largest pressure: " + to_text(pressed.pressure) +
+                      ", contact " + run.contacts.at(pressed.contact) + " at " +
+                      to_text(pressed.position));
+    add_list(
+      std::min(run.probes.size(), last.probes.size()),
+      "history.csv",
+      [&](const std::size_t p) {
+        return "probe " + run.probes[p] + ": displacement " +
+               to_text(last.probes[p]);
+      },
+      lines);
+    return lines;
+  }
+
+
+
+  std::string
+  files_written(const std::filesystem::path &folder)
+  {
+    std::vector<std::string> found;
+    for (const char *name : {"increments.csv",
+                             "reactions.csv",
+                             "history.csv",
+                             "events.csv",
+                             "scene.pvd",
+                             "log.txt"})
+      if (std::filesystem::exists(folder / name))
+        found.emplace_back(name);
+    return "Results are in " + folder.string() + ": " + join(found);
+  }
+} // namespace conetact::output

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/vtu_grid.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstring>
+
+using namespace conetact;
+
+namespace
+{
+  /** Values of an array, as VTK's reader decodes them. */
+  template <typename T>
+  std::vector<T>
+  values(const std::string &text, const std::string &name)
+  {
+    const auto        at    = text.find("Name=\"" + name + "\"");
+    const auto        begin = text.find('\n', at) + 1;
+    const std::string body = text.substr(begin, text.find('\n', begin) - begin);
+    const auto        word = [&](const std::vector<unsigned char> &bytes,
+                          const std::size_t                 i) {
+      std::uint32_t n = 0;
+      std::memcpy(&n, bytes.data() + 4 * i, 4);
+      return n;
+    };
+    const auto n_blocks =
+      word(dealii::Utilities::decode_base64(body.substr(0, 16)), 0);
+    const std::size_t head_length = (4 * (3 + n_blocks) + 2) / 3 * 4;
+    const auto        head =
+      dealii::Utilities::decode_base64(body.substr(0, head_length));
+    const auto data =
+      dealii::Utilities::decode_base64(body.substr(head_length));
+    std::vector<unsigned char> bytes;
+    std::size_t                start = 0;
+    for (std::uint32_t b = 0; b < n_blocks; ++b)
+      {
+        uLongf                     size = word(head, 1);
+        std::vector<unsigned char> block(size);
+        EXPECT_EQ(uncompress(block.data(),
+                             &size,
+                             data.data() + start,
+                             word(head, 3 + b)),
+                  Z_OK);
+        start += word(head, 3 + b);
+        bytes.insert(bytes.end(),
+                     block.begin(),
+                     block.begin() + static_cast<std::ptrdiff_t>(size));
+      }
+    std::vector<T> result(bytes.size() / sizeof(T));
+    if (!bytes.empty())
+      std::memcpy(result.data(), bytes.data(), bytes.size());
+    return result;
+  }
+} // namespace
+
+
+
+TEST(VtuGrid, ArraysKeepAllDigits)
+{
+  VtuGrid grid;
+  grid.points       = {Point<3>(1. / 3, 0, 0), Point<3>(1, 0, 0)};
+  grid.point_fields = {{"u", 1, {1e-300, 2. / 3}}};
+  grid.add_cell(VtuGrid::Shape::line, {1, 0});
+  grid.cell_fields       = {{"size", 1, {.1}}};
+  grid.cell_ids          = {{"body", {4}}};
+  const std::string text = grid.text(.1, 7);
+  EXPECT_EQ(values<double>(text, "Points"),
+            (std::vector<double>{1. / 3, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(values<double>(text, "u"), (std::vector<double>{1e-300, 2. / 3}));
+  EXPECT_EQ(values<double>(text, "size"), std::vector<double>{.1});
+  EXPECT_EQ(values<int>(text, "body"), std::vector<int>{4});
+  EXPECT_EQ(values<int>(text, "connectivity"), (std::vector<int>{1, 0}));
+  EXPECT_EQ(values<double>(text, "TIME"), std::vector<double>{.1});
+  EXPECT_EQ(values<int>(text, "CYCLE"), std::vector<int>{7});
+}
+
+TEST(VtuGrid, LargeArraysAreCutIntoBlocks)
+{
+  VtuGrid             grid;
+  std::vector<double> many(300001);
+  for (std::size_t i = 0; i < many.size(); ++i)
+    many[i] = 1. / (1. + static_cast<double>(i));
+  grid.point_fields = {{"u", 1, many}};
+  EXPECT_EQ(values<double>(grid.text(0, 0), "u"), many);
+}
+
+TEST(VtuGrid, CellsGoRound)
+{
+  VtuGrid grid;
+  grid.add_cell(VtuGrid::Shape::quadrilateral, {0, 1, 2, 3});
+  grid.add_cell(VtuGrid::Shape::hexahedron, {0, 1, 2, 3, 4, 5, 6, 7});
+  grid.add_cell(VtuGrid::Shape::tetrahedron, {0, 1, 2, 3});
+  const std::string text = grid.text(0, 0);
+  EXPECT_EQ(values<int>(text, "connectivity"),
+            (std::vector<int>{0, 1, 3, 2, 0, 1, 3, 2, 4, 5, 7, 6, 0, 1, 2, 3}));
+  EXPECT_EQ(values<int>(text, "offsets"), (std::vector<int>{4, 12, 16}));
+  EXPECT_EQ(values<unsigned char>(text, "types"),
+            (std::vector<unsigned char>{9, 12, 10}));
+}
+
+TEST(VtuGrid, ComponentsMayHaveNames)
+{
+  VtuGrid grid;
+  grid.point_fields = {{"s", 2, {}, {"largest", "least"}}};
+  EXPECT_NE(grid.text(0, 0).find(
+              "NumberOfComponents=\"2\" ComponentName0=\"largest\" "
+              "ComponentName1=\"least\""),
+            std::string::npos);
+}
