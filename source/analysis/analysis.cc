@@ -41,6 +41,24 @@ namespace conetact::analysis
             "' has no node that may touch: supports hold all of them along its "
             "normal. Take them out of the supports, or remove the contact.");
     }
+    /** The model with the backend that the scene asks for. */
+    contact::ContactModel &
+    with_backend(const application::Scene &scene,
+                 contact::ContactModel    &model,
+                 Log                      &log)
+    {
+      BackendChoice choice{scene.backend == application::Backend::iterative,
+                           "the scene asks for it"};
+      if (scene.backend == application::Backend::automatic)
+        choice = choose_backend(model, scene.times.size(), scene.n_drawings());
+      if (choice.iterative)
+        model.solve_iteratively();
+      if (scene.backend != application::Backend::condensed)
+        log.note("backend: " +
+                 std::string(choice.iterative ? "iterative" : "condensed") +
+                 ", " + choice.reason);
+      return model;
+    }
   } // namespace
 
   Analysis::Analysis(const application::Scene &s, Log &l)
@@ -49,7 +67,7 @@ namespace conetact::analysis
     , model(scene.bodies, scene.times, *scene.condenser)
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
-    , history(model)
+    , history(with_backend(scene, model, log))
     , set(model)
     , acceptance(scene, model, l)
   {
@@ -59,7 +77,7 @@ namespace conetact::analysis
   void
   Analysis::choose_working_set()
   {
-    if (scene.leave_out_far_nodes)
+    if (scene.leave_out_far_nodes && !model.is_iterative())
       set.start(
         [&](const double t) -> Eigen::VectorXd {
           return loads.at(t) + scene.obstacle_forces(t);
@@ -124,6 +142,12 @@ namespace conetact::analysis
   Analysis::prepare()
   {
     check_history();
+    if (model.is_iterative())
+      {
+        model.condense();
+        log.time("stiffness of all unknowns, levels of multigrid");
+        return;
+      }
     const double bytes = model.condense().factor_bytes();
     log.time("condensation by " + std::string(scene.condenser->name) +
              ": order, factor and Schur complement" +

@@ -115,6 +115,7 @@ namespace conetact::application
   Scene::Scene(const CommandLine &line)
     : file(line.scene)
     , overrides(line.overrides)
+    , verifies(line.verify)
     , text(read_file(line.scene))
   {
     refuse_repeats(text, file.string());
@@ -233,6 +234,15 @@ namespace conetact::application
     output::check_fclib_is_there(fclib_increments);
     prm.leave_subsection();
     leave_out_far_nodes &= fclib_increments.empty() && text_increments.empty();
+    prm.enter_subsection("Solver");
+    backend = chosen_backend(prm,
+                             !fclib_increments.empty() ?
+                               "Output, FCLib increments" :
+                             !text_increments.empty() ?
+                               "Output, Text increments" :
+                             verifies ? "the option --verify" :
+                                        "");
+    prm.leave_subsection();
   }
 
   void

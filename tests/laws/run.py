@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (balance, bodies, corners, driven, elements, friction, hertz, kill, loads, mortar, obstacles,  # noqa: E402
+from laws import (balance, bodies, corners, driven, elements, friction, hertz, iterative, kill, loads, mortar, obstacles,  # noqa: E402
                   pairs, patch, path, refinement, supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
 
@@ -24,7 +24,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "shapes": driven.shapes, "free": driven.free_obstacles, "turning": driven.turning,
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
-            "hertz": hertz.hertz, "path": path.path,
+            "hertz": hertz.hertz, "path": path.path, "iterative": iterative.iterative,
+            "iterative-pairs": iterative.iterative_pairs,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family}
 

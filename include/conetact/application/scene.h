@@ -83,6 +83,7 @@ namespace conetact::application
     std::vector<double>           times;
     solvers::SolverOptions        solver;
     const backends::Condenser    *condenser = &backends::default_condenser();
+    Backend                       backend = Backend::automatic;
     PathSettings                  path;
     AdaptiveSettings              adaptive;
     unsigned int                  vtu_every = 1;
@@ -122,6 +123,7 @@ namespace conetact::application
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;
+    bool verifies; ///< condenses twice
     std::string              text; ///< of the file
     std::vector<std::string> obstacle_names;
 

@@ -8,6 +8,7 @@
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/dual_backend.h"
 #include "conetact/contact/elastic_system.h"
+#include "conetact/contact/iterative_backend.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/rigid_motions.h"
 
@@ -44,7 +45,26 @@ namespace conetact::contact
     bool
     is_dual() const
     {
-      return dual;
+      return dual && !large;
+    }
+
+    /** Nothing is condensed (IterativeBackend). */
+    bool
+    is_iterative() const
+    {
+      return large;
+    }
+    /**
+     * Makes it so, before anything is condensed. Throws InputError where the
+     * scene has what IterativeBackend cannot do.
+     */
+    void
+    solve_iteratively();
+    /** What that is; empty: nothing. */
+    std::string
+    why_not_iterative() const
+    {
+      return IterativeBackend::obstacle(bodies, points, motions);
     }
 
     /**
@@ -120,6 +140,7 @@ namespace conetact::contact
 
     const backends::Condenser      &condenser;
     bool                            dual;
+    bool                            large = false;
     WorkingSet                      chosen;
     std::unique_ptr<ElasticBackend> condensed;
     backends::SchurWork             former_work; ///< before condensed anew
@@ -133,6 +154,7 @@ namespace conetact::contact
   class ContactHistory
   {
   public:
+    /** Whether the model is solved iteratively must be known by then. */
     explicit ContactHistory(ContactModel &model);
 
     /** The increment that ends with `load`. */
@@ -199,7 +221,8 @@ namespace conetact::contact
     ContactModel                   *model;
     Eigen::VectorXd                 initial_gap; ///< of each node with unknowns
     Eigen::VectorXd                 q, r;
-    Eigen::VectorXd                 elastic; ///< without offset, stiffness form
+    /** Without offset, stiffness form; of all unknowns where it is large. */
+    Eigen::VectorXd                 elastic;
     Eigen::VectorXd                 a, base; ///< free motions
     std::vector<solvers::NodeState> states;
     double largest = 0; ///< reaction or load so far [force]
