@@ -117,7 +117,7 @@ namespace conetact::analysis
                           const std::size_t            n_drawings)
   {
     const contact::Coordinates &coordinates = model.coordinates;
-    const auto       n = static_cast<double>(coordinates.n_unknowns());
+    const auto        n = static_cast<double>(coordinates.n_unknowns());
     const std::size_t d = model.bodies.dim - 2;
     Cost              cost;
     cost.memory_bytes = peak_memory() + bytes_of_unknown[d] * n;
@@ -150,9 +150,8 @@ namespace conetact::analysis
     if (n > huge_body)
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
-    const Cost other =
-      estimate_iterative_cost(model, n_increments, n_drawings);
-    const auto text = [](const Cost &cost) {
+    const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
+    const auto text  = [](const Cost &cost) {
       return to_text(std::round(cost.seconds)) + " s and " +
              megabytes(cost.memory_bytes);
     };

@@ -90,17 +90,17 @@ namespace conetact::backends
         }
       A.allocate();
       const auto place = [&](const int i, const int j) {
-        const auto begin = A.column.begin() +
-                           static_cast<std::ptrdiff_t>(A.start[at(i)]);
-        const auto end = A.column.begin() +
-                         static_cast<std::ptrdiff_t>(A.start[at(i) + 1]);
+        const auto begin =
+          A.column.begin() + static_cast<std::ptrdiff_t>(A.start[at(i)]);
+        const auto end =
+          A.column.begin() + static_cast<std::ptrdiff_t>(A.start[at(i) + 1]);
         return static_cast<std::size_t>(std::lower_bound(begin, end, j) -
                                         A.column.begin());
       };
       for (Index q = 0; q < upper.cols(); ++q)
         {
-          const int   j = places.of[at(q)] / block, c = places.of[at(q)] % block;
-          int         last = -1;
+          const int j = places.of[at(q)] / block, c = places.of[at(q)] % block;
+          int       last = -1;
           std::size_t k = 0, k_transposed = 0;
           for (Entry it(upper, q); it; ++it)
             {
@@ -175,10 +175,10 @@ namespace conetact::backends
       /** The linear system of a step. */
       struct System
       {
-        Array                                     free; ///< 1 or 0 [-]
-        FloatVector                               free_float;
-        std::vector<NodeRows>                     rows;
-        Array                                     known, right_hand_side;
+        Array                                   free; ///< 1 or 0 [-]
+        FloatVector                             free_float;
+        std::vector<NodeRows>                   rows;
+        Array                                   known, right_hand_side;
         std::vector<std::pair<int, FloatBlock>> D; ///< of contact nodes
       };
 
@@ -240,15 +240,15 @@ namespace conetact::backends
       Step
       gmres(const System &system, const double precision) const;
 
-      const solvers::ContactSystem        contact;
-      const Places                        places;
-      const int                           n; ///< places
-      BlockMatrix<block, block, double>   K;
-      double                              scale = 1; ///< of K, a power of two
-      BlockMatrix<block, block, float>    A;         ///< K over it
-      std::vector<FloatBlock>             D;
-      float                               largest = 1; ///< eigenvalue of D A
-      Array                               all_held; ///< 0 at contact unknowns
+      const solvers::ContactSystem      contact;
+      const Places                      places;
+      const int                         n; ///< places
+      BlockMatrix<block, block, double> K;
+      double                            scale = 1; ///< of K, a power of two
+      BlockMatrix<block, block, float>  A;         ///< K over it
+      std::vector<FloatBlock>           D;
+      float                             largest = 1; ///< eigenvalue of D A
+      Array                             all_held;    ///< 0 at contact unknowns
       std::unique_ptr<CoarseLevels<block, 3 * (block - 1)>> levels;
       Eigen::LDLT<Eigen::MatrixXd>                          whole; ///< of few
     };
@@ -262,8 +262,8 @@ namespace conetact::backends
       double sum = 0;
       for (int i = 0; i < places.n_nodes; ++i)
         sum += K.block(diagonal_block(i)).trace();
-      scale = sum > 0 ? std::exp2(std::round(std::log2(
-                          sum / static_cast<double>(n_unknowns())))) :
+      scale = sum > 0 ? std::exp2(std::round(
+                          std::log2(sum / static_cast<double>(n_unknowns())))) :
                         1.;
       A     = K.template cast<float>();
       for (float &a : A.value)
@@ -318,7 +318,9 @@ namespace conetact::backends
     void
     BlockSystem<block>::make_levels(const Eigen::MatrixXd &modes)
     {
-      const auto row_of = [&](const int i, SparseRow &row) { held_row(i, row); };
+      const auto row_of = [&](const int i, SparseRow &row) {
+        held_row(i, row);
+      };
       if (n <= small_enough)
         {
           Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
@@ -336,8 +338,9 @@ namespace conetact::backends
       for (Index j = 0; j < modes.cols(); ++j)
         scattered.col(j) = scatter(modes.col(j));
       const SmoothedAggregation aggregates(n, block, row_of, scattered);
-      levels = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(
-        aggregates, places.n_nodes);
+      levels =
+        std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(aggregates,
+                                                               places.n_nodes);
     }
 
     /* Of what is free; zero elsewhere. */
@@ -445,15 +448,16 @@ namespace conetact::backends
           // Only its symmetric part makes a smoother, and if it is positive.
           const Eigen::SelfAdjointEigenSolver<SmallMatrix> eigen(
             .5 * (rows.S + rows.S.transpose()));
-          const SmallMatrix positive = eigen.eigenvectors() *
-                                       eigen.eigenvalues().cwiseMax(0.).asDiagonal() *
-                                       eigen.eigenvectors().transpose() / scale;
+          const SmallMatrix positive =
+            eigen.eigenvectors() *
+            eigen.eigenvalues().cwiseMax(0.).asDiagonal() *
+            eigen.eigenvectors().transpose() / scale;
           const int i = rows.stays[0] / block;
           for (std::size_t a = 0; a < rows.stays.size(); ++a)
             for (std::size_t b = 0; b < rows.stays.size(); ++b)
               S[at(i)](rows.stays[a] % block, rows.stays[b] % block) +=
-                static_cast<float>(positive(static_cast<Index>(a),
-                                            static_cast<Index>(b)));
+                static_cast<float>(
+                  positive(static_cast<Index>(a), static_cast<Index>(b)));
         }
       for (Index i = 0; i < contact.n_nodes(); ++i)
         {
@@ -494,14 +498,13 @@ namespace conetact::backends
         for (const NodeRows &rows : system.rows)
           for (std::size_t k = 0; k < rows.stays.size(); ++k)
             for (std::size_t l = 0; l < rows.stays.size(); ++l)
-              y[rows.stays[k]] += static_cast<float>(
-                                    .5 *
-                                    (rows.S(static_cast<Index>(k),
-                                            static_cast<Index>(l)) +
-                                     rows.S(static_cast<Index>(l),
-                                            static_cast<Index>(k))) /
-                                    scale) *
-                                  x[rows.stays[l]];
+              y[rows.stays[k]] +=
+                static_cast<float>(
+                  .5 *
+                  (rows.S(static_cast<Index>(k), static_cast<Index>(l)) +
+                   rows.S(static_cast<Index>(l), static_cast<Index>(k))) /
+                  scale) *
+                x[rows.stays[l]];
       };
       const auto scaled = [&](const FloatVector &r, FloatVector &z) {
         multiply_blocks<block>(D, r, z);
@@ -524,7 +527,8 @@ namespace conetact::backends
 
     template <int block>
     solvers::LargeSystem::Step
-    BlockSystem<block>::gmres(const System &system, const double precision) const
+    BlockSystem<block>::gmres(const System &system,
+                              const double  precision) const
     {
       Step         result{system.known};
       Array        x    = Array::Zero(n);
@@ -536,8 +540,8 @@ namespace conetact::backends
           std::vector<Array> V = {r / left}, Z;
           Eigen::MatrixXd    H =
             Eigen::MatrixXd::Zero(cycle_length + 1, cycle_length);
-          VectorXd g    = VectorXd::Zero(cycle_length + 1);
-          g(0)          = left;
+          VectorXd g = VectorXd::Zero(cycle_length + 1);
+          g(0)       = left;
           std::vector<Eigen::JacobiRotation<double>> turns;
           Index                                      k = 0;
           for (; k < cycle_length && left > goal &&
@@ -545,7 +549,8 @@ namespace conetact::backends
                ++k, ++result.iterations)
             {
               const FloatVector v = V.back().template cast<float>();
-              Z.push_back(precondition(system, v).template cast<double>() / scale);
+              Z.push_back(precondition(system, v).template cast<double>() /
+                          scale);
               Array w = multiply(system, Z.back());
               for (Index i = 0; i <= k; ++i)
                 {
@@ -564,9 +569,9 @@ namespace conetact::backends
               if (!std::isfinite(left))
                 break;
             }
-          const VectorXd y = H.topLeftCorner(k, k)
-                               .template triangularView<Eigen::Upper>()
-                               .solve(g.head(k));
+          const VectorXd y =
+            H.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(
+              g.head(k));
           for (Index i = 0; i < k; ++i)
             x += y(i) * Z[at(i)];
           if (left > goal)

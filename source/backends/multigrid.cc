@@ -44,11 +44,13 @@ namespace conetact::backends
           for (int r = 0; r < n_rows; ++r)
             for (std::size_t k = 0; k < rows[r].columns.size(); ++k)
               {
-                const int  c = rows[r].columns[k];
-                const auto place =
-                  std::lower_bound(columns.begin(), columns.end(), c / n_columns) -
-                  columns.begin();
-                A.block(first + static_cast<std::size_t>(place))(r, c % n_columns) =
+                const int  c     = rows[r].columns[k];
+                const auto place = std::lower_bound(columns.begin(),
+                                                    columns.end(),
+                                                    c / n_columns) -
+                                   columns.begin();
+                A.block(first +
+                        static_cast<std::size_t>(place))(r, c % n_columns) =
                   static_cast<float>(rows[r].values[k]);
               }
         }
@@ -156,8 +158,8 @@ namespace conetact::backends
     Level &level = below[l];
     if (l + 1 == below.size())
       {
-        level.x =
-          coarsest.solve(level.b.template cast<double>()).template cast<float>();
+        level.x = coarsest.solve(level.b.template cast<double>())
+                    .template cast<float>();
         return;
       }
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {

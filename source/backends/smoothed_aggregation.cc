@@ -35,10 +35,11 @@ namespace conetact::backends
           length[static_cast<std::size_t>(i)] =
             static_cast<unsigned int>(row.columns.size());
         }
-      auto result = std::make_unique<SparseMatrix>(
-        dealii::complete_index_set(static_cast<unsigned int>(n)),
-        MPI_COMM_SELF,
-        length);
+      auto result =
+        std::make_unique<SparseMatrix>(dealii::complete_index_set(
+                                         static_cast<unsigned int>(n)),
+                                       MPI_COMM_SELF,
+                                       length);
       std::vector<SparseMatrix::size_type> columns;
       for (int i = 0; i < n; ++i)
         {

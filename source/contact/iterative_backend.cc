@@ -40,8 +40,9 @@ namespace conetact::contact
               {
                 const Tensor<1, 3> moved =
                   k < dim ? axis :
-                            cross_product_3d(
-                              axis, bodies.structures[b]->position(i) - centre);
+                            cross_product_3d(axis,
+                                             bodies.structures[b]->position(i) -
+                                               centre);
                 for (unsigned int c = 0; c < dim; ++c)
                   u[coordinates.dof(b, i) + c] = moved[c];
               }
@@ -104,15 +105,14 @@ namespace conetact::contact
     , coordinates(elastic.bodies, supports, &points)
     , set(points.layout())
   {
-    auto                     system = std::make_shared<solvers::ContactSystem>(
-      points.layout());
+    auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
     given.upper   = assemble(elastic, coordinates);
     given.node_of = coordinates.node_of_unknowns();
     given.modes   = rigid_modes(elastic.bodies, coordinates);
     given.contact = points.layout();
-    system->large = backends::make_large_system(std::move(given),
-                                                elastic.bodies.dim);
+    system->large =
+      backends::make_large_system(std::move(given), elastic.bodies.dim);
     const VectorXd diagonal = system->large->diagonal();
     system->large_diagonal  = diagonal.tail(system->n_unknowns());
     system->null_space.resize(system->n_unknowns(), 0);

@@ -28,7 +28,7 @@ namespace conetact::solvers
     VectorXd
     reference_stiffness(const ContactSystem &system)
     {
-      const Index  n    = system.n_contact_unknowns();
+      const Index    n        = system.n_contact_unknowns();
       const VectorXd diagonal = system.diagonal();
       const double   mean     = n > 0 ? diagonal.head(n).mean() : 0.;
       VectorXd       rho(n);
@@ -87,7 +87,8 @@ namespace conetact::solvers
     {
       const ContactSystem &system = *problem.system;
       const VectorXd       u      = elastic_part(problem, state);
-      const VectorXd r = system.large ? system.large->multiply(u) : multiply(system, u);
+      const VectorXd       r =
+        system.large ? system.large->multiply(u) : multiply(system, u);
       return (r - problem.load).tail(system.n_unknowns());
     }
 
@@ -198,8 +199,7 @@ namespace conetact::solvers
                relation_residual(problem, state, rho).norm());
     if (error == 0)
       return 0;
-    const double load =
-      problem.load.tail(stiff ? n : system.n_motions).norm();
+    const double load = problem.load.tail(stiff ? n : system.n_motions).norm();
     const double scale =
       std::max({state.r.head(n).norm(), load, problem.reference_force});
     const double data =

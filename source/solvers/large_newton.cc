@@ -126,7 +126,7 @@ namespace conetact::solvers
     point.u = u;
     point.f = f;
     relation->to_scaled({{}, f.tail(n), {}, u.tail(n)}, point.p, point.d);
-    point.law = law_residual(*relation, point.p, point.d);
+    point.law    = law_residual(*relation, point.p, point.d);
     double scale = largest_norm(f.tail(n), load.tail(n), force);
     if (scale == 0) // nothing touches, and nothing ever has
       scale = load.norm();
@@ -169,9 +169,7 @@ namespace conetact::solvers
 
   /** False if there is no step. */
   bool
-  LargeNewton::step(Point        &point,
-                    const Manner &manner,
-                    SolverReport &report)
+  LargeNewton::step(Point &point, const Manner &manner, SolverReport &report)
   {
     const auto found = body->solve(laws(point), point.f, manner.precision);
     if (!found)
@@ -195,17 +193,15 @@ namespace conetact::solvers
 
 
   std::string
-  LargeNewton::iterate(Point        &point,
-                       SolverReport &report,
-                       const bool    exactly)
+  LargeNewton::iterate(Point &point, SolverReport &report, const bool exactly)
   {
     const double          goal = aim * options.tolerance;
     std::set<std::string> seen;
     std::string           current = signature(point.sets);
     Manner                manner{exactly,
-                  exactly                ? exact :
+                  exactly           ? exact :
                                  point.d.isZero(0) ? best_precision :
-                                          first_precision};
+                                                     first_precision};
     unsigned int          stalls = 0;
     while (point.residual() > goal)
       {
@@ -221,8 +217,9 @@ namespace conetact::solvers
         stalls                     = improved ? 0 : stalls + 1;
         if (stalls > 1 && point.residual() <= noise)
           break;
-        const bool cycles = next != current && !improved && seen.count(next) > 0;
-        current           = next;
+        const bool cycles =
+          next != current && !improved && seen.count(next) > 0;
+        current = next;
         if (cycles || stalls > max_stalls)
           {
             if (manner.damped && stalls > max_damped_stalls)
@@ -231,11 +228,10 @@ namespace conetact::solvers
             manner = {true, exact};
           }
         if (!manner.damped)
-          manner.precision =
-            std::clamp(std::max(.9 * std::pow(gain, 1.5),
-                                .3 * goal / point.residual()),
-                       best_precision,
-                       least_precision);
+          manner.precision = std::clamp(std::max(.9 * std::pow(gain, 1.5),
+                                                 .3 * goal / point.residual()),
+                                        best_precision,
+                                        least_precision);
       }
     return "";
   }
@@ -284,8 +280,8 @@ namespace conetact::solvers
     if (state.u != last->end_u)
       return {};
     // obstacles and supports that move are loads, too
-    const double c        = relation->system().diagonal().mean();
-    const Array  of_load  = load - last->end_load;
+    const double c         = relation->system().diagonal().mean();
+    const Array  of_load   = load - last->end_load;
     const Array  of_offset = c * change_of_offset(problem, state);
     const double along =
       of_load.dot(last->load) + c * of_offset.dot(last->offset);
@@ -308,8 +304,8 @@ namespace conetact::solvers
                         const ContactState   &start,
                         const ContactState   &end)
   {
-    const bool follows = last && last->end_u.size() == start.u.size() &&
-                         start.u == last->end_u;
+    const bool follows =
+      last && last->end_u.size() == start.u.size() && start.u == last->end_u;
     if (!follows && !start.u.isZero(0))
       {
         last.reset(); // the load that it started from is not known
@@ -348,8 +344,8 @@ namespace conetact::solvers
         if (tried(std::move(*guess), false))
           return report;
       }
-    Point point = point_at(start.u);
-    point.sets  = sets_of_point(*relation, point.p, point.d);
+    Point point      = point_at(start.u);
+    point.sets       = sets_of_point(*relation, point.p, point.d);
     const bool stays = point.residual() <= aim * options.tolerance;
     if (!stays)
       point.sets = sets_of_state(*relation, of_contact(start, n));
@@ -390,8 +386,8 @@ namespace conetact::solvers
         trial.v            = state.v; // no slip yet
         for (Index i = 0; i < system.n_nodes(); ++i)
           trial.v(system.normal(i)) = part.gap(i);
-        part.load   = problem.load - (1 - next) * of_load;
-        part.offset = problem.offset - (1 - next) * of_offset - slip;
+        part.load              = problem.load - (1 - next) * of_load;
+        part.offset            = problem.offset - (1 - next) * of_offset - slip;
         const SolverReport one = solve_whole(part, trial);
         count(report, one);
         if (!one.converged)

@@ -35,10 +35,10 @@ namespace conetact::backends
      * join nodes, too. `modes` has a column for each.
      */
     SmoothedAggregation(
-      const int                                               n,
-      const int                                               block,
+      const int                                              n,
+      const int                                              block,
       const std::function<void(const int row, SparseRow &)> &row_of,
-      const Eigen::MatrixXd                                  &modes);
+      const Eigen::MatrixXd                                 &modes);
     ~SmoothedAggregation();
     SmoothedAggregation(const SmoothedAggregation &) = delete;
     SmoothedAggregation &

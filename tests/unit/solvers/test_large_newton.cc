@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/solvers/large_newton.h"
-
 #include "conetact/solvers/active_set.h"
+#include "conetact/solvers/large_newton.h"
 
 #include <gtest/gtest.h>
 
@@ -25,10 +24,9 @@ namespace
       internal::Random      random(7);
       const Eigen::MatrixXd B =
         internal::random_matrix(random, m, m + S.rows());
-      K.topRows(m) = B;
-      K.topLeftCorner(m, m) =
-        B.leftCols(m) * B.leftCols(m).transpose() +
-        Eigen::MatrixXd::Identity(m, m);
+      K.topRows(m)          = B;
+      K.topLeftCorner(m, m) = B.leftCols(m) * B.leftCols(m).transpose() +
+                              Eigen::MatrixXd::Identity(m, m);
       K.bottomLeftCorner(S.rows(), m) = B.rightCols(S.rows()).transpose();
       K.bottomRightCorner(S.rows(), S.rows()) =
         S + K.bottomLeftCorner(S.rows(), m) *
@@ -54,12 +52,12 @@ namespace
           const Array                &f,
           const double                precision) const override
     {
-      Eigen::MatrixXd A = K;
-      Array           b = -f;
+      Eigen::MatrixXd A     = K;
+      Array           b     = -f;
       Index           first = m;
       for (const NodeLaw &law : laws)
         {
-          const Index n = law.h.size();
+          const Index n          = law.h.size();
           A.middleRows(first, n) = law.d * K.middleRows(first, n);
           A.block(first, first, n, n) += law.p;
           b.segment(first, n) = law.h;
@@ -79,11 +77,11 @@ namespace
   ContactProblem
   enlarged(const ContactProblem &problem, const Eigen::Index m)
   {
-    auto system   = std::make_shared<ContactSystem>(*problem.system);
-    auto large    = std::make_shared<DenseSystem>(system->matrix, m);
-    system->large = large;
-    const Eigen::Index n      = system->n_unknowns();
-    system->large_diagonal    = large->diagonal().tail(n);
+    auto system            = std::make_shared<ContactSystem>(*problem.system);
+    auto large             = std::make_shared<DenseSystem>(system->matrix, m);
+    system->large          = large;
+    const Eigen::Index n   = system->n_unknowns();
+    system->large_diagonal = large->diagonal().tail(n);
     ContactProblem        result = problem;
     const Eigen::VectorXd b_F    = Eigen::VectorXd::LinSpaced(m, -1, 1);
     result.load.resize(m + n);
@@ -117,10 +115,10 @@ TEST(LargeNewton, FindsWhatTheCondensedProblemHas)
   for (unsigned int seed = 1; seed <= 20; ++seed)
     {
       RandomOptions options;
-      options.n_nodes  = 12;
-      options.tangents = seed % 2 == 0 ? 2 : 1;
-      options.mu_max   = .5;
-      options.seed     = seed;
+      options.n_nodes            = 12;
+      options.tangents           = seed % 2 == 0 ? 2 : 1;
+      options.mu_max             = .5;
+      options.seed               = seed;
       const RandomProblem random = random_problem(options);
       ContactState        small  = start_of(random.problem);
       small.u.resize(0);
@@ -166,8 +164,8 @@ TEST(LargeNewton, DoesWhatItCannotSolveAtOnceInParts)
   SolverOptions options;
   options.max_iterations = 2; // too few for all of it
   RandomOptions what;
-  what.n_nodes = 8;
-  what.mu_max  = .3;
+  what.n_nodes                 = 8;
+  what.mu_max                  = .3;
   const ContactProblem problem = enlarged(random_problem(what).problem, 10);
   ContactState         state   = start_of(problem);
   const SolverReport   report  = LargeNewton(options).solve(problem, state);
