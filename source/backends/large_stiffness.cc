@@ -24,8 +24,10 @@ namespace conetact::backends
     constexpr Index small_enough = 600;
 
     // Of GMRES. Vectors of a cycle are kept twice, before and after the
-    // preconditioner.
-    constexpr int cycle_length = 40, most_iterations = 400;
+    // preconditioner; in single precision it gains so much at a time.
+    constexpr int    cycle_length    = 40;
+    constexpr auto   most_iterations = 400u;
+    constexpr double digits          = 1e-4;
 
     std::size_t
     at(const Index i)
@@ -233,12 +235,24 @@ namespace conetact::backends
       /** The blocks of the smoother where a law has changed them. */
       void
       set_blocks(System &system) const;
+      /** Turns K x (both over a unit of stiffness) into rows of the laws. */
+      template <typename Vector>
+      void
+      add_laws(const System &system,
+               const double  unit,
+               const Vector &x,
+               Vector       &y) const;
       Array
       multiply(const System &system, const Array &x) const;
       FloatVector
       precondition(const System &system, const FloatVector &r) const;
+      FloatVector
+      gmres(const System      &system,
+            const FloatVector &b,
+            const double       goal,
+            unsigned int      &iterations) const;
       Step
-      gmres(const System &system, const double precision) const;
+      refine(const System &system, const double precision) const;
 
       const solvers::ContactSystem      contact;
       const Places                      places;
@@ -467,25 +481,39 @@ namespace conetact::backends
         }
     }
 
+    /* y_u += S x_u + Q y_k, and nothing where unknowns are held. */
+    template <int block>
+    template <typename Vector>
+    void
+    BlockSystem<block>::add_laws(const System &system,
+                                 const double  unit,
+                                 const Vector &x,
+                                 Vector       &y) const
+    {
+      using Number = typename Vector::Scalar;
+      for (const NodeRows &rows : system.rows)
+        {
+          SmallVector in(static_cast<Index>(rows.stays.size()));
+          SmallVector held(static_cast<Index>(rows.known.size()));
+          for (Index k = 0; k < in.size(); ++k)
+            in(k) = x[rows.stays[at(k)]] / unit;
+          for (Index k = 0; k < held.size(); ++k)
+            held(k) = y[rows.known[at(k)]];
+          const SmallVector more = rows.S * in + rows.Q * held;
+          for (Index k = 0; k < in.size(); ++k)
+            y[rows.stays[at(k)]] += static_cast<Number>(more(k));
+        }
+      y.array() *= system.free.template cast<Number>().array();
+    }
+
     template <int block>
     solvers::LargeSystem::Array
     BlockSystem<block>::multiply(const System &system, const Array &x) const
     {
       Array y(n);
       K.multiply(x.data(), y.data());
-      for (const NodeRows &rows : system.rows)
-        {
-          const auto  m = static_cast<Index>(rows.stays.size());
-          SmallVector in(m), held(static_cast<Index>(rows.known.size()));
-          for (Index k = 0; k < m; ++k)
-            in(k) = x[rows.stays[at(k)]];
-          for (Index k = 0; k < held.size(); ++k)
-            held(k) = y[rows.known[at(k)]];
-          const SmallVector more = rows.S * in + rows.Q * held;
-          for (Index k = 0; k < m; ++k)
-            y[rows.stays[at(k)]] += more(k);
-        }
-      return y.cwiseProduct(system.free);
+      add_laws(system, 1., x, y);
+      return y;
     }
 
     template <int block>
@@ -525,60 +553,76 @@ namespace conetact::backends
       return x;
     }
 
+    /* For |b| = 1 and K over its scale: what is left of b is at most `goal`,
+       or what a cycle leaves. */
+    template <int block>
+    FloatVector
+    BlockSystem<block>::gmres(const System      &system,
+                              const FloatVector &b,
+                              const double       goal,
+                              unsigned int      &iterations) const
+    {
+      std::vector<FloatVector> V = {b}, Z;
+      Eigen::MatrixXd H = Eigen::MatrixXd::Zero(cycle_length + 1, cycle_length);
+      VectorXd        g = VectorXd::Zero(cycle_length + 1);
+      g(0)              = 1;
+      std::vector<Eigen::JacobiRotation<double>> turns(cycle_length);
+      Index                                      k = 0;
+      for (; k < cycle_length && std::abs(g(k)) > goal; ++k, ++iterations)
+        {
+          Z.push_back(precondition(system, V.back()));
+          FloatVector w(n);
+          A.multiply(Z.back().data(), w.data());
+          add_laws(system, scale, Z.back(), w);
+          for (Index i = 0; i <= k; ++i)
+            {
+              H(i, k) =
+                w.template cast<double>().dot(V[at(i)].template cast<double>());
+              w -= static_cast<float>(H(i, k)) * V[at(i)];
+            }
+          H(k + 1, k) = w.template cast<double>().norm();
+          if (!std::isfinite(H(k + 1, k)))
+            break;
+          V.push_back(w / static_cast<float>(std::max(H(k + 1, k), 1e-30)));
+          for (Index i = 0; i < k; ++i)
+            H.col(k).applyOnTheLeft(i, i + 1, turns[at(i)].adjoint());
+          turns[at(k)].makeGivens(H(k, k), H(k + 1, k));
+          H.col(k).applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
+          g.applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
+        }
+      const VectorXd y =
+        H.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(
+          g.head(k));
+      FloatVector x = FloatVector::Zero(n);
+      for (Index i = 0; i < k; ++i)
+        x += static_cast<float>(y(i)) * Z[at(i)];
+      return x;
+    }
+
+    /* Single precision gains some digits at a time, of what double precision
+       finds to be left. */
     template <int block>
     solvers::LargeSystem::Step
-    BlockSystem<block>::gmres(const System &system,
-                              const double  precision) const
+    BlockSystem<block>::refine(const System &system,
+                               const double  precision) const
     {
       Step         result{system.known};
-      Array        x    = Array::Zero(n);
-      Array        r    = system.right_hand_side;
-      const double goal = precision * r.norm(), start = r.norm();
-      double       left = start;
+      Array        x     = Array::Zero(n);
+      Array        r     = system.right_hand_side;
+      const double start = r.norm(), goal = precision * start;
+      double       left = start, before = left;
       while (left > goal && result.iterations < most_iterations)
         {
-          std::vector<Array> V = {r / left}, Z;
-          Eigen::MatrixXd    H =
-            Eigen::MatrixXd::Zero(cycle_length + 1, cycle_length);
-          VectorXd g = VectorXd::Zero(cycle_length + 1);
-          g(0)       = left;
-          std::vector<Eigen::JacobiRotation<double>> turns;
-          Index                                      k = 0;
-          for (; k < cycle_length && left > goal &&
-                 result.iterations < most_iterations;
-               ++k, ++result.iterations)
-            {
-              const FloatVector v = V.back().template cast<float>();
-              Z.push_back(precondition(system, v).template cast<double>() /
-                          scale);
-              Array w = multiply(system, Z.back());
-              for (Index i = 0; i <= k; ++i)
-                {
-                  H(i, k) = w.dot(V[at(i)]);
-                  w -= H(i, k) * V[at(i)];
-                }
-              H(k + 1, k) = w.norm();
-              V.push_back(w / H(k + 1, k));
-              for (Index i = 0; i < k; ++i)
-                H.col(k).applyOnTheLeft(i, i + 1, turns[at(i)].adjoint());
-              turns.emplace_back();
-              turns.back().makeGivens(H(k, k), H(k + 1, k));
-              H.col(k).applyOnTheLeft(k, k + 1, turns.back().adjoint());
-              g.applyOnTheLeft(k, k + 1, turns.back().adjoint());
-              left = std::abs(g(k + 1));
-              if (!std::isfinite(left))
-                break;
-            }
-          const VectorXd y =
-            H.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(
-              g.head(k));
-          for (Index i = 0; i < k; ++i)
-            x += y(i) * Z[at(i)];
-          if (left > goal)
-            {
-              r    = system.right_hand_side - multiply(system, x);
-              left = r.norm();
-            }
+          const FloatVector b = (r / left).template cast<float>();
+          x +=
+            (left / scale) *
+            gmres(system, b, std::max(goal / left, digits), result.iterations)
+              .template cast<double>();
+          before = left;
+          r      = system.right_hand_side - multiply(system, x);
+          left   = r.norm();
+          if (!(left < .5 * before)) // all there is to gain
+            break;
         }
       result.du += x;
       result.error = start > 0 ? left / start : 0.;
@@ -591,7 +635,7 @@ namespace conetact::backends
                               const Array                &f,
                               const double                precision) const
     {
-      Step step = gmres(system_of(laws, f), precision);
+      Step step = refine(system_of(laws, f), precision);
       if (!step.du.allFinite())
         return {};
       step.du = gather(step.du);

@@ -5,7 +5,7 @@ import re
 
 from support.scenes import ELEMENTS, SHIPPED, box, contact, floor, joint, load, merge, press_and_shear, support, with_element
 
-SHIPPED_SCENES = ("cylinder-on-plane", "inclined-obstacle", "sphere-on-layer", "square-greco", "square-greco-ssnv128")
+SHIPPED_SCENES = ("block-press-shear", "inclined-obstacle", "partial-slip", "shrink-fit", "sphere-on-layer")
 
 
 def backend(name):
