@@ -79,8 +79,8 @@ namespace conetact::analysis
   void
   Acceptance::set_stiffness(const contact::ElasticBackend &elastic)
   {
-    const solvers::ContactSystem &system = *elastic.system();
-    const contact::WorkingSet    &set    = elastic.working_set();
+    const solvers::ContactSystem &system   = *elastic.system();
+    const contact::WorkingSet    &set      = elastic.working_set();
     const Eigen::VectorXd         diagonal = system.diagonal();
     Eigen::VectorXd               stiffness =
       Eigen::VectorXd::Zero(model.points.layout().n_nodes());

@@ -235,13 +235,12 @@ namespace conetact::application
     prm.leave_subsection();
     leave_out_far_nodes &= fclib_increments.empty() && text_increments.empty();
     prm.enter_subsection("Solver");
-    backend = chosen_backend(prm,
-                             !fclib_increments.empty() ?
-                               "Output, FCLib increments" :
-                             !text_increments.empty() ?
-                               "Output, Text increments" :
-                             verifies ? "the option --verify" :
-                                        "");
+    backend =
+      chosen_backend(prm,
+                     !fclib_increments.empty() ? "Output, FCLib increments" :
+                     !text_increments.empty()  ? "Output, Text increments" :
+                     verifies                  ? "the option --verify" :
+                                                 "");
     prm.leave_subsection();
   }
 

@@ -171,8 +171,7 @@ namespace conetact::application
   }
 
   Backend
-  chosen_backend(dealii::ParameterHandler &prm,
-                 const std::string        &wants_matrix)
+  chosen_backend(dealii::ParameterHandler &prm, const std::string &wants_matrix)
   {
     const std::string name   = prm.get("Backend");
     std::string       reason = wants_matrix;

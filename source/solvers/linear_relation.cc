@@ -27,11 +27,11 @@ namespace conetact::solvers
     VectorXd
     mean_diagonal(const ContactSystem &system)
     {
-      const Index  n = system.n_nodes(), size = system.n_contact_unknowns();
+      const Index    n = system.n_nodes(), size = system.n_contact_unknowns();
       const VectorXd diagonal = system.diagonal();
       const double   all      = size > 0 ? diagonal.head(size).mean() : 1.;
-      const double mean = all > 0 ? all : 1.;
-      VectorXd     result(n);
+      const double   mean     = all > 0 ? all : 1.;
+      VectorXd       result(n);
       for (Index i = 0; i < n; ++i)
         {
           const Index  first = system.first[i], dim = system.n_tangents(i) + 1;

@@ -83,7 +83,7 @@ namespace conetact::application
     std::vector<double>           times;
     solvers::SolverOptions        solver;
     const backends::Condenser    *condenser = &backends::default_condenser();
-    Backend                       backend = Backend::automatic;
+    Backend                       backend   = Backend::automatic;
     PathSettings                  path;
     AdaptiveSettings              adaptive;
     unsigned int                  vtu_every = 1;
@@ -123,8 +123,8 @@ namespace conetact::application
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;
-    bool verifies; ///< condenses twice
-    std::string              text; ///< of the file
+    bool                     verifies; ///< condenses twice
+    std::string              text;     ///< of the file
     std::vector<std::string> obstacle_names;
 
     mutable dealii::ParameterHandler                prm;

@@ -4,6 +4,7 @@
 #ifndef conetact_backends_large_stiffness_h
 #define conetact_backends_large_stiffness_h
 
+#include "conetact/solvers/contact_problem.h"
 #include "conetact/solvers/large_system.h"
 
 #include <Eigen/SparseCore>

@@ -218,9 +218,9 @@ namespace conetact::contact
     Eigen::VectorXd
     offset_at(const LoadCase &load) const;
 
-    ContactModel                   *model;
-    Eigen::VectorXd                 initial_gap; ///< of each node with unknowns
-    Eigen::VectorXd                 q, r;
+    ContactModel   *model;
+    Eigen::VectorXd initial_gap; ///< of each node with unknowns
+    Eigen::VectorXd q, r;
     /** Without offset, stiffness form; of all unknowns where it is large. */
     Eigen::VectorXd                 elastic;
     Eigen::VectorXd                 a, base; ///< free motions

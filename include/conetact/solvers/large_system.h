@@ -4,7 +4,7 @@
 #ifndef conetact_solvers_large_system_h
 #define conetact_solvers_large_system_h
 
-#include "conetact/solvers/newton_system.h"
+#include "conetact/solvers/node_law.h"
 
 #include <optional>
 #include <vector>
