@@ -84,14 +84,15 @@ namespace conetact::analysis
   void
   Acceptance::set_stiffness(const contact::ElasticBackend &elastic)
   {
-    const solvers::ContactSystem &system = *elastic.system();
-    const contact::WorkingSet    &set    = elastic.working_set();
+    const solvers::ContactSystem &system   = *elastic.system();
+    const contact::WorkingSet    &set      = elastic.working_set();
+    const Eigen::VectorXd         diagonal = system.diagonal();
     Eigen::VectorXd               stiffness =
       Eigen::VectorXd::Zero(model.points.layout().n_nodes());
     for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
       {
         const double mean =
-          system.matrix.diagonal()
+          diagonal
             .segment(system.first[static_cast<std::size_t>(i)],
                      system.n_tangents(i) + 1)
             .mean();

@@ -43,6 +43,24 @@ namespace conetact::analysis
             "' has no node that may touch: supports hold all of them along its "
             "normal. Take them out of the supports, or remove the contact.");
     }
+    /** The model with the backend that the scene asks for. */
+    contact::ContactModel &
+    with_backend(const application::Scene &scene,
+                 contact::ContactModel    &model,
+                 Log                      &log)
+    {
+      BackendChoice choice{scene.backend == application::Backend::iterative,
+                           "the scene asks for it"};
+      if (scene.backend == application::Backend::automatic)
+        choice = choose_backend(model, scene.times.size(), scene.n_drawings());
+      if (choice.iterative)
+        model.solve_iteratively();
+      if (scene.backend != application::Backend::condensed)
+        log.note("backend: " +
+                 std::string(choice.iterative ? "iterative" : "condensed") +
+                 ", " + choice.reason);
+      return model;
+    }
   } // namespace
 
   Analysis::Analysis(const application::Scene &s, Log &l)
@@ -51,7 +69,7 @@ namespace conetact::analysis
     , model(scene.bodies, scene.times, *scene.condenser)
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
-    , history(model)
+    , history(with_backend(scene, model, log))
     , set(model)
     , acceptance(scene, model, l)
   {
@@ -61,6 +79,8 @@ namespace conetact::analysis
   void
   Analysis::choose_working_set()
   {
+    if (model.is_iterative())
+      return;
     if (scene.restart && scene.leave_out_far_nodes)
       resume_working_set();
     else if (scene.leave_out_far_nodes)
@@ -138,6 +158,12 @@ namespace conetact::analysis
   Analysis::prepare()
   {
     check_history();
+    if (model.is_iterative())
+      {
+        model.condense();
+        log.time("stiffness of all unknowns, levels of multigrid");
+        return;
+      }
     const double bytes = model.condense().factor_bytes();
     log.time("condensation by " + std::string(scene.condenser->name) +
              ": order, factor and Schur complement" +

@@ -8,6 +8,7 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/candidates.h"
 #include "conetact/contact/refusal.h"
+#include "conetact/solvers/large_newton.h"
 #include "conetact/solvers/solver_table.h"
 
 #include <algorithm>
@@ -17,6 +18,15 @@ namespace conetact::analysis
 {
   namespace
   {
+    std::unique_ptr<solvers::ContactSolver>
+    solver_of(const solvers::SolverOptions &options,
+              const contact::ContactModel  &model)
+    {
+      if (model.is_iterative())
+        return std::make_unique<solvers::LargeNewton>(options);
+      return solvers::make_solver(options);
+    }
+
     double
     error_of(const verification::Finding &finding)
     {
@@ -26,7 +36,7 @@ namespace conetact::analysis
 
   IncrementAnalysis::IncrementAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
-    , solver(solvers::make_solver(scene.solver))
+    , solver(solver_of(scene.solver, model))
     , search(scene.sliding_contacts(), model)
   {
     if (scene.restart)
@@ -105,7 +115,8 @@ namespace conetact::analysis
   std::size_t
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
-    if (correcting || search.is_needed())
+    // nor is anything gained where nothing is condensed
+    if (correcting || search.is_needed() || model.is_iterative())
       return 1;
     std::size_t most = most_at_once(n_finished);
     if (const unsigned int every = scene.checkpoint_every; every > 0)

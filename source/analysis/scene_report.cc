@@ -31,6 +31,14 @@ namespace conetact::analysis
                 " face no master within reach and stay free";
       log.note(text);
     }
+
+    void
+    warn_of_memory(const Cost &cost, Log &log)
+    {
+      if (cost.memory_bytes > machine_memory())
+        log.say("warning: this machine has " + megabytes(machine_memory()) +
+                " of memory only. Use a coarser mesh or fewer contact nodes.");
+    }
   } // namespace
 
   void
@@ -83,7 +91,7 @@ namespace conetact::analysis
               " equations of ties and bilateral contacts");
     if (model.points.all().empty())
       log.note("skipped: condensation, no node may touch anything");
-    else
+    else if (!model.is_iterative())
       {
         const auto n =
           static_cast<double>(model.working_set().layout().n_unknowns() +
@@ -145,6 +153,17 @@ namespace conetact::analysis
               const contact::ContactModel &model,
               Log                         &log)
   {
+    if (model.is_iterative())
+      {
+        const Cost cost = estimate_iterative_cost(model,
+                                                  scene.times.size(),
+                                                  scene.n_drawings());
+        log.say("estimate: backend iterative, memory of " +
+                megabytes(cost.memory_bytes) + ", " +
+                to_text(std::round(10 * cost.seconds) / 10) + " s in all");
+        warn_of_memory(cost, log);
+        return;
+      }
     const Cost cost =
       estimate_cost(model, scene.times.size(), scene.n_drawings());
     report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
@@ -157,9 +176,7 @@ namespace conetact::analysis
     if (scene.condenser != &backends::default_condenser())
       log.say("estimate: at least, for " + std::string(scene.condenser->name) +
               " tells nothing before it is done");
-    if (cost.memory_bytes > machine_memory())
-      log.say("warning: this machine has " + megabytes(machine_memory()) +
-              " of memory only. Use a coarser mesh or fewer contact nodes.");
+    warn_of_memory(cost, log);
   }
 
 
@@ -178,9 +195,10 @@ namespace conetact::analysis
         log.note("skipped: " + std::to_string(n_all - n_done) + " of " +
                  std::to_string(n_all) + " " + what);
     };
-    note(model.work().factorizations,
-         n_increments,
-         "factorisations, the stiffness stays the same");
+    if (!model.is_iterative())
+      note(model.work().factorizations,
+           n_increments,
+           "factorisations, the stiffness stays the same");
     note(model.condense().n_reductions(),
          n_increments,
          "load cases, combinations of others or bodies carried along");

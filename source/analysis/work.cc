@@ -13,6 +13,7 @@ namespace conetact::analysis
   {
     contact_solves += report.iterations;
     dense_factorizations += report.factorizations;
+    krylov += report.krylov;
   }
 
 
@@ -28,6 +29,7 @@ namespace conetact::analysis
       {work.elastic.triangular_solves, "triangular solves"},
       {work.contact_solves, "linear solves of contact"},
       {work.dense_factorizations, "dense factorisations"},
+      {work.krylov, "linear iterations"},
       {work.load_integrations, "integrations of loads"},
       {work.outputs.drawings, "increments drawn"},
       {work.outputs.table_bytes, "bytes of tables written"}};

@@ -60,6 +60,7 @@ namespace conetact::application
   Scene::Scene(const CommandLine &line)
     : file(line.scene)
     , overrides(line.overrides)
+    , verifies(line.verify)
     , text(read_scene_file(line.scene))
   {
     refuse_repeats(text);
@@ -136,6 +137,14 @@ namespace conetact::application
     output::check_fclib_is_there(fclib_increments);
     prm.leave_subsection();
     leave_out_far_nodes &= fclib_increments.empty() && text_increments.empty();
+    prm.enter_subsection("Solver");
+    backend =
+      chosen_backend(prm,
+                     !fclib_increments.empty() ? "Output, FCLib increments" :
+                     !text_increments.empty()  ? "Output, Text increments" :
+                     verifies                  ? "the option --verify" :
+                                                 "");
+    prm.leave_subsection();
   }
 
   void

@@ -3,6 +3,7 @@
 
 #include "conetact/application/solver_options.h"
 
+#include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/solvers/solver_table.h"
 
@@ -74,6 +75,23 @@ namespace conetact::application
                           "the option --verify compares two of them.");
     }
 
+    void
+    declare_backend(dealii::ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Backend",
+        "automatic",
+        dealii::Patterns::Selection("automatic|condensed|iterative"),
+        "How bodies answer to forces on their contact nodes. condensed: by a "
+        "dense matrix of the contact unknowns, made once by a direct solver; "
+        "fast for some thousand contact nodes, memory grows with the square of "
+        "their number. iterative: Newton's method on all unknowns, whose "
+        "linear systems are solved by GMRES and multigrid; memory grows with "
+        "the mesh only. It solves increments (Method = automatic) of continua "
+        "that supports hold. automatic: what is forecast to take less time, "
+        "and to fit into memory; --dry-run says which.");
+    }
+
     std::string
     full_text(const double value)
     {
@@ -105,6 +123,7 @@ namespace conetact::application
                       Double(1e-15, 1),
                       "Largest accepted residual of contact and of "
                       "equilibrium, both free of units. [-]");
+    declare_backend(prm);
     declare_condensation(prm);
     prm.declare_entry(
       "Law",
@@ -149,6 +168,27 @@ namespace conetact::application
   chosen_condenser(dealii::ParameterHandler &prm)
   {
     return backends::condenser_named(prm.get("Condensation"));
+  }
+
+  Backend
+  chosen_backend(dealii::ParameterHandler &prm, const std::string &wants_matrix)
+  {
+    const std::string name   = prm.get("Backend");
+    std::string       reason = wants_matrix;
+    if (prm.get("Condensation") != backends::default_condenser().name)
+      reason = "Solver, Condensation = " + prm.get("Condensation");
+    if (prm.get("Method") != solvers::SolverOptions().method)
+      reason = "Solver, Method = " + prm.get("Method");
+    if (name == "condensed" || (name == "automatic" && !reason.empty()))
+      return Backend::condensed;
+    if (name == "automatic")
+      return Backend::automatic;
+    if (!reason.empty())
+      throw InputError("Solver, Backend = iterative does not go with " +
+                       reason +
+                       ", which needs the matrix of contact unknowns. Set "
+                       "Backend = condensed, or automatic.");
+    return Backend::iterative;
   }
 
   PathSettings

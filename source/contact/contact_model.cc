@@ -303,6 +303,8 @@ namespace conetact::contact
   std::unique_ptr<ElasticBackend>
   ContactModel::make_backend() const
   {
+    if (large)
+      return std::make_unique<IterativeBackend>(elastic, rules, points);
     if (is_dual())
       return std::make_unique<DualBackend>(
         elastic, points, coordinates, motions, chosen, condenser);
@@ -323,6 +325,15 @@ namespace conetact::contact
         elastic, points, coordinates, motions, working_set(), condenser);
     return estimate_condensation(
       elastic, rules, points, working_set(), condenser);
+  }
+
+  void
+  ContactModel::solve_iteratively()
+  {
+    if (const std::string why = why_not_iterative(); !why.empty())
+      throw InputError("Solver, Backend = iterative " + why +
+                       ". Set Backend = condensed, or automatic.");
+    large = true;
   }
 
   ElasticBackend &
@@ -422,7 +433,8 @@ namespace conetact::contact
     , initial_gap(m.points.layout().n_nodes())
     , q(Eigen::VectorXd::Zero(m.points.n_unknowns()))
     , r(q)
-    , elastic(q)
+    , elastic(Eigen::VectorXd::Zero(
+        m.is_iterative() ? m.coordinates.n_unknowns() : q.size()))
     , a(Eigen::VectorXd::Zero(m.motions.n_free()))
     , base(a)
   {
@@ -547,7 +559,9 @@ namespace conetact::contact
     if (system->form == solvers::Form::stiffness)
       {
         problem.offset = offset;
-        largest        = std::max(largest, conetact::solvers::largest(load.f));
+        largest        = std::max(largest,
+                           conetact::solvers::largest(
+                             load.f.tail(system->n_unknowns())));
         return problem;
       }
     // unknown is what motions change from there on
@@ -578,7 +592,7 @@ namespace conetact::contact
     state.node      = set.gather(states);
     if (!model->is_dual())
       // u by itself: v - o would round it where bodies have moved far.
-      state.u = set.gather(elastic);
+      state.u = primal();
     return state;
   }
 
@@ -598,7 +612,9 @@ namespace conetact::contact
     if (end.r.size() > n)
       // The next problem is written about where its bodies are then.
       a = base = base + end.r.tail(a.size());
-    if (end.u.size() == n)
+    if (model->is_iterative())
+      elastic = end.u;
+    else if (end.u.size() == n)
       set.scatter(end.u, elastic);
     states = set.scatter(end.node);
     if (r.size() > 0)
@@ -609,6 +625,8 @@ namespace conetact::contact
   ContactHistory::primal() const
   {
     const WorkingSet &set = model->working_set();
+    if (model->is_iterative())
+      return elastic;
     if (!model->is_dual())
       return set.gather(elastic);
     Eigen::VectorXd result(set.layout().n_unknowns() + a.size());

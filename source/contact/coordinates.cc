@@ -145,7 +145,25 @@ namespace conetact::contact
     };
     add(*free_directions(n), first_unknown[n]);
     if (point_of_node[n] != nullptr)
-      add(point_of_node[n]->directions, first_contact[n]);
+      {
+        add(point_of_node[n]->directions, first_contact[n]);
+        append_masters(*point_of_node[n], c, factor);
+      }
+  }
+
+  /* What a node faces carries it along its contact directions d_k. */
+  void
+  Coordinates::append_masters(const ContactPoint &point,
+                              const unsigned int  c,
+                              const double        factor)
+  {
+    Tensor<1, 3> along;
+    for (std::size_t k = 0; k < point.dual.size(); ++k)
+      along += point.directions[k][c] * point.dual[k];
+    for (const auto &[master, weight] : point.node->masters)
+      for (unsigned int d = 0; d < bodies.dim; ++d)
+        if (along[d] != 0)
+          append_row(point.node->master, master, d, factor * weight * along[d]);
   }
 
   /* A hanging node has the rows of its masters in place of its own. Rotations
@@ -174,6 +192,34 @@ namespace conetact::contact
     else
       for (const auto &[master, weight] : rule->masters)
         append_row(body, master, c, factor * weight);
+  }
+
+  Eigen::VectorXd
+  Coordinates::values(const Eigen::VectorXd &u) const
+  {
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(n_unknowns());
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+        if (const Directions *free = free_directions(number(body, i));
+            free != nullptr && bodies.deforms(body))
+          for (std::size_t k = 0; k < free->size(); ++k)
+            q[first_unknown[number(body, i)] + static_cast<Eigen::Index>(k)] =
+              at_node(u, body, i) * (*free)[k];
+    for (Eigen::Index dof = 0; dof < n_dofs(); ++dof)
+      if (const Eigen::Index k = own_unknown[static_cast<std::size_t>(dof)];
+          k >= 0)
+        q[k] = u[dof];
+    if (points != nullptr)
+      for (const ContactPoint &point : *points)
+        {
+          Tensor<1, 3> v = at_node(u, point.node->body, point.node->node);
+          for (const auto &[master, weight] : point.node->masters)
+            v -= weight * at_node(u, point.node->master, master);
+          for (std::size_t k = 0; k < point.dual.size(); ++k)
+            q[n_free + point.first + static_cast<Eigen::Index>(k)] =
+              v * point.dual[k];
+        }
+    return q;
   }
 
   Eigen::VectorXd

@@ -4,6 +4,7 @@
 #include "conetact/solvers/contact_problem.h"
 
 #include "conetact/solvers/cone.h"
+#include "conetact/solvers/large_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +28,14 @@ namespace conetact::solvers
     VectorXd
     reference_stiffness(const ContactSystem &system)
     {
-      const Index  n    = system.n_contact_unknowns();
-      const double mean = n > 0 ? system.matrix.diagonal().head(n).mean() : 0.;
-      VectorXd     rho(n);
+      const Index    n        = system.n_contact_unknowns();
+      const VectorXd diagonal = system.diagonal();
+      const double   mean     = n > 0 ? diagonal.head(n).mean() : 0.;
+      VectorXd       rho(n);
       for (Index i = 0; i < system.n_nodes(); ++i)
         {
           const Index size = system.n_tangents(i) + 1;
-          double      d =
-            system.matrix.diagonal().segment(system.first[i], size).mean();
+          double      d    = diagonal.segment(system.first[i], size).mean();
           // A node that nothing holds (or a rigid one) has no stiffness of its
           // own: any factor will do.
           if (!(d > 1e-12 * mean))
@@ -80,6 +81,17 @@ namespace conetact::solvers
       return given;
     }
 
+    /** Reactions that hold the displacements of the stiffness form. */
+    VectorXd
+    reactions_of(const ContactProblem &problem, const ContactState &state)
+    {
+      const ContactSystem &system = *problem.system;
+      const VectorXd       u      = elastic_part(problem, state);
+      const VectorXd       r =
+        system.large ? system.large->multiply(u) : multiply(system, u);
+      return (r - problem.load).tail(system.n_unknowns());
+    }
+
     /** Residual of the linear relation, as forces. */
     VectorXd
     relation_residual(const ContactProblem &problem,
@@ -88,8 +100,7 @@ namespace conetact::solvers
     {
       const ContactSystem &system = *problem.system;
       if (system.form == Form::stiffness)
-        return multiply(system, elastic_part(problem, state)) - state.r -
-               problem.load;
+        return reactions_of(problem, state) - state.r;
       const Index n        = system.n_contact_unknowns();
       VectorXd    residual = multiply(system, state.r) + problem.load - state.v;
       residual.head(n)     = rho.cwiseProduct(
@@ -188,8 +199,7 @@ namespace conetact::solvers
                relation_residual(problem, state, rho).norm());
     if (error == 0)
       return 0;
-    const double load =
-      stiff ? problem.load.norm() : problem.load.tail(system.n_motions).norm();
+    const double load = problem.load.tail(stiff ? n : system.n_motions).norm();
     const double scale =
       std::max({state.r.head(n).norm(), load, problem.reference_force});
     const double data =
@@ -213,7 +223,7 @@ namespace conetact::solvers
     // The side that the linear relation gives from the other one.
     VectorXd v = state.v, r = state.r;
     if (stiffness)
-      r = multiply(system, elastic_part(problem, state)) - problem.load;
+      r = reactions_of(problem, state);
     else
       v = multiply(system, state.r) + problem.load;
 

@@ -27,16 +27,16 @@ namespace conetact::solvers
     VectorXd
     mean_diagonal(const ContactSystem &system)
     {
-      const Index  n = system.n_nodes(), size = system.n_contact_unknowns();
-      const double all =
-        size > 0 ? system.matrix.diagonal().head(size).mean() : 1.;
-      const double mean = all > 0 ? all : 1.;
-      VectorXd     result(n);
+      const Index    n = system.n_nodes(), size = system.n_contact_unknowns();
+      const VectorXd diagonal = system.diagonal();
+      const double   all      = size > 0 ? diagonal.head(size).mean() : 1.;
+      const double   mean     = all > 0 ? all : 1.;
+      VectorXd       result(n);
       for (Index i = 0; i < n; ++i)
         {
           const Index  first = system.first[i], dim = system.n_tangents(i) + 1;
-          const double m = system.matrix.diagonal().segment(first, dim).sum() /
-                           static_cast<double>(dim);
+          const double m =
+            diagonal.segment(first, dim).sum() / static_cast<double>(dim);
           result(i) = m > 1e-12 * mean ? m : mean;
         }
       return result;

@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (axisymmetric, balance, bodies, corners, drawn, driven, driven_far, elements, far_turns, friction, gmsh,  # noqa: E402
-                  hertz, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, refinement, restart, round_pairs, sliding,
+                  hertz, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, refinement, restart, round_pairs, sliding,
                   supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
 
@@ -26,7 +26,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
             "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "gmsh": gmsh.gmsh,
-            "orthotropic": orthotropic.orthotropy, "path": path.path, "restart": restart.restart, "sliding": sliding.sliding, "far-turns": far_turns.far_turns,
+            "orthotropic": orthotropic.orthotropy, "path": path.path, "iterative": iterative.iterative,
+            "iterative-pairs": iterative.iterative_pairs, "restart": restart.restart, "sliding": sliding.sliding, "far-turns": far_turns.far_turns,
             "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "round-plane": round_pairs.plane, "round-space": round_pairs.space,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,

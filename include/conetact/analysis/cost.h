@@ -29,6 +29,26 @@ namespace conetact::analysis
                 const std::size_t            n_increments,
                 const std::size_t            n_drawings);
 
+  /** The same of a model that is solved iteratively. */
+  Cost
+  estimate_iterative_cost(const contact::ContactModel &model,
+                          const std::size_t            n_increments,
+                          const std::size_t            n_drawings);
+
+  /** What a scene that leaves the backend open is solved by, and why. */
+  struct BackendChoice
+  {
+    bool        iterative = false;
+    std::string reason;
+  };
+  /**
+   * By both estimates, where the condensation is large enough for it to matter.
+   */
+  BackendChoice
+  choose_backend(const contact::ContactModel &model,
+                 const std::size_t            n_increments,
+                 const std::size_t            n_drawings);
+
   /** "12.3 MB". */
   std::string
   megabytes(const double bytes);

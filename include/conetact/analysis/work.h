@@ -21,6 +21,7 @@ namespace conetact::analysis
     backends::SchurWork elastic;                  ///< with the elastic system
     unsigned int        contact_solves       = 0; ///< linear, or sweeps
     unsigned int        dense_factorizations = 0; ///< of contact unknowns
+    unsigned int        krylov               = 0; ///< iterations without them
     unsigned int        load_integrations    = 0;
     output::OutputWork  outputs;
 

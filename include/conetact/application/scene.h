@@ -92,6 +92,7 @@ namespace conetact::application
     std::vector<double>           times;
     solvers::SolverOptions        solver;
     const backends::Condenser    *condenser = &backends::default_condenser();
+    Backend                       backend   = Backend::automatic;
     PathSettings                  path;
     AdaptiveSettings              adaptive;
     std::vector<bodies::Probe>    probes;
@@ -157,6 +158,7 @@ namespace conetact::application
 
     std::filesystem::path    file;
     std::vector<std::string> overrides;
+    bool                     verifies; ///< condenses twice
     SceneText                text; ///< of the file and what it includes
     std::vector<std::string> obstacle_names;
 

@@ -19,6 +19,14 @@ namespace conetact::application
     load_path::PathLaw law = load_path::PathLaw::incremental;
   };
 
+  /** How bodies answer to forces on their contact nodes. */
+  enum class Backend
+  {
+    automatic,
+    condensed, ///< a dense matrix of contact unknowns
+    iterative  ///< linear systems of all unknowns, one by one
+  };
+
   /** Entries of `subsection Solver`. */
   void
   declare_solver(dealii::ParameterHandler &prm);
@@ -28,6 +36,13 @@ namespace conetact::application
   create_solver_options(dealii::ParameterHandler &prm);
   const backends::Condenser &
   chosen_condenser(dealii::ParameterHandler &prm);
+  /**
+   * Throws InputError where other entries do not go with it. `wants_matrix`: an
+   * entry that has the condensed problem written; empty: none.
+   */
+  Backend
+  chosen_backend(dealii::ParameterHandler &prm,
+                 const std::string        &wants_matrix);
   PathSettings
   create_path_settings(dealii::ParameterHandler &prm);
 } // namespace conetact::application

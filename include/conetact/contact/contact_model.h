@@ -9,6 +9,7 @@
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/dual_backend.h"
 #include "conetact/contact/elastic_system.h"
+#include "conetact/contact/iterative_backend.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/rigid_motions.h"
 
@@ -45,7 +46,26 @@ namespace conetact::contact
     bool
     is_dual() const
     {
-      return dual;
+      return dual && !large;
+    }
+
+    /** Nothing is condensed (IterativeBackend). */
+    bool
+    is_iterative() const
+    {
+      return large;
+    }
+    /**
+     * Makes it so, before anything is condensed. Throws InputError where the
+     * scene has what IterativeBackend cannot do.
+     */
+    void
+    solve_iteratively();
+    /** What that is; empty: nothing. */
+    std::string
+    why_not_iterative() const
+    {
+      return IterativeBackend::obstacle(bodies, points, motions);
     }
 
     /**
@@ -150,6 +170,7 @@ namespace conetact::contact
     std::vector<bool>               turns; ///< of each body with a frame
     const backends::Condenser      &condenser;
     bool                            dual;
+    bool                            large = false;
     WorkingSet                      chosen;
     std::unique_ptr<ElasticBackend> condensed;
     backends::SchurWork             former_work; ///< before condensed anew
@@ -163,6 +184,7 @@ namespace conetact::contact
   class ContactHistory
   {
   public:
+    /** Whether the model is solved iteratively must be known by then. */
     explicit ContactHistory(ContactModel &model);
 
     /** The increment that ends with `load`. */
@@ -239,10 +261,11 @@ namespace conetact::contact
     Eigen::VectorXd
     offset_at(const LoadCase &load) const;
 
-    ContactModel                   *model;
-    Eigen::VectorXd                 initial_gap; ///< of each node with unknowns
-    Eigen::VectorXd                 q, r;
-    Eigen::VectorXd                 elastic; ///< without offset, stiffness form
+    ContactModel   *model;
+    Eigen::VectorXd initial_gap; ///< of each node with unknowns
+    Eigen::VectorXd q, r;
+    /** Without offset, stiffness form; of all unknowns where it is large. */
+    Eigen::VectorXd                 elastic;
     Eigen::VectorXd                 a, base; ///< free motions
     std::vector<solvers::NodeState> states;
     double largest = 0; ///< reaction or load so far [force]

@@ -21,8 +21,9 @@ namespace conetact::contact
    * to the displacements u of all dofs of all bodies, body after body. It
    * eliminates supports (along any directions) and hanging nodes; d holds what
    * supports prescribe [length]. With contact points it turns their nodes into
-   * their own frames, for contacts with obstacles, one at each node: the
-   * unknowns that carry cones come last then, point by point.
+   * their own frames, one at each node: the unknowns that carry cones come last
+   * then, point by point. They are relative to the masters that a node faces,
+   * which must face no master themselves.
    */
   class Coordinates : public LinearMap
   {
@@ -74,6 +75,10 @@ namespace conetact::contact
     {
       return node_of_unknown;
     }
+
+    /** The unknowns of displacements u that no support hinders. */
+    Eigen::VectorXd
+    values(const Eigen::VectorXd &u) const;
 
     /** d(t). */
     Eigen::VectorXd
@@ -128,6 +133,10 @@ namespace conetact::contact
     free_directions(const std::size_t n) const;
     void
     append_own(const std::size_t n, const unsigned int c, const double factor);
+    void
+    append_masters(const ContactPoint &point,
+                   const unsigned int  c,
+                   const double        factor);
     /** What is along held directions, by their displacements and rotations. */
     using DisplacementOf =
       std::function<double(const NodeRule &, const HeldDirection &)>;

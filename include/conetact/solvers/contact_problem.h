@@ -12,6 +12,8 @@
 
 namespace conetact::solvers
 {
+  class LargeSystem;
+
   /**
    * One load increment of frictional contact as plain numbers, [K] (17) with
    * the signs of the errata corrected.
@@ -41,6 +43,10 @@ namespace conetact::solvers
    * zero: matrix @f$\begin{pmatrix} W & G\\ -G^T & C\end{pmatrix}@f$, load
    * (q, -b), r and v of a ContactState (r, a) and (v, imbalance).
    *
+   * Systems that are too large for a matrix of their contact unknowns stand in
+   * the stiffness form, but with all their unknowns, of which those of contact
+   * are the last: K is that of a LargeSystem, f and u are those of all.
+   *
    * Any consistent units will do; no solver may depend on their choice.
    */
   enum class Form
@@ -66,6 +72,17 @@ namespace conetact::solvers
      * bodies.
      */
     Eigen::MatrixXd null_space;
+
+    /** What stands in place of the matrix, if anything. */
+    std::shared_ptr<const LargeSystem> large;
+    Eigen::VectorXd large_diagonal; ///< of its contact unknowns
+
+    /** That of the matrix. */
+    Eigen::VectorXd
+    diagonal() const
+    {
+      return large ? large_diagonal : Eigen::VectorXd(matrix.diagonal());
+    }
 
     Eigen::Index
     n_nodes() const
@@ -134,7 +151,8 @@ namespace conetact::solvers
     std::vector<NodeState> node; ///< one a node; empty: cold start
     /**
      * u of the stiffness form [length], which v = u + o knows only to the
-     * rounding of o; empty: v - o. Not used where there is no offset.
+     * rounding of o; empty: v - o. Not used where there is no offset. Of large
+     * systems: all unknowns.
      */
     Eigen::VectorXd u = {};
   };
@@ -152,6 +170,7 @@ namespace conetact::solvers
     std::string  solver;             ///< name of the method that succeeded
     unsigned int iterations     = 0; ///< linear solves
     unsigned int factorizations = 0; ///< of matrices of contact unknowns
+    unsigned int krylov         = 0; ///< iterations in the linear solves
     unsigned int substeps       = 1; ///< parts the increment was cut into
     double       residual       = 0; ///< contact_residual() of the result
   };

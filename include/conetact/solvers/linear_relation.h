@@ -80,6 +80,13 @@ namespace conetact::solvers
       return scale;
     }
 
+    /** @f$\alpha@f$ [sqrt(force x length)]. */
+    double
+    unit() const
+    {
+      return alpha;
+    }
+
     /** Displacements v, with the offset of the stiffness form. */
     Array
     displacements(const Array &p, const Array &d) const;

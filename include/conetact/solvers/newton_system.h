@@ -4,21 +4,14 @@
 #ifndef conetact_solvers_newton_system_h
 #define conetact_solvers_newton_system_h
 
-#include "conetact/solvers/cone.h"
 #include "conetact/solvers/linear_relation.h"
+#include "conetact/solvers/node_law.h"
 #include "conetact/solvers/reused_factor.h"
 
 #include <vector>
 
 namespace conetact::solvers
 {
-  /** Linearised law of one node; sizes are those of the node. */
-  struct NodeLaw
-  {
-    SmallMatrix p, d;
-    SmallVector h;
-  };
-
   /**
    * The linear algebra of one Newton step of any contact solver. A solver says
    * what its linearised law is, node by node,

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_backends_multigrid_h
+#define conetact_backends_multigrid_h
+
+#include "conetact/backends/block_matrix.h"
+#include "conetact/backends/smoothed_aggregation.h"
+
+#include <Eigen/Cholesky>
+
+namespace conetact::backends
+{
+  using FloatVector = Eigen::VectorXf;
+
+  /**
+   * Two steps of Chebyshev's method for A x = b, preconditioned by D, for
+   * eigenvalues of D A up to `largest`. `multiply(x, y)` is y = A x,
+   * `scale(r, z)` is z = D r.
+   */
+  template <typename Multiply, typename Scale>
+  class Chebyshev
+  {
+  public:
+    Chebyshev(const Multiply &m, const Scale &s, const float largest)
+      : multiply(m)
+      , scale(s)
+      , theta((1 + 1 / range) * largest / 2)
+      , delta((1 - 1 / range) * largest / 2)
+    {}
+
+    /** From x = 0; r is the residual at the end, b at the beginning. */
+    void
+    smooth_first(FloatVector &r, FloatVector &x)
+    {
+      steps(r, x);
+      multiply(d, z);
+      r -= z;
+    }
+    /** From x; r is overwritten. */
+    void
+    smooth_last(const FloatVector &b, FloatVector &r, FloatVector &x)
+    {
+      change.resize(x.size());
+      multiply(x, r);
+      r = b - r;
+      steps(r, change);
+      x += change;
+    }
+
+  private:
+    void
+    steps(FloatVector &r, FloatVector &x)
+    {
+      d.resize(r.size());
+      z.resize(r.size());
+      scale(r, d);
+      d /= theta;
+      x = d;
+      multiply(d, z);
+      r -= z;
+      scale(r, z);
+      const float sigma = theta / delta, rho = 1 / (2 * sigma - 1 / sigma);
+      d *= rho / sigma;
+      d += (2 * rho / delta) * z;
+      x += d;
+    }
+
+    static constexpr float range = 20; ///< of eigenvalues that are smoothed
+    const Multiply        &multiply;
+    const Scale           &scale;
+    const float            theta, delta;
+    FloatVector            d, z, change;
+  };
+
+  /** The largest eigenvalue of D A, but for some percent, and not below it. */
+  template <typename Multiply, typename Scale>
+  float
+  largest_eigenvalue(const Multiply    &multiply,
+                     const Scale       &scale,
+                     const Eigen::Index n)
+  {
+    constexpr int steps = 15;
+    FloatVector   x(n), y(n), z(n);
+    // any vector that is no eigenvector
+    for (Eigen::Index i = 0; i < n; ++i)
+      x[i] = 1 + static_cast<float>((i * 7919) % 1009) / 1009 -
+             2 * static_cast<float>(i % 2);
+    float value = 1;
+    for (int k = 0; k < steps; ++k)
+      {
+        multiply(x, y);
+        scale(y, z);
+        value = z.norm() / x.norm();
+        x     = z / z.norm();
+      }
+    return 1.15f * value;
+  }
+
+  /** Inverse diagonal blocks of a matrix. */
+  template <int size>
+  std::vector<Eigen::Matrix<float, size, size>>
+  inverse_diagonal(const BlockMatrix<size, size, float> &A);
+
+  /** z = D r, block by block. */
+  template <int size>
+  void
+  multiply_blocks(const std::vector<Eigen::Matrix<float, size, size>> &D,
+                  const FloatVector                                   &r,
+                  FloatVector                                         &z)
+  {
+    for (std::size_t i = 0; i < D.size(); ++i)
+      {
+        const auto k = static_cast<Eigen::Index>(i) * size;
+        z.template segment<size>(k).noalias() =
+          D[i] * r.template segment<size>(k);
+      }
+  }
+
+  /**
+   * The levels below the finest one, whose nodes have `fine` unknowns:
+   * aggregates with `coarse` unknowns each, in single precision; the coarsest
+   * one is solved directly.
+   */
+  template <int fine, int coarse>
+  class CoarseLevels
+  {
+  public:
+    CoarseLevels(const SmoothedAggregation &levels, const int n_fine);
+
+    bool
+    empty() const
+    {
+      return below.empty();
+    }
+    /** x = P (cycle of the levels below) P^T r. */
+    void
+    correct(const FloatVector &r, FloatVector &x);
+
+  private:
+    struct Level
+    {
+      BlockMatrix<coarse, coarse, float>                A;
+      std::vector<Eigen::Matrix<float, coarse, coarse>> D;
+      float                                             largest = 1;
+      BlockMatrix<coarse, coarse, float> P, R; ///< from and to the next one
+      FloatVector                        b, r, x, c;
+    };
+    void
+    cycle(const std::size_t level);
+
+    BlockMatrix<fine, coarse, float> P;
+    BlockMatrix<coarse, fine, float> R;
+    std::vector<Level>               below;
+    Eigen::LDLT<Eigen::MatrixXd>     coarsest;
+  };
+
+  extern template class CoarseLevels<2, 3>;
+  extern template class CoarseLevels<3, 6>;
+} // namespace conetact::backends
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_iterative_backend_h
+#define conetact_contact_iterative_backend_h
+
+#include "conetact/contact/coordinates.h"
+#include "conetact/contact/elastic_backend.h"
+#include "conetact/contact/elastic_system.h"
+#include "conetact/contact/rigid_motions.h"
+
+#include <memory>
+#include <string>
+
+namespace conetact::contact
+{
+  /**
+   * The elastic system with all its unknowns, for solvers of LargeSystem: what
+   * is too large to be condensed. Loads are those of all unknowns, and so is
+   * what is primal. Nodes that face a master have the displacement relative to
+   * it as unknowns.
+   */
+  class IterativeBackend : public ElasticBackend
+  {
+  public:
+    /** Arguments must outlive the object. */
+    IterativeBackend(const ElasticSystem &elastic,
+                     const NodeRules     &supports,
+                     const ContactPoints &points);
+
+    /** Why a scene cannot be solved so, as the end of a sentence; empty: it
+     * can. */
+    static std::string
+    obstacle(const Bodies        &bodies,
+             const ContactPoints &points,
+             const RigidMotions  &motions);
+
+    const WorkingSet &
+    working_set() const override
+    {
+      return set;
+    }
+    const std::shared_ptr<const solvers::ContactSystem> &
+    system() const override
+    {
+      return contact_system;
+    }
+    Eigen::MatrixXd
+    expand(const std::vector<const LoadCase *> &loads,
+           const std::vector<Eigen::VectorXd>  &primal) const override;
+    LoadCase
+    reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
+    Eigen::VectorXd
+    correction(const LoadCase        &change,
+               const Eigen::VectorXd &primal) const override;
+    bool
+    extend(const std::vector<Eigen::Index> &) override
+    {
+      return false;
+    }
+    double
+    factor_bytes() const override
+    {
+      return 0;
+    }
+    unsigned int
+    n_shared_bodies() const override
+    {
+      return 0;
+    }
+    backends::SchurWork
+    work() const override
+    {
+      return {};
+    }
+    std::vector<StiffnessDifference>
+    compare(const backends::Condenser &) const override
+    {
+      return {};
+    }
+
+  protected:
+    void
+    reduce_one(const Eigen::VectorXd &forces,
+               const Eigen::VectorXd &prescribed,
+               LoadCase              &load) override;
+    LoadCase
+    nothing() const override;
+    Eigen::VectorXd
+    reduce_forces(const Eigen::VectorXd &b) const override
+    {
+      return b;
+    }
+
+  private:
+    const ElasticSystem                          &elastic;
+    const Coordinates                             coordinates;
+    const WorkingSet                              set;
+    std::shared_ptr<const solvers::ContactSystem> contact_system;
+  };
+} // namespace conetact::contact
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_large_newton_h
+#define conetact_solvers_large_newton_h
+
+#include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/large_system.h"
+#include "conetact/solvers/node_sets.h"
+
+#include <optional>
+
+namespace conetact::solvers
+{
+  /**
+   * The semismooth Newton method of ActiveSet on all unknowns of a LargeSystem:
+   * nodes of contact have the same laws, all others their equilibrium. Linear
+   * systems are solved as exactly as the step deserves (Eisenstat and Walker,
+   * SIAM J. Sci. Comput. 17 (1996) 16-32), the first one well enough to know
+   * the states. Starts where the load leads if it goes on as in the increment
+   * before. Where full steps end in a cycle of states they are cut, and their
+   * systems solved to the end; where that does not help the increment is
+   * solved in parts.
+   *
+   * Loads of its problems and u of its states are those of all unknowns.
+   */
+  class LargeNewton : public ContactSolver
+  {
+  public:
+    explicit LargeNewton(const SolverOptions &options);
+
+    SolverReport
+    solve(const ContactProblem &problem, ContactState &state) override;
+
+  private:
+    using Index = Eigen::Index;
+    using Array = Eigen::VectorXd;
+
+    /** Where the iteration stands; p and d as in LinearRelation. */
+    struct Point
+    {
+      Array    u, f; ///< displacements and K u - b, all unknowns
+      Array    p, d;
+      NodeSets sets;
+      double   law = 0, balance = 0; ///< residuals over the scale of forces
+      double
+      residual() const
+      {
+        return std::hypot(law, balance);
+      }
+    };
+    /** How Newton's method goes about a step. */
+    struct Manner
+    {
+      bool   damped    = false;
+      double precision = 1e-3; ///< of the linear system
+    };
+
+    void
+    attach(const ContactProblem &problem);
+    Point
+    point_at(const Array &u, const Array &f) const;
+    Point
+    point_at(const Array &u) const;
+    std::vector<NodeLaw>
+    laws(const Point &point) const;
+    bool
+    step(Point &point, const Manner &manner, SolverReport &report);
+    std::string
+    iterate(Point &point, SolverReport &report, const bool exact);
+    SolverReport
+    run(const ContactProblem &problem,
+        Point                 point,
+        ContactState         &state,
+        const bool            exact);
+    std::optional<Point>
+    predict(const ContactProblem &problem, const ContactState &state) const;
+    SolverReport
+    solve_whole(const ContactProblem &problem, ContactState &state);
+    SolverReport
+    solve_in_parts(const ContactProblem &problem, ContactState &state);
+    void
+    remember(const ContactProblem &problem,
+             const ContactState   &start,
+             const ContactState   &end);
+
+    SolverOptions                      options;
+    std::optional<LinearRelation>      relation;
+    std::shared_ptr<const LargeSystem> body;
+    Array                              load;      ///< b of the problem at hand
+    double                             force = 0; ///< scale [force]
+
+    /** The last increment: where it ended, how far it went. */
+    struct Last
+    {
+      Array start_u, end_load, end_u;
+      Array load, offset, u; ///< changes of them
+    };
+    std::optional<Last> last;
+  };
+} // namespace conetact::solvers
+
+#endif

@@ -1,0 +1,451 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/large_newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    // Of linear systems: the first one decides about the states of all nodes,
+    // those after it gain as much as Newton's method does.
+    constexpr double first_precision = 1e-3, least_precision = 3e-2,
+                     best_precision = 1e-4, exact = 1e-9;
+
+    /** Of the tolerance: what the iteration aims at. */
+    constexpr double aim = 1e-2;
+
+    /** Steps without much gain before a step is cut, before giving up. */
+    constexpr unsigned int max_stalls = 3, max_damped_stalls = 8;
+
+    /** Residuals below this that do not improve any more are rounding. */
+    constexpr double noise = 1e-11;
+
+    /**
+     * The part of the slip law that turns is at most this over one that does
+     * not: a node that hardly slips would rule the residual of linear systems
+     * else. Newton's matrix alone has it, the solution has not.
+     */
+    constexpr double largest_ratio = .9;
+
+    /** Changes of load that differ by less go on as before. */
+    constexpr double same_way = .1;
+
+    double
+    largest_norm(const VectorXd &a, const VectorXd &b, const double c)
+    {
+      return std::max({a.norm(), b.norm(), c});
+    }
+
+    std::string
+    stalled(const double residual)
+    {
+      std::ostringstream text;
+      text.precision(2);
+      text << "residual stalled at " << residual;
+      return text.str();
+    }
+
+    void
+    count(SolverReport &sum, const SolverReport &part)
+    {
+      sum.iterations += part.iterations;
+      sum.krylov += part.krylov;
+    }
+
+    /** The problem as its contact unknowns see it. */
+    ContactProblem
+    of_contact(const ContactProblem &problem)
+    {
+      ContactProblem result = problem;
+      result.load = problem.load.tail(problem.system->n_unknowns()).eval();
+      return result;
+    }
+
+    ContactState
+    of_contact(ContactState state, const Index n)
+    {
+      state.u = state.u.tail(n).eval();
+      return state;
+    }
+
+    /** What has moved contacts without strain since the start. */
+    VectorXd
+    change_of_offset(const ContactProblem &problem, const ContactState &start)
+    {
+      return problem.offset -
+             (start.v - start.u.tail(problem.system->n_unknowns()));
+    }
+
+    VectorXd
+    slips_of(const ContactSystem &system, VectorXd v)
+    {
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        v(system.normal(i)) = 0;
+      return v;
+    }
+  } // namespace
+
+
+
+  LargeNewton::LargeNewton(const SolverOptions &solver_options)
+    : options(solver_options)
+  {}
+
+
+
+  void
+  LargeNewton::attach(const ContactProblem &problem)
+  {
+    if (!relation || !relation->is(problem.system))
+      {
+        relation.emplace(problem.system);
+        last.reset();
+      }
+    relation->set_load(of_contact(problem));
+    body = problem.system->large;
+    load = problem.load;
+  }
+
+
+
+  LargeNewton::Point
+  LargeNewton::point_at(const Array &u, const Array &f) const
+  {
+    const Index n = relation->system().n_unknowns(), m = u.size() - n;
+    Point       point;
+    point.u = u;
+    point.f = f;
+    relation->to_scaled({{}, f.tail(n), {}, u.tail(n)}, point.p, point.d);
+    point.law    = law_residual(*relation, point.p, point.d);
+    double scale = largest_norm(f.tail(n), load.tail(n), force);
+    if (scale == 0) // nothing touches, and nothing ever has
+      scale = load.norm();
+    const double left = f.head(m).norm();
+    point.balance     = left > 0 ? left / scale : 0.;
+    return point;
+  }
+
+
+
+  LargeNewton::Point
+  LargeNewton::point_at(const Array &u) const
+  {
+    return point_at(u, body->multiply(u) - load);
+  }
+
+
+
+  /* Laws in the units of forces and displacements. */
+  std::vector<NodeLaw>
+  LargeNewton::laws(const Point &point) const
+  {
+    NodeSets sets = point.sets;
+    for (NodeSet &set : sets)
+      set.ratio = std::min(set.ratio, largest_ratio);
+    std::vector<NodeLaw> result =
+      linearized_laws(*relation, sets, point.p, point.d);
+    for (Index i = 0; i < relation->system().n_nodes(); ++i)
+      {
+        const double scale =
+          relation->column_scale()(relation->system().first[i]);
+        NodeLaw &law = result[static_cast<std::size_t>(i)];
+        law.p /= scale * scale;
+        law.h *= relation->unit() / scale;
+      }
+    return result;
+  }
+
+
+
+  /** False if there is no step. */
+  bool
+  LargeNewton::step(Point &point, const Manner &manner, SolverReport &report)
+  {
+    const auto found = body->solve(laws(point), point.f, manner.precision);
+    if (!found)
+      return false;
+    report.krylov += found->iterations;
+    ++report.iterations;
+    const Array Kdu   = body->multiply(found->du);
+    Point       trial = point_at(point.u + found->du, point.f + Kdu);
+    if (manner.damped)
+      for (double tau = .5; tau > .02 && !(trial.residual() < point.residual());
+           tau /= 2)
+        trial = point_at(point.u + tau * found->du, point.f + tau * Kdu);
+    if (!std::isfinite(trial.residual()))
+      return false;
+    // Sums of steps round: forces are those of the displacements.
+    point      = point_at(trial.u);
+    point.sets = sets_of_point(*relation, point.p, point.d);
+    return true;
+  }
+
+
+
+  std::string
+  LargeNewton::iterate(Point &point, SolverReport &report, const bool exactly)
+  {
+    const double          goal = aim * options.tolerance;
+    std::set<std::string> seen;
+    std::string           current = signature(point.sets);
+    Manner                manner{exactly,
+                  exactly           ? exact :
+                                 point.d.isZero(0) ? best_precision :
+                                                     first_precision};
+    unsigned int          stalls = 0;
+    while (point.residual() > goal)
+      {
+        if (report.iterations >= options.max_iterations)
+          return stalled(point.residual());
+        seen.insert(current);
+        const double before = point.residual();
+        if (!step(point, manner, report))
+          return "singular tangent";
+        const std::string next     = signature(point.sets);
+        const double      gain     = point.residual() / before;
+        const bool        improved = gain < .5;
+        stalls                     = improved ? 0 : stalls + 1;
+        if (stalls > 1 && point.residual() <= noise)
+          break;
+        const bool cycles =
+          next != current && !improved && seen.count(next) > 0;
+        current = next;
+        if (cycles || stalls > max_stalls)
+          {
+            if (manner.damped && stalls > max_damped_stalls)
+              return cycles ? "cycling between state sets" :
+                              stalled(point.residual());
+            manner = {true, exact};
+          }
+        if (!manner.damped)
+          manner.precision = std::clamp(std::max(.9 * std::pow(gain, 1.5),
+                                                 .3 * goal / point.residual()),
+                                        best_precision,
+                                        least_precision);
+      }
+    return "";
+  }
+
+
+
+  SolverReport
+  LargeNewton::run(const ContactProblem &problem,
+                   Point                 point,
+                   ContactState         &state,
+                   const bool            exactly)
+  {
+    SolverReport report;
+    const Index  n = relation->system().n_unknowns();
+    report.reason  = iterate(point, report, exactly);
+    set_exact_zeros(*relation, point.sets, point.p, point.d);
+    relation->from_scaled(point.p, point.d, state);
+    // without offset v itself is the displacement
+    point.u.tail(n)  = state.u.size() == n ? state.u : state.v;
+    state.u          = point.u;
+    state.node       = classify(problem, state, 0);
+    report.residual  = contact_residual(problem, state);
+    report.converged = report.residual <= options.tolerance &&
+                       point.balance <= std::max(options.tolerance, noise);
+    if (report.converged)
+      {
+        report.reason.clear();
+        report.solver = "iterative";
+      }
+    else if (report.reason.empty())
+      report.reason = stalled(report.residual);
+    return report;
+  }
+
+
+
+  std::optional<LargeNewton::Point>
+  LargeNewton::predict(const ContactProblem &problem,
+                       const ContactState   &state) const
+  {
+    if (!last || last->end_u.size() != state.u.size())
+      return {};
+    // one increment once more, with a load that is a little better
+    if (state.u == last->start_u)
+      return point_at(last->end_u);
+    if (state.u != last->end_u)
+      return {};
+    // obstacles and supports that move are loads, too
+    const double c         = relation->system().diagonal().mean();
+    const Array  of_load   = load - last->end_load;
+    const Array  of_offset = c * change_of_offset(problem, state);
+    const double along =
+      of_load.dot(last->load) + c * of_offset.dot(last->offset);
+    const double size =
+      last->load.squaredNorm() + c * c * last->offset.squaredNorm();
+    if (!(size > 0))
+      return {};
+    const double s    = along / size;
+    const double rest = std::hypot((of_load - s * last->load).norm(),
+                                   (of_offset - s * c * last->offset).norm());
+    if (rest > same_way * std::hypot(of_load.norm(), of_offset.norm()))
+      return {};
+    return point_at(last->end_u + s * last->u);
+  }
+
+
+
+  void
+  LargeNewton::remember(const ContactProblem &problem,
+                        const ContactState   &start,
+                        const ContactState   &end)
+  {
+    const bool follows =
+      last && last->end_u.size() == start.u.size() && start.u == last->end_u;
+    if (!follows && !start.u.isZero(0))
+      {
+        last.reset(); // the load that it started from is not known
+        return;
+      }
+    Last next;
+    next.start_u  = start.u;
+    next.end_load = load;
+    next.end_u    = end.u;
+    next.u        = end.u - start.u;
+    next.load     = follows ? Array(load - last->end_load) : load;
+    next.offset   = change_of_offset(problem, start);
+    last          = std::move(next);
+  }
+
+
+
+  SolverReport
+  LargeNewton::solve_whole(const ContactProblem &problem, ContactState &state)
+  {
+    attach(problem);
+    const ContactState start = state;
+    const Index        n     = relation->system().n_unknowns();
+    SolverReport       report, sum;
+    const auto         tried = [&](Point point, const bool exactly) {
+      state  = start;
+      report = run(problem, std::move(point), state, exactly);
+      count(sum, report);
+      report.iterations = sum.iterations;
+      report.krylov     = sum.krylov;
+      return report.converged;
+    };
+    if (auto guess = predict(problem, start))
+      {
+        guess->sets = sets_of_point(*relation, guess->p, guess->d);
+        if (tried(std::move(*guess), false))
+          return report;
+      }
+    Point point      = point_at(start.u);
+    point.sets       = sets_of_point(*relation, point.p, point.d);
+    const bool stays = point.residual() <= aim * options.tolerance;
+    if (!stays)
+      point.sets = sets_of_state(*relation, of_contact(start, n));
+    if (tried(point, false) || tried(point, true))
+      return report;
+    // all nodes stick, to begin with
+    ContactState cold = of_contact(start, n);
+    cold.node.clear();
+    point.sets = sets_of_state(*relation, cold);
+    tried(std::move(point), true);
+    return report;
+  }
+
+
+
+  SolverReport
+  LargeNewton::solve_in_parts(const ContactProblem &problem,
+                              ContactState         &state)
+  {
+    const ContactSystem &system = *problem.system;
+    const Index          n      = system.n_unknowns();
+    // What the start of the increment and its end differ in.
+    Array of_load = problem.load - body->multiply(state.u);
+    of_load.tail(n) += state.r;
+    const Array of_offset = change_of_offset(problem, state);
+
+    SolverReport   report;
+    ContactState   now  = state;
+    Array          slip = Array::Zero(n);
+    ContactProblem part = problem;
+    double         done = 0, size = .5, residual = 0;
+    report.substeps       = 0;
+    const double smallest = 1. / std::min(options.max_substeps, 64u);
+    while (done < 1)
+      {
+        const double next  = std::min(1., done + size);
+        ContactState trial = now;
+        trial.v            = state.v; // no slip yet
+        for (Index i = 0; i < system.n_nodes(); ++i)
+          trial.v(system.normal(i)) = part.gap(i);
+        part.load              = problem.load - (1 - next) * of_load;
+        part.offset            = problem.offset - (1 - next) * of_offset - slip;
+        const SolverReport one = solve_whole(part, trial);
+        count(report, one);
+        if (!one.converged)
+          {
+            report.reason = one.reason;
+            size /= 4;
+            if (size < smallest)
+              break;
+            continue;
+          }
+        residual      = std::max(residual, one.residual);
+        report.solver = one.solver;
+        ++report.substeps;
+        slip += slips_of(system, trial.v);
+        for (Index i = 0; i < system.n_nodes(); ++i)
+          part.gap(i) = trial.v(system.normal(i));
+        now  = trial;
+        done = next;
+        size = std::min(2 * size, 1 - done);
+      }
+    last.reset();
+    report.residual  = residual;
+    report.converged = done >= 1;
+    if (!report.converged)
+      {
+        std::ostringstream text;
+        text.precision(4);
+        text << report.reason << "; solved up to " << done
+             << " of the load of this increment";
+        report.reason = text.str();
+        return report;
+      }
+    report.reason.clear();
+    state   = now;
+    state.v = slip;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      state.v(system.normal(i)) = part.gap(i);
+    return report;
+  }
+
+
+
+  SolverReport
+  LargeNewton::solve(const ContactProblem &problem, ContactState &state)
+  {
+    const ContactState start = state;
+    force                    = problem.reference_force;
+    SolverReport report      = solve_whole(problem, state);
+    if (report.converged)
+      {
+        remember(problem, start, state);
+        return report;
+      }
+    state = start;
+    if (options.max_substeps < 2)
+      return report;
+    SolverReport parts = solve_in_parts(problem, state);
+    count(parts, report);
+    return parts;
+  }
+} // namespace conetact::solvers

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Both backends give the same tables; linear iterations do not grow with the mesh."""
+import re
+
+from support.scenes import ELEMENTS, SHIPPED, box, joint, load, merge, press_and_shear, support, with_element
+
+SHIPPED_SCENES = ("block-press-shear", "inclined-obstacle", "partial-slip", "shrink-fit", "sphere-on-layer")
+
+
+def backend(name):
+    return "-s", f"Solver/Backend={name}"
+
+
+def compare(laws, what, scene, *arguments, bound=1e-8):
+    condensed, iterative = (laws.run(scene, *backend(name), *arguments) for name in ("condensed", "iterative"))
+    laws.same(what, condensed, iterative, bound)
+    laws.demand(f"{what}: solved by the backend asked for", all(r["solver"] != "iterative" for r in condensed.increments)
+                and all(r["solver"] in ("iterative", "linear") for r in iterative.increments))
+    return iterative
+
+
+def iterations(run):
+    return int(re.search(r"(\d+) linear iterations", (run.folder / "log.txt").read_text())[1])
+
+
+def obstacles(laws):
+    """Bodies on obstacles, in the plane and in space."""
+    for name in SHIPPED_SCENES:
+        compare(laws, name, SHIPPED / f"{name}.prm", "-s", "Output/VTU=0")
+    for dim in (2, 3):
+        scene = press_and_shear(dim)
+        for element in ELEMENTS:
+            compare(laws, f"{dim}D, {element}", with_element(scene, element))
+        compare(laws, f"{dim}D, without friction", merge(scene, {"Contact bottom": {"Friction coefficient": 0}}))
+        compare(laws, f"{dim}D, much friction", merge(scene, {"Contact bottom": {"Friction coefficient": 2}}))
+        compare(laws, f"{dim}D, nearly incompressible",
+                with_element(merge(scene, {"Body block": {"Material": {"Poisson ratio": .49}}}), "Q1 B-bar"))
+        compare(laws, f"{dim}D, foundation and loads", merge(scene, {
+            "Support side": support(1, "x", Stiffness=300),
+            "Load weight": load("body force", "0 ; -2" if dim == 2 else "0 ; 0 ; -2")}))
+        compare(laws, f"{dim}D, opened again", merge(scene, {
+            "Support top": {"Displacement": " ; ".join(["0.002*t"] + ["0"] * (dim - 2) + ["-0.01*sin(t)"])},
+            "Time": {"End": 6, "Increments": 6}}))
+    compare(laws, "anisotropic friction", merge(press_and_shear(3), {
+        "Contact bottom": {"Second friction coefficient": .1, "Friction angle": 30}}))
+
+
+def sizes(laws):
+    """Linear iterations of the same history on finer meshes."""
+    counts = {}
+    for n in (8, 16):
+        run = laws.run(press_and_shear(3, cells=(n, n, n)), *backend("iterative"))
+        counts[n] = iterations(run) / len(run.increments)
+    laws.check(f"iterations an increment, 8^3: {counts[8]:.0f}, 16^3: {counts[16]:.0f}", counts[16], 1.5 * counts[8])
+    laws.check("at most", counts[16], 80)
+
+
+def pairs(laws):
+    """Bodies on bodies, all of them held."""
+    for dim in (2, 3):
+        cells = ((6, 3), (9, 3)) if dim == 2 else ((3, 3, 2), (4, 4, 2))
+        size = (2.0, 1.0) if dim == 2 else (1.0, 1.0, .7)
+        low, high = (2, 3) if dim == 2 else (4, 5)
+        top = (0.0,) * (dim - 1) + (size[-1],)
+        every = "x, y" if dim == 2 else "x, y, z"
+        moved = " ; ".join(["0.004*max(t - 1, 0)"] + ["0"] * (dim - 2) + ["-0.01*min(t, 1)"])
+        for pairing in ("node to face", "mortar"):
+            for young in (1000.0, 1e6):
+                compare(laws, f"{dim}D, {pairing}, E {young:g}", {
+                    "Dimension": dim, "Body lower": box(cells[0], size), "Body upper": box(cells[1], size, top, young=young),
+                    "Contact joint": joint("upper", low, "lower", high,
+                                           **{"Pairing": pairing, "Friction coefficient": .3}),
+                    "Support ground": support(low, every, body="lower"),
+                    "Support top": support(high, every, moved, body="upper"),
+                    "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}})
+
+
+def iterative(laws):
+    obstacles(laws)
+    sizes(laws)
+
+
+def iterative_pairs(laws):
+    pairs(laws)
