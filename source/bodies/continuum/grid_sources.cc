@@ -168,8 +168,8 @@ namespace conetact::bodies
           if (message.find("not implemented") != std::string::npos)
             throw InputError(
               parameters.where + "Generator: there is no mesh generator '" +
-              parameters.generator + "' in " + std::to_string(dim) +
-              "D. " + generator_hint(parameters.generator) +
+              parameters.generator + "' in " + std::to_string(dim) + "D. " +
+              generator_hint(parameters.generator) +
               "Use a function name of deal.II's GridGenerator such as "
               "hyper_rectangle.");
           throw InputError(parameters.where + "Arguments: '" +
