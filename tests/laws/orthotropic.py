@@ -70,6 +70,7 @@ def isotropic(laws):
                           {"Contact bottom": {"Friction coefficient": .1},
                            "Support top": support(3 if dim == 2 else 5, "x, y, z"[:3 * dim - 2], " ; ".join(["0"] * (dim - 1) + ["-0.01"]))})
             both.append(laws.run(scene))
+        laws.demand(f"{dim}D, {plane}: forces that slip and stick", both[0].largest("r_n", "r_t1") > 1)
         laws.same(f"{dim}D, {plane}: orthotropic with equal moduli", *both, 1e-10)
 
 

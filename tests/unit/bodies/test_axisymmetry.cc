@@ -3,6 +3,8 @@
 
 // Bodies of revolution.
 
+#include <Eigen/LU>
+
 #include "body_fixture.h"
 #include "sentence.h"
 
@@ -37,7 +39,7 @@ namespace conetact::test
 
     const auto elements = {"Q1", "Q1 B-bar", "P1"};
 
-    /** (2 lambda + 2 G) V is twice the energy of u = (r, 0). */
+    /** 4 (lambda + G) V is twice the energy of u = (r, 0). */
     const double of_growth = 4 * .5 * 5 / (1.3 * .4);
 
     std::string

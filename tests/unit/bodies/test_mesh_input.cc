@@ -134,8 +134,8 @@ TEST(MeshInput, GroupsOfAFileHaveNames)
 
   const auto whole  = make_body(2, "File = " + file, both);
   const auto groups = whole->boundary_groups();
-  EXPECT_EQ(groups.count("between"), 0);                  // no boundary of it
-  EXPECT_EQ(groups.at("floor"), (BoundaryIds{10}));       // a new id
+  EXPECT_EQ(groups.count("between"), 0);            // no boundary of it
+  EXPECT_EQ(groups.at("floor"), (BoundaryIds{10})); // a new id
   EXPECT_EQ(groups.at("outside"), (BoundaryIds{9, 10}));
   EXPECT_EQ(groups.at("7"), (BoundaryIds{10}));
   EXPECT_EQ(whole->boundary_ids(), (BoundaryIds{0, 9, 10}));

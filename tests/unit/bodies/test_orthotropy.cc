@@ -4,9 +4,8 @@
 #include "conetact/bodies/continuum/material.h"
 #include "conetact/bodies/placement.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/LU>
+#include <gtest/gtest.h>
 
 namespace conetact::test
 {
@@ -15,9 +14,9 @@ namespace conetact::test
   namespace
   {
     Eigen::Matrix3d
-    turned(const dealii::Tensor<1, 3> &axis, const double degrees)
+    turned(const double x, const double y, const double z, const double degrees)
     {
-      const auto      Q = rotation_about(axis, degrees);
+      const auto Q = rotation_about(dealii::Tensor<1, 3>({x, y, z}), degrees);
       Eigen::Matrix3d result;
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
@@ -35,16 +34,15 @@ namespace conetact::test
     turned_one.orthotropy = Orthotropy{{5, 5, 5},
                                        {.3, .3, .3},
                                        Eigen::Vector3d::Constant(5 / 2.6),
-                                       turned({1., 2., -1.}, 27)};
+                                       turned(1., 2., -1., 27)};
     for (const auto plane : {ElasticMaterial::Plane::strain,
                              ElasticMaterial::Plane::stress,
                              ElasticMaterial::Plane::axisymmetric})
       for (const unsigned int dim : {2, 3})
         {
           plain.plane = turned_one.plane = plane;
-          EXPECT_LT(
-            (plain.elasticity(dim) - turned_one.elasticity(dim)).norm(),
-            1e-13);
+          EXPECT_LT((plain.elasticity(dim) - turned_one.elasticity(dim)).norm(),
+                    1e-13);
         }
     EXPECT_EQ(turned_one.stiffness(), 5);
   }
@@ -52,8 +50,8 @@ namespace conetact::test
   TEST(Orthotropy, AxesTurn)
   {
     // a right angle about z exchanges 1 and 2
-    Orthotropy other = wood;
-    other.axes       = turned({0., 0., 1.}, 90);
+    Orthotropy other        = wood;
+    other.axes              = turned(0., 0., 1., 90);
     const Eigen::MatrixXd s = wood.compliance(), t = other.compliance();
     const int             places[] = {1, 0, 2, 3, 5, 4};
     for (int i = 0; i < 6; ++i)
@@ -65,7 +63,7 @@ namespace conetact::test
     EXPECT_DOUBLE_EQ(s(5, 5), 1. / 200);
 
     // along any direction 1/E = c^4/E_1 + s^4/E_2 + (1/G - 2 nu/E_1) c^2 s^2
-    other.axes = turned({0., 0., 1.}, -30);
+    other.axes = turned(0., 0., 1., -30);
     EXPECT_NEAR(other.compliance()(0, 0),
                 9. / 16 / 1000 + 1. / 16 / 400 +
                   3. / 16 * (1. / 300 - .6 / 1000),
@@ -75,9 +73,9 @@ namespace conetact::test
   TEST(Orthotropy, PlaneStressHasNoneAlongZ)
   {
     ElasticMaterial plate;
-    plate.orthotropy       = wood;
-    plate.orthotropy->axes = turned({0., 0., 1.}, 20);
-    plate.plane            = ElasticMaterial::Plane::stress;
+    plate.orthotropy          = wood;
+    plate.orthotropy->axes    = turned(0., 0., 1., 20);
+    plate.plane               = ElasticMaterial::Plane::stress;
     const Eigen::MatrixXd c   = plate.elasticity(2);
     const Eigen::MatrixXd s   = plate.orthotropy->compliance();
     const int             k[] = {0, 1, 3};
