@@ -45,7 +45,8 @@ namespace conetact::verification
     fill(last.u, now.u.size());
     fill(last.forces, now.forces.size());
     fill(last.r, now.r.size());
-    now.t = claim.t;
+    now.t               = claim.t;
+    const bool is_first = last.reactions.empty();
     last.reactions.resize(points.all().size());
     last.foundations.resize(now.foundations.size());
 
@@ -76,7 +77,7 @@ namespace conetact::verification
         // of both reactions goes with the point that it met.
         const auto moved = [&](const pairing::ContactNode &node) {
           Tensor<1, 3> d = node.opponent_displacement(now.t);
-          if (!last.nodes.empty())
+          if (!is_first)
             d -= node.opponent_displacement(last.t);
           return d;
         };
@@ -105,10 +106,9 @@ namespace conetact::verification
   {
     archive.put("energies/u", last.u);
     archive.put("energies/forces", last.forces);
-    archive.put("energies/relative", last.relative);
+    archive.put("energies/t", last.t);
     archive.put("energies/r", last.r);
     archive.put("energies/reactions", last.reactions);
-    archive.put("energies/obstacles", last.obstacles);
     archive.put("energies/points", static_cast<double>(last.reactions.size()));
     for (std::size_t s = 0; s < last.foundations.size(); ++s)
       if (last.foundations[s].forces.size() > 0)
@@ -130,12 +130,10 @@ namespace conetact::verification
     };
     archive.fill_any("energies/u", last.u);
     archive.fill_any("energies/forces", last.forces);
-    archive.fill_any("energies/relative", last.relative);
+    archive.fill("energies/t", last.t);
     archive.fill_any("energies/r", last.r);
     last.reactions.resize(number("energies/points"));
-    last.obstacles.resize(last.reactions.size());
     archive.fill("energies/reactions", last.reactions);
-    archive.fill("energies/obstacles", last.obstacles);
     last.foundations.resize(supports.size());
     for (std::size_t s = 0; s < supports.size(); ++s)
       if (const std::string name = foundation + supports[s];
