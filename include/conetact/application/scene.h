@@ -159,7 +159,7 @@ namespace conetact::application
     std::filesystem::path    file;
     std::vector<std::string> overrides;
     bool                     verifies; ///< condenses twice
-    SceneText                text; ///< of the file and what it includes
+    SceneText                text;     ///< of the file and what it includes
     std::vector<std::string> obstacle_names;
 
     mutable dealii::ParameterHandler                prm;

@@ -12,9 +12,9 @@ using namespace conetact::bodies;
 namespace
 {
   const std::string plate =
-    "Generator = subdivided_hyper_rectangle|Arguments = 3, 2 : 0, 0 : 3, 2";
+    "Generator = subdivided_hyper_rectangle|Arguments = 3, 2 : 0, 0 : 3, 2 : true";
   const std::string beside =
-    "Generator = subdivided_hyper_rectangle|Arguments = 1, 1 : 3, 0 : 5, 2";
+    "Generator = subdivided_hyper_rectangle|Arguments = 1, 1 : 3, 0 : 5, 2 : true";
 
   /** Probes in two plates that touch at x = 3. */
   struct Plates
