@@ -139,7 +139,7 @@ def rolled_ball(laws):
 
         def plate(normal, point, **entries):
             return {"Shape": "half space", "Normal": apply(m, normal), "Point": apply(m, point), **entries}
-        moves = "0.8*max(t - 1, 0)", "0.3*max(t - 1, 0)", "-0.03*min(t, 1)"
+        moves = "0.8*max(t - 1, 0)", "0.3*max(t - 1, 0)", "-0.12*min(t, 1)"  # several nodes touch: none spins freely
         drive = " ; ".join(" + ".join(f"({m[d][e]!r})*({move})" for e, move in enumerate(moves)) for d in range(3))
         return {"Dimension": 3,
                 "Body ball": {"Mesh": {"Generator": "hyper_ball_balanced", "Arguments": "0, 0, 1 : 1", "Global refinements": 2,
@@ -150,6 +150,6 @@ def rolled_ball(laws):
                 "Time": {"Stages": "1 : 1, 2 : 6"}, "Output": {"VTU": 0}}
     run = laws.run(scene())
     axis, degrees = (1, 2, 3), 40.0
-    laws.same("rolled ball, turned", run, laws.run(scene(axis, degrees)), 1e-8, matrix=rotation(axis, degrees))
+    laws.same("rolled ball, turned", run, laws.run(scene(axis, degrees)), 1e-9, matrix=rotation(axis, degrees))
     last = run.increments[-1]
     laws.check("rolled ball: both plates press alike", abs(last["low_f_z"] / last["high_f_z"] + 1), 1e-9)
