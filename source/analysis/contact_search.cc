@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/contact_search.h"
 
+#include "conetact/base/text.h"
 #include "conetact/verification/external_forces.h"
 
 #include <algorithm>
@@ -55,6 +56,37 @@ namespace conetact::analysis
           nodes[i].n /= nodes[i].n.norm();
         }
     return linearised(std::move(nodes));
+  }
+
+  /* Friction opposes the slip from one end of an increment to the other: a
+     chord, which a turn by half a circle would reverse. */
+  std::string
+  ContactSearch::turns_too_far(const double t) const
+  {
+    constexpr double largest = 20; // degrees
+    const auto      &nodes   = model.points.nodes();
+    if (std::none_of(nodes.begin(), nodes.end(), [](const auto &node) {
+          return node.slides && node.mu_1 + node.mu_2 > 0;
+        }))
+      return "";
+    double     turn = 0;
+    const auto note = [&](const Expression &angle) {
+      turn =
+        std::max(turn,
+                 std::abs(angle(Point<3>(), t) - angle(Point<3>(), start_t)));
+    };
+    for (const bodies::Support &support : model.bodies.supports)
+      if (support.turn)
+        note(support.turn->angle);
+    for (const pairing::ContactNode &node : nodes)
+      if (node.slides && node.obstacle != nullptr && node.obstacle->turn)
+        note(*node.obstacle->turn);
+    return turn <= largest ?
+             "" :
+             "supports or obstacles Turn by " + to_text(turn) +
+               " degrees, and friction knows the slip of an increment as a "
+               "straight line only, also in parts of the increment. Use "
+               "increments with turns of 20 degrees at most";
   }
 
   ContactSearch::Nodes

@@ -136,8 +136,10 @@ namespace conetact::analysis
     for (; k <= scene.times.size() && batch.size() < size; ++k)
       {
         batch.push_back(start(k));
-        std::string why = solve_contact(batch.back(), history.start());
-        lost_contacts   = false;
+        std::string why = search.turns_too_far(batch.back().record.time);
+        lost_contacts   = !why.empty();
+        if (why.empty())
+          why = solve_contact(batch.back(), history.start());
         if (why.empty() && search.is_needed())
           {
             why           = settle(batch.back());

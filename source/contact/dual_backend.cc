@@ -477,11 +477,11 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::imbalance(const VectorXd &forces) const
   {
-    VectorXd sum(motions.own().cols());
+    VectorXd sum = VectorXd::Zero(motions.own().cols());
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         const BodyMotions &m = body_motions[body];
-        if (m.R.cols() > 0)
+        if (m.R.size() > 0)
           sum.segment(m.first, m.R.cols()) =
             -(m.R + m.Y).transpose() *
             forces.segment(own.begin(body), n_own(body));
@@ -518,7 +518,7 @@ namespace conetact::contact
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         const BodyMotions &m = body_motions[body];
-        if (m.R.cols() > 0)
+        if (m.R.size() > 0)
           forces.segment(own.begin(body), n_own(body)) -=
             m.spring_forces * primal.segment(H.rows() + m.first, m.R.cols());
       }
@@ -539,7 +539,7 @@ namespace conetact::contact
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         const BodyMotions &m = body_motions[body];
-        if (m.R.cols() > 0)
+        if (m.R.size() > 0)
           all.segment(H.rows() + m.first, m.R.cols()) -=
             m.R.transpose() * rounding.segment(own.begin(body), n_own(body));
       }

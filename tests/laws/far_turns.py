@@ -16,6 +16,7 @@ def far_turns(laws):
     shaft(laws)
     rolled_disc(laws)
     rolled_ball(laws)
+    braked(laws)
 
 
 def bar(dim, degrees, axis=(0, 0, 1), steps=1, **mesh):
@@ -153,3 +154,15 @@ def rolled_ball(laws):
     laws.same("rolled ball, turned", run, laws.run(scene(axis, degrees)), 1e-9, matrix=rotation(axis, degrees))
     last = run.increments[-1]
     laws.check("rolled ball: both plates press alike", abs(last["low_f_z"] / last["high_f_z"] + 1), 1e-9)
+
+
+def braked(laws):
+    """A disc that a rough plane brakes: far turns are done in parts, or friction would see chords."""
+    for degrees, increments in ((270.0, 1), (360.0, 1), (120.0, 8)):
+        scene = {"Dimension": 2, "Body disc": shell(.5, 1.0, 96), "Obstacle floor": {"Shape": "half space", "Normal": (0, 1), "Point": (0, -.995)},
+                 "Contact brake": contact("disc", 1, "floor", .4, **FAR),
+                 "Support drive": {"Body": "disc", "Boundary ids": 0, "Turn": f"{degrees!r}*max(t - 1, 0)"},
+                 "Time": {"Stages": f"1 : 1, 2 : {increments}"}, "Output": {"VTU": 0}}
+        last = laws.run(scene).increments[-1]
+        laws.check(f"braked disc, {degrees:g} degrees in {increments}: friction over mu times the normal force",
+                   abs(last["brake_f_x"] / (.4 * last["brake_f_y"]) + 1), .02)

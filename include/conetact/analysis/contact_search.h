@@ -28,6 +28,13 @@ namespace conetact::analysis
       return !contacts.empty() || !model.bodies.frames().empty();
     }
 
+    /**
+     * Why the slip until time t is no straight line, a sentence; empty: it is
+     * nearly one.
+     */
+    std::string
+    turns_too_far(const double t) const;
+
     using Nodes = std::vector<pairing::ContactNode>;
     /** Contacts where bodies are at time t: displacements u of all dofs. */
     Nodes
