@@ -278,6 +278,25 @@ namespace conetact::application
                                     bodies.dim);
   }
 
+  /* The normals of nodes stay, those of the obstacle do not. */
+  void
+  Scene::refuse_far_turn(const pairing::Contact &contact) const
+  {
+    constexpr double largest = 30; // degrees
+    if (contact.obstacle == nullptr || !contact.obstacle->turn)
+      return;
+    for (const double t : times)
+      if (const double turn = (*contact.obstacle->turn)(Point<3>(), t);
+          std::abs(turn) > largest)
+        throw InputError("Obstacle '" + contact.obstacle->name +
+                         "', Turn: it is " + to_text(turn) +
+                         " degrees at t = " + to_text(t) +
+                         ", and normals of contacts with Kinematics = small "
+                         "are those of the start. Set Kinematics = finite "
+                         "sliding in Contact '" +
+                         contact.name + "'.");
+  }
+
   void
   Scene::check_sliding() const
   {
@@ -296,6 +315,8 @@ namespace conetact::application
                          "another Solver/Method and Adaptive refinement = 0.");
     for (const pairing::Contact &contact : contacts)
       {
+        if (!contact.slides)
+          refuse_far_turn(contact);
         if (!contact.slides)
           continue;
         const std::string in = "Contact '" + contact.name + "', Kinematics: ";

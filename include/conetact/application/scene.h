@@ -148,6 +148,8 @@ namespace conetact::application
     void
     check_sliding() const;
     void
+    refuse_far_turn(const pairing::Contact &contact) const;
+    void
     keep_nodes();
     void
     continue_from(const std::filesystem::path &folder);
