@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
 namespace conetact::solvers
 {
@@ -27,15 +26,6 @@ namespace conetact::solvers
 
     /** A load that differs by less from the one in balance is the same. */
     constexpr double rounding = 1e-15;
-
-    std::string
-    stalled(const double residual)
-    {
-      std::ostringstream text;
-      text.precision(2);
-      text << "residual stalled at " << residual;
-      return text.str();
-    }
   } // namespace
 
 

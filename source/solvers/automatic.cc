@@ -4,12 +4,12 @@
 #include "conetact/solvers/automatic.h"
 
 #include "conetact/solvers/gauss_seidel.h"
+#include "conetact/solvers/load_parts.h"
 #include "conetact/solvers/redundant_contacts.h"
 #include "conetact/solvers/unloaded.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace conetact::solvers
 {
@@ -17,23 +17,6 @@ namespace conetact::solvers
   {
     using Eigen::Index;
     using Eigen::VectorXd;
-
-    void
-    count(SolverReport &total, const SolverReport &part)
-    {
-      total.iterations += part.iterations;
-      total.factorizations += part.factorizations;
-    }
-
-    /** v = (0, gap): where an increment starts. */
-    VectorXd
-    start_of(const ContactSystem &system, const VectorXd &gap)
-    {
-      VectorXd result = VectorXd::Zero(system.n_unknowns());
-      for (Index i = 0; i < system.n_nodes(); ++i)
-        result(system.normal(i)) = gap(i);
-      return result;
-    }
 
     /** The same system with bodies that many times softer, less friction. */
     std::shared_ptr<const ContactSystem>
@@ -67,16 +50,6 @@ namespace conetact::solvers
       const SolverReport report = solver.solve(near, state);
       state.r.tail(k) += motions;
       return report;
-    }
-
-    /** v with the normal components set to zero: the slips. */
-    VectorXd
-    slips_of(const ContactSystem &system, VectorXd v)
-    {
-      for (Index i = 0; i < system.n_nodes(); ++i)
-        v(system.normal(i)) = 0;
-      v.tail(system.n_motions).setZero();
-      return v;
     }
 
     /** What the start of an increment and its end differ in: load and offset.
@@ -142,7 +115,7 @@ namespace conetact::solvers
     if (!state.v.allFinite() || !state.r.allFinite())
       return false;
     const SolverReport exact = active_set.polish(problem, state);
-    count(report, exact);
+    add_work(report, exact);
     report.converged = exact.converged;
     report.residual  = exact.residual;
     return exact.converged;
@@ -231,7 +204,7 @@ namespace conetact::solvers
           continue;
         const SolverReport last =
           solve_about(now.r.tail(system.n_motions), problem, now, active_set);
-        count(report, last);
+        add_work(report, last);
         report.solver   = "active set";
         report.residual = last.residual;
         if (last.converged)
@@ -267,7 +240,7 @@ namespace conetact::solvers
         part.system             = softened(*problem.system, softer, friction);
         ContactState       next = state;
         const SolverReport one  = ActiveSet(loose).solve(part, next);
-        count(report, one);
+        add_work(report, one);
         if (one.converged)
           {
             state = next;
@@ -335,7 +308,7 @@ namespace conetact::solvers
     Automatic          inner(options);
     const SolverReport found =
       inner.solve_whole(eliminated->eliminate(problem), own, thorough);
-    count(report, found);
+    add_work(report, found);
     ContactState trial = eliminated->expand(problem, own);
     report.solver      = found.solver;
     if (!polish(problem, trial, report))
@@ -381,68 +354,26 @@ namespace conetact::solvers
   SolverReport
   Automatic::solve_in_parts(const ContactProblem &problem, ContactState &state)
   {
-    const ContactSystem &system = *problem.system;
-    const Change         change = change_of(problem, state);
-
-    SolverReport   report;
-    ContactState   now  = state;
-    VectorXd       slip = VectorXd::Zero(system.n_unknowns());
-    ContactProblem part = problem;
-    double         done = 0, size = .5, residual = 0;
-    const double   smallest = 1. / options.max_substeps;
-    report.substeps         = 0;
-    while (done < 1)
-      {
-        const double next  = std::min(1., done + size);
-        ContactState trial = now;
-        trial.v            = start_of(system, part.gap);
-        // u of the part before does not go with the offset of this one
-        trial.u = VectorXd();
+    const Change change = change_of(problem, state);
+    LoadParts    parts;
+    parts.smallest = 1. / options.max_substeps;
+    parts.stop     = options.stop;
+    parts.load =
+      [&](const double done, const VectorXd &slipped, ContactProblem &part) {
         // What has slipped so far is part of the load of the next part.
-        part.load = problem.load - (1 - next) * change.of_load;
-        if (system.form == Form::stiffness)
+        part.load = problem.load - (1 - done) * change.of_load;
+        if (problem.system->form == Form::stiffness)
           part.offset =
-            change.offset_at_end - (1 - next) * change.of_offset - slip;
+            change.offset_at_end - (1 - done) * change.of_offset - slipped;
         else
-          part.load -= slip;
-        const SolverReport one = solve_whole(part, trial, false);
-        count(report, one);
-        if (!one.converged)
-          {
-            report.reason = one.reason;
-            if (options.stop && options.stop())
-              break;
-            size /= 4;
-            if (size < smallest)
-              break;
-            continue;
-          }
-        residual      = std::max(residual, one.residual);
-        report.solver = one.solver;
-        ++report.substeps;
-        slip += slips_of(system, trial.v);
-        for (Index i = 0; i < system.n_nodes(); ++i)
-          part.gap(i) = trial.v(system.normal(i));
-        now  = trial;
-        done = next;
-        size = std::min(2 * size, 1 - done);
-      }
-    report.residual  = residual;
-    report.converged = done >= 1;
-    if (report.converged)
-      {
-        report.reason.clear();
-        state = now;
-        // Slips of the parts add up; the gap is that of the last one.
-        state.v = slip + start_of(system, part.gap);
-        return report;
-      }
-    std::ostringstream text;
-    text.precision(4);
-    text << report.reason << "; solved up to " << done
-         << " of the load of this increment";
-    report.reason = text.str();
-    return report;
+          part.load -= slipped;
+      };
+    parts.solve = [&](const ContactProblem &part, ContactState &trial) {
+      // u of the part before does not go with the offset of this one
+      trial.u = VectorXd();
+      return solve_whole(part, trial, false);
+    };
+    return solvers::solve_in_parts(parts, problem, state);
   }
 
 
@@ -463,7 +394,7 @@ namespace conetact::solvers
 
     ContactState shortest = state;
     SolverReport report   = solve_whole(problem, state, true);
-    count(report, first);
+    add_work(report, first);
     // Where nothing presses, any motion that opens all contacts is a solution;
     // the shortest is what is promised.
     if (report.converged && presses_nothing(problem, state) &&
@@ -477,7 +408,7 @@ namespace conetact::solvers
         return report;
       }
     SolverReport parts = solve_in_parts(problem, state);
-    count(parts, report);
+    add_work(parts, report);
     return parts;
   }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace conetact::solvers
 {
@@ -241,6 +242,27 @@ namespace conetact::solvers
         relation += add(v, r);
       }
     return {own / (1 + own), relation / (1 + own)};
+  }
+
+
+
+  void
+  add_work(SolverReport &total, const SolverReport &part)
+  {
+    total.iterations += part.iterations;
+    total.factorizations += part.factorizations;
+    total.krylov += part.krylov;
+  }
+
+
+
+  std::string
+  stalled(const double residual)
+  {
+    std::ostringstream text;
+    text.precision(2);
+    text << "residual stalled at " << residual;
+    return text.str();
   }
 
 

@@ -3,11 +3,12 @@
 
 #include "conetact/solvers/large_newton.h"
 
+#include "conetact/solvers/load_parts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
 namespace conetact::solvers
 {
@@ -46,22 +47,6 @@ namespace conetact::solvers
       return std::max({a.norm(), b.norm(), c});
     }
 
-    std::string
-    stalled(const double residual)
-    {
-      std::ostringstream text;
-      text.precision(2);
-      text << "residual stalled at " << residual;
-      return text.str();
-    }
-
-    void
-    count(SolverReport &sum, const SolverReport &part)
-    {
-      sum.iterations += part.iterations;
-      sum.krylov += part.krylov;
-    }
-
     /** The problem as its contact unknowns see it. */
     ContactProblem
     of_contact(const ContactProblem &problem)
@@ -84,14 +69,6 @@ namespace conetact::solvers
     {
       return problem.offset -
              (start.v - start.u.tail(problem.system->n_unknowns()));
-    }
-
-    VectorXd
-    slips_of(const ContactSystem &system, VectorXd v)
-    {
-      for (Index i = 0; i < system.n_nodes(); ++i)
-        v(system.normal(i)) = 0;
-      return v;
     }
   } // namespace
 
@@ -333,7 +310,7 @@ namespace conetact::solvers
     const auto         tried = [&](Point point, const bool exactly) {
       state  = start;
       report = run(problem, std::move(point), state, exactly);
-      count(sum, report);
+      add_work(sum, report);
       report.iterations = sum.iterations;
       report.krylov     = sum.krylov;
       return report.converged;
@@ -365,66 +342,23 @@ namespace conetact::solvers
   LargeNewton::solve_in_parts(const ContactProblem &problem,
                               ContactState         &state)
   {
-    const ContactSystem &system = *problem.system;
-    const Index          n      = system.n_unknowns();
     // What the start of the increment and its end differ in.
     Array of_load = problem.load - body->multiply(state.u);
-    of_load.tail(n) += state.r;
+    of_load.tail(problem.system->n_unknowns()) += state.r;
     const Array of_offset = change_of_offset(problem, state);
 
-    SolverReport   report;
-    ContactState   now  = state;
-    Array          slip = Array::Zero(n);
-    ContactProblem part = problem;
-    double         done = 0, size = .5, residual = 0;
-    report.substeps       = 0;
-    const double smallest = 1. / std::min(options.max_substeps, 64u);
-    while (done < 1)
-      {
-        const double next  = std::min(1., done + size);
-        ContactState trial = now;
-        trial.v            = state.v; // no slip yet
-        for (Index i = 0; i < system.n_nodes(); ++i)
-          trial.v(system.normal(i)) = part.gap(i);
-        part.load              = problem.load - (1 - next) * of_load;
-        part.offset            = problem.offset - (1 - next) * of_offset - slip;
-        const SolverReport one = solve_whole(part, trial);
-        count(report, one);
-        if (!one.converged)
-          {
-            report.reason = one.reason;
-            size /= 4;
-            if (size < smallest)
-              break;
-            continue;
-          }
-        residual      = std::max(residual, one.residual);
-        report.solver = one.solver;
-        ++report.substeps;
-        slip += slips_of(system, trial.v);
-        for (Index i = 0; i < system.n_nodes(); ++i)
-          part.gap(i) = trial.v(system.normal(i));
-        now  = trial;
-        done = next;
-        size = std::min(2 * size, 1 - done);
-      }
+    LoadParts parts;
+    parts.smallest = 1. / std::min(options.max_substeps, 64u);
+    parts.load =
+      [&](const double done, const Array &slipped, ContactProblem &part) {
+        part.load   = problem.load - (1 - done) * of_load;
+        part.offset = problem.offset - (1 - done) * of_offset - slipped;
+      };
+    parts.solve = [&](const ContactProblem &part, ContactState &trial) {
+      return solve_whole(part, trial);
+    };
+    const SolverReport report = solvers::solve_in_parts(parts, problem, state);
     last.reset();
-    report.residual  = residual;
-    report.converged = done >= 1;
-    if (!report.converged)
-      {
-        std::ostringstream text;
-        text.precision(4);
-        text << report.reason << "; solved up to " << done
-             << " of the load of this increment";
-        report.reason = text.str();
-        return report;
-      }
-    report.reason.clear();
-    state   = now;
-    state.v = slip;
-    for (Index i = 0; i < system.n_nodes(); ++i)
-      state.v(system.normal(i)) = part.gap(i);
     return report;
   }
 
@@ -445,7 +379,7 @@ namespace conetact::solvers
     if (options.max_substeps < 2)
       return report;
     SolverReport parts = solve_in_parts(problem, state);
-    count(parts, report);
+    add_work(parts, report);
     return parts;
   }
 } // namespace conetact::solvers

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace conetact::solvers
 {
@@ -438,10 +437,7 @@ namespace conetact::solvers
         if (iterations >= static_cast<unsigned int>(options.max_iterations) ||
             stalls > 30 || !std::isfinite(natural))
           {
-            std::ostringstream text;
-            text.precision(2);
-            text << "residual stalled at " << natural;
-            why = text.str();
+            why = stalled(natural);
             return false;
           }
         if (!step())

@@ -175,6 +175,13 @@ namespace conetact::solvers
     double       residual       = 0; ///< contact_residual() of the result
   };
 
+  /** Counts the work of a part, too. */
+  void
+  add_work(SolverReport &total, const SolverReport &part);
+  /** Why an iteration gives up: "residual stalled at 1.2e-07". */
+  std::string
+  stalled(const double residual);
+
   /** Largest magnitude of the entries, 0 without any. */
   double
   largest(const Eigen::VectorXd &x);

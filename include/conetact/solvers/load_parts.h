@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_load_parts_h
+#define conetact_solvers_load_parts_h
+
+#include "conetact/solvers/contact_problem.h"
+
+#include <functional>
+
+namespace conetact::solvers
+{
+  /** v = (0, gap): where an increment starts. */
+  Eigen::VectorXd
+  start_of(const ContactSystem &system, const Eigen::VectorXd &gap);
+
+  /** How a solver goes through an increment part by part. */
+  struct LoadParts
+  {
+    double smallest = 1; ///< part of the increment that is tried
+    /** The limit of time, see SolverOptions. */
+    std::function<bool()> stop = {};
+    /** Gives a part that ends where `done` of the increment is done its load
+     * and offset; what has `slipped` so far is part of them. */
+    std::function<void(const double           done,
+                       const Eigen::VectorXd &slipped,
+                       ContactProblem        &part)>
+      load;
+    std::function<SolverReport(const ContactProblem &part, ContactState &state)>
+      solve;
+  };
+
+  /**
+   * Solves an increment in parts, which grow where they are solved and shrink
+   * where not. The state is that at its start, v = (0, gap), and becomes that
+   * at its end, with the slips of all parts; it stays where they end early.
+   */
+  SolverReport
+  solve_in_parts(const LoadParts      &parts,
+                 const ContactProblem &problem,
+                 ContactState         &state);
+} // namespace conetact::solvers
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/load_parts.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    /** v with the normal components set to zero: the slips. */
+    VectorXd
+    slips_of(const ContactSystem &system, VectorXd v)
+    {
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        v(system.normal(i)) = 0;
+      v.tail(system.n_motions).setZero();
+      return v;
+    }
+  } // namespace
+
+
+
+  Eigen::VectorXd
+  start_of(const ContactSystem &system, const VectorXd &gap)
+  {
+    VectorXd result = VectorXd::Zero(system.n_unknowns());
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      result(system.normal(i)) = gap(i);
+    return result;
+  }
+
+
+
+  SolverReport
+  solve_in_parts(const LoadParts      &parts,
+                 const ContactProblem &problem,
+                 ContactState         &state)
+  {
+    const ContactSystem &system = *problem.system;
+    SolverReport         report;
+    ContactState         now  = state;
+    VectorXd             slip = VectorXd::Zero(system.n_unknowns());
+    ContactProblem       part = problem;
+    double               done = 0, size = .5;
+    report.substeps = 0;
+    while (done < 1)
+      {
+        const double next  = std::min(1., done + size);
+        ContactState trial = now;
+        trial.v            = start_of(system, part.gap);
+        parts.load(next, slip, part);
+        const SolverReport one = parts.solve(part, trial);
+        add_work(report, one);
+        if (!one.converged)
+          {
+            report.reason = one.reason;
+            if (parts.stop && parts.stop())
+              break;
+            size /= 4;
+            if (size < parts.smallest)
+              break;
+            continue;
+          }
+        report.residual = std::max(report.residual, one.residual);
+        report.solver   = one.solver;
+        ++report.substeps;
+        slip += slips_of(system, trial.v);
+        for (Index i = 0; i < system.n_nodes(); ++i)
+          part.gap(i) = trial.v(system.normal(i));
+        now  = trial;
+        done = next;
+        size = std::min(2 * size, 1 - done);
+      }
+    report.converged = done >= 1;
+    if (report.converged)
+      {
+        report.reason.clear();
+        state = now;
+        // Slips of the parts add up; the gap is that of the last one.
+        state.v = slip + start_of(system, part.gap);
+        return report;
+      }
+    std::ostringstream text;
+    text.precision(4);
+    text << report.reason << "; solved up to " << done
+         << " of the load of this increment";
+    report.reason = text.str();
+    return report;
+  }
+} // namespace conetact::solvers
