@@ -273,13 +273,16 @@ namespace conetact::analysis
     const double                     t      = increment.record.time;
     const bodies::NodalLoads::Acting acting = loads.acting(t);
     const Eigen::VectorXd others = prestress + scene.obstacle_forces(t);
-    increment.forces             = acting.forces + others;
-    increment.mechanical         = acting.mechanical + others;
+    increment.thermal            = acting.thermal;
     increment.record.each_load.clear();
-    for (const auto &[force, moment] : acting.each)
-      increment.record.each_load.push_back({force, moment});
-    increment.thermal = acting.thermal;
-    if (!model.bodies.frames().empty())
+    if (model.bodies.frames().empty())
+      {
+        increment.forces     = acting.forces + others;
+        increment.mechanical = acting.mechanical + others;
+        for (const auto &[force, moment] : acting.each)
+          increment.record.each_load.push_back({force, moment});
+      }
+    else
       turn_loads(others, increment);
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
   }
@@ -293,7 +296,6 @@ namespace conetact::analysis
     const contact::Coordinates &coordinates = model.coordinates;
     increment.forces                        = increment.mechanical =
       coordinates.forces_in_frames(others);
-    increment.record.each_load.clear();
     loads.visit(increment.record.time,
                 [&](const bodies::Load &load, const Eigen::VectorXd &on_body) {
                   Eigen::VectorXd f = Eigen::VectorXd::Zero(others.size());

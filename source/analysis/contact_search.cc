@@ -4,7 +4,6 @@
 #include "conetact/analysis/contact_search.h"
 
 #include "conetact/base/text.h"
-#include "conetact/verification/external_forces.h"
 
 #include <algorithm>
 
@@ -107,7 +106,7 @@ namespace conetact::analysis
     return find(model.coordinates.displacements(u), t);
   }
 
-  pairing::FoundChange
+  ContactSearch::Change
   ContactSearch::change(const PendingIncrement &increment,
                         const Eigen::VectorXd  &u,
                         const Nodes            &found) const
@@ -115,13 +114,12 @@ namespace conetact::analysis
     const auto at = [&](const unsigned int body, const unsigned int node) {
       return model.displacement(u, body, node);
     };
-    std::vector<double>  forces;
-    double               largest = 0;
-    pairing::FoundChange worst;
+    std::vector<double> forces;
+    double              largest = 0;
+    Change              worst;
     for (const contact::ContactPoint &point : model.points)
       {
-        forces.push_back(
-          verification::reaction(point, increment.state.r).norm());
+        forces.push_back(contact::force_of(point, increment.state.r).norm());
         largest = std::max(largest, forces.back());
       }
     for (std::size_t i = 0; i < model.points.size(); ++i)
@@ -133,24 +131,63 @@ namespace conetact::analysis
           found[static_cast<std::size_t>(&node - model.points.nodes().data())];
         const double t    = increment.record.time;
         const bool   open = increment.state.node[i] == solvers::NodeState::open;
-        const pairing::FoundChange change = pairing::change_of(
+        pairing::FoundChange change = pairing::change_of(
           node,
           now,
           contact::relative_displacement(now, at, t),
           node.gap + node.n * contact::relative_displacement(node, at, t),
           open ? 0 : forces[i] / largest);
-        worst.gap   = std::max(worst.gap, change.gap);
-        worst.force = std::max(worst.force, change.force);
         if (node.obstacle != nullptr && !open)
           // an obstacle that turns moves otherwise at its other points
-          worst.force = std::max(worst.force,
-                                 forces[i] / largest *
-                                   (contact::relative_displacement(now, at, t) -
-                                    contact::relative_displacement(node, at, t))
-                                     .norm() /
-                                   node.spacing);
+          change.force =
+            std::max(change.force,
+                     forces[i] / largest *
+                       (contact::relative_displacement(now, at, t) -
+                        contact::relative_displacement(node, at, t))
+                         .norm() /
+                       node.spacing);
+        if (std::max(change.gap, change.force) >
+            std::max(worst.gap, worst.force))
+          worst.worst = &node;
+        worst.gap   = std::max(worst.gap, change.gap);
+        worst.force = std::max(worst.force, change.force);
       }
     return worst;
+  }
+
+  /* Between the ends of an increment displacements are taken as straight; for
+     a body that turns they are not. */
+  std::string
+  ContactSearch::passes_through(const Eigen::VectorXd &u, const double t) const
+  {
+    constexpr unsigned int n_looks = 8;
+    constexpr double       no_turn = 1e-3;
+    const Eigen::VectorXd  from =
+      start.size() > 0 ? start : Eigen::VectorXd::Zero(u.size());
+    const auto &now      = model.bodies.frames();
+    const auto  is_still = [&](const unsigned int body) {
+      return body >= frames.size() ||
+             (now[body].rotation - frames[body].rotation).norm() <= no_turn;
+    };
+    for (unsigned int look = 1; look < n_looks; ++look)
+      {
+        const double part    = look / static_cast<double>(n_looks);
+        const Nodes  between = contacts.find_on_obstacles(
+          model.points.nodes(),
+          [&](const unsigned int body, const unsigned int node) {
+            return model.displacement(from + part * (u - from), body, node);
+          },
+          start_t + part * (t - start_t));
+        for (const pairing::ContactNode &node : between)
+          if (node.slides && node.obstacle != nullptr && is_still(node.body) &&
+              node.gap < -node.spacing)
+            return "obstacle '" + node.obstacle->name + "' passes through " +
+                   model.bodies.called(node.body) + " at " +
+                   to_text(node.position) +
+                   ", which it does not touch at the end. Use smaller "
+                   "increments, or another path";
+      }
+    return "";
   }
 
   void

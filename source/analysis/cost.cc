@@ -75,6 +75,17 @@ namespace conetact::analysis
 
     // Seconds for each dof: to recover and check an increment, to draw it.
     constexpr double check_of_dof = 1e-6, drawing_of_dof = 1.5e-6;
+
+    /** To recover, check and draw increments, whichever way they are solved. */
+    double
+    seconds_of_results(const contact::ContactModel &model,
+                       const double                 n_increments,
+                       const std::size_t            n_drawings)
+    {
+      return static_cast<double>(model.coordinates.n_dofs()) *
+             (check_of_dof * n_increments +
+              drawing_of_dof * static_cast<double>(n_drawings));
+    }
   } // namespace
 
 
@@ -84,10 +95,8 @@ namespace conetact::analysis
                 const std::size_t            n_increments,
                 const std::size_t            n_drawings)
   {
-    const contact::Coordinates &coordinates = model.coordinates;
-    const auto                  n_contact =
+    const auto n_contact =
       static_cast<double>(model.working_set().layout().n_unknowns());
-    const auto n_dofs     = static_cast<double>(coordinates.n_dofs());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
     cost.factor = model.estimate_factor();
@@ -104,8 +113,7 @@ namespace conetact::analysis
       cpu_seconds() +
       (sparse_over_dense * cost.factor.flops + lu_over_dense * lu_flops) /
         dense_rate() +
-      n_dofs * (check_of_dof * increments +
-                drawing_of_dof * static_cast<double>(n_drawings));
+      seconds_of_results(model, increments, n_drawings);
     return cost;
   }
 
@@ -116,18 +124,15 @@ namespace conetact::analysis
                           const std::size_t            n_increments,
                           const std::size_t            n_drawings)
   {
-    const contact::Coordinates &coordinates = model.coordinates;
-    const auto        n = static_cast<double>(coordinates.n_unknowns());
+    const auto        n = static_cast<double>(model.coordinates.n_unknowns());
     const std::size_t d = model.bodies.dim - 2;
+    const auto        increments = static_cast<double>(n_increments);
     Cost              cost;
     cost.memory_bytes = peak_memory() + bytes_of_unknown[d] * n;
     cost.seconds =
       cpu_seconds() +
-      n * (setup_of_unknown[d] +
-           increment_of_unknown[d] * static_cast<double>(n_increments)) +
-      static_cast<double>(coordinates.n_dofs()) *
-        (check_of_dof * static_cast<double>(n_increments) +
-         drawing_of_dof * static_cast<double>(n_drawings));
+      n * (setup_of_unknown[d] + increment_of_unknown[d] * increments) +
+      seconds_of_results(model, increments, n_drawings);
     return cost;
   }
 

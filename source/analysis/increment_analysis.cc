@@ -259,8 +259,8 @@ namespace conetact::analysis
                                    model.condense().expand({&increment.load},
                                                            {increment.primal}));
         ContactSearch::Nodes found = search.find(u, increment.record.time);
-        const pairing::FoundChange change = search.change(increment, u, found);
-        const Eigen::VectorXd      moved  = acceptance.amounts(increment);
+        const ContactSearch::Change change = search.change(increment, u, found);
+        const Eigen::VectorXd       moved  = acceptance.amounts(increment);
         // cos a - 1 is what a small rotation by a strains its body
         const double angle   = model.turn_of_frames(moved);
         const double turn    = .5 * angle * angle / strain;
@@ -268,19 +268,20 @@ namespace conetact::analysis
         const bool   is_slow = n >= most / 3 && error > .9 * before;
         before               = error;
         if (error <= exact)
-          return "";
+          return search.passes_through(u, increment.record.time);
         if ((is_slow || n == most) && turn <= least_turn &&
             may_take(increment.record, change))
           {
             say_unsettled(increment.record, change);
-            return "";
+            return search.passes_through(u, increment.record.time);
           }
         if (n++ == most)
           return "contacts that slide are found elsewhere again and again, "
                  "their gaps are off by " +
                  to_text(change.gap) +
-                 " of a cell, also in parts of the increment. Use smaller "
-                 "increments, or smoother surfaces";
+                 " of a cell, also in parts of the increment" +
+                 where(change.worst) +
+                 ". Use smaller increments, or smoother surfaces";
         model.move_frames(moved);
         if (is_slow || n_slow > 1) // from now on
           found = search.find_between(u, increment.record.time, 1. / ++n_slow);
@@ -288,6 +289,18 @@ namespace conetact::analysis
             !why.empty())
           return why;
       }
+  }
+
+  /* Where a surface ends, what slides off it has no neighbour to be found on.
+   */
+  std::string
+  IncrementAnalysis::where(const pairing::ContactNode *node) const
+  {
+    return node == nullptr ?
+             "" :
+             ", most of all at the node " + to_text(node->position) + " of " +
+               model.bodies.called(node->body) +
+               ", which may have come to an edge or to the end of a surface";
   }
 
   bool

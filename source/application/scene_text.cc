@@ -130,10 +130,13 @@ namespace conetact::application
     const OtherName other_names[] = {{"mu", "Friction coefficient"},
                                      {"friction", "Friction coefficient"},
                                      {"friction coeff", "Friction coefficient"},
+                                     {"coefficient of friction",
+                                      "Friction coefficient"},
                                      {"e", "Young modulus"},
                                      {"youngs modulus", "Young modulus"},
                                      {"young's modulus", "Young modulus"},
                                      {"elastic modulus", "Young modulus"},
+                                     {"modulus of elasticity", "Young modulus"},
                                      {"nu", "Poisson ratio"},
                                      {"poisson's ratio", "Poisson ratio"},
                                      {"poissons ratio", "Poisson ratio"},
@@ -170,6 +173,16 @@ namespace conetact::application
       return path.empty() ? "" : " in '" + join(path, "/") + "'";
     }
 
+    /** 'Body block' with its name in quotes: 'Body "block"'. */
+    std::string
+    quoted(const std::string &subsection,
+           const std::string &name,
+           const char         mark)
+    {
+      return subsection.substr(0, subsection.size() - name.size()) + mark +
+             name + mark;
+    }
+
     /** "Contact bottom" belongs to the list Contacts. */
     std::string
     list_of(const std::string &subsection, std::string &name)
@@ -184,6 +197,19 @@ namespace conetact::application
             name = subsection.substr(std::string(kind).size());
             return list;
           }
+      return {};
+    }
+
+    /** The section that has an entry of this name, for one that has not. */
+    std::string
+    section_with(const Handler &prm, const std::string &entry)
+    {
+      std::ostringstream stream;
+      prm.print_parameters(stream, Handler::ShortText);
+      for (const Line &line : read_lines(stream.str()))
+        if (line.kind == Line::Kind::set && line.name == entry)
+          return line.path.empty() ? "the scene, outside of all sections" :
+                                     "'" + join(line.path, "/") + "'";
       return {};
     }
 
@@ -203,8 +229,11 @@ namespace conetact::application
         declared(prm, line.kind, line.path);
       // one name where several are meant: "top bottom", "top; bottom"
       for (const std::string &other : names)
-        if (!list.empty() && other.rfind(line.name, 0) == 0 &&
-            other.size() > line.name.size())
+        if (!list.empty() && (other == quoted(line.name, name, '"') ||
+                              other == quoted(line.name, name, '\'')))
+          return text + " but one in quotes. Leave them out.";
+        else if (!list.empty() && other.rfind(line.name, 0) == 0 &&
+                 other.size() > line.name.size())
           return text + " but '" +
                  other.substr(line.name.size() - name.size()) +
                  "'. Separate names by commas, begin comments with #.";
@@ -215,6 +244,9 @@ namespace conetact::application
         return text + ". Did you mean '" + other + "'?";
       if (!list.empty())
         return text + ". Add it there, or remove the subsection.";
+      if (const std::string section = section_with(prm, line.name);
+          entry && !section.empty())
+        return text + ". It belongs to " + section + ".";
       return text + ". Option --parameters lists what may stand there.";
     }
 
@@ -232,9 +264,7 @@ namespace conetact::application
         return pattern.rfind(start, 0) == 0;
       };
       const auto range = [](std::string text) {
-        for (const std::string part : {" (inclusive)"})
-          if (text.find(part) != text.npos)
-            text.erase(text.find(part));
+        text            = text.substr(0, text.find(" (inclusive)"));
         const auto dots = text.find("...");
         if (dots == text.npos)
           return std::string();
@@ -308,6 +338,16 @@ namespace conetact::application
       return {};
     }
 
+    /** What no value may be, whatever the entry; empty: nothing. */
+    std::string
+    misread(const Line &line)
+    {
+      if (line.kind == Line::Kind::set && value_of(line).rfind('=', 0) == 0)
+        return "'" + line.text + "' has two equals signs. Write 'set " +
+               line.name + " = " + trim(value_of(line).substr(1)) + "'.";
+      return {};
+    }
+
     /** The value and the pattern that it does not match, of deal.II's text. */
     std::string
     mismatch(const std::string &message, const Line &line)
@@ -332,9 +372,11 @@ namespace conetact::application
                trim(line.text.substr(mark + 1)) + "'.";
       if (line.kind == Line::Kind::set)
         return "It lacks the '=': write 'set Entry = value'.";
-      if (line.text.rfind("//", 0) == 0 || line.text.rfind(';', 0) == 0 ||
-          line.text.rfind('%', 0) == 0 || line.text.rfind("/*", 0) == 0)
-        return "Comments begin with '#'.";
+      for (const char *comment : {"//", "/*", "<!--", "--", ";", "%", "!", "*"})
+        if (line.text.rfind(comment, 0) == 0)
+          return "Comments begin with '#'.";
+      if (line.text == "include")
+        return "It lacks a file: write 'include FILE.prm'.";
       if (lower_case(word) == "subsection")
         return "It lacks a name: write 'subsection NAME'.";
       if (rest.rfind('=', 0) == 0 || line.text.find('=') != line.text.npos)
@@ -412,6 +454,10 @@ namespace conetact::application
                    const SceneText &scene,
                    const bool       skip_undefined)
   {
+    const std::vector<Line> lines = read_lines(scene.text);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (const std::string text = misread(lines[i]); !text.empty())
+        throw InputError(scene.place(i) + ": " + text);
     std::istringstream stream(scene.text);
     try
       {
@@ -419,9 +465,8 @@ namespace conetact::application
       }
     catch (const dealii::ExceptionBase &error)
       {
-        const std::vector<Line> lines   = read_lines(scene.text);
-        const std::string       message = message_of(error);
-        const std::size_t       number  = line_number(message);
+        const std::string message = message_of(error);
+        const std::size_t number  = line_number(message);
         if (number > 0 && number <= lines.size())
           throw InputError(scene.place(number - 1) + ": " +
                            sentence(prm, lines[number - 1], message));

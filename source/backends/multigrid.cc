@@ -73,25 +73,24 @@ namespace conetact::backends
         }
       return A;
     }
+
+    /** Inverse diagonal blocks of a matrix. */
+    template <int size>
+    std::vector<Eigen::Matrix<float, size, size>>
+    inverse_diagonal(const BlockMatrix<size, size, float> &A)
+    {
+      std::vector<Eigen::Matrix<float, size, size>> D(A.n_block_rows());
+      for (std::size_t i = 0; i < D.size(); ++i)
+        for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
+          if (static_cast<std::size_t>(A.column[k]) == i)
+            D[i] = A.block(k)
+                     .template cast<double>()
+                     .completeOrthogonalDecomposition()
+                     .pseudoInverse()
+                     .template cast<float>();
+      return D;
+    }
   } // namespace
-
-
-
-  template <int size>
-  std::vector<Eigen::Matrix<float, size, size>>
-  inverse_diagonal(const BlockMatrix<size, size, float> &A)
-  {
-    std::vector<Eigen::Matrix<float, size, size>> D(A.n_block_rows());
-    for (std::size_t i = 0; i < D.size(); ++i)
-      for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
-        if (static_cast<std::size_t>(A.column[k]) == i)
-          D[i] = A.block(k)
-                   .template cast<double>()
-                   .completeOrthogonalDecomposition()
-                   .pseudoInverse()
-                   .template cast<float>();
-    return D;
-  }
 
 
 
@@ -178,10 +177,6 @@ namespace conetact::backends
     smoother.smooth_last(level.b, level.r, level.x);
   }
 
-  template std::vector<Eigen::Matrix<float, 2, 2>>
-  inverse_diagonal(const BlockMatrix<2, 2, float> &);
-  template std::vector<Eigen::Matrix<float, 3, 3>>
-  inverse_diagonal(const BlockMatrix<3, 3, float> &);
   template class CoarseLevels<2, 3>;
   template class CoarseLevels<3, 6>;
 } // namespace conetact::backends

@@ -8,6 +8,7 @@
 
 #include <muParser.h>
 
+#include <cctype>
 #include <cmath>
 
 namespace conetact
@@ -33,11 +34,29 @@ namespace conetact
       return condition != 0 ? yes : no;
     }
 
+    /** Whether a comma stands between two digits. */
+    bool
+    has_decimal_comma(const std::string &text)
+    {
+      const auto is_digit = [&](const std::size_t i) {
+        return i < text.size() &&
+               std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+      };
+      for (std::size_t i = 1; i < text.size(); ++i)
+        if (text[i] == ',' && is_digit(i - 1) && is_digit(i + 1))
+          return true;
+      return false;
+    }
+
     [[noreturn]] void
     fail(const std::string &entry,
          const std::string &text,
          const std::string &why)
     {
+      if (has_decimal_comma(text))
+        throw InputError(entry + ": '" + text +
+                         "' is not one expression: it has a comma. Decimals "
+                         "have a point; expressions are separated by ';'.");
       const std::string reason =
         !why.empty() && why.back() == '.' ? why.substr(0, why.size() - 1) : why;
       throw InputError(entry + ": '" + text + "' is not an expression in " +

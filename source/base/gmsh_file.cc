@@ -84,23 +84,17 @@ namespace conetact
       std::size_t
       count()
       {
-        if (is_binary)
-          return checked(take<std::uint64_t>());
-        const long value = whole();
-        if (value < 0)
-          throw GmshFault{std::to_string(value) +
-                          " stands there instead of a number from 0 on"};
-        return checked(static_cast<std::size_t>(value));
+        const std::size_t value =
+          is_binary ? take<std::uint64_t>() : from_zero(whole());
+        if (value > 4000000000u)
+          throw GmshFault{"it holds numbers that are too large"};
+        return value;
       }
       /** The same with 4 bytes. */
       std::size_t
       small_count()
       {
-        const long value = integer();
-        if (value < 0)
-          throw GmshFault{std::to_string(value) +
-                          " stands there instead of a number from 0 on"};
-        return static_cast<std::size_t>(value);
+        return from_zero(integer());
       }
       Point<3>
       point()
@@ -156,13 +150,13 @@ namespace conetact
                           " stands there instead of a whole number"};
         return static_cast<long>(value);
       }
-      /** Each thing takes a byte at least: what is more is no number of them.*/
-      std::size_t
-      checked(const std::size_t value) const
+      static std::size_t
+      from_zero(const long value)
       {
-        if (value > 4000000000u)
-          throw GmshFault{"it holds numbers that are too large"};
-        return value;
+        if (value < 0)
+          throw GmshFault{std::to_string(value) +
+                          " stands there instead of a number from 0 on"};
+        return static_cast<std::size_t>(value);
       }
 
       const std::string &bytes;

@@ -87,15 +87,17 @@ namespace conetact
     if (inner.size() > 1 && inner.front() == '(' && inner.back() == ')' &&
         split(inner, ',').size() == 1)
       inner = inner.substr(1, inner.size() - 2);
-    const std::vector<double> numbers = to_numbers(inner, entry);
-    if (numbers.empty())
-      throw InputError(entry + " is empty. Give " + std::to_string(dim) +
-                       " numbers, separated by commas.");
-    if (numbers.size() != dim)
+    const std::size_t n = split(inner, ',').size();
+    const std::string wish =
+      "Give " + std::to_string(dim) + " numbers, separated by commas.";
+    if (n == 0)
+      throw InputError(entry + " is empty. " + wish);
+    if (n != dim)
       throw InputError(entry + ": '" + trim(text) + "' has " +
-                       std::to_string(numbers.size()) + " components. Give " +
-                       std::to_string(dim) + " numbers, separated by commas.");
-    dealii::Tensor<1, 3> vector;
+                       std::to_string(n) + " component" +
+                       (n > 1 ? "s. " : ". ") + wish);
+    const std::vector<double> numbers = to_numbers(inner, entry);
+    dealii::Tensor<1, 3>      vector;
     for (unsigned int d = 0; d < dim; ++d)
       vector[d] = numbers[d];
     return vector;

@@ -33,7 +33,7 @@ namespace conetact::bodies
                          (dim == 2 ? "x, y, rz" : "x, y, z, rx, ry, rz") +
                          ", vectors such as " +
                          (dim == 2 ? "(1, 1)" : "(1, 1, 0)") +
-                         ", normal, or clamped.");
+                         ", normal, separated by commas, or clamped.");
       if (direction.norm() == 0)
         throw InputError(entry + ": the direction " + text +
                          " has no length. Give a vector other than zero.");

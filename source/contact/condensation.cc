@@ -86,10 +86,10 @@ namespace conetact::contact
                              const Eigen::MatrixXd     &null_space,
                              const bool                 find_mechanisms,
                              const backends::Condenser &condenser)
-    : elastic(e)
+    : ElasticBackend(s)
+    , elastic(e)
     , points(p)
     , coordinates(elastic.bodies, supports, &points)
-    , set(s)
     , rigid(null_space)
     , place(set_last(coordinates, set))
   {

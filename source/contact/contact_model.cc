@@ -72,9 +72,7 @@ namespace conetact::contact
   ContactModel::find_frames()
   {
     const bool far =
-      std::any_of(bodies.contact_nodes.begin(),
-                  bodies.contact_nodes.end(),
-                  [](const auto &node) { return node.slides; }) ||
+      points.slide() ||
       std::any_of(bodies.supports.begin(),
                   bodies.supports.end(),
                   [](const auto &support) { return support.turn.has_value(); });
@@ -153,13 +151,9 @@ namespace conetact::contact
                                    [](const pairing::ContactNode &node) {
                                      return !node.masters.empty();
                                    });
-    // mechanisms are found in a stiffness only
-    // what slides far has other rows over the same bodies in each increment
-    const bool slide =
-      std::any_of(bodies.contact_nodes.begin(),
-                  bodies.contact_nodes.end(),
-                  [](const pairing::ContactNode &node) { return node.slides; });
-    return pairs || slide || points.have_prescribed_slip() ||
+    // What slides far has other rows over the same bodies in each increment.
+    // Mechanisms are found in a stiffness only.
+    return pairs || points.slide() || points.have_prescribed_slip() ||
            points.share_nodes() ||
            (!may_be_mechanism() &&
             (motions.n_free() > 0 || has_equal_bodies()));

@@ -111,6 +111,16 @@ namespace conetact::contact
 
 
 
+  bool
+  ContactPoints::slide() const
+  {
+    return std::any_of(nodes().begin(), nodes().end(), [](const auto &node) {
+      return node.slides;
+    });
+  }
+
+
+
   void
   ContactPoints::relink(std::vector<pairing::ContactNode> nodes,
                         const std::vector<double>        &times)

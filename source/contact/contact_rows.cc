@@ -266,10 +266,7 @@ namespace conetact::contact
         const pairing::ContactNode &node = *model.points.all()[i].node;
         if (node.obstacle != nullptr)
           continue; // a free one is no body with nodes to be told
-        const output::ContactRow &row      = last[i];
-        const auto                in_space = [&](const Tensor<1, 3> &v) {
-          return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;
-        };
+        const output::ContactRow &row = last[i];
         for (const auto &[master, weight] : node.masters)
           {
             if (weight == 0) // a node that takes no part has no normal
@@ -293,9 +290,9 @@ namespace conetact::contact
             sum.normal -= share * row.normal;
             // Forces add up with their sign, or the body would not balance;
             // means need weights above zero.
-            sum.reaction -= weight * in_space(row.reaction);
-            sum.u -= share * in_space(row.u);
-            sum.du -= share * in_space(row.du);
+            sum.reaction -= weight * row.in_space(row.reaction);
+            sum.u -= share * row.in_space(row.u);
+            sum.du -= share * row.in_space(row.du);
           }
       }
     for (auto &[key, sum] : sums)

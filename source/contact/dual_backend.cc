@@ -60,11 +60,11 @@ namespace conetact::contact
                            const WorkingSet          &s,
                            const backends::Condenser &by,
                            const Empty)
-    : elastic(e)
+    : ElasticBackend(s)
+    , elastic(e)
     , points(p)
     , coordinates(c)
     , motions(m)
-    , set(s)
     , condenser(by)
     , own(elastic.bodies, coordinates, body_frames(elastic.bodies, coordinates))
     , H(set.layout().n_unknowns() + points.n_bound_unknowns(), own.n_unknowns())

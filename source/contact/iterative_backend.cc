@@ -104,9 +104,9 @@ namespace conetact::contact
   IterativeBackend::IterativeBackend(const ElasticSystem &e,
                                      const NodeRules     &supports,
                                      const ContactPoints &points)
-    : elastic(e)
+    : ElasticBackend(WorkingSet(points.layout()))
+    , elastic(e)
     , coordinates(elastic.bodies, supports, &points)
-    , set(points.layout())
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;

@@ -34,7 +34,7 @@ namespace conetact::output
         const double p     = row.area > 0 ? row.reaction[0] / row.area : 0.;
         const bool   first = state < 0;
         if (row.area > 0)
-          traction += to_space(row, row.reaction) / row.area;
+          traction += row.in_space(row.reaction) / row.area;
         gap = first ? row.gap : std::min(gap, row.gap);
         if (first || p > pressure)
           {
@@ -118,14 +118,6 @@ namespace conetact::output
 
 
 
-  Tensor<1, 3>
-  to_space(const ContactRow &row, const Tensor<1, 3> &v)
-  {
-    return v[0] * row.normal + v[1] * row.t1 + v[2] * row.t2;
-  }
-
-
-
   VtuGrid
   draw_skin(const Skin            &skin,
             const RunDescription  &run,
@@ -179,7 +171,7 @@ namespace conetact::output
                          {"pressure", 1, {}}};
     for (const ContactRow &row : record.rows)
       {
-        const Tensor<1, 3> reaction = to_space(row, row.reaction);
+        const Tensor<1, 3> reaction = row.in_space(row.reaction);
         const double       share    = row.area > 0 ? 1 / row.area : 0.;
         const unsigned int body     = run.contact_bodies.at(row.contact);
         std::size_t        field    = 0;
@@ -187,7 +179,7 @@ namespace conetact::output
              {reaction,
               share * reaction,
               row.du[1] * row.t1 + row.du[2] * row.t2,
-              to_space(row, row.u),
+              row.in_space(row.u),
               row.normal,
               displacement_of(run, record, body, row.node)})
           append(grid.point_fields[field++], vector);

@@ -70,7 +70,7 @@ namespace conetact::verification
     for (std::size_t i = 0; i < points.all().size(); ++i)
       {
         const contact::ContactPoint &point = points.all()[i];
-        now.reactions.push_back(reaction(point, claim.r));
+        now.reactions.push_back(contact::force_of(point, claim.r));
         now.nodes.push_back(*point.node);
         // A reaction acts on the body; an obstacle that moves with it does
         // work, and so does an interference that grows. Where nodes slide each

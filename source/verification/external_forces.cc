@@ -167,15 +167,6 @@ namespace conetact::verification
     return std::max(moments, least * arms);
   }
 
-  Tensor<1, 3>
-  reaction(const contact::ContactPoint &point, const Eigen::VectorXd &r)
-  {
-    Tensor<1, 3> force;
-    for (std::size_t k = 0; k < point.dual.size(); ++k)
-      force += r[point.first + static_cast<Eigen::Index>(k)] * point.dual[k];
-    return force;
-  }
-
   output::Resultant
   resultant(const contact::Bodies      &bodies,
             const contact::Coordinates &plain,
@@ -207,7 +198,7 @@ namespace conetact::verification
             all.contacts.resize(node.contact + 1);
             all.masters.resize(node.contact + 1);
           }
-        const Tensor<1, 3> force = reaction(point, r);
+        const Tensor<1, 3> force = contact::force_of(point, r);
         // The opposite force, shared as the displacements of the masters are:
         // no work is lost where the gap stays as it is. Slaves come first.
         const auto act = [&](output::Resultant &side,

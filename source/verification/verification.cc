@@ -360,7 +360,7 @@ namespace conetact::verification
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
       {
         const contact::ContactPoint &point = points.all()[i];
-        const double                 force = reaction(point, claim.r).norm();
+        const double force = contact::force_of(point, claim.r).norm();
         if (force <= largest_lever * cause)
           continue;
         out.residual = std::numeric_limits<double>::infinity();
@@ -411,7 +411,7 @@ namespace conetact::verification
         rest -= foundation.forces;
     for (const contact::ContactPoint &point : points.all())
       {
-        const Tensor<1, 3> force = reaction(point, claim.r);
+        const Tensor<1, 3> force = contact::force_of(point, claim.r);
         pairing::for_each_side(*point.node,
                                [&](const unsigned int body,
                                    const unsigned int node,
@@ -469,9 +469,7 @@ namespace conetact::verification
   {
     // The slip of the next increment starts here.
     last = {finding.u, claim.t, {}, {}};
-    if (std::any_of(points.begin(), points.end(), [](const auto &point) {
-          return point.node->slides;
-        }))
+    if (points.slide())
       {
         last.nodes  = points.nodes();
         last.points = points.all();

@@ -180,6 +180,17 @@ def in_parts(laws):
     laws.check("  work", abs(work[0] / work[1] - 1), 1e-9)
 
 
+def through(laws):
+    """An obstacle that would be behind the body at the end of an increment has met it on its way."""
+    disc = {"Shape": "cylinder", "Point": (0, .6), "Radius": .5, "Displacement": "0 ; -3*t"}
+    scene = far(2, disc, .3, 1) | {"Time": {"End": 1, "Increments": 1}}
+    run = laws.run(scene)
+    laws.demand("a disc that would jump through a layer is pressed into it, in parts",
+                run.largest("r_n") > 0 and "it is cut: a part up to t = " in log_of(run))
+    beside = laws.run(merge(scene, {"Obstacle punch": {"Displacement": "9*t ; 0"}}))
+    laws.demand("one that passes by is not", beside.largest("r_n") == 0)
+
+
 def driven_far(laws):
-    for family in (spun, rolled, turned_box, shapes, pressed, beside, in_parts):
+    for family in (spun, rolled, turned_box, shapes, pressed, beside, in_parts, through):
         family(laws)

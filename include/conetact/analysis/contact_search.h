@@ -35,6 +35,13 @@ namespace conetact::analysis
     std::string
     turns_too_far(const double t) const;
 
+    /**
+     * Whether an obstacle stands deep in a body on the way to displacements u
+     * at time t, a sentence; empty: none does.
+     */
+    std::string
+    passes_through(const Eigen::VectorXd &u, const double t) const;
+
     using Nodes = std::vector<pairing::ContactNode>;
     /** Contacts where bodies are at time t: displacements u of all dofs. */
     Nodes
@@ -55,11 +62,16 @@ namespace conetact::analysis
     Nodes
     guess(const double t);
 
+    /** With the node that is farthest from where it is found. */
+    struct Change : pairing::FoundChange
+    {
+      const pairing::ContactNode *worst = nullptr;
+    };
     /**
      * How far the contacts that a solved increment had are from those that are
      * found at its end.
      */
-    pairing::FoundChange
+    Change
     change(const PendingIncrement &increment,
            const Eigen::VectorXd  &u,
            const Nodes            &found) const;

@@ -69,6 +69,9 @@ namespace conetact::analysis
      */
     std::string
     settle(PendingIncrement &increment);
+    /** A node as part of a sentence; empty without one. */
+    std::string
+    where(const pairing::ContactNode *node) const;
     /** Whether contacts that do not stay are near enough to those at the end,
      * or cutting the increment would not help. */
     bool

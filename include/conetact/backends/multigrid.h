@@ -97,11 +97,6 @@ namespace conetact::backends
     return 1.15f * value;
   }
 
-  /** Inverse diagonal blocks of a matrix. */
-  template <int size>
-  std::vector<Eigen::Matrix<float, size, size>>
-  inverse_diagonal(const BlockMatrix<size, size, float> &A);
-
   /** z = D r, block by block. */
   template <int size>
   void

@@ -40,16 +40,6 @@ namespace conetact::contact
                  const bool                 find_mechanisms,
                  const backends::Condenser &condenser);
 
-    const WorkingSet &
-    working_set() const override
-    {
-      return set;
-    }
-    const std::shared_ptr<const solvers::ContactSystem> &
-    system() const override
-    {
-      return contact_system;
-    }
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
@@ -69,11 +59,6 @@ namespace conetact::contact
     factor_bytes() const override
     {
       return solver->base().factor_bytes();
-    }
-    unsigned int
-    n_shared_bodies() const override
-    {
-      return 0;
     }
     backends::SchurWork
     work() const override
@@ -110,12 +95,10 @@ namespace conetact::contact
                     const Eigen::MatrixXd &contact,
                     const Eigen::MatrixXd &reduced) const;
 
-    const ElasticSystem                          &elastic;
-    const ContactPoints                          &points;
-    const Coordinates                             coordinates;
-    WorkingSet                                    set;
-    std::unique_ptr<backends::ExtendedSchur>      solver;
-    std::shared_ptr<const solvers::ContactSystem> contact_system;
+    const ElasticSystem                     &elastic;
+    const ContactPoints                     &points;
+    const Coordinates                        coordinates;
+    std::unique_ptr<backends::ExtendedSchur> solver;
 
     Eigen::MatrixXd rigid; ///< null space in the unknowns of all candidates
     Places          place; ///< of unknowns in the solver, those of the set last

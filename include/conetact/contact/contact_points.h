@@ -187,6 +187,10 @@ namespace conetact::contact
     Eigen::VectorXd
     gaps_to_close() const;
 
+    /** Whether contacts are found again on displaced bodies. */
+    bool
+    slide() const;
+
     /** Number of contact nodes whose normal is held by a support. */
     unsigned int
     n_held() const

@@ -47,16 +47,6 @@ namespace conetact::contact
                 const WorkingSet          &set,
                 const backends::Condenser &condenser);
 
-    const WorkingSet &
-    working_set() const override
-    {
-      return set;
-    }
-    const std::shared_ptr<const solvers::ContactSystem> &
-    system() const override
-    {
-      return contact_system;
-    }
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
@@ -74,11 +64,6 @@ namespace conetact::contact
     bound_stiffness() const override
     {
       return stiffness_of_bound;
-    }
-    bool
-    extend(const std::vector<Eigen::Index> &) override
-    {
-      return false;
     }
     double
     factor_bytes() const override;
@@ -221,7 +206,6 @@ namespace conetact::contact
     const ContactPoints        &points;
     const Coordinates          &coordinates;
     const RigidMotions         &motions;
-    WorkingSet                  set;
     const backends::Condenser  &condenser;
     BodyCoordinates             own;
     Eigen::SparseMatrix<double> H; ///< of own unknowns
@@ -231,7 +215,6 @@ namespace conetact::contact
     VectorXd                    stiffness_of_bound;
     Index                       first_rigid = 0; ///< of the own motions
     MatrixXd                    unseen;          ///< motions, orthonormal
-    std::shared_ptr<const solvers::ContactSystem> contact_system;
   };
 } // namespace conetact::contact
 

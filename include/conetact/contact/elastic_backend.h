@@ -62,13 +62,22 @@ namespace conetact::contact
   class ElasticBackend
   {
   public:
+    explicit ElasticBackend(const WorkingSet &of)
+      : set(of)
+    {}
     virtual ~ElasticBackend() = default;
 
-    virtual const WorkingSet &
-    working_set() const = 0;
+    const WorkingSet &
+    working_set() const
+    {
+      return set;
+    }
     /** The relation of contact unknowns, cones, motions without resistance. */
-    virtual const std::shared_ptr<const solvers::ContactSystem> &
-    system() const = 0;
+    const std::shared_ptr<const solvers::ContactSystem> &
+    system() const
+    {
+      return contact_system;
+    }
 
     /**
      * Nodal `forces` on all dofs and the prescribed deformation. A load case
@@ -115,7 +124,10 @@ namespace conetact::contact
      * if that is cheaper.
      */
     virtual bool
-    extend(const std::vector<Eigen::Index> &nodes) = 0;
+    extend(const std::vector<Eigen::Index> & /*nodes*/)
+    {
+      return false;
+    }
 
     /** Load cases that were reduced by the solver. */
     unsigned int
@@ -124,20 +136,32 @@ namespace conetact::contact
       return n_reduced;
     }
     virtual double
-    factor_bytes() const = 0;
+    factor_bytes() const
+    {
+      return 0;
+    }
     /** Bodies for which an equal one is condensed. */
     virtual unsigned int
-    n_shared_bodies() const = 0;
+    n_shared_bodies() const
+    {
+      return 0;
+    }
     /** Work with the factors so far. */
     virtual backends::SchurWork
-    work() const = 0;
+    work() const
+    {
+      return {};
+    }
 
     /**
      * Condenses all bodies once more by another condenser and compares:
      * largest difference of an entry over the largest entry, body by body.
      */
     virtual std::vector<StiffnessDifference>
-    compare(const backends::Condenser &other) const = 0;
+    compare(const backends::Condenser & /*other*/) const
+    {
+      return {};
+    }
 
   protected:
     /** Fills b, f and q of one load case. */
@@ -160,6 +184,8 @@ namespace conetact::contact
     virtual Eigen::VectorXd
     reduce_forces(const Eigen::VectorXd &b) const = 0;
 
+    WorkingSet                                    set;
+    std::shared_ptr<const solvers::ContactSystem> contact_system;
     /** Makes prescribed displacements as large as forces. */
     double stiffness_scale = 1;
 

@@ -35,16 +35,6 @@ namespace conetact::contact
              const ContactPoints &points,
              const RigidMotions  &motions);
 
-    const WorkingSet &
-    working_set() const override
-    {
-      return set;
-    }
-    const std::shared_ptr<const solvers::ContactSystem> &
-    system() const override
-    {
-      return contact_system;
-    }
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
@@ -53,31 +43,6 @@ namespace conetact::contact
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
-    bool
-    extend(const std::vector<Eigen::Index> &) override
-    {
-      return false;
-    }
-    double
-    factor_bytes() const override
-    {
-      return 0;
-    }
-    unsigned int
-    n_shared_bodies() const override
-    {
-      return 0;
-    }
-    backends::SchurWork
-    work() const override
-    {
-      return {};
-    }
-    std::vector<StiffnessDifference>
-    compare(const backends::Condenser &) const override
-    {
-      return {};
-    }
 
   protected:
     void
@@ -93,10 +58,8 @@ namespace conetact::contact
     }
 
   private:
-    const ElasticSystem                          &elastic;
-    const Coordinates                             coordinates;
-    const WorkingSet                              set;
-    std::shared_ptr<const solvers::ContactSystem> contact_system;
+    const ElasticSystem &elastic;
+    const Coordinates    coordinates;
   };
 } // namespace conetact::contact
 

@@ -34,6 +34,13 @@ namespace conetact::output
     Point<3>           acts;     ///< where it acts on the body [length]
     solvers::NodeState state  = solvers::NodeState::open;
     bool               master = false; ///< the other side of a pair of bodies
+
+    /** Of (n, t1, t2) the components along the axes. */
+    Tensor<1, 3>
+    in_space(const Tensor<1, 3> &v) const
+    {
+      return v[0] * normal + v[1] * t1 + v[2] * t2;
+    }
   };
 
   /** Force [force] and moment about the origin [force x length]. */

@@ -26,10 +26,6 @@ namespace conetact::output
                   const unsigned int     body,
                   const unsigned int     node);
 
-  /** Reaction and traction of a row in space. */
-  Tensor<1, 3>
-  to_space(const ContactRow &row, const Tensor<1, 3> &v);
-
   /**
    * A skin with the fields of its points: `displacement` [length],
    * `contact_pressure` and the vector `contact_traction` [stress], `gap`

@@ -62,10 +62,6 @@ namespace conetact::verification
   resultant(const contact::Bodies      &bodies,
             const contact::Coordinates &plain,
             const Eigen::VectorXd      &forces);
-
-  /** Force on the body at a contact point. */
-  Tensor<1, 3>
-  reaction(const contact::ContactPoint &point, const Eigen::VectorXd &r);
 } // namespace conetact::verification
 
 #endif

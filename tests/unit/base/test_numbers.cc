@@ -33,7 +33,7 @@ TEST(Numbers, VectorsAndIds)
   EXPECT_EQ(to_vector("(1, 2)", 2, "E"), (dealii::Tensor<1, 3>({1, 2, 0})));
   EXPECT_EQ(to_vector("1, 2, (3)", 3, "E"), (dealii::Tensor<1, 3>({1, 2, 3})));
   EXPECT_TRUE(test::starts(sentence_of([] { to_vector("1", 2, "E"); }),
-                           "E: '1' has 1 components. Give 2"));
+                           "E: '1' has 1 component. Give 2"));
   EXPECT_TRUE(
     test::starts(sentence_of([] { to_vector("", 2, "E"); }), "E is empty."));
   EXPECT_EQ(to_ids("3, 1, 3", "E"), (std::set<unsigned int>{1, 3}));

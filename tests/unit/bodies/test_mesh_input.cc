@@ -324,7 +324,7 @@ TEST(MeshInput, PlacementIsChecked)
   };
   expect_refusal(refuse("Scale = 0"), "Mesh/Scale", "not positive");
   expect_refusal(refuse("Rotation = 1, 2"), "Mesh/Rotation", "one angle");
-  expect_refusal(refuse("Translation = 1"), "Mesh/Translation", "1 components");
+  expect_refusal(refuse("Translation = 1"), "Mesh/Translation", "1 component");
   expect_refusal(refuse("Boundary ids = 7: y >"), "Mesh/Boundary ids", "y >");
   expect_refusal(refuse("Boundary ids = y > 1"), "Mesh/Boundary ids", "id");
   expect_refusal(refuse("Boundary ids = 7: t > 1"),

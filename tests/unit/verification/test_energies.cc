@@ -89,7 +89,7 @@ namespace
       Eigen::VectorXd f = Eigen::VectorXd::Zero(6);
       for (const ContactPoint &point : model.points)
         for (unsigned int c = 0; c < 2; ++c)
-          f[2 * point.node->node + c] = reaction(point, r)[c];
+          f[2 * point.node->node + c] = contact::force_of(point, r)[c];
       return f;
     }
     static Eigen::VectorXd

@@ -28,7 +28,7 @@ namespace
       Eigen::VectorXd rest = model.elastic.internal_forces(u) - loads;
       for (const ContactPoint &point : model.points)
         for (unsigned int c = 0; c < 2; ++c)
-          rest[2 * point.node->node + c] -= reaction(point, r)[c];
+          rest[2 * point.node->node + c] -= contact::force_of(point, r)[c];
       return external_forces(model.bodies,
                              model.coordinates,
                              model.points,
