@@ -22,14 +22,14 @@ def along(step, both, growth):
     return [-c for c in reversed(x[1:])] + x if both else x
 
 
-def mesh(file, dim, step, sign, growth):
+def mesh(file, dim, step, sign, growth, radius=RADIUS):
     """In space half of a body, y > 0; fine where it touches."""
     axes = [along(step, True, growth)] + [along(step, False, growth)] * (dim - 2) + [graded(step, .75, SIZE, growth)]
     number, points = {}, []
     for at in itertools.product(*(range(len(axis)) for axis in axes)):
         *across, depth = (axis[i] for axis, i in zip(axes, at))
         number[at] = len(points)
-        height = depth + sum(c * c for c in across) / (4 * RADIUS) * (1 - depth / SIZE)
+        height = depth + sum(c * c for c in across) / (4 * radius) * (1 - depth / SIZE)
         points.append((*across, sign * height, 0.0)[:3])
     quad = ((0, 0), (1, 0), (1, 1), (0, 1))
     corners = list(quad) if dim == 2 else [(*c, k) for k in (0, 1) for c in quad]
@@ -59,17 +59,17 @@ def side(axes, number, d, last):
             yield (MIDDLE if len(axes) == 3 and d == 1 and not last else FAR), nodes
 
 
-def pair(folder, dim, cells, ratio, exchanged=False, growth=1.25):
+def pair(folder, dim, cells, ratio, exchanged=False, growth=1.25, radius=RADIUS):
     """`cells` of the slave a half width, those of the master `ratio` times as large."""
     poisson = half_space.POISSON["partial slip"][dim]
-    exact = half_space.Hertz(dim, poisson, 2)
+    exact = half_space.Hertz(dim, poisson, 2, radius)
     names = ("lower", "upper") if exchanged else ("upper", "lower")
     scene = {"Dimension": dim, "Contact joint": joint(names[0], SURFACE, names[1], SURFACE, **{"Friction coefficient": MU}),
              "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
     press, shear = half_space.press_and_shear(exact, poisson, f"abs({'xyz'[dim - 1]})")
     for body, sign in (("upper", 1), ("lower", -1)):
         file = folder / f"{body}{dim}.msh"
-        mesh(file, dim, (1 if body == names[0] else ratio) / cells, sign, growth)
+        mesh(file, dim, (1 if body == names[0] else ratio) / cells, sign, growth, radius)
         mirrored = [(sign if i == dim - 1 else 1, sign if i < dim - 1 else 1) for i in range(dim)]
         motion = " ; ".join(f"{m!r}*min(t, 1)*({p}) + {n!r}*max(0, t - 1)*({q})"
                             for (m, n), p, q in zip(mirrored, press, shear))
@@ -80,10 +80,10 @@ def pair(folder, dim, cells, ratio, exchanged=False, growth=1.25):
     return scene
 
 
-def errors(run, cells):
+def errors(run, cells, radius=RADIUS):
     """Of Hertz's pressure after the first increment, of Cattaneo's shear after the second."""
     dim = run.dim
-    exact = half_space.Hertz(dim, half_space.POISSON["partial slip"][dim], 2)
+    exact = half_space.Hertz(dim, half_space.POISSON["partial slip"][dim], 2, radius)
     rows = [[row for row in run.rows if row["contact"] == "joint" and row["increment"] == k] for k in (1, 2)]
     force = sum(row["r_n"] for row in rows[0])
     spread = sum(row["r_n"] * half_space.distance(at(row, dim))**2 for row in rows[0]) / force
