@@ -18,6 +18,7 @@ SPACE = {"force": (6e-3, 0), "peak pressure": (.015, 0), "half width": (.025, 0)
          "stick width from the forces": (5e-3, 0), "shear stress in L2": (.2, 0)}
 
 
+FINE = {"force": (3e-3, .95), "peak pressure": (.01, .95), "half width": (.01, .95), "pressure in L2": (.05, .95)}
 FLAT = 1e4  # radius over half width: closed forms are those of half spaces, and other bodies differ by its inverse
 
 
@@ -40,6 +41,12 @@ def plane(laws):
 
 def space(laws):
     family(laws, 3, ((1.5, (4, 8), False), (3.0, (8,), False)), SPACE, 1.5)
+    cells, ratio = (8, 16), 3.0
+    found = [round_pairs.errors_of_quarter(laws.run(round_pairs.pressed_quarter(laws.folder, n, ratio, 1.5))) for n in cells]
+    for what, (bound, order) in FINE.items():
+        laws.check(f"quarters, pressed only, {cells[-1]} cells a half width on {cells[-1] / ratio:.3g}: {what}", found[-1][what], bound)
+        seen = orders(cells, [[f[what]] for f in found])[0]
+        laws.demand(f"  order {seen:.2f}", seen >= order)
 
 
 def orders_of_plane(laws):
