@@ -87,6 +87,15 @@ def sliding_share(program, n, pairing, one, folder):
             f"{pairings * one / seconds:.1%}", f"{runs[1][1]:.0f}")
 
 
+def shares(program, found, folder, options):
+    for p in PAIRINGS:
+        for backend, sizes in (("condensed", options.small), ("iterative", options.iterative)):
+            for n in sizes:
+                yield small_share(program, n, p, found[p][n], folder, backend)
+        for n in options.sliding:
+            yield sliding_share(program, n, p, found[p][n], folder)
+
+
 def parse():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--build", type=Path, default=TOP / "build")
@@ -105,12 +114,9 @@ def main():
         sizes = sorted({*options.sizes, *options.small, *options.iterative, *options.sliding})
         found = {p: {n: one_pairing(program, n, p, folder, options.runs) for n in sizes} for p in PAIRINGS}
         show_pairings(found)
-        rows = []
-        for p in PAIRINGS:
-            for backend, its_sizes in (("condensed", options.small), ("iterative", options.iterative)):
-                rows += [small_share(program, n, p, found[p][n], folder, backend) for n in its_sizes]
-            rows += [sliding_share(program, n, p, found[p][n], folder) for n in options.sliding]
-        print(table(SHARES, rows))
+        print(table(SHARES, []), flush=True)
+        for row in shares(program, found, folder, options):
+            print("| " + " | ".join(map(str, row)) + " |", flush=True)
 
 
 if __name__ == "__main__":
