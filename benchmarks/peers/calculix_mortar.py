@@ -3,11 +3,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Mortar contact beside that of CalculiX (Debian: calculix-ccx), on the same meshes that do not match.
 
-usage: calculix_mortar.py [--build FOLDER] [--results FOLDER] [--ratio R] [N...]      (default: N = 4 8, R = 1.5)
+usage: calculix_mortar.py [--build FOLDER] [--results FOLDER] [--ratio R] [N...]      (default: N = 4 6, R = 1.5)
 
 Two balls without friction (tests/support/round_pairs.py), half of each, N cells of the slave a half width, those of
 the master R times as large; linear hexahedra, far sides moved as in half spaces. CPU seconds of whole
-processes pinned to one core (the least of three), and errors against Hertz: the force, the peak pressure, and pressures of
+processes pinned to one core (the least of three, or of fewer where they take long), and errors against Hertz: the force, the peak pressure, and pressures of
 nodes in L2, with the same areas for both programs. CalculiX: C3D8, hard contact, *CONTACT PAIR of
 TYPE=MORTAR (for linear elements the same as LINMORTAR).
 """
@@ -29,7 +29,7 @@ COLUMNS = ("cells a half width", "dofs", "program", "CPU s", "peak MB", "force",
 TYPES = ("MORTAR",)
 EXACT = half_space.Hertz(3, half_space.POISSON["partial slip"][3], 2)
 GROWTH = 1.5
-RUNS = 3
+RUNS, ENOUGH = 3, 20  # runs, CPU seconds after which there are no more
 SIDES = {(0, 1, 2, 3): 1, (4, 5, 6, 7): 2, (0, 1, 4, 5): 3, (1, 2, 5, 6): 4, (2, 3, 6, 7): 5, (0, 3, 4, 7): 6}  # of C3D8
 
 
@@ -120,25 +120,31 @@ def errors(force, pressures):
     return [f"{e:.2g}" for e in (abs(2 * force / EXACT.force - 1), abs(peak / EXACT.peak - 1), wrong)]
 
 
-def least(used):
+def several(run):
+    """The least CPU seconds and the largest memory of a few runs; None if one fails."""
+    used = []
+    while len(used) < RUNS and sum(seconds for seconds, _ in used) < ENOUGH:
+        used.append(run())
+        if used[-1] is None:
+            return None
     return min(seconds for seconds, _ in used), max(memory for _, memory in used)
 
 
 def run_own(build, scene, folder):
     """What was used, errors, and the areas of nodes by place."""
     write_scene(scene, folder / "scene.prm")
-    used = [checked_resources([build / "conetact", "scene.prm", "-q", "-o", "result"], folder=folder) for _ in range(RUNS)]
+    used = several(lambda: checked_resources([build / "conetact", "scene.prm", "-q", "-o", "result"], folder=folder))
     rows = [row for row in Run(folder / "result").rows if row["contact"] == "joint" and row["area"] > 0]
     found = [((row["x"], row["y"]), row["area"], row["r_n"] / row["area"]) for row in rows]
-    return least(used), errors(sum(row["r_n"] for row in rows), found), {place: area for place, area, _ in found}
+    return used, errors(sum(row["r_n"] for row in rows), found), {place: area for place, area, _ in found}
 
 
 def run_peer(scene, folder, kind, areas):
     """The same of CalculiX; None where it does not finish."""
     text, points, n_dofs = model(scene, folder, kind)
     (folder / "scene.inp").write_text(text)
-    used = [resources([shutil.which("ccx"), "scene"], folder=folder) for _ in range(RUNS)]
-    lines = (folder / "scene.dat").read_text().splitlines() if None not in used else []
+    used = several(lambda: resources([shutil.which("ccx"), "scene"], folder=folder))
+    lines = (folder / "scene.dat").read_text().splitlines() if used else []
     totals = [i for i, line in enumerate(lines) if "total force" in line]
     if not totals:
         return None, ["", "", ""], n_dofs
@@ -150,7 +156,7 @@ def run_peer(scene, folder, kind, areas):
         if area and i in pressures:
             found.append(((x, y), area, pressures[i]))
     assert len(found) == len(areas), f"{len(found)} of {len(areas)} nodes"
-    return least(used), errors(-float(lines[totals[-1] + 2].split()[2]), found), n_dofs
+    return used, errors(-float(lines[totals[-1] + 2].split()[2]), found), n_dofs
 
 
 def compare(build, n, ratio):
@@ -175,8 +181,12 @@ def main():
     if shutil.which("ccx") is None:
         print("Skipped: CalculiX is not installed (Debian: calculix-ccx).")
         return 0
-    rows = [row for n in options.sizes or [4, 8] for row in compare(options.build.resolve(), n, options.ratio)]
-    print(table(COLUMNS, rows))
+    rows = []
+    print(table(COLUMNS, rows), flush=True)
+    for n in options.sizes or [4, 6]:
+        for row in compare(options.build.resolve(), n, options.ratio):
+            rows.append(row)
+            print("| " + " | ".join(map(str, row)) + " |", flush=True)
     options.results.mkdir(parents=True, exist_ok=True)
     with open(options.results / "calculix-mortar.csv", "w", newline="") as stream:
         csv.writer(stream).writerows([COLUMNS, *rows])
