@@ -175,12 +175,10 @@ namespace conetact::pairing
               std::max(face.bend,
                        cross_product_3d(face.outward, mean[0]).norm());
         };
-        for (const Edge &edge : face.edges)
-          std::for_each(edge.partners.begin(), edge.partners.end(), see);
+        const std::vector<std::size_t> others = neighbours(face);
+        std::for_each(others.begin(), others.end(), see);
         for (std::size_t i = 0; i < face.nodes.size(); ++i)
           {
-            const auto &there = faces_at_node[face.nodes[i]];
-            std::for_each(there.begin(), there.end(), see);
             const Tensor<1, 3> n =
               face_normal_at(face.corners, {{double(i % 2), double(i / 2)}});
             warp =
@@ -190,6 +188,21 @@ namespace conetact::pairing
         const double whole = to_others + 2 * warp;
         face.turn          = whole < M_PI / 2 ? std::sin(whole) : 1;
       }
+  }
+
+  std::vector<std::size_t>
+  FaceNet::neighbours(const Face &face) const
+  {
+    std::vector<std::size_t> all;
+    for (const Edge &edge : face.edges)
+      all.insert(all.end(), edge.partners.begin(), edge.partners.end());
+    for (const unsigned int node : face.nodes)
+      all.insert(all.end(),
+                 faces_at_node[node].begin(),
+                 faces_at_node[node].end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
   }
 
   void

@@ -85,12 +85,12 @@ def far_field(kernel, force, poisson, z, mean_square):
 class Hertz:
     """Closed forms for a = 1; `n_elastic` bodies of modulus 1 touch."""
 
-    def __init__(self, dim, poisson, n_elastic):
+    def __init__(self, dim, poisson, n_elastic, radius=RADIUS):
         modulus = 1 / (n_elastic * (1 - poisson**2))
         self.dim = dim
-        self.force = math.pi * modulus / (4 * RADIUS) if dim == 2 else 4 * modulus / (3 * RADIUS)
+        self.force = math.pi * modulus / (4 * radius) if dim == 2 else 4 * modulus / (3 * radius)
         self.peak = 2 * self.force / math.pi if dim == 2 else 3 * self.force / (2 * math.pi)
-        self.approach = 1 / RADIUS  # in space, of the centres
+        self.approach = 1 / radius  # in space, of the centres
 
     def pressure(self, r):
         return self.peak * math.sqrt(max(0, 1 - r * r))

@@ -118,6 +118,10 @@ namespace conetact::pairing
     void
     measure_turns();
 
+    /** All that share an edge or a node with it, and itself, each once. */
+    std::vector<std::size_t>
+    neighbours(const Face &face) const;
+
     std::vector<Face>                     faces;
     std::vector<std::vector<std::size_t>> faces_at_node;
     FaceTree                              tree;

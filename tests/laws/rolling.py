@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What rolls because something else turns: no-slip kinematics, statics and work in closed form.
+
+caster: a rigid ball whose centre stays and that may turn, pressed on an elastic plate that turns about an axis
+beside it; planet: an elastic disc between a fixed sun and a ring that turns.
+"""
+import math
+
+from laws.sliding import FAR
+from support.scenes import box, contact
+from support.tables import MOTION, in_space
+from support.vectors import plus
+
+RADIUS, ARM, LOAD, MU, DEGREES = 2.0, .5, 8.0, .3, 20.0
+
+
+def caster_scene(brake, increments):
+    """The plate turns about the vertical axis through (-ARM, 0); a moment -brake about x acts against the rolling."""
+    centre = (0, 0, RADIUS)
+    return {"Dimension": 3, "Body plate": box((14, 14, 3), (2.8, 2.8, .6), (-1.4, -1.4, -.6)),
+            "Support base": {"Body": "plate", "Boundary ids": 4, "Turn": f"{DEGREES}*max(t - 1, 0)", "Turn axis": (0, 0, 1),
+                             "Reference point": (-ARM, 0, 0)},
+            "Obstacle ball": {"Shape": "sphere", "Center": centre, "Radius": RADIUS, "Free": "z, rx, ry, rz",
+                              "Reference point": centre, "Force": f"0 ; 0 ; -{LOAD}*min(t, 1)",
+                              "Moment": f"-{brake!r}*min(1, max(t - 1, 0)/0.2) ; 0 ; 0"},
+            "Contact top": contact("plate", 5, "ball", MU, **FAR),
+            "Time": {"Stages": f"1 : 1, 2 : {increments}"}, "Output": {"VTU": 0}}
+
+
+def balance_gap(run):
+    """Of the whole history from t = 1 on: bodies that turn keep it increment by increment to first order only."""
+    rolling = [row for row in run.increments if row["time"] > 1]
+    change = rolling[-1]["strain_energy"] - run.increments[0]["strain_energy"]
+    taken = sum(row["dissipation"] + row["contact_work_normal"] for row in rolling)
+    return abs(sum(row["external_work"] for row in rolling) - change - taken) / rolling[-1]["strain_energy"]
+
+
+def lost(run):
+    return sum(row["dissipation"] for row in run.increments if row["time"] > 1)
+
+
+def caster(laws):
+    """No slip: the ball turns about x as fast as the plate passes below it, about z as the plate does."""
+    angle = math.radians(DEGREES)
+    rolls = ARM * angle / RADIUS
+    for increments in (10, 20):
+        run = laws.run(caster_scene(0.0, increments))
+        last = run.increments[-1]
+        laws.check(f"caster in {increments} increments: it rolls", abs(last["obstacle_ball_rot_x"] / rolls - 1), 2e-3)
+        laws.check("  it spins with the plate", abs(last["obstacle_ball_rot_z"] / angle - 1), 2e-3)
+        laws.check("  friction over normal force",
+                   max(math.hypot(row["top_f_x"], row["top_f_y"]) for row in run.increments) / LOAD, .01)
+        laws.check("  the load", max(abs(row["top_f_z"] / LOAD + 1) for row in run.increments), 1e-9)
+        laws.check("  dissipation over that of sliding falls as increments do",
+                   increments * abs(lost(run)) / (MU * LOAD * ARM * angle), .015)
+        laws.check("  work, strain energy, dissipation and normal part", balance_gap(run), 5e-4)
+    brake = .25 * MU * LOAD * RADIUS
+    run = laws.run(caster_scene(brake, 20))
+    last = run.increments[-1]
+    moment = last["obstacle_ball_m_x"] + RADIUS * last["obstacle_ball_f_y"]  # about the centre
+    laws.check("braked caster: friction times radius and shifted pressure are the brake", abs(moment / brake - 1), 1e-9)
+    lag = rolls - last["obstacle_ball_rot_x"]
+    laws.check(f"  it rolls, and lags by {lag / rolls:.2g}", abs(lag) / rolls, .015)
+    laws.demand(f"  what is lost, {lost(run):.3g}, is less than brake times lag, {brake * lag:.3g}", 0 < lost(run) < brake * lag)
+    laws.check("  work, strain energy, dissipation and normal part", balance_gap(run), 5e-4)
+
+
+def planet_scene(sun, ring, mu, degrees, increments):
+    """The disc is larger than what is between them."""
+    return {"Dimension": 2,
+            "Body disc": {"Mesh": {"Generator": "hyper_ball_balanced", "Arguments": "0, 0 : 1", "Global refinements": 4,
+                                   "Translation": (0, (sun + ring) / 2)},
+                          "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+            "Obstacle sun": {"Shape": "cylinder", "Point": (0, 0), "Radius": sun},
+            "Obstacle ring": {"Shape": "implicit", "Function": f"{ring} - sqrt(x^2 + y^2)", "Turn": f"{degrees}*max(t - 1, 0)",
+                              "Reference point": (0, 0)},
+            "Contact low": contact("disc", 0, "sun", mu, **FAR), "Contact high": contact("disc", 0, "ring", mu, **FAR),
+            "Time": {"Stages": f"1 : 1, 2 : {increments}"}, "Output": {"VTU": 0}}
+
+
+def planet(laws):
+    """No slip on the sun nor on the ring: the middle goes by ring / (sun + ring) of the ring's angle."""
+    sun, ring, mu, degrees = 3.0, 4.98, .5, 40.0
+    run = laws.run(planet_scene(sun, ring, mu, degrees, 40))
+    rolling = [row for row in run.increments if row["time"] > 1]
+    normal = [math.hypot(row["low_f_x"], row["low_f_y"]) for row in rolling]
+    laws.check("planet: normal force from facet to facet", max(normal) / min(normal) - 1, .02)
+    laws.check("  moments of sun and ring about their centre",
+               max(abs(row["low_m_z"] + row["high_m_z"]) for row in rolling) / (mu * normal[-1] * ring), 1e-9)
+    laws.check("  each over that of sliding", max(abs(row["low_m_z"]) for row in rolling) / (mu * normal[-1] * sun), .01)
+    laws.check("  what is lost, over sliding all the way", abs(lost(run)) / (mu * normal[-1] * ring * math.radians(degrees)), 1e-3)
+    laws.check("  work, strain energy, dissipation and normal part", balance_gap(run), 1e-3)
+    last = [row for row in run.last() if row["contact"] == "low"]
+    places = [plus((row["x"], row["y"], 0), in_space(row, 2, MOTION)) for row in last]
+    middle = [sum(p[c] for p in places) / len(places) for c in range(2)]
+    goes = degrees * ring / (sun + ring)
+    laws.check("  its middle goes round", abs(math.degrees(math.atan2(-middle[0], middle[1])) / goes - 1), 2e-3)
+    turns = [math.atan2(p[1] - middle[1], p[0] - middle[0]) - math.atan2(row["y"] - (sun + ring) / 2, row["x"])
+             for row, p in zip(last, places)]
+    turned = math.degrees(sum(t % (2 * math.pi) for t in turns) / len(turns))
+    laws.check("  and it turns", abs(turned / (goes * (1 + 2 * sun / (ring - sun))) - 1), 2e-3)
+
+
+def rolling(laws):
+    caster(laws)
+    planet(laws)
