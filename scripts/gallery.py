@@ -17,7 +17,7 @@ import drawing  # noqa: F401 (first: it knows the way to python/)
 from conetact import run
 
 TOP = Path(__file__).resolve().parent.parent
-# other values of entries, options of picture.py
+# other values of entries, options of picture.py; or what curve.py draws
 GALLERY = {
     "inclined-obstacle": ({}, ["--increment", "12"]),
     "square-greco": ({}, []),
@@ -31,23 +31,33 @@ GALLERY = {
     "sheet-pile": ({}, []),
     "double-layer-grid-04": ({}, []),
     "floating-block": ({}, []),
+    "bolt-joint": ({}, ["--increment", "7", "--amplify", "100", "--contact", "joint"]),
+    "dovetail": ({}, ["--increment", "4", "--amplify", "40"]),
+    "disc-brake": ({"Output/VTU": 6}, ["--view", "50,-30"]),
+    "block-in-groove": ({"Output/VTU": 1, "Time/Times": 0.42}, ["--view", "20,-35"]),
+    "retaining-wall": ({}, []),
+    "o-ring": ({}, []),
+    "bracket": ({}, []),
 }
+CURVES = {"fretting-loop": ({"Output/VTU": 0}, ["joint_f_x", "u_t1", "--near", "0.8,0"])}
 
 
 def draw(name, folder):
-    changes, options = GALLERY[name]
+    changes, options = (GALLERY | CURVES)[name]
     run(TOP / "parameter-files" / f"{name}.prm", changes, folder / name)
     picture = TOP / "doc" / "gallery" / f"{name}.png"
     picture.parent.mkdir(exist_ok=True)
-    subprocess.run([TOP / "scripts" / "picture.py", folder / name, "-o", picture, "--dpi", "45", *options], check=True)
+    script, size = ("curve.py", []) if name in CURVES else ("picture.py", ["--dpi", "45"])
+    subprocess.run([TOP / "scripts" / script, folder / name, *options, "-o", picture, *size], check=True)
 
 
 def main(names):
-    unknown = [name for name in names if name not in GALLERY]
+    known = [*GALLERY, *CURVES]
+    unknown = [name for name in names if name not in known]
     if unknown:
-        sys.exit(f"gallery.py: there is no {unknown[0]} in the gallery; it has {', '.join(GALLERY)}.")
+        sys.exit(f"gallery.py: there is no {unknown[0]} in the gallery; it has {', '.join(known)}.")
     with tempfile.TemporaryDirectory() as folder:
-        for name in names or GALLERY:
+        for name in names or known:
             draw(name, Path(folder))
 
 
