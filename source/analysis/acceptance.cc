@@ -123,8 +123,14 @@ namespace conetact::analysis
     claim.states     = increment.state.node;
     claim.loads      = increment.forces;
     claim.mechanical = increment.mechanical;
-    claim.t          = increment.record.time;
-    claim.whole      = increment.record.report.substeps <= 1;
+    if (!model.bodies.cuts().empty())
+      {
+        const Eigen::VectorXd locks = model.lock_forces(claim.r);
+        claim.loads += locks;
+        claim.mechanical += locks;
+      }
+    claim.t     = increment.record.time;
+    claim.whole = increment.record.report.substeps <= 1;
     // The holonomic law, of all slip since the start, exists on load paths
     // only.
     claim.incremental =
@@ -388,6 +394,7 @@ namespace conetact::analysis
       }
     record.loads = external.loads;
     add_obstacles(record, finding);
+    add_preloads(record, finding);
     record.body_balance.clear();
     // resultants may vanish where forces do not: a ring shrunk onto another
     for (const verification::Balance &body : external.bodies)
@@ -407,7 +414,7 @@ namespace conetact::analysis
                             const verification::Finding &finding) const
   {
     const contact::Bodies &bodies = model.bodies;
-    record.obstacles.assign(bodies.n_rigid, {});
+    record.obstacles.assign(bodies.n_free_obstacles(), {});
     std::vector<bool> taken(finding.external.masters.size(), false);
     for (const contact::ContactPoint &point : model.points)
       {
@@ -435,6 +442,17 @@ namespace conetact::analysis
             record.obstacles[k].rotation[bodies.dim == 2 ? 2 : c - 3] =
               finding.u[first + c];
       }
+  }
+
+  void
+  Acceptance::add_preloads(output::IncrementRecord     &record,
+                           const verification::Finding &finding) const
+  {
+    record.preloads.clear();
+    for (const contact::Cut &cut : model.bodies.cuts())
+      record.preloads.push_back(
+        {-(finding.external.contacts[cut.contact].force * cut.axis),
+         finding.u.size() > 0 ? -model.opening(cut, finding.u) : 0.});
   }
 
   void

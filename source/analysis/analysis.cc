@@ -43,6 +43,27 @@ namespace conetact::analysis
             "' has no node that may touch: supports hold all of them along its "
             "normal. Take them out of the supports, or remove the contact.");
     }
+
+    /** That of the run that is continued: a state is kept in its terms. */
+    BackendChoice
+    continued_backend(const application::Scene &scene)
+    {
+      double iterative = 0;
+      scene.restart->state.fill("iterative", iterative);
+      const auto backend = iterative > 0 ? application::Backend::iterative :
+                                           application::Backend::condensed;
+      if (scene.backend != application::Backend::automatic &&
+          scene.backend != backend)
+        throw InputError(
+          std::string("Option --restart: the run in ") +
+          scene.restart->folder.string() +
+          " was solved with Solver/Backend = " +
+          (iterative > 0 ? "iterative" : "condensed") +
+          ", and its state is kept in these terms. Set Backend to that, or to "
+          "automatic.");
+      return {iterative > 0, "as in the run that is continued"};
+    }
+
     /** The model with the backend that the scene asks for. */
     contact::ContactModel &
     with_backend(const application::Scene &scene,
@@ -51,7 +72,9 @@ namespace conetact::analysis
     {
       BackendChoice choice{scene.backend == application::Backend::iterative,
                            "the scene asks for it"};
-      if (scene.backend == application::Backend::automatic)
+      if (scene.restart)
+        choice = continued_backend(scene);
+      else if (scene.backend == application::Backend::automatic)
         choice = choose_backend(model, scene.times.size(), scene.n_drawings());
       if (choice.iterative)
         model.solve_iteratively();
@@ -200,10 +223,11 @@ namespace conetact::analysis
     description.structures     = scene.bodies.structures;
     description.supports       = scene.support_names;
     description.loads          = scene.load_names;
-    for (std::size_t b = scene.bodies.n_elastic();
-         b < scene.bodies.names.size();
-         ++b)
-      description.obstacles.push_back(scene.bodies.names[b]);
+    for (std::size_t k = 0; k < scene.bodies.n_free_obstacles(); ++k)
+      description.obstacles.push_back(
+        scene.bodies.names[scene.bodies.n_elastic() + k]);
+    for (const contact::Cut &cut : scene.bodies.cuts())
+      description.preloads.push_back(scene.contact_names[cut.contact]);
     for (const bodies::Probe &probe : scene.probes)
       description.probes.push_back(probe.name);
     if (scene.restart)
@@ -304,7 +328,7 @@ namespace conetact::analysis
                   if (!load.follows())
                     f = coordinates.forces_in_frames(f);
                   increment.forces += f;
-                  if (load.kind != bodies::Load::Kind::temperature)
+                  if (!load.strains())
                     increment.mechanical += f;
                   increment.record.each_load.push_back(verification::resultant(
                     model.bodies, coordinates, coordinates.forces_in_space(f)));

@@ -92,6 +92,7 @@ namespace conetact::analysis
     const auto &nodes = model.working_set().nodes();
     archive.put("working set", std::vector<double>(nodes.begin(), nodes.end()));
     archive.put("correcting", correcting ? 1. : 0.);
+    archive.put("iterative", model.is_iterative() ? 1. : 0.);
     history.save(archive);
     acceptance.save(archive);
     archive.write(description.folder / "checkpoint.bin");
@@ -133,7 +134,10 @@ namespace conetact::analysis
   {
     const std::size_t size = batch_size(first - 1);
     unsigned int      k    = first;
-    for (; k <= scene.times.size() && batch.size() < size; ++k)
+    if (lock_is_due(k))
+      lock(k);
+    for (; k <= scene.times.size() && batch.size() < size && !lock_is_due(k);
+         ++k)
       {
         batch.push_back(start(k));
         std::string why = search.turns_too_far(batch.back().record.time);
@@ -154,6 +158,32 @@ namespace conetact::analysis
           }
       }
     return {Step::Outcome::accepted, parts.others_follow() ? first : k, {}, {}};
+  }
+
+  double
+  IncrementAnalysis::begin(const unsigned int k) const
+  {
+    return k > 1 ? scene.times[k - 2] : 0.;
+  }
+
+  bool
+  IncrementAnalysis::lock_is_due(const unsigned int k) const
+  {
+    const auto &cuts = scene.bodies.cuts();
+    return std::any_of(cuts.begin(), cuts.end(), [&](const contact::Cut &cut) {
+      return !cut.opening && cut.is_due(begin(k));
+    });
+  }
+
+  /* Other motions are free from here on. */
+  void
+  IncrementAnalysis::lock(const unsigned int k)
+  {
+    model.lock_cuts(begin(k), acceptance.accepted_displacements());
+    history.forget_motions();
+    existence.reset();
+    solver = solver_of(scene.solver, model);
+    log.note("increment " + std::to_string(k) + ": preloads are locked");
   }
 
   PendingIncrement
@@ -319,7 +349,7 @@ namespace conetact::analysis
   double
   IncrementAnalysis::duration(const unsigned int k) const
   {
-    return scene.times[k - 1] - (k > 1 ? scene.times[k - 2] : 0.);
+    return scene.times[k - 1] - begin(k);
   }
 
   void

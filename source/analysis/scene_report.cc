@@ -62,8 +62,15 @@ namespace conetact::analysis
   {
     const contact::Bodies &bodies = scene.bodies;
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      log.say((bodies.is_rigid(b) ? "Obstacle " : "Body ") + bodies.names[b] +
-              ": " + bodies.structures[b]->description());
+      if (b < bodies.n_elastic() + bodies.n_free_obstacles())
+        log.say((bodies.is_rigid(b) ? "Obstacle " : "Body ") + bodies.names[b] +
+                ": " + bodies.structures[b]->description());
+    for (const contact::Cut &cut : bodies.cuts())
+      log.say("Preload of contact " + scene.contact_names[cut.contact] +
+              ": along " + to_text(cut.axis) +
+              (cut.locked_from ?
+                 ", locked from t = " + to_text(*cut.locked_from) :
+                 ""));
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
       if (bodies.is_at_rest(b))
         log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +

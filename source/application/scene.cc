@@ -13,10 +13,12 @@
 #include "conetact/bodies/body_table.h"
 #include "conetact/contact/free_obstacles.h"
 #include "conetact/contact/held_nodes.h"
+#include "conetact/contact/preloads.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/pairing/obstacle_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -176,7 +178,7 @@ namespace conetact::application
     });
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
       contacts.push_back(pairing::create_contact(
-        prm, name, bodies.names, bodies.structures, obstacles));
+        prm, name, dim, bodies.names, bodies.structures, obstacles));
       if (dim == 2 && contacts.back().second_friction)
         throw InputError("Contact '" + name +
                          "', Second friction coefficient: "
@@ -228,6 +230,28 @@ namespace conetact::application
     check_adaptive(adaptive, bodies.structures);
     for (auto &body : contact::add_free_obstacles(obstacles, bodies))
       structures.push_back(std::move(body));
+    check_preloads();
+    for (auto &body : contact::add_preloads(contacts, bodies))
+      structures.push_back(std::move(body));
+  }
+
+  void
+  Scene::check_preloads() const
+  {
+    for (const pairing::Contact &contact : contacts)
+      {
+        if (!contact.preload || !contact.preload->locked_from)
+          continue;
+        const double from = *contact.preload->locked_from;
+        if (from != 0 && !times.empty() && from < times.back() &&
+            std::none_of(times.begin(), times.end(), [from](const double t) {
+              return std::abs(t - from) <= 1e-12 * std::abs(from);
+            }))
+          throw InputError("Contact '" + contact.name +
+                           "', Preload locked from: no increment ends at t = " +
+                           to_text(from) +
+                           ". Give the end of one, or choose other Times.");
+      }
   }
 
   std::vector<bool>
@@ -366,7 +390,9 @@ namespace conetact::application
   Eigen::VectorXd
   Scene::obstacle_forces(const double t) const
   {
-    return contact::forces_on_free_obstacles(obstacles, bodies, t);
+    Eigen::VectorXd f = contact::forces_on_free_obstacles(obstacles, bodies, t);
+    contact::add_preload_forces(contacts, bodies, t, f);
+    return f;
   }
 
   std::vector<bodies::Actions>

@@ -95,6 +95,11 @@ namespace conetact::application
           (obstacle.turn ? "Turn" : "Free") +
           ": a load path knows obstacles that translate as prescribed. Remove "
           "the entry, or choose Solver/Method = automatic.");
+    for (const pairing::Contact &contact : contacts)
+      if (contact.preload)
+        throw InputError("Contact '" + contact.name +
+                         "', Preload: a load path knows no ties that are "
+                         "tightened. Choose Solver/Method = automatic.");
     if (!fclib_increments.empty())
       throw InputError("Output/FCLib increments: a load path has no increments "
                        "of its own. Leave it empty.");

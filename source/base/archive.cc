@@ -6,15 +6,20 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 
+#include <boost/crc.hpp>
+
 #include <cstring>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
+#include <string_view>
 
 namespace conetact
 {
   namespace
   {
-    constexpr const char *first_line = "Conetact archive 1";
+    constexpr const char *first_line = "Conetact archive 2";
+    constexpr const char *last_word  = "checksum ";
 
     [[noreturn]] void
     refuse(const std::filesystem::path &file)
@@ -22,6 +27,40 @@ namespace conetact
       throw InputError(file.string() +
                        " is not a whole checkpoint of this version of the "
                        "program. Run the scene from its start.");
+    }
+
+    /** CRC-32 as eight digits: no single byte may be another one. */
+    std::string
+    checksum(const std::string_view content)
+    {
+      boost::crc_32_type crc;
+      crc.process_bytes(content.data(), content.size());
+      std::ostringstream digits;
+      digits << std::hex << std::setw(8) << std::setfill('0') << crc.checksum();
+      return digits.str();
+    }
+
+    /** Content of a file without its checksum, which must be right. */
+    std::string
+    checked_content(const std::filesystem::path &file)
+    {
+      std::ifstream      stream(file, std::ios::binary);
+      std::ostringstream whole;
+      whole << stream.rdbuf();
+      std::string       text = whole.str();
+      const std::size_t n    = std::strlen(last_word) + 9;
+      if (text.rfind(std::string(first_line) + '\n', 0) != 0 ||
+          text.size() < n ||
+          text.compare(text.size() - n, std::strlen(last_word), last_word) != 0)
+        refuse(file);
+      const std::string sum = text.substr(text.size() - 9);
+      text.resize(text.size() - n);
+      if (sum != checksum(text) + '\n')
+        throw InputError(file.string() +
+                         " has changed since it was written: its checksum is "
+                         "another one. Run the scene from its start, or take "
+                         "a copy of the file that is whole.");
+      return text;
     }
 
     // "numbers BYTES NAME", then so many bytes and the end of the line
@@ -120,7 +159,7 @@ namespace conetact
              reinterpret_cast<const char *>(values.data()),
              sizeof(double) * values.size());
     append(text, "end", "end", "", 0);
-    write_atomically(file, text);
+    write_atomically(file, text + last_word + checksum(text) + '\n');
   }
 
 
@@ -128,11 +167,11 @@ namespace conetact
   Archive
   Archive::read(const std::filesystem::path &file)
   {
-    std::ifstream stream(file, std::ios::binary);
-    std::string   line;
-    if (!std::getline(stream, line) || line != first_line)
-      refuse(file);
-    const std::uintmax_t most = std::filesystem::file_size(file);
+    const std::string  content = checked_content(file);
+    const std::size_t  most    = content.size();
+    std::istringstream stream(content);
+    std::string        line;
+    std::getline(stream, line); // the first one
     for (Archive archive; std::getline(stream, line);)
       {
         std::istringstream head(line);

@@ -93,6 +93,9 @@ namespace conetact
             (void)address;
             (name == "t" ? p.uses_time : p.uses_space) = true;
           }
+        // That list has names, too, that nothing defines, and only this call
+        // asks for them: the next one takes what the list was made of.
+        p.mu.Eval();
         int n_values = 0;
         p.mu.Eval(n_values);
         if (n_values != 1)

@@ -43,6 +43,26 @@ namespace conetact::bodies
     return ids;
   }
 
+  Tensor<1, 3>
+  turn_axis(const std::string &text,
+            const unsigned int dim,
+            const std::string &in)
+  {
+    const std::string entry = in + "Turn axis";
+    if (dim == 2)
+      {
+        if (split(text, ',') != std::vector<std::string>{"0", "0", "1"})
+          throw InputError(entry + ": in 2D everything turns about z, and '" +
+                           text + "' is another axis. Remove the entry.");
+        return Tensor<1, 3>({0., 0., 1.});
+      }
+    const Tensor<1, 3> axis = to_vector(text, 3, entry);
+    if (axis.norm() == 0)
+      throw InputError(entry + ": the vector " + text +
+                       " has no length. Give a direction other than zero.");
+    return axis / axis.norm();
+  }
+
   std::vector<Expression>
   parse_components(const std::string &text,
                    const std::size_t  n,

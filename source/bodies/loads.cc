@@ -21,7 +21,8 @@ namespace conetact::bodies
       {"point force", Load::Kind::point_force},
       {"nodal force", Load::Kind::nodal_force},
       {"line load", Load::Kind::line_load},
-      {"temperature", Load::Kind::temperature}};
+      {"temperature", Load::Kind::temperature},
+      {"initial strain", Load::Kind::initial_strain}};
 
     bool
     has_ids(const Load::Kind kind)
@@ -35,6 +36,19 @@ namespace conetact::bodies
       return kind == Load::Kind::pressure || kind == Load::Kind::temperature;
     }
 
+    using Axes = std::vector<std::pair<unsigned int, unsigned int>>;
+
+    /** The components of a strain as scenes write them. */
+    Axes
+    strain_axes(const unsigned int dim, const std::size_t n_given)
+    {
+      if (dim == 3)
+        return {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+      if (n_given == 4)
+        return {{0, 0}, {1, 1}, {0, 1}, {2, 2}};
+      return {{0, 0}, {1, 1}, {0, 1}};
+    }
+
     Tensor<1, 3>
     evaluate(const std::vector<Expression> &value,
              const Point<3>                &p,
@@ -44,6 +58,21 @@ namespace conetact::bodies
       for (unsigned int d = 0; d < value.size(); ++d)
         vector[d] = value[d](p, t);
       return vector;
+    }
+
+    void
+    check_strain_components(const unsigned int dim,
+                            const std::size_t  given,
+                            const std::string &in)
+    {
+      // a single 0 stands for all of them
+      if (given == 1 || given == strain_axes(dim, given).size())
+        return;
+      throw InputError(
+        in + "Value: there are " + std::to_string(given) +
+        " components, separated by ';', but an initial strain has " +
+        (dim == 3 ? "six in 3D: xx ; yy ; zz ; xy ; xz ; yz." :
+                    "three in 2D, xx ; yy ; xy, or four with zz behind them."));
     }
 
     /** Forces, and moments where there are as many values as dofs. */
@@ -84,6 +113,18 @@ namespace conetact::bodies
     });
   }
 
+  InitialStrain
+  Load::initial_strain(const Point<3> &p, const double t) const
+  {
+    InitialStrain initial;
+    if (kind == Kind::temperature)
+      initial.temperature = value[0](p, t);
+    for (std::size_t k = 0; k < axes.size(); ++k)
+      initial.strain[axes[k].first][axes[k].second] =
+        initial.strain[axes[k].second][axes[k].first] = value[k](p, t);
+    return initial;
+  }
+
   std::optional<Action>
   Load::action(const double t) const
   {
@@ -108,12 +149,13 @@ namespace conetact::bodies
         case Kind::line_load:
           return Action{Action::Kind::line_load, ids, {}, vector, {}};
         case Kind::temperature:
-          return Action{Action::Kind::temperature,
+        case Kind::initial_strain:
+          return Action{Action::Kind::initial_strain,
                         {},
                         {},
                         {},
                         [this, t](const Point<3> &p) {
-                          return value[0](p, t);
+                          return initial_strain(p, t);
                         }};
         default:
           return {};
@@ -146,10 +188,13 @@ namespace conetact::bodies
       throw InputError(in + "Boundary ids: a line load acts on the members of "
                             "a frame, and none has both its nodes there. "
                             "Give a member 'group', or use a traction.");
-    else if (a->kind == Action::Kind::temperature &&
-             !structure.add_temperature(a->temperature, f))
+    else if (kind == Kind::temperature && !structure.expands())
       throw InputError(in + "Body: nothing in it expands. Set Expansion "
                             "coefficient in its Material or Sections.");
+    else if (a->kind == Action::Kind::initial_strain &&
+             !structure.add_initial_strain(a->strain, f))
+      throw InputError(in + "Body: nothing in it strains of itself. Choose "
+                            "another body.");
   }
 
   void
@@ -171,7 +216,12 @@ namespace conetact::bodies
                       "[force, force x length] at each node of boundary ids, "
                       "line load [force/length] on the members of a frame "
                       "with boundary ids, temperature [K] is a change of "
-                      "temperature of the whole body.");
+                      "temperature of the whole body, and initial strain [-] "
+                      "what it would strain by if nothing resisted (swelling, "
+                      "shrinking, misfit): stress = C (strain - initial "
+                      "strain). Both act on the whole body, turn with it, and "
+                      "add up; forces of frames come from the mean strain "
+                      "along each member.");
     prm.declare_entry("Boundary ids",
                       "",
                       Anything(),
@@ -185,7 +235,11 @@ namespace conetact::bodies
                       "0",
                       Anything(),
                       "Components, functions of x, y, z, t, separated by ';' "
-                      "(pressure, temperature: one). Moments may follow the "
+                      "(pressure, temperature: one; initial strain in 3D: xx, "
+                      "yy, zz, xy, xz, yz, in 2D: xx, yy, xy, and zz if it is "
+                      "not 0, components of the tensor along the axes of the "
+                      "scene as the undeformed body lies in them, whatever the "
+                      "axes of its material). Moments may follow the "
                       "components of a nodal force on beams (2D: m_z; 3D: "
                       "m_x, m_y, m_z). In 2D tractions and body forces act "
                       "over the body's thickness, other forces are whole "
@@ -216,7 +270,13 @@ namespace conetact::bodies
     const std::string value = prm.get("Value");
     std::size_t       n     = is_scalar(load.kind) ? 1 : dim;
     const auto        given = split(value, ';').size();
-    const auto        all = std::size_t{structures[load.body]->n_components()};
+    if (load.kind == Load::Kind::initial_strain)
+      {
+        load.axes = strain_axes(dim, given);
+        n         = load.axes.size();
+        check_strain_components(dim, given, in);
+      }
+    const auto all = std::size_t{structures[load.body]->n_components()};
     if (load.kind == Load::Kind::nodal_force && given == all)
       n = all; // with moments
     load.value = parse_components(value, n, in + "Value");

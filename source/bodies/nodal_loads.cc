@@ -82,7 +82,7 @@ namespace conetact::bodies
     visit(t, [&](const Load &load, const Eigen::VectorXd &f) {
       all.forces.segment(begin[load.body], f.size()) += f;
       all.each.push_back(resultant(*structures[load.body], dim, f));
-      const bool is_thermal = load.kind == Load::Kind::temperature;
+      const bool is_thermal = load.strains();
       if (is_thermal && all.thermal.size() == 0)
         all.thermal.setZero(begin.back());
       (is_thermal ? all.thermal : all.mechanical)

@@ -177,6 +177,7 @@ namespace conetact::bodies
         throw InputError(in + "Turn: '" + prm.get("Turn") +
                          "' depends on position. What a support holds turns "
                          "as a whole: use t only.");
+      const Tensor<1, 3> axis = turn_axis(prm.get("Turn axis"), dim, in);
       if (angle.is_zero())
         return;
       if (support.normal || support.directions.size() != dim)
@@ -192,16 +193,10 @@ namespace conetact::bodies
       if (structure.n_components() > dim || structure.may_be_mechanism())
         throw InputError(in + "Turn: it is for bodies of cells, not for bars "
                               "and beams. Prescribe a Displacement.");
-      const Tensor<1, 3> axis =
-        dim == 2 ? Tensor<1, 3>({0., 0., 1.}) :
-                   to_vector(prm.get("Turn axis"), 3, in + "Turn axis");
-      if (axis.norm() == 0)
-        throw InputError(in + "Turn axis: it has no length. Give a vector "
-                              "other than zero.");
       const std::string centre = prm.get("Reference point");
       support.turn =
         Support::Turn{std::move(angle),
-                      axis / axis.norm(),
+                      axis,
                       centre.empty() ?
                         Point<3>() :
                         Point<3>(

@@ -378,6 +378,46 @@ namespace conetact::contact
   }
 
   bool
+  ContactModel::lock_cuts(const double t, const Eigen::VectorXd &u)
+  {
+    bool any = false;
+    for (Cut &cut : bodies.change_cuts())
+      if (!cut.opening && cut.is_due(t))
+        {
+          cut.opening = u.size() > 0 ? opening(cut, u) : 0.;
+          any         = true;
+        }
+    if (!any)
+      return false;
+    motions.find_again(points);
+    if (condensed)
+      dynamic_cast<DualBackend &>(*condensed).see_motions();
+    return true;
+  }
+
+  double
+  ContactModel::opening(const Cut &cut, const Eigen::VectorXd &u) const
+  {
+    return displacement(u, cut.body, 0) * cut.axis;
+  }
+
+  Eigen::VectorXd
+  ContactModel::lock_forces(const Eigen::VectorXd &all_reactions) const
+  {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(coordinates.n_dofs());
+    for (const Cut &cut : bodies.cuts())
+      if (cut.opening)
+        for (const ContactPoint &point : points.all())
+          if (point.node->contact == cut.contact)
+            {
+              const double along = force_of(point, all_reactions) * cut.axis;
+              for (unsigned int c = 0; c < bodies.dim; ++c)
+                forces[coordinates.dof(cut.body, 0) + c] += along * cut.axis[c];
+            }
+    return forces;
+  }
+
+  bool
   ContactModel::extend(const std::vector<Eigen::Index> &nodes)
   {
     return condense().extend(nodes);

@@ -112,6 +112,15 @@ namespace conetact::contact
   }
 
   void
+  DualBackend::see_motions()
+  {
+    find_motions();
+    respond_to_springs();
+    assemble_system();
+    forget_reductions();
+  }
+
+  void
   DualBackend::write_row(const ContactPoint &point,
                          Index              &row,
                          Triplets           &entries) const

@@ -134,11 +134,17 @@ namespace conetact::contact
         offset.push_back(coordinates.offset(body));
       }
     offset.push_back(coordinates.n_dofs());
+    find_again(points);
+    refuse_loose_bodies();
+  }
+
+  void
+  RigidMotions::find_again(const ContactPoints &points)
+  {
     find_held_and_free();
     tie(points);
     find_resisted();
     see_contacts(points);
-    refuse_loose_bodies();
   }
 
   /* What each mode moves the point p by, along a direction. */
@@ -157,15 +163,14 @@ namespace conetact::contact
   RigidMotions::make_tie(const pairing::ContactNode &node,
                          const Tensor<1, 3>         &direction) const
   {
-    Tie tied{&node,
-             direction,
-             Eigen::RowVectorXd::Zero(n_one),
-             Eigen::RowVectorXd::Zero(n_one)};
+    Tie tied{&node, direction, {}};
     pairing::for_each_side(node,
                            [&](const unsigned int body,
                                const unsigned int number,
                                const double       weight) {
-                             (body == node.body ? tied.row : tied.master_row) +=
+                             tied.rows
+                               .emplace(body, Eigen::RowVectorXd::Zero(n_one))
+                               .first->second +=
                                row(body,
                                    bodies.structures[body]->position(number),
                                    weight * direction);
@@ -176,21 +181,17 @@ namespace conetact::contact
   double
   RigidMotions::relative(const Tie &tied, const Amounts &amounts) const
   {
-    double sum = tied.row.dot(amounts.segment(tied.node->body * n_one, n_one));
-    if (!tied.node->masters.empty())
-      sum +=
-        tied.master_row.dot(amounts.segment(tied.node->master * n_one, n_one));
+    double sum = 0;
+    for (const auto &[body, r] : tied.rows)
+      sum += r.dot(amounts.segment(body * n_one, n_one));
     return sum;
   }
 
   void
   RigidMotions::add(const double factor, const Tie &tied, Amounts &sum) const
   {
-    sum.segment(tied.node->body * n_one, n_one) +=
-      factor * tied.row.transpose();
-    if (!tied.node->masters.empty())
-      sum.segment(tied.node->master * n_one, n_one) +=
-        factor * tied.master_row.transpose();
+    for (const auto &[body, r] : tied.rows)
+      sum.segment(body * n_one, n_one) += factor * r.transpose();
   }
 
   /* Rows e . R of all held directions: their squares summed make a small matrix
@@ -223,7 +224,9 @@ namespace conetact::contact
         for (unsigned int k = 0; k < n_one; ++k)
           if (!is_axial(k)) // neither free nor ever moved
             held(body * n_one + k, body * n_one + k) = 1;
+    hold_locked();
     own_modes = Eigen::MatrixXd(n, 0);
+    own_body.clear();
     for (Index body = 0; body < n_bodies; ++body)
       {
         const Index first = body * n_one;
@@ -240,10 +243,25 @@ namespace conetact::contact
       }
   }
 
+  void
+  RigidMotions::hold_locked()
+  {
+    for (const Cut &cut : bodies.cuts())
+      if (cut.opening)
+        {
+          const Index              first = cut.body * n_one;
+          const Eigen::RowVectorXd e =
+            row(cut.body, frames[cut.body].centre, cut.axis);
+          held.block(first, first, n_one, n_one) += e.transpose() * e;
+        }
+  }
+
   /* Where nothing is tied all own motions are free, as they are. */
   void
   RigidMotions::tie(const ContactPoints &points)
   {
+    ties.clear();
+    free_body.clear();
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
       for (const Tensor<1, 3> &direction : points.all()[i].dual)
         ties.push_back(make_tie(*points.all()[i].node, direction));
@@ -271,13 +289,14 @@ namespace conetact::contact
   void
   RigidMotions::find_assemblies()
   {
+    tied_with.clear();
     for (unsigned int body = 0; body < frames.size(); ++body)
       tied_with.push_back(body);
     for (const Tie &tied : ties)
-      if (!tied.node->masters.empty())
+      for (const auto &[body, r] : tied.rows)
         {
           const unsigned int one   = tied_with[tied.node->body];
-          const unsigned int other = tied_with[tied.node->master];
+          const unsigned int other = tied_with[body];
           std::replace(tied_with.begin(),
                        tied_with.end(),
                        std::max(one, other),
@@ -428,6 +447,16 @@ namespace conetact::contact
                 rules.angle(h, p, t) * frames[rule.body].size -
                 amounts[first + h.component];
           }
+        for (const Cut &cut : bodies.cuts())
+          if (cut.opening)
+            {
+              const Index              first = cut.body * n_one;
+              const Eigen::RowVectorXd e =
+                row(cut.body, frames[cut.body].centre, cut.axis);
+              right.segment(first, n_one) +=
+                (*cut.opening - e.dot(amounts.segment(first, n_one))) *
+                e.transpose();
+            }
         for (const Tie &tied : ties)
           {
             const double moved =

@@ -109,6 +109,9 @@ namespace conetact::output
         columns.pop_back(); // the comma at the end
         text += ',' + columns;
       }
+    for (const std::string &preload : safe_names(run.preloads))
+      text +=
+        ",preload_" + preload + "_force,preload_" + preload + "_shortening";
     return text + '\n';
   }
 
@@ -154,6 +157,13 @@ namespace conetact::output
           for (unsigned int d = 0; d < 3; ++d)
             csv.add("the motion of an obstacle", motion[d]);
         resultants.add(obstacle.contacts);
+      }
+    for (std::size_t k = 0; k < run.preloads.size(); ++k)
+      {
+        const PreloadRecord preload =
+          k < record.preloads.size() ? record.preloads[k] : PreloadRecord();
+        csv.add("the force of a preload", preload.force);
+        csv.add("the shortening by a preload", preload.shortening);
       }
     csv.end();
     return text;

@@ -300,6 +300,36 @@ namespace conetact::pairing
                        "Boundary ids.");
     }
 
+    /** Least distance of a node of one surface from one of the other. */
+    double
+    distance(const bodies::Surface &one, const bodies::Surface &other)
+    {
+      double least = std::numeric_limits<double>::max();
+      for (const bodies::SurfaceNode &a : one.nodes)
+        for (const bodies::SurfaceNode &b : other.nodes)
+          least = std::min(least, a.position.distance(b.position));
+      return least;
+    }
+
+    [[noreturn]] void
+    refuse_nothing_bound(
+      const Contact                                &contact,
+      const std::vector<const bodies::Structure *> &structures)
+    {
+      const std::string kind =
+        contact.kind == ContactKind::tie ? "tie" : "bilateral";
+      throw InputError(
+        "Contact '" + contact.name + "', Kind = " + kind +
+        ": it binds nothing, for no node of the body faces the master within "
+        "its Reach of " +
+        to_text(contact.reach) + ". The nearest nodes of both sides are " +
+        to_text(
+          distance(structures[contact.body]->surface(contact.ids),
+                   structures[contact.master]->surface(contact.master_ids))) +
+        " apart. Move the bodies, change boundary ids, or give a larger Reach "
+        "or Largest angle.");
+    }
+
     Pairing
     count(const PairedNodes &found)
     {
@@ -475,6 +505,34 @@ namespace conetact::pairing
     }
 
     void
+    declare_preload(dealii::ParameterHandler &prm)
+    {
+      const auto declare =
+        [&](const char *key, const char *value, const char *text) {
+          prm.declare_entry(key, value, dealii::Patterns::Anything(), text);
+        };
+      declare("Preload",
+              "",
+              "Kind = tie only: the tension across it, a function of t, as of "
+              "a bolt that is cut in two and tightened. The sides slip over "
+              "each other along Preload axis, all nodes by the same length, "
+              "until this force draws them together; they stay tied in all "
+              "else. Give the force of what is modelled: half of it where half "
+              "a bolt is. Its tension and shortening are in increments.csv. "
+              "Empty: none. [force]");
+      declare("Preload axis",
+              "",
+              "Direction of the Preload, of any length and either sense. "
+              "Empty: the normal of the faces, which must be plane.");
+      declare("Preload locked from",
+              "",
+              "Time from which on the shortening by the Preload stays as it "
+              "is, a nut that is no longer turned, and the tension follows "
+              "what happens to the joint; the end of an increment, or 0. "
+              "Empty: the force stays prescribed. [time]");
+    }
+
+    void
     declare_kinematics(dealii::ParameterHandler &prm)
     {
       prm.declare_entry(
@@ -569,6 +627,7 @@ namespace conetact::pairing
                       "free. Empty: the diagonal of the box around both "
                       "bodies. [length]");
     declare_kind(prm);
+    declare_preload(prm);
     declare_pairing(prm);
     declare_kinematics(prm);
     declare_friction(prm);
@@ -611,9 +670,55 @@ namespace conetact::pairing
     }
   } // namespace
 
+  namespace
+  {
+    std::optional<Preload>
+    read_preload(const dealii::ParameterHandler &prm,
+                 const unsigned int              dim,
+                 const Contact                  &contact,
+                 const std::string              &in)
+    {
+      if (prm.get("Preload").empty())
+        {
+          for (const char *key : {"Preload axis", "Preload locked from"})
+            if (!prm.get(key).empty())
+              throw InputError(in + key +
+                               ": there is no Preload. Give its force, or "
+                               "remove the entry.");
+          return {};
+        }
+      if (contact.kind != ContactKind::tie)
+        throw InputError(in + "Preload: a force tightens two sides that are "
+                              "joined. Set Kind = tie and cut the bolt in two "
+                              "there, or use Prestress.");
+      if (contact.gap)
+        throw InputError(in + "Gap: a tie with a Preload finds by itself how "
+                              "far its sides move. Remove one of both.");
+      Preload preload{Expression(prm.get("Preload"), in + "Preload"), {}, {}};
+      if (preload.force.uses_space())
+        throw InputError(in + "Preload: '" + prm.get("Preload") +
+                         "' depends on position. It is one force on the whole "
+                         "cut: use t only.");
+      if (!prm.get("Preload axis").empty())
+        {
+          preload.axis =
+            to_vector(prm.get("Preload axis"), dim, in + "Preload axis");
+          if (preload.axis.norm() == 0)
+            throw InputError(in + "Preload axis: it has no length. Give a "
+                                  "direction other than zero.");
+          preload.axis /= preload.axis.norm();
+        }
+      if (!prm.get("Preload locked from").empty())
+        preload.locked_from =
+          to_number(prm.get("Preload locked from"), in + "Preload locked from");
+      return preload;
+    }
+  } // namespace
+
   Contact
   create_contact(dealii::ParameterHandler                     &prm,
                  const std::string                            &name,
+                 const unsigned int                            dim,
                  const std::vector<std::string>               &bodies,
                  const std::vector<const bodies::Structure *> &structures,
                  const std::vector<Obstacle>                  &obstacles)
@@ -665,6 +770,7 @@ namespace conetact::pairing
     contact.cohesion.emplace(constant("Cohesion"));
     if (contact.kind != ContactKind::contact)
       refuse_cone(prm, contact, in);
+    contact.preload = read_preload(prm, dim, contact, in);
     if (contact.obstacle != nullptr && prm.get("Pairing") == "mortar")
       throw InputError(in + "Pairing: mortar is for faces of a Master body. "
                             "Obstacles are met node by node: leave the entry "
@@ -695,6 +801,8 @@ namespace conetact::pairing
           if (std::abs(node.gap) <= rounding)
             node.gap = 0;
         refuse_inside(contact, bodies, *structures[contact.body], found);
+        if (contact.kind != ContactKind::contact && found.n_paired == 0)
+          refuse_nothing_bound(contact, structures);
         result.pairings.push_back(count(found));
         for (ContactNode &node : found.nodes)
           {

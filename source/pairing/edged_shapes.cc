@@ -198,7 +198,8 @@ namespace conetact::pairing
             "an infinite cone, in 2D a wedge (Point, Axis, Half angle, Apex "
             "radius)",
             Cone::declare,
-            Cone::create};
+            Cone::create,
+            {"Point", "Axis", "Half angle", "Apex radius"}};
   }
 
   ObstacleRow
@@ -207,6 +208,7 @@ namespace conetact::pairing
     return {"box",
             "a box, in 2D a rectangle (Center, Sizes, Rotation)",
             Box::declare,
-            Box::create};
+            Box::create,
+            {"Center", "Sizes", "Rotation"}};
   }
 } // namespace conetact::pairing

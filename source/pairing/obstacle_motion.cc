@@ -67,8 +67,7 @@ namespace conetact::pairing
               Obstacle          &obstacle)
     {
       obstacle.reference = point(prm, "Reference point", dim, in);
-      obstacle.turn_axis = dim == 2 ? Tensor<1, 3>({0., 0., 1.}) :
-                                      unit_vector(prm, "Turn axis", 3, in);
+      obstacle.turn_axis = bodies::turn_axis(prm.get("Turn axis"), dim, in);
       std::vector<Expression> turn;
       turn.emplace_back(prm.get("Turn"), in + "Turn");
       check_rigid(turn, prm.get("Turn"), in + "Turn");

@@ -266,7 +266,8 @@ namespace conetact::pairing
     return {"half space",
             "all points behind a plane (Point, Normal)",
             HalfSpace::declare,
-            HalfSpace::create};
+            HalfSpace::create,
+            {"Point", "Normal"}};
   }
 
   ObstacleRow
@@ -276,7 +277,8 @@ namespace conetact::pairing
       "prescribed gap",
       "a normal and the gap along it as a function of position (Normal, Gap)",
       PrescribedGap::declare,
-      PrescribedGap::create};
+      PrescribedGap::create,
+      {"Normal", "Gap"}};
   }
 
   ObstacleRow
@@ -285,7 +287,8 @@ namespace conetact::pairing
     return {"sphere",
             "a ball, in 2D a disk, or the hole in it (Center, Radius, Side)",
             Round::declare,
-            Round::create_sphere};
+            Round::create_sphere,
+            {"Center", "Radius", "Side"}};
   }
 
   ObstacleRow
@@ -294,7 +297,8 @@ namespace conetact::pairing
     return {"cylinder",
             "an infinite cylinder or bore (Point, Axis, Radius, Side)",
             Round::declare,
-            Round::create_cylinder};
+            Round::create_cylinder,
+            {"Point", "Axis", "Radius", "Side"}};
   }
 
   ObstacleRow
@@ -303,6 +307,7 @@ namespace conetact::pairing
     return {"implicit",
             "where an expression is negative (Function)",
             Implicit::declare,
-            Implicit::create};
+            Implicit::create,
+            {"Function"}};
   }
 } // namespace conetact::pairing

@@ -219,6 +219,7 @@ namespace conetact::pairing
             "what the closed surface of a file holds (File, Scale, Rotation, "
             "Translation)",
             SurfaceMesh::declare,
-            SurfaceMesh::create};
+            SurfaceMesh::create,
+            {"File", "Scale", "Rotation", "Translation"}};
   }
 } // namespace conetact::pairing

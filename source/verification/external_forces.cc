@@ -66,7 +66,10 @@ namespace conetact::verification
         if (force.norm_square() == 0 && moment.norm_square() == 0)
           return; // as on most nodes
         Balance &balance = all.bodies[body];
-        resultant.force += force;
+        // What opens a cut is no body: it balances, nothing else knows it.
+        output::Resultant  unseen;
+        output::Resultant &sum = is_cut(body) ? unseen : resultant;
+        sum.force += force;
         balance.forces += force.norm();
         balance.largest = std::max(balance.largest, force.norm());
         if (bodies.structures[body]->is_axisymmetric())
@@ -75,7 +78,7 @@ namespace conetact::verification
             balance.sum.force[1] += force[1];
             return;
           }
-        resultant.moment += moment + cross_product_3d(Tensor<1, 3>(p), force);
+        sum.moment += moment + cross_product_3d(Tensor<1, 3>(p), force);
         // The scene has one point for all moments. A body has its own centre,
         // since about a far point its moments would be rounding.
         const Tensor<1, 3> turning = cross_product_3d(p - centres[body], force);
@@ -108,6 +111,12 @@ namespace conetact::verification
       }
 
     private:
+      bool
+      is_cut(const unsigned int body) const
+      {
+        return body >= bodies.n_elastic() + bodies.n_free_obstacles();
+      }
+
       const contact::Bodies &bodies;
       ExternalForces        &all;
       std::vector<Point<3>>  centres;
@@ -213,6 +222,8 @@ namespace conetact::verification
           });
         for (const auto &[i, weight] : node.masters)
           act(all.masters[node.contact], node.master, i, -weight);
+        if (node.opening)
+          act(all.masters[node.contact], *node.opening, 0, -1);
       }
     collect_supports(bodies, plain, rest, collector, all);
     for (std::size_t s = 0; s < foundations.size(); ++s)

@@ -15,7 +15,8 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (axisymmetric, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
-                  hertz, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, refinement, restart, rolling, round_pairs, sliding,
+                  hertz, initial_strain, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, preload, refinement, restart, rolling,
+                  round_pairs, sliding,
                   supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
 
@@ -32,6 +33,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family,
+            "initial-strain": initial_strain.initial_strain, "preload": preload.preload,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies}
 
 if __name__ == "__main__":

@@ -57,6 +57,12 @@ namespace conetact::analysis
     displacements(const PendingIncrement &increment,
                   const Eigen::VectorXd  &w) const;
 
+    /** Those that were accepted last; empty: none yet. */
+    const Eigen::VectorXd &
+    accepted_displacements() const
+    {
+      return verification.accepted_displacements();
+    }
     /** Contacts of the model were found again. */
     void
     relink()
@@ -103,6 +109,9 @@ namespace conetact::analysis
     void
     add_obstacles(output::IncrementRecord     &record,
                   const verification::Finding &finding) const;
+    void
+    add_preloads(output::IncrementRecord     &record,
+                 const verification::Finding &finding) const;
     void
     observe(output::IncrementRecord &record, const Eigen::VectorXd &u) const;
     void

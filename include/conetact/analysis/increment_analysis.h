@@ -57,6 +57,13 @@ namespace conetact::analysis
     /** Solves increments from `first` on, up to one that fails. */
     Step
     solve_batch(const unsigned int first, std::vector<PendingIncrement> &batch);
+    /** Whether a cut is to be locked before increment k. */
+    bool
+    lock_is_due(const unsigned int k) const;
+    void
+    lock(const unsigned int k);
+    double
+    begin(const unsigned int increment) const;
     PendingIncrement
     start(const unsigned int k);
     /** Returns why there is no result; empty: there is. */

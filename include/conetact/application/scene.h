@@ -60,7 +60,8 @@ namespace conetact::application
     /** Nodal forces of all loads, to be integrated when asked for. */
     bodies::NodalLoads
     nodal_loads() const;
-    /** Forces on obstacles that are free, on all dofs of all bodies [force]. */
+    /** Forces on obstacles that are free and of Preloads, on all dofs of all
+     * bodies [force]. */
     Eigen::VectorXd
     obstacle_forces(const double t) const;
     /** The loads of each body at time t, for its stresses. */
@@ -147,6 +148,8 @@ namespace conetact::application
     check_path() const;
     void
     check_sliding() const;
+    void
+    check_preloads() const;
     void
     refuse_far_turn(const pairing::Contact &contact) const;
     void

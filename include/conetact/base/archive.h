@@ -16,7 +16,8 @@ namespace conetact
 {
   /**
    * Named lists of numbers, to the last bit, and texts, which a file keeps
-   * while the program is not running. For the machine that wrote it.
+   * while the program is not running. For the machine that wrote it. The file
+   * ends with a checksum of all before it.
    */
   class Archive
   {

@@ -27,6 +27,15 @@ namespace conetact::bodies
                 const std::string &entry);
 
   /**
+   * The unit vector of an entry `Turn axis`; in 2D everything turns about z.
+   * Throws InputError that names the entry by what it is `in`.
+   */
+  Tensor<1, 3>
+  turn_axis(const std::string &text,
+            const unsigned int dim,
+            const std::string &in);
+
+  /**
    * n expressions of an entry, separated by ';'; a single 0 stands for all.
    * Throws InputError.
    */

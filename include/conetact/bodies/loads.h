@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace conetact::bodies
@@ -20,14 +21,15 @@ namespace conetact::bodies
   {
     enum class Kind
     {
-      traction,    ///< [force/area] on boundary ids
-      pressure,    ///< [force/area] against the outward normal
-      body_force,  ///< [force/volume]
-      point_force, ///< [force] at a point of the body
-      nodal_force, ///< [force] at each node of boundary ids, with moments
-                   ///< where values follow
-      line_load,   ///< [force/length] on members of boundary ids
-      temperature  ///< change of temperature [K]
+      traction,      ///< [force/area] on boundary ids
+      pressure,      ///< [force/area] against the outward normal
+      body_force,    ///< [force/volume]
+      point_force,   ///< [force] at a point of the body
+      nodal_force,   ///< [force] at each node of boundary ids, with moments
+                     ///< where values follow
+      line_load,     ///< [force/length] on members of boundary ids
+      temperature,   ///< change of temperature [K], an initial strain
+      initial_strain ///< [-], components along `axes`
     };
     std::string             name;
     unsigned int            body = 0; ///< index
@@ -35,14 +37,22 @@ namespace conetact::bodies
     BoundaryIds             ids;   ///< of kinds that have them
     Point<3>                point; ///< point force
     std::vector<Expression> value; ///< a component each, or one
+    /** Of initial strains: the axes of each component. */
+    std::vector<std::pair<unsigned int, unsigned int>> axes;
 
     bool
     uses_time() const;
+    /** Whether it strains its body: nodal forces that balance by themselves. */
+    bool
+    strains() const
+    {
+      return kind == Kind::temperature || kind == Kind::initial_strain;
+    }
     /** Whether it turns with its body; the others keep their directions. */
     bool
     follows() const
     {
-      return kind == Kind::pressure || kind == Kind::temperature;
+      return kind == Kind::pressure || strains();
     }
     /** Whether it is nothing at all. */
     bool
@@ -57,6 +67,10 @@ namespace conetact::bodies
      */
     std::optional<Action>
     action(const double t) const;
+
+  private:
+    InitialStrain
+    initial_strain(const Point<3> &p, const double t) const;
   };
 
   /** Entries of `subsection Load NAME`; the handler stands inside it. */

@@ -32,9 +32,9 @@ namespace conetact::bodies
     struct Acting
     {
       Eigen::VectorXd forces;     ///< on all dofs of all bodies
-      Eigen::VectorXd mechanical; ///< all but those of temperature
-      Eigen::VectorXd thermal;    ///< the part of them that changes of
-                                  ///< temperature make; empty: none
+      Eigen::VectorXd mechanical; ///< all but those of initial strains
+      Eigen::VectorXd thermal;    ///< the part of them that initial strains
+                                  ///< (temperature) make; empty: none
       /** Force and moment about the origin of each load. */
       std::vector<std::pair<Tensor<1, 3>, Tensor<1, 3>>> each;
     };

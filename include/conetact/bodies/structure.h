@@ -86,6 +86,36 @@ namespace conetact::bodies
     std::function<Tensor<2, 3>(const Point<3> &, const Tensor<1, 3> &)>;
 
   /**
+   * How a body strains of itself where nothing resists: by a strain [-] and by
+   * a change of temperature [K], which strains each material as it expands.
+   * @f$\sigma = C (\varepsilon(u) - \varepsilon_0)@f$.
+   */
+  struct InitialStrain
+  {
+    Tensor<2, 3> strain;
+    double       temperature = 0;
+
+    /** Of a material with this expansion coefficient [1/K]. */
+    Tensor<2, 3>
+    of(const double expansion) const
+    {
+      Tensor<2, 3> whole = strain;
+      for (unsigned int d = 0; d < 3; ++d)
+        whole[d][d] += expansion * temperature;
+      return whole;
+    }
+    InitialStrain &
+    operator+=(const InitialStrain &more)
+    {
+      strain += more.strain;
+      temperature += more.temperature;
+      return *this;
+    }
+  };
+  /** A function of position, in the axes of the undeformed body. */
+  using InitialStrainField = std::function<InitialStrain(const Point<3> &)>;
+
+  /**
    * What acts inside a body at one time, as far as its stresses depend on more
    * than its displacements: nodal forces alone do not tell.
    */
@@ -93,17 +123,17 @@ namespace conetact::bodies
   {
     enum class Kind
     {
-      traction,    ///< [force/area] on boundary ids
-      body_force,  ///< [force/volume]
-      line_load,   ///< [force/length] on the members of boundary ids
-      point_force, ///< [force] at a point
-      temperature  ///< change of temperature [K]
+      traction,      ///< [force/area] on boundary ids
+      body_force,    ///< [force/volume]
+      line_load,     ///< [force/length] on the members of boundary ids
+      point_force,   ///< [force] at a point
+      initial_strain ///< also a change of temperature
     };
-    Kind         kind;
-    BoundaryIds  ids;         ///< traction, line load
-    Point<3>     point;       ///< point force
-    SurfaceField force;       ///< all but temperature
-    ScalarField  temperature; ///< temperature
+    Kind               kind;
+    BoundaryIds        ids;    ///< traction, line load
+    Point<3>           point;  ///< point force
+    SurfaceField       force;  ///< all but initial strains
+    InitialStrainField strain; ///< initial strain
   };
   using Actions = std::vector<Action>;
 
@@ -236,12 +266,19 @@ namespace conetact::bodies
       return false;
     }
     /**
-     * Adds the nodal forces of a change of temperature [K],
-     * @f$\int B^T C \varepsilon_T\,dx@f$. False if nothing expands.
+     * Adds the nodal forces of initial strains,
+     * @f$\int B^T C \varepsilon_0\,dx@f$, which balance by themselves. False
+     * if it has nothing that strains.
      */
     virtual bool
-    add_temperature(const ScalarField & /*change*/,
-                    Eigen::VectorXd & /*f*/) const
+    add_initial_strain(const InitialStrainField & /*strain*/,
+                       Eigen::VectorXd & /*f*/) const
+    {
+      return false;
+    }
+    /** Whether a change of temperature strains anything. */
+    virtual bool
+    expands() const
     {
       return false;
     }

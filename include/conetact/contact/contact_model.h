@@ -143,6 +143,20 @@ namespace conetact::contact
     void
     relink(std::vector<pairing::ContactNode> nodes);
 
+    /**
+     * Locks cuts that are due in increments that begin at t, as open as they
+     * are in displacements u of all dofs (none: undeformed). Whether there were
+     * any: free motions are other ones then.
+     */
+    bool
+    lock_cuts(const double t, const Eigen::VectorXd &u);
+    /** How open cuts are in displacements u of all dofs [length]. */
+    double
+    opening(const Cut &cut, const Eigen::VectorXd &u) const;
+    /** On all dofs: forces by which locks of cuts keep reactions in balance. */
+    Eigen::VectorXd
+    lock_forces(const Eigen::VectorXd &all_reactions) const;
+
     bool
     may_be_mechanism() const;
 
@@ -209,6 +223,12 @@ namespace conetact::contact
      */
     void
     relink(const Eigen::VectorXd &u, const double t);
+    /** Free motions have become other ones. */
+    void
+    forget_motions()
+    {
+      a = base = Eigen::VectorXd::Zero(model->motions.n_free());
+    }
     /** Takes over the end of an increment. */
     void
     advance(const solvers::ContactState &end);

@@ -81,6 +81,10 @@ namespace conetact::contact
     void
     relink();
 
+    /** A cut was locked: fewer motions are free, nothing is factorised. */
+    void
+    see_motions();
+
     /** What the factorisations would take; nothing is factorised. */
     static backends::FactorEstimate
     estimate(const ElasticSystem       &elastic,

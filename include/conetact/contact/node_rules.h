@@ -9,14 +9,46 @@
 #include "conetact/bodies/supports.h"
 #include "conetact/pairing/contact_nodes.h"
 
+#include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace conetact::contact
 {
+  /** A tie whose sides move along an axis, see add_preloads(). */
+  struct Cut
+  {
+    unsigned int          contact = 0; ///< index of the tie
+    unsigned int          body    = 0; ///< the rigid one that opens it
+    Tensor<1, 3>          axis;        ///< unit, from the master to the body
+    std::optional<double> locked_from; ///< time
+    std::optional<double> opening;     ///< where it is locked [length]
+
+    /** Whether it is locked in increments that begin at t. */
+    bool
+    is_due(const double t) const
+    {
+      return locked_from && t >= *locked_from - rounding();
+    }
+    /** Whether it is locked in increments that end at t. */
+    bool
+    is_locked_after(const double t) const
+    {
+      return locked_from && t > *locked_from + rounding();
+    }
+
+  private:
+    double
+    rounding() const
+    {
+      return 1e-12 * std::abs(*locked_from);
+    }
+  };
+
   /** The bodies of a scene, what holds them and where they may touch. */
   struct Bodies
   {
@@ -26,7 +58,7 @@ namespace conetact::contact
     std::vector<bodies::Support>           supports;
     std::vector<pairing::ContactNode>      contact_nodes;
 
-    /** The last ones are rigid: obstacles that are free. */
+    /** The last ones are rigid: obstacles that are free, then cuts. */
     std::size_t n_rigid = 0;
     std::size_t
     n_elastic() const
@@ -38,17 +70,38 @@ namespace conetact::contact
     {
       return body >= n_elastic();
     }
+    std::size_t
+    n_free_obstacles() const
+    {
+      return n_rigid - cuts().size();
+    }
+    /** Ties that forces tighten; which are locked changes with time. */
+    const std::vector<Cut> &
+    cuts() const
+    {
+      return *all_cuts;
+    }
+    /** For ContactModel, which locks them. */
+    std::vector<Cut> &
+    change_cuts() const
+    {
+      return *all_cuts;
+    }
     /** Bodies of revolution round the y axis: all of them or none. */
     bool
     are_axisymmetric() const
     {
       return !structures.empty() && structures.front()->is_axisymmetric();
     }
-    /** "body 'block'" or "obstacle 'plate'". */
+    /** "body 'block'", "obstacle 'plate'" or "'preload bolt'". */
     std::string
     called(const std::size_t body) const
     {
-      return (is_rigid(body) ? "obstacle '" : "body '") + names[body] + "'";
+      const bool is_cut = body >= n_elastic() + n_free_obstacles();
+      return (is_cut         ? "'" :
+              is_rigid(body) ? "obstacle '" :
+                               "body '") +
+             names[body] + "'";
     }
     /**
      * Where bodies that turn far stand, one for each body; empty: nothing
@@ -131,6 +184,8 @@ namespace conetact::contact
   private:
     std::shared_ptr<std::vector<pairing::RigidMotion>> places =
       std::make_shared<std::vector<pairing::RigidMotion>>();
+    std::shared_ptr<std::vector<Cut>> all_cuts =
+      std::make_shared<std::vector<Cut>>();
   };
 
   /**

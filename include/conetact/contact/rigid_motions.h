@@ -6,6 +6,7 @@
 
 #include "conetact/contact/coordinates.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ namespace conetact::contact
                  const NodeRules     &rules,
                  const ContactPoints &points,
                  const Coordinates   &coordinates);
+
+    /** A cut was locked: fewer motions are free. */
+    void
+    find_again(const ContactPoints &points);
 
     /** Contacts were found again: what they see of free motions. */
     void
@@ -196,6 +201,8 @@ namespace conetact::contact
     void
     find_held_and_free();
     void
+    hold_locked();
+    void
     tie(const ContactPoints &points);
     void
     find_assemblies();
@@ -213,9 +220,9 @@ namespace conetact::contact
     /** An equation that binds a node to its opponent. */
     struct Tie
     {
-      const pairing::ContactNode *node;
-      Tensor<1, 3>                direction;
-      Eigen::RowVectorXd          row, master_row; ///< of the bodies' modes
+      const pairing::ContactNode                *node;
+      Tensor<1, 3>                               direction;
+      std::map<unsigned int, Eigen::RowVectorXd> rows; ///< of bodies' modes
     };
     Tie
     make_tie(const pairing::ContactNode &node,

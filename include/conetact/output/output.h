@@ -66,6 +66,13 @@ namespace conetact::output
     Point<3>     position; ///< undeformed
   };
 
+  /** Of a tie that a force tightens. */
+  struct PreloadRecord
+  {
+    double force      = 0; ///< tension [force]
+    double shortening = 0; ///< since the start [length]
+  };
+
   /** An increment as its contact nodes see it. */
   struct CondensedIncrement
   {
@@ -95,6 +102,7 @@ namespace conetact::output
     std::vector<Resultant>  each_support, each_load;
 
     std::vector<ObstacleRecord> obstacles; ///< that are free
+    std::vector<PreloadRecord>  preloads;
 
     LargestDisplacement       largest_displacement;
     std::vector<Tensor<1, 3>> probes; ///< displacements of chosen points
@@ -129,6 +137,7 @@ namespace conetact::output
     std::vector<std::string>  loads;     ///< names
     std::vector<std::string>  bodies;    ///< names
     std::vector<std::string>  obstacles; ///< names of those that are free
+    std::vector<std::string>  preloads;  ///< names of contacts that have one
     std::vector<std::string>  probes;    ///< names of chosen points
     std::vector<const bodies::Structure *> structures;
     unsigned int                           dim = 2;

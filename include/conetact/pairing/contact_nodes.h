@@ -36,6 +36,14 @@ namespace conetact::pairing
   const std::vector<KindRow> &
   contact_kinds();
 
+  /** A force that draws the sides of a tie together. */
+  struct Preload
+  {
+    Expression            force;       ///< of t, tension is positive [force]
+    Tensor<1, 3>          axis;        ///< unit; 0: the normal of the faces
+    std::optional<double> locked_from; ///< time; none: it stays prescribed
+  };
+
   /**
    * Boundary ids of a body that may touch an obstacle or another body, with
    * friction.
@@ -55,6 +63,7 @@ namespace conetact::pairing
     /** Overlap at the start; none: a quarter of a face. [length] */
     std::optional<double>     interference;
     std::optional<Expression> gap;                      ///< prescribed [length]
+    std::optional<Preload>    preload;                  ///< of a tie
     std::string               pairing = "node to face"; ///< row of pairings()
     double sharp_edge = 2 * M_PI / 9; ///< of a slave surface [rad]
     bool   slides     = false; ///< far: its nodes are found again and again
@@ -117,6 +126,11 @@ namespace conetact::pairing
      * have no contact node of their own).
      */
     std::vector<std::pair<unsigned int, double>> slaves;
+    /**
+     * The rigid body whose motion opens its tie, a third side: what stands in
+     * the way of closing it, and takes part in no balance of the others.
+     */
+    std::optional<unsigned int> opening;
     /** Whether the nodes of its contact are means over faces (mortar). */
     bool is_mean = false;
 
@@ -174,7 +188,8 @@ namespace conetact::pairing
   /**
    * Calls visit(body, node, weight) for the nodes of bodies whose motions a
    * contact node sees: @f$v = \sum weight\,u@f$ (less that of an obstacle),
-   * and on which its reaction acts, weight by weight.
+   * and on which its reaction acts, weight by weight. A tie that a force
+   * tightens has a third side.
    */
   template <typename Visit>
   void
@@ -185,6 +200,8 @@ namespace conetact::pairing
     });
     for (const auto &[master, weight] : node.masters)
       visit(node.master, master, -weight);
+    if (node.opening)
+      visit(*node.opening, 0, -1.);
   }
 
   /** From what a contact node meets on its master to what it meets that with,
@@ -199,6 +216,7 @@ namespace conetact::pairing
   Contact
   create_contact(dealii::ParameterHandler                     &prm,
                  const std::string                            &name,
+                 const unsigned int                            dim,
                  const std::vector<std::string>               &bodies,
                  const std::vector<const bodies::Structure *> &structures,
                  const std::vector<Obstacle>                  &obstacles);

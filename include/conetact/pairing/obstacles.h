@@ -111,6 +111,7 @@ namespace conetact::pairing
     std::unique_ptr<ObstacleShape> (*create)(dealii::ParameterHandler &,
                                              const unsigned int dim,
                                              const std::string &in);
+    std::vector<std::string> entries = {}; ///< that it reads
   };
 } // namespace conetact::pairing
 

@@ -95,6 +95,12 @@ namespace conetact::verification
     /** Judges against the state that was accepted last. */
     Finding
     judge(const Claim &claim) const;
+    /** Displacements of all dofs that were accepted last; empty: none yet. */
+    const Eigen::VectorXd &
+    accepted_displacements() const
+    {
+      return last.u;
+    }
     /** The claim becomes the state that the next one is judged against. */
     void
     accept(const Claim &claim, const Finding &finding);

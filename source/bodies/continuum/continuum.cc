@@ -57,13 +57,13 @@ namespace conetact::bodies
     }
 
     template <int dim>
-    Eigen::VectorXd
-    nodal_values(const ContinuumMesh<dim> &mesh, const ScalarField &field)
+    void
+    add_nodal_values(const ContinuumMesh<dim>   &mesh,
+                     const InitialStrainField   &field,
+                     std::vector<InitialStrain> &values)
     {
-      Eigen::VectorXd values(static_cast<Eigen::Index>(mesh.nodes.size()));
-      for (Eigen::Index i = 0; i < values.size(); ++i)
-        values[i] = field(to_space(mesh.nodes[static_cast<std::size_t>(i)]));
-      return values;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] += field(to_space(mesh.nodes[i]));
     }
 
     /**
@@ -435,27 +435,36 @@ namespace conetact::bodies
 
   template <int dim>
   bool
-  Continuum<dim>::add_temperature(const ScalarField &change,
-                                  Eigen::VectorXd   &f) const
+  Continuum<dim>::add_initial_strain(const InitialStrainField &strain,
+                                     Eigen::VectorXd          &f) const
   {
-    using Element                  = ElementFormulation<dim>;
-    const Eigen::VectorXd at_nodes = nodal_values(mesh, change);
-    const unsigned int    n        = mesh.n_cell_nodes;
+    using Element = ElementFormulation<dim>;
+    std::vector<InitialStrain> at_nodes(mesh.nodes.size());
+    add_nodal_values(mesh, strain, at_nodes);
+    const unsigned int n = mesh.n_cell_nodes;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       {
         const auto                cell  = mesh.cell(c);
         const Phase<dim>         &phase = phases[mesh.phase(c)];
-        const Eigen::VectorXd     unit  = phase.material.thermal_strain(dim);
         typename Element::Strains strains(Element::n_strains, n);
         for (unsigned int v = 0; v < n; ++v)
-          strains.col(v) = at_nodes[cell[v]] * unit;
-        // Forces int B^T C alpha T: they would strain the cell as the heat
-        // would if nothing resisted. They sum to zero in each cell.
+          strains.col(v) =
+            strain_components(at_nodes[cell[v]].of(phase.material.expansion),
+                              dim);
+        // Forces int B^T C eps: they would strain the cell by eps if nothing
+        // resisted. They sum to zero in each cell.
         const typename Element::Displacements forces =
           thickness * phase.element->forces(mesh.vertices(c), strains);
         for (unsigned int i = 0; i < dim * n; ++i)
           f[dim * cell[i / dim] + i % dim] += forces[i];
       }
+    return true;
+  }
+
+  template <int dim>
+  bool
+  Continuum<dim>::expands() const
+  {
     return std::any_of(phases.begin(), phases.end(), [](const auto &phase) {
       return phase.material.expansion != 0;
     });
@@ -467,12 +476,11 @@ namespace conetact::bodies
                           const Eigen::VectorXd &w,
                           const Actions         &actions) const
   {
-    Eigen::VectorXd temperature =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.nodes.size()));
+    std::vector<InitialStrain> initial(mesh.nodes.size());
     for (const Action &action : actions)
-      if (action.kind == Action::Kind::temperature)
-        temperature += nodal_values(mesh, action.temperature);
-    return draw_continuum(mesh, phases, u, w, temperature);
+      if (action.kind == Action::Kind::initial_strain)
+        add_nodal_values(mesh, action.strain, initial);
+    return draw_continuum(mesh, phases, u, w, initial);
   }
 
   template <int dim>

@@ -96,11 +96,11 @@ namespace conetact::bodies
     /** Of each point: sum over its cells, divided by their number. */
     template <int dim>
     Eigen::MatrixXd
-    averaged_stresses(const ContinuumMesh<dim> &mesh,
-                      const DrawnPoints<dim>   &points,
-                      const Phases<dim>        &phases,
-                      const Eigen::VectorXd    &w,
-                      const Eigen::VectorXd    &temperature)
+    averaged_stresses(const ContinuumMesh<dim>         &mesh,
+                      const DrawnPoints<dim>           &points,
+                      const Phases<dim>                &phases,
+                      const Eigen::VectorXd            &w,
+                      const std::vector<InitialStrain> &at_nodes)
     {
       using Element       = ElementFormulation<dim>;
       const auto n_points = static_cast<Eigen::Index>(points.places.size());
@@ -111,14 +111,14 @@ namespace conetact::bodies
       typename Element::Strains       initial(Element::n_strains, n);
       for (unsigned int c = 0; c < mesh.n_cells(); ++c)
         {
-          const auto            cell    = mesh.cell(c);
-          const Phase<dim>     &phase   = phases[mesh.phase(c)];
-          const Eigen::VectorXd thermal = phase.material.thermal_strain(dim);
+          const auto        cell  = mesh.cell(c);
+          const Phase<dim> &phase = phases[mesh.phase(c)];
           for (unsigned int v = 0; v < n; ++v)
             {
               w_cell.template segment<dim>(dim * v) =
                 w.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
-              initial.col(v) = temperature[cell[v]] * thermal;
+              initial.col(v) = strain_components(
+                at_nodes[cell[v]].of(phase.material.expansion), dim);
             }
           const typename Element::Strains stresses =
             phase.element->stresses(mesh.vertices(c), w_cell, initial);
@@ -178,10 +178,14 @@ namespace conetact::bodies
     Eigen::Matrix3d
     strain_of(const Eigen::Matrix3d &stress,
               const ElasticMaterial &material,
-              const double           temperature)
+              const InitialStrain   &initial)
     {
-      return elastic_strain(stress, material) +
-             material.expansion * temperature * Eigen::Matrix3d::Identity();
+      Eigen::Matrix3d    strain = elastic_strain(stress, material);
+      const Tensor<2, 3> own    = initial.of(material.expansion);
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          strain(i, j) += own[i][j];
+      return strain;
     }
 
     /** The largest first. */
@@ -221,10 +225,10 @@ namespace conetact::bodies
       void
       append(const Eigen::Matrix3d &stress_here,
              const ElasticMaterial &material,
-             const double           temperature)
+             const InitialStrain   &initial)
       {
         const Eigen::Matrix3d strain_here =
-          strain_of(stress_here, material, temperature);
+          strain_of(stress_here, material, initial);
         append(stress, stress_here);
         von_mises.values.push_back(equivalent(stress_here));
         append(strain, strain_here);
@@ -272,15 +276,15 @@ namespace conetact::bodies
 
   template <int dim>
   VtuGrid
-  draw_continuum(const ContinuumMesh<dim> &mesh,
-                 const Phases<dim>        &phases,
-                 const Eigen::VectorXd    &u,
-                 const Eigen::VectorXd    &w,
-                 const Eigen::VectorXd    &temperature)
+  draw_continuum(const ContinuumMesh<dim>         &mesh,
+                 const Phases<dim>                &phases,
+                 const Eigen::VectorXd            &u,
+                 const Eigen::VectorXd            &w,
+                 const std::vector<InitialStrain> &initial)
   {
     const DrawnPoints<dim> points(mesh);
     const Eigen::MatrixXd  stresses =
-      averaged_stresses(mesh, points, phases, w, temperature);
+      averaged_stresses(mesh, points, phases, w, initial);
     NodalFields fields;
     for (Eigen::Index i = 0; i < stresses.cols(); ++i)
       {
@@ -291,7 +295,7 @@ namespace conetact::bodies
         NodalFields::append(fields.displacement, displacement);
         fields.append(tensor(stresses.col(i)),
                       phases[phase].material,
-                      temperature[node]);
+                      initial[node]);
       }
     VtuGrid grid      = bare_grid(mesh, points);
     grid.point_fields = std::move(fields).all();
@@ -303,11 +307,11 @@ namespace conetact::bodies
                     const Phases<2> &,
                     const Eigen::VectorXd &,
                     const Eigen::VectorXd &,
-                    const Eigen::VectorXd &);
+                    const std::vector<InitialStrain> &);
   template VtuGrid
   draw_continuum<3>(const ContinuumMesh<3> &,
                     const Phases<3> &,
                     const Eigen::VectorXd &,
                     const Eigen::VectorXd &,
-                    const Eigen::VectorXd &);
+                    const std::vector<InitialStrain> &);
 } // namespace conetact::bodies

@@ -241,14 +241,18 @@ namespace conetact::bodies
     return c;
   }
 
+  /* Along z, too: in plane strain it presses against what holds the body
+     there. */
   Eigen::VectorXd
-  ElasticMaterial::thermal_strain(const unsigned int dim) const
+  strain_components(const dealii::Tensor<2, 3> &strain, const unsigned int dim)
   {
-    Eigen::VectorXd strain = Eigen::VectorXd::Zero(2 * dim);
-    // Along z, too: in plane strain heat presses against what holds the body
-    // there.
-    strain.head<3>().setConstant(expansion);
-    return strain;
+    Eigen::VectorXd components(2 * dim);
+    for (Eigen::Index k = 0; k < components.size(); ++k)
+      {
+        const auto [i, j] = pairs[k];
+        components[k]     = i == j ? strain[i][i] : strain[i][j] + strain[j][i];
+      }
+    return components;
   }
 
   void

@@ -109,7 +109,7 @@ namespace conetact::bodies
           result.emplace_back(x, y[i], z[i]);
           if (i + 1 < y.size())
             x += member.length() / n *
-                 (load.thermal_strain +
+                 (load.initial_strain +
                   (cuts[2 * i].force[0] + 4 * cuts[2 * i + 1].force[0] +
                    cuts[2 * i + 2].force[0]) /
                     (6 * e * section.area));

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
+
 namespace conetact::bodies
 {
   namespace
@@ -15,13 +17,18 @@ namespace conetact::bodies
     /** How far off its axis, in lengths, a point may be by round-off. */
     constexpr double point_tolerance = 1e-6;
 
+    /** Mean of the strain along the axis of a member. */
     double
-    mean(const Member &member, const ScalarField &field)
+    mean(const Member &member, const InitialStrainField &field)
     {
       static const dealii::QGauss<1> gauss(3);
-      double                         sum = 0;
+      const Tensor<1, 3>             along = member.axis(0);
+      double                         sum   = 0;
       for (unsigned int q = 0; q < gauss.size(); ++q)
-        sum += gauss.weight(q) * field(member.point(gauss.point(q)[0]));
+        sum +=
+          gauss.weight(q) * (along * (field(member.point(gauss.point(q)[0]))
+                                        .of(member.section().expansion) *
+                                      along));
       return sum;
     }
   } // namespace
@@ -80,9 +87,8 @@ namespace conetact::bodies
           else if (action.kind == Kind::traction && carries(m, action.ids) &&
                    !(nodes[member.nodes()[0]].area > 0))
             add(section.width);
-          else if (action.kind == Kind::temperature && section.expansion != 0)
-            loads[m].thermal_strain +=
-              section.expansion * mean(member, action.temperature);
+          else if (action.kind == Kind::initial_strain)
+            loads[m].initial_strain += mean(member, action.strain);
         }
     for (const Action &action : actions)
       if (action.kind == Kind::point_force &&
@@ -134,14 +140,20 @@ namespace conetact::bodies
   }
 
   bool
-  Frame::add_temperature(const ScalarField &change, Eigen::VectorXd &f) const
+  Frame::add_initial_strain(const InitialStrainField &strain,
+                            Eigen::VectorXd          &f) const
   {
-    assemble(member_loads({{Action::Kind::temperature, {}, {}, {}, change}}),
+    assemble(member_loads({{Action::Kind::initial_strain, {}, {}, {}, strain}}),
              f);
-    bool expands = false;
-    for (const Member &member : members)
-      expands = expands || member.section().expansion != 0;
-    return expands;
+    return true;
+  }
+
+  bool
+  Frame::expands() const
+  {
+    return std::any_of(members.begin(), members.end(), [](const Member &m) {
+      return m.section().expansion != 0;
+    });
   }
 
   bool

@@ -185,7 +185,7 @@ namespace conetact::bodies
       f += shape_forces(s, axes * to_eigen(force));
     // Forces that would stretch the member as heat would if nothing resisted.
     const double n =
-      properties->young_modulus * properties->area * load.thermal_strain;
+      properties->young_modulus * properties->area * load.initial_strain;
     f[0] -= n;
     f[6] += n;
     Matrix k = full_stiffness();

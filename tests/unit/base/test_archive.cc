@@ -85,7 +85,29 @@ TEST(Archive, PartsOfAFileAreRefused)
     EXPECT_NE(reading(whole.substr(0, n)).find("is not a whole checkpoint"),
               std::string::npos)
       << n;
-  EXPECT_NE(reading("Conetact archive 1\nnumbers 99999999999 x\n")
+  EXPECT_NE(reading("Conetact archive 2\nnumbers 99999999999 x\n")
               .find("is not a whole checkpoint"),
             std::string::npos);
+}
+
+
+
+TEST(Archive, AByteThatIsAnotherOneIsRefused)
+{
+  Archive archive;
+  archive.put("numbers", std::vector<double>(30, 1.5));
+  archive.put_text("scene", "set A = 1\n");
+  archive.write(archive_file());
+  const std::string whole = test::read_file(archive_file());
+  for (const char flip : {'\x01', '\x80', '\xff'})
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      {
+        std::string other     = whole;
+        other[i]              = static_cast<char>(other[i] ^ flip);
+        const std::string why = reading(other);
+        EXPECT_TRUE(why.find("has changed since it was written") !=
+                      std::string::npos ||
+                    why.find("is not a whole checkpoint") != std::string::npos)
+          << i << ": " << why;
+      }
 }

@@ -52,6 +52,8 @@ TEST(Expression, SentencesNameTheEntry)
 {
   EXPECT_TRUE(test::starts(refused(""), "Entry: an expression is missing."));
   EXPECT_TRUE(test::starts(refused("2*"), "Entry: '2*' is not an expression"));
+  EXPECT_TRUE(test::starts(sentence_of([] { Expression("ninety", "Entry"); }),
+                           "Entry: 'ninety' is not an expression"));
   EXPECT_TRUE(test::starts(refused("1, 2"), "Entry: '1, 2' is not an"));
   EXPECT_TRUE(test::starts(refused("1/(x - 1)"),
                            "Entry: '1/(x - 1)' is not finite at (1, 2, 3), "

@@ -115,8 +115,11 @@ namespace conetact::test
             return .01 * Tensor<1, 3>({p[0], p[1], 0.});
           });
           Eigen::VectorXd       f = Eigen::VectorXd::Zero(u.size());
-          EXPECT_TRUE(
-            body->add_temperature([](const Point<3> &) { return 1.; }, f));
+          body->add_initial_strain(
+            [](const Point<3> &) {
+              return InitialStrain{{}, 1.};
+            },
+            f);
           EXPECT_LT((f - stiffness(*body) * u).norm(), 1e-13 * f.norm());
         }
   }

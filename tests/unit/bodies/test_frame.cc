@@ -385,24 +385,48 @@ TEST(Frame, TemperatureWithoutForce)
       if (frame->all_members()[0].section().expansion == 0)
         continue;
       Eigen::VectorXd f = no_forces(*frame);
-      EXPECT_TRUE(
-        frame->add_temperature([](const Point<3> &) { return 30.; }, f));
+      EXPECT_TRUE(frame->add_initial_strain(
+        [](const Point<3> &) {
+          return InitialStrain{{}, 30.};
+        },
+        f));
     }
   // a bar that is free expands, one that is held is pressed
   const auto bar =
     make_frame(2, "Generator = line|Arguments = 0, 0 : 4, 0 : 2", beam);
   const Actions heat = {
-    {Action::Kind::temperature, {}, {}, {}, [](const Point<3> &x) {
-       return 15 * x[0];
+    {Action::Kind::initial_strain, {}, {}, {}, [](const Point<3> &x) {
+       return InitialStrain{{}, 15 * x[0]};
      }}};
   Eigen::VectorXd f = no_forces(*bar);
-  bar->add_temperature(heat[0].temperature, f);
+  bar->add_initial_strain(heat[0].strain, f);
   const Eigen::VectorXd u = solve(*bar, {0, 1, 2}, f);
   EXPECT_NEAR(u[6], .01 * 30 * 4, 1e-12);
   for (const double s : {0., .5, 1.})
     EXPECT_NEAR(cut(*bar, u, heat, 1, s).force[0], 0, 1e-11);
   const Eigen::VectorXd held = solve(*bar, {0, 1, 2, 6, 7, 8}, f);
   EXPECT_NEAR(cut(*bar, held, heat, 0, 1).force[0], -E * A * .01 * 30, 1e-11);
+}
+
+TEST(Frame, InitialStrainCountsAlongMembers)
+{
+  const auto bar =
+    make_frame(2, "Generator = line|Arguments = 0, 0 : 3, 4 : 1", beam);
+  Tensor<2, 3> strain;
+  strain[0][0] = .02;
+  strain[1][1] = -.01;
+  strain[0][1] = strain[1][0] = .005;
+  const double  along         = .36 * .02 - .64 * .01 + 2 * .48 * .005;
+  const Actions swelling      = {
+         {Action::Kind::initial_strain, {}, {}, {}, [strain](const Point<3> &) {
+       return InitialStrain{strain, 0};
+     }}};
+  Eigen::VectorXd f = no_forces(*bar);
+  EXPECT_TRUE(bar->add_initial_strain(swelling[0].strain, f));
+  const Eigen::VectorXd held = no_forces(*bar);
+  EXPECT_NEAR(cut(*bar, held, swelling, 0, .5).force[0], -E * A * along, 1e-11);
+  EXPECT_NEAR(f[3], .6 * E * A * along, 1e-11);
+  EXPECT_NEAR(f[4], .8 * E * A * along, 1e-11);
 }
 
 TEST(Frame, FileAndListAreTheSame)

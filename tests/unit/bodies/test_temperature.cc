@@ -3,6 +3,7 @@
 
 #include "conetact/bodies/continuum/continuum.h"
 #include "conetact/bodies/continuum/graphics.h"
+#include "conetact/bodies/placement.h"
 
 #include <deal.II/grid/tria.h>
 
@@ -24,10 +25,10 @@ namespace
            plane;
   }
 
-  ScalarField
+  InitialStrainField
   heat()
   {
-    return [](const Point<3> &) { return change; };
+    return [](const Point<3> &) { return InitialStrain{{}, change}; };
   }
 
   struct Case
@@ -73,7 +74,8 @@ TEST(Temperature, FreeExpansionNeedsNoForce)
         return c.stretch * alpha * change * x;
       });
       Eigen::VectorXd       f    = no_forces(*body);
-      EXPECT_TRUE(body->add_temperature(heat(), f));
+      EXPECT_TRUE(body->expands());
+      body->add_initial_strain(heat(), f);
       EXPECT_LE((stiffness(*body) * u - f).cwiseAbs().maxCoeff(),
                 1e-13 * f.cwiseAbs().maxCoeff());
     }
@@ -86,7 +88,7 @@ TEST(Temperature, HeldBodyPressesOnItsBoundary)
     {
       const auto      body = distorted(c);
       Eigen::VectorXd f    = no_forces(*body);
-      body->add_temperature(heat(), f);
+      body->add_initial_strain(heat(), f);
       double sum = 0;
       for (unsigned int n = 0; n < body->n_nodes(); ++n)
         if (std::abs(body->position(n)[0] - 1) < 1e-9)
@@ -120,7 +122,7 @@ TEST(Temperature, StressesOfABarBetweenWalls)
               held.push_back(c.dim * n + d);
         }
       Eigen::VectorXd f = no_forces(*body);
-      body->add_temperature(heat(), f);
+      body->add_initial_strain(heat(), f);
       const Eigen::VectorXd u   = solve(*body, held, f);
       const Eigen::VectorXd r   = stiffness(*body) * u - f;
       double                sum = 0;
@@ -154,7 +156,7 @@ TEST(Temperature, StressOutOfThePlane)
         u.segment<2>(2 * v) << .03 * vertices[v][0], .01 * vertices[v][1];
       }
     const Element::Strains heated =
-      change * steel.thermal_strain(2).replicate(1, n);
+      strain_components(InitialStrain{{}, change}.of(alpha), 2).replicate(1, n);
     return row.create(steel)->stresses(vertices, u, heated);
   };
   for (const auto &row : element_table<2>())
@@ -172,6 +174,91 @@ TEST(Temperature, NothingExpandsWithoutCoefficient)
 {
   const auto      body = make_body(2, "File = " + write_distorted_mesh(2, 3));
   Eigen::VectorXd f    = no_forces(*body);
-  EXPECT_FALSE(body->add_temperature(heat(), f));
+  EXPECT_FALSE(body->expands());
+  body->add_initial_strain(heat(), f);
   EXPECT_EQ(f.norm(), 0);
+}
+
+namespace
+{
+  const Tensor<2, 3> all_components = [] {
+    const double values[3][3] = {{.003, .001, -.002},
+                                 {.001, -.001, .0005},
+                                 {-.002, .0005, .002}};
+    Tensor<2, 3> strain;
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        strain[i][j] = values[i][j];
+    return strain;
+  }();
+
+  InitialStrainField
+  uniform_strain(const unsigned int dim)
+  {
+    Tensor<2, 3> strain = all_components;
+    if (dim == 2) // nothing is held along z then
+      for (unsigned int i = 0; i < 3; ++i)
+        strain[i][2] = strain[2][i] = 0;
+    return [strain](const Point<3> &) { return InitialStrain{strain, 0}; };
+  }
+
+  const std::string wood =
+    "Young moduli = 1000, 400, 250|Poisson ratios = 0.3, 0.25, 0.35|"
+    "Shear moduli = 300, 200, 120|Axes = ";
+} // namespace
+
+TEST(InitialStrain, FreeBodiesTakeItWithoutForce)
+{
+  for (const Case &c : cases)
+    for (const std::string &of :
+         {material(c.plane),
+          wood + (c.dim == 2 ? "30" : "1, 2, -1, 40") + "|Plane = " + c.plane})
+      {
+        const auto            body   = make_body(c.dim,
+                                    "File = " + write_distorted_mesh(c.dim, 3),
+                                    of,
+                                    c.element);
+        const auto            field  = uniform_strain(c.dim);
+        const Tensor<2, 3>    strain = field(Point<3>()).strain;
+        const Eigen::VectorXd u =
+          interpolate(*body, [&](const Point<3> &x) { return strain * x; });
+        Eigen::VectorXd f = no_forces(*body);
+        EXPECT_TRUE(body->add_initial_strain(field, f));
+        EXPECT_LE((stiffness(*body) * u - f).cwiseAbs().maxCoeff(),
+                  1e-13 * f.cwiseAbs().maxCoeff())
+          << c.element << ", " << c.plane;
+      }
+}
+
+TEST(InitialStrain, HeldBodiesHaveItsStressAndNoStrain)
+{
+  for (const auto &row : element_table<3>())
+    {
+      if (row.is_simplex)
+        continue;
+      const auto            body  = make_body(3,
+                                  "File = " + write_distorted_mesh(3, 2),
+                                  wood + "1, 2, -1, 40",
+                                  row.name);
+      const Eigen::VectorXd u     = Eigen::VectorXd::Zero(body->n_dofs());
+      const VtuGrid         drawn = body->drawing(
+        u, u, {{Action::Kind::initial_strain, {}, {}, {}, uniform_strain(3)}});
+      ElasticMaterial material;
+      material.orthotropy =
+        Orthotropy{{1000, 400, 250}, {.3, .25, .35}, {300, 200, 120}};
+      const auto Q = rotation_about(dealii::Tensor<1, 3>({1., 2., -1.}), 40);
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          material.orthotropy->axes(i, j) = Q[i][j];
+      const Eigen::VectorXd s =
+        -material.elasticity(3) * strain_components(all_components, 3);
+      const double expected[9] = {
+        s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
+      for (const VtuField &field : drawn.point_fields)
+        for (std::size_t k = 0; k < field.values.size(); ++k)
+          if (field.name == "stress")
+            EXPECT_NEAR(field.values[k], expected[k % 9], 1e-12);
+          else if (field.name == "strain")
+            EXPECT_NEAR(field.values[k], 0, 1e-15);
+    }
 }

@@ -94,10 +94,12 @@ namespace conetact::bodies
                   const SurfaceTensorField &stiffness,
                   const ElementVisitor     &visit) const override;
 
-    /** The temperature is taken at the nodes and linear between them. */
+    /** Initial strains are taken at the nodes and linear between them. */
     bool
-    add_temperature(const ScalarField &change,
-                    Eigen::VectorXd   &f) const override;
+    add_initial_strain(const InitialStrainField &strain,
+                       Eigen::VectorXd          &f) const override;
+    bool
+    expands() const override;
 
     VtuGrid
     drawing(const Eigen::VectorXd &u,

@@ -5,6 +5,7 @@
 #define conetact_bodies_continuum_material_h
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/tensor.h>
 
 #include <Eigen/Core>
 
@@ -77,11 +78,11 @@ namespace conetact::bodies
     {
       return orthotropy ? orthotropy->young.maxCoeff() : young_modulus;
     }
-
-    /** Strain that 1 K causes where nothing resists, in that order. */
-    Eigen::VectorXd
-    thermal_strain(const unsigned int dim) const;
   };
+
+  /** Components of a strain in that order. */
+  Eigen::VectorXd
+  strain_components(const dealii::Tensor<2, 3> &strain, const unsigned int dim);
 
   /** What the cells of some groups are made of. */
   struct MaterialOfGroups

@@ -83,10 +83,12 @@ namespace conetact::bodies
     add_line_load(const BoundaryIds  &ids,
                   const SurfaceField &load,
                   Eigen::VectorXd    &f) const override;
-    /** Each member expands by the mean of the temperature along it. */
+    /** Each member lengthens by the mean of the strain along it. */
     bool
-    add_temperature(const ScalarField &change,
-                    Eigen::VectorXd   &f) const override;
+    add_initial_strain(const InitialStrainField &strain,
+                       Eigen::VectorXd          &f) const override;
+    bool
+    expands() const override;
     /** Springs at the nodes, by their areas. */
     void
     visit_springs(const BoundaryIds        &ids,

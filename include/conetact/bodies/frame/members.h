@@ -19,7 +19,7 @@ namespace conetact::bodies
     std::vector<VectorField> per_length; ///< [force/length], global
     /** Place (0 to 1) and force [force], global. */
     std::vector<std::pair<double, Tensor<1, 3>>> points;
-    double thermal_strain = 0; ///< mean of alpha times temperature [-]
+    double initial_strain = 0; ///< mean of that along its axis [-]
   };
 
   /**

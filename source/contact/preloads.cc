@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/preloads.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/rigid_body.h"
+
+#include <cmath>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    /** Means over the nodes of a contact, by their areas. */
+    struct Face
+    {
+      unsigned int n_nodes = 0;
+      Point<3>     centre;
+      Tensor<1, 3> normal;
+    };
+
+    Face
+    face_of(const unsigned int contact, const Bodies &bodies)
+    {
+      Face   face;
+      double area = 0;
+      for (const pairing::ContactNode &node : bodies.contact_nodes)
+        if (node.contact == contact)
+          {
+            const double part = node.area > 0 ? node.area : 1e-300;
+            ++face.n_nodes;
+            area += part;
+            face.centre += part * Tensor<1, 3>(node.position);
+            face.normal += part * node.n;
+          }
+      face.centre /= area;
+      face.normal /= area;
+      return face;
+    }
+
+    /** From the master to the body. */
+    Tensor<1, 3>
+    axis_of(const pairing::Contact &contact,
+            const Face             &face,
+            const bool              axisymmetric)
+    {
+      constexpr double  plane = .999, across = .1; // cosines
+      const std::string in   = "Contact '" + contact.name + "', Preload axis: ";
+      Tensor<1, 3>      axis = contact.preload->axis;
+      if (axis.norm() == 0)
+        {
+          if (face.normal.norm() < plane)
+            throw InputError(in + "the faces of the cut are not plane, and "
+                                  "have no normal in common. Give the axis of "
+                                  "the bolt.");
+          axis = face.normal / face.normal.norm();
+        }
+      const double cosine = axis * face.normal;
+      if (std::abs(cosine) < across)
+        throw InputError(in + to_text(axis) +
+                         " lies in the faces of the cut, whose normal is " +
+                         to_text(face.normal) +
+                         ". Give the axis of the bolt, which crosses them.");
+      if (axisymmetric && std::abs(axis[1]) < 1 - 1e-9)
+        throw InputError(in + "bodies of revolution are tightened along their "
+                              "axis only. Give 0, 1.");
+      return cosine < 0 ? -axis : axis;
+    }
+
+    /** It only moves along its axis. */
+    bodies::Support
+    guide_of(const Cut &cut, const Point<3> &centre, const Bodies &bodies)
+    {
+      bodies::Support support;
+      support.name = bodies.names[cut.body];
+      support.body = cut.body;
+      support.surface.nodes.push_back({0, centre, 0, {}, {}});
+      support.directions = complement({cut.axis}, bodies.dim);
+      for (std::size_t k = 0; k < support.directions.size(); ++k)
+        support.displacement.emplace_back("0", support.name);
+      for (unsigned int c = bodies.dim == 2 ? 5 : 3; c < 6; ++c)
+        support.rotations.push_back(
+          {bodies.dim == 2 ? 2 : c, Expression("0", support.name)});
+      return support;
+    }
+  } // namespace
+
+  std::vector<std::unique_ptr<bodies::Structure>>
+  add_preloads(const std::vector<pairing::Contact> &contacts, Bodies &bodies)
+  {
+    std::vector<std::unique_ptr<bodies::Structure>> made;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        if (!contacts[c].preload)
+          continue;
+        const Face face = face_of(c, bodies);
+        Cut        cut;
+        cut.contact     = c;
+        cut.body        = static_cast<unsigned int>(bodies.structures.size());
+        cut.axis        = axis_of(contacts[c], face, bodies.are_axisymmetric());
+        cut.locked_from = contacts[c].preload->locked_from;
+        for (pairing::ContactNode &node : bodies.contact_nodes)
+          if (node.contact == c)
+            node.opening = cut.body;
+        made.push_back(
+          std::make_unique<bodies::RigidBody>(bodies.dim,
+                                              face.centre,
+                                              std::vector<Point<3>>(),
+                                              bodies.are_axisymmetric()));
+        bodies.names.push_back("preload " + contacts[c].name);
+        bodies.structures.push_back(made.back().get());
+        bodies.supports.push_back(guide_of(cut, face.centre, bodies));
+        ++bodies.n_rigid;
+        bodies.change_cuts().push_back(cut);
+      }
+    return made;
+  }
+
+  void
+  add_preload_forces(const std::vector<pairing::Contact> &contacts,
+                     const Bodies                        &bodies,
+                     const double                         t,
+                     Eigen::VectorXd                     &f)
+  {
+    std::vector<Eigen::Index> first = {0};
+    for (const bodies::Structure *structure : bodies.structures)
+      first.push_back(first.back() + structure->n_dofs());
+    for (const Cut &cut : bodies.cuts())
+      if (!cut.is_locked_after(t))
+        {
+          const double tension =
+            contacts[cut.contact].preload->force(Point<3>(), t);
+          for (unsigned int c = 0; c < bodies.dim; ++c)
+            f[first[cut.body] + c] -= tension * cut.axis[c];
+        }
+  }
+} // namespace conetact::contact
