@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (axisymmetric, balance, bodies, corners, drawn, driven, driven_far, elements, far_turns, friction, gmsh,  # noqa: E402
-                  hertz, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, refinement, restart, round_pairs, sliding,
+                  hertz, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, quadratic, refinement, restart, round_pairs, sliding,
                   supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
 
@@ -31,7 +31,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "round-plane": round_pairs.plane, "round-space": round_pairs.space,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
-            "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family}
+            "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family,
+            "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:
