@@ -164,26 +164,38 @@ namespace conetact
       std::string        section;
     };
 
-    /** Dimension and number of nodes of the elements of first order. */
+    /** Dimension and numbers of nodes; corners stand first. */
     struct Kind
     {
       unsigned int dim;
-      std::size_t  n_nodes;
+      std::size_t  n_nodes, n_corners;
     };
     Kind
     kind_of(const std::size_t type)
     {
-      static const std::map<std::size_t, Kind> kinds = {{1, {1, 2}},
-                                                        {2, {2, 3}},
-                                                        {3, {2, 4}},
-                                                        {4, {3, 4}},
-                                                        {5, {3, 8}},
-                                                        {6, {3, 6}},
-                                                        {7, {3, 5}},
-                                                        {15, {0, 1}}};
+      static const std::map<std::size_t, Kind> kinds = {{1, {1, 2, 2}},
+                                                        {2, {2, 3, 3}},
+                                                        {3, {2, 4, 4}},
+                                                        {4, {3, 4, 4}},
+                                                        {5, {3, 8, 8}},
+                                                        {6, {3, 6, 6}},
+                                                        {7, {3, 5, 5}},
+                                                        // of second order
+                                                        {8, {1, 3, 2}},
+                                                        {9, {2, 6, 3}},
+                                                        {10, {2, 9, 4}},
+                                                        {11, {3, 10, 4}},
+                                                        {12, {3, 27, 8}},
+                                                        {13, {3, 18, 6}},
+                                                        {14, {3, 14, 5}},
+                                                        {15, {0, 1, 1}},
+                                                        {16, {2, 8, 4}},
+                                                        {17, {3, 20, 8}},
+                                                        {18, {3, 15, 6}},
+                                                        {19, {3, 13, 5}}};
       const auto                               found = kinds.find(type);
       if (found == kinds.end())
-        throw GmshFault{"it has elements of second or higher order, or of a "
+        throw GmshFault{"it has elements of third or higher order, or of a "
                         "kind that is not known (Gmsh's type " +
                         std::to_string(type) +
                         "). Save it with elements of first order (in Gmsh "
@@ -402,7 +414,9 @@ namespace conetact
             if (found != groups_of.end())
               element.groups = found->second;
             for (std::size_t k = 0; k < kind.n_nodes; ++k)
-              element.nodes.push_back(node(source.count()));
+              if (const unsigned int point = node(source.count());
+                  k < kind.n_corners)
+                element.nodes.push_back(point);
             if (kind.dim > 0)
               mesh.elements.push_back(std::move(element));
           }
@@ -438,7 +452,9 @@ namespace conetact
           if (const long tag = source.integer(); k == 0 && tag != 0)
             element.groups.insert(group(tag));
         for (std::size_t k = 0; k < kind.n_nodes; ++k)
-          element.nodes.push_back(node(source.small_count()));
+          if (const unsigned int point = node(source.small_count());
+              k < kind.n_corners)
+            element.nodes.push_back(point);
         if (kind.dim == 0)
           return;
         std::vector<unsigned int> key = element.nodes;

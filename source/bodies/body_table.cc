@@ -62,9 +62,8 @@ namespace conetact::bodies
                           " on quadrilaterals and hexahedra, " +
                           default_element<2>(true).name +
                           " on triangles and tetrahedra; " + elements.second +
-                          ". On a mesh of quadrilaterals or hexahedra " +
-                          default_element<2>(true).name +
-                          " divides each into 8 triangles or 24 tetrahedra. "
+                          ". On a mesh of quadrilaterals or hexahedra P1 and "
+                          "P2 divide each into 8 triangles or 24 tetrahedra. "
                           "[-]");
       declare_mesh(prm);
       declare_material(prm);
@@ -100,8 +99,22 @@ namespace conetact::bodies
       if (!goes_round)
         throw InputError(body + ", Element: " + element +
                          " is not for bodies of revolution (Plane = "
-                         "axisymmetric), whose strains round the axis its "
-                         "modes do not know. Use Q1 or Q1 B-bar.");
+                         "axisymmetric): its modes do not know strains round "
+                         "the axis, or its nodes on the axis have no area "
+                         "there. Use Q1 or Q1 B-bar.");
+    }
+
+    /** Contact is node by node: each must have an area. */
+    template <int dim>
+    void
+    refuse_tetrahedra(const ElementRow<dim> &row, const std::string &body)
+    {
+      if (dim == 3 && row.is_simplex && row.degree > 1)
+        throw InputError(body + ", Element: " + row.name +
+                         " is for triangles only. On faces of such tetrahedra "
+                         "corners carry no force under a pressure, so nothing "
+                         "could tell whether they touch. Use Q2 on hexahedra, "
+                         "or P1.");
     }
 
     template <int dim>
@@ -115,8 +128,11 @@ namespace conetact::bodies
                                      nullptr :
                                      &find_row(element_table<dim>(), element);
       if (row != nullptr)
-        mesh.cells = row->is_simplex ? MeshParameters::Cells::simplices :
-                                       MeshParameters::Cells::hypercubes;
+        {
+          refuse_tetrahedra(*row, body);
+          mesh.cells = row->is_simplex ? MeshParameters::Cells::simplices :
+                                         MeshParameters::Cells::hypercubes;
+        }
       mesh.on_axis = materials.front().material.is_axisymmetric();
       if (mesh.on_axis)
         check_section(dim, element, row == nullptr || row->goes_round, body);

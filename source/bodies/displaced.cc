@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/displaced.h"
 
+#include "conetact/bodies/face_nodes.h"
+
 #include <map>
 
 namespace conetact::bodies
@@ -16,13 +18,14 @@ namespace conetact::bodies
       const auto from_to = [&](const std::size_t i, const std::size_t j) {
         return body.position(face.nodes[j]) - body.position(face.nodes[i]);
       };
-      if (face.nodes.size() == 2)
+      const std::size_t n = n_corners(body, face);
+      if (n == 2)
         {
           Tensor<1, 3> e_z;
           e_z[2] = 1;
           return cross_product_3d(from_to(0, 1), e_z);
         }
-      if (face.nodes.size() == 3)
+      if (n == 3)
         return .5 * cross_product_3d(from_to(0, 1), from_to(0, 2));
       // the diagonals of a quadrilateral
       return .5 * cross_product_3d(from_to(0, 3), from_to(1, 2));

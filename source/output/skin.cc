@@ -3,6 +3,8 @@
 
 #include "conetact/output/skin.h"
 
+#include "conetact/bodies/face_nodes.h"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -88,11 +90,14 @@ namespace conetact::output
         {
           if (!seen.emplace(face.nodes, id).second)
             continue; // a member of a frame may have several ids
-          std::vector<unsigned int> points;
-          for (const unsigned int node : face.nodes)
-            points.push_back(point(node));
-          skin.grid.add_cell(shape_of(points.size()), points);
-          ids.values.push_back(static_cast<int>(id));
+          for (const auto &part : bodies::parts_of_first_degree(body, face))
+            {
+              std::vector<unsigned int> points;
+              for (const unsigned int node : part)
+                points.push_back(point(node));
+              skin.grid.add_cell(shape_of(points.size()), points);
+              ids.values.push_back(static_cast<int>(id));
+            }
         }
     skin.grid.cell_ids = {std::move(ids)};
     return skin;

@@ -7,6 +7,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
+#include "conetact/bodies/face_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -713,6 +714,28 @@ namespace conetact::pairing
           to_number(prm.get("Preload locked from"), in + "Preload locked from");
       return preload;
     }
+
+    /** Forces of single nodes reach no face of second degree as a pressure
+     * does. */
+    void
+    refuse_single_nodes(
+      const Contact                                &contact,
+      const std::string                            &in,
+      const std::vector<const bodies::Structure *> &structures)
+    {
+      if (contact.obstacle != nullptr || contact.pairing != "node to face")
+        return;
+      for (const auto &[body, ids] :
+           {std::tie(contact.body, contact.ids),
+            std::tie(contact.master, contact.master_ids)})
+        for (const bodies::SurfaceFace &face :
+             structures[body]->surface(ids).faces)
+          if (bodies::is_of_second_degree(*structures[body], face))
+            throw InputError(in + "Pairing: node to face does not pass a "
+                                  "uniform pressure between faces of second "
+                                  "degree (Element = Q2 or P2). Choose "
+                                  "mortar.");
+    }
   } // namespace
 
   Contact
@@ -744,6 +767,7 @@ namespace conetact::pairing
       find_master(prm, in, bodies, structures, contact);
 
     find_limits(prm, in, contact);
+    refuse_single_nodes(contact, in, structures);
     contact.slides = prm.get("Kinematics") == "finite sliding";
     if (contact.slides)
       check_sliding(contact, in, structures);

@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/face_net.h"
 
+#include "conetact/bodies/face_nodes.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,10 +52,13 @@ namespace conetact::pairing
     Nodes
     edge_nodes(const FaceNet::Face &face, const std::size_t edge)
     {
-      if (face.nodes.size() == 2)
+      const std::size_t n = face.corners.size();
+      if (n == 2)
         return {face.nodes[edge]};
-      const auto &c     = edge_corners(face.nodes.size(), edge);
+      const auto &c     = edge_corners(n, edge);
       Nodes       nodes = {face.nodes[c[0]], face.nodes[c[1]]};
+      if (face.nodes.size() > n) // one at its middle
+        nodes.push_back(face.nodes[n + edge]);
       std::sort(nodes.begin(), nodes.end());
       return nodes;
     }
@@ -88,23 +93,24 @@ namespace conetact::pairing
     make_face(const bodies::Structure &body, const bodies::SurfaceFace &from)
     {
       FaceNet::Face face;
-      face.nodes   = from.nodes;
-      face.outward = from.normal;
-      for (const unsigned int node : from.nodes)
+      face.nodes          = from.nodes;
+      face.outward        = from.normal;
+      const std::size_t n = bodies::n_corners(body, from);
+      for (std::size_t i = 0; i < n; ++i)
         {
-          face.corners.push_back(body.position(node));
-          face.centre += Tensor<1, 3>(face.corners.back()) /
-                         static_cast<double>(from.nodes.size());
+          face.corners.push_back(body.position(from.nodes[i]));
+          face.centre +=
+            Tensor<1, 3>(face.corners.back()) / static_cast<double>(n);
         }
       for (const Point<3> &corner : face.corners)
         face.radius = std::max(face.radius, face.centre.distance(corner));
-      for (std::size_t e = 0; e < face.nodes.size(); ++e)
+      for (std::size_t e = 0; e < n; ++e)
         {
           face.edges.push_back({across_edge(face.corners, e), {}});
-          if (face.nodes.size() > 2)
+          if (n > 2)
             face.size = std::max(face.size, edge_length(face, e));
         }
-      if (face.nodes.size() == 2)
+      if (n == 2)
         face.size = 2 * face.radius;
       return face;
     }
@@ -113,7 +119,7 @@ namespace conetact::pairing
     double
     angle_at(const FaceNet::Face &face, const std::vector<std::size_t> &edges)
     {
-      if (face.nodes.size() == 2 || edges.size() == 1)
+      if (face.corners.size() == 2 || edges.size() == 1)
         return M_PI;
       if (edges.empty())
         return 2 * M_PI;
@@ -177,7 +183,7 @@ namespace conetact::pairing
         };
         const std::vector<std::size_t> others = neighbours(face);
         std::for_each(others.begin(), others.end(), see);
-        for (std::size_t i = 0; i < face.nodes.size(); ++i)
+        for (std::size_t i = 0; i < face.corners.size(); ++i)
           {
             const Tensor<1, 3> n =
               face_normal_at(face.corners, {{double(i % 2), double(i / 2)}});
@@ -237,7 +243,7 @@ namespace conetact::pairing
       groups;
     for (std::size_t f = 0; f < faces.size(); ++f)
       for (std::size_t e = 0; e < faces[f].edges.size(); ++e)
-        if (faces[f].edges[e].is_rim() && faces[f].nodes.size() > 2)
+        if (faces[f].edges[e].is_rim() && faces[f].corners.size() > 2)
           {
             std::set<unsigned int> key;
             for (const unsigned int node : edge_nodes(faces[f], e))
@@ -278,7 +284,8 @@ namespace conetact::pairing
   {
     std::vector<std::size_t> edges;
     for (std::size_t e = 0; e < faces[at.face].edges.size(); ++e)
-      if (distance_to_edge(faces[at.face].nodes.size(), at.at, e) <= round_off)
+      if (distance_to_edge(faces[at.face].corners.size(), at.at, e) <=
+          round_off)
         edges.push_back(e);
     return edges;
   }
@@ -292,8 +299,8 @@ namespace conetact::pairing
     for (const std::size_t e : edges)
       others.insert(face.edges[e].partners.begin(),
                     face.edges[e].partners.end());
-    const auto weights = shape_values(face.nodes.size(), at.at);
-    for (std::size_t i = 0; i < face.nodes.size(); ++i)
+    const auto weights = shape_values(face.corners.size(), at.at);
+    for (std::size_t i = 0; i < face.corners.size(); ++i)
       // At a corner all faces of the node meet, not only those across edges.
       if (weights[i] >= 1 - 2 * round_off)
         others.insert(faces_at_node[face.nodes[i]].begin(),

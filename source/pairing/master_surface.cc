@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/master_surface.h"
 
+#include "conetact/pairing/nodal_shapes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -286,8 +288,9 @@ namespace conetact::pairing
           continue;
         Foot       foot{meeting->gap, meeting->normal, all[f].size, {}};
         const auto weights =
-          shape_values(all[f].nodes.size(),
-                       acting_at(all[f], p, meeting->normal, at.at));
+          nodal_shape_values(all[f].nodes.size(),
+                             all[f].corners.size(),
+                             acting_at(all[f], p, meeting->normal, at.at));
         for (std::size_t i = 0; i < all[f].nodes.size(); ++i)
           if (std::abs(weights[i]) > 1e-14)
             foot.masters.emplace_back(all[f].nodes[i], weights[i]);

@@ -6,6 +6,7 @@
 #include "conetact/pairing/dual_functions.h"
 #include "conetact/pairing/facing_parts.h"
 #include "conetact/pairing/mortar_rows.h"
+#include "conetact/pairing/nodal_shapes.h"
 #include "conetact/pairing/node_to_face.h"
 
 #include <algorithm>
@@ -33,9 +34,20 @@ namespace conetact::pairing
       double                                  size = 0;
     };
 
+    /** Shape functions of the nodes of a face. */
+    Eigen::VectorXd
+    nodal_shapes(const FaceNet::Face &face, const ProjectedFace::Seen &seen)
+    {
+      const std::size_t n = face.nodes.size();
+      if (n == face.corners.size())
+        return seen.shape.head(static_cast<Index>(n));
+      const auto N = nodal_shape_values(n, face.corners.size(), seen.local);
+      return Eigen::Map<const Eigen::VectorXd>(N.data(), static_cast<Index>(n));
+    }
+
     /** The radius at a point of a face, where bodies go round an axis. */
     double
-    radius(const FaceNet::Face &face, const Eigen::VectorXd &shape)
+    radius(const FaceNet::Face &face, const Eigen::Vector4d &shape)
     {
       double r = 0;
       for (std::size_t v = 0; v < face.corners.size(); ++v)
@@ -66,12 +78,23 @@ namespace conetact::pairing
 
     /**
      * Shape functions of skew faces are series in their skewness s, with
-     * polynomials of degree k + 2 at s^k: what is cut off is below 1e-10.
+     * polynomials of degree k + 2 at s^k: what is cut off is below 1e-10. Those
+     * of second degree take products of degree 8 as well.
      */
     unsigned int
-    level_for(const double skewness)
+    level_for(const double skewness, const bool second_degree)
     {
-      return skewness < 3e-4 ? 0 : skewness < .05 ? 1 : skewness < .4 ? 2 : 3;
+      const unsigned int level = skewness < 3e-4 ? 0 :
+                                 skewness < .05  ? 1 :
+                                 skewness < .4   ? 2 :
+                                                   3;
+      return level + second_degree;
+    }
+
+    bool
+    is_of_second_degree(const FaceNet::Face &face)
+    {
+      return face.nodes.size() > face.corners.size();
     }
 
     class Mortar
@@ -161,19 +184,22 @@ namespace conetact::pairing
             // pressure pass without loss whatever the rule.
             const FaceNet::Face &other = facing.faces()[part.face];
             const unsigned int   level =
-              level_for(std::max(own.skewness(), part.projected.skewness()));
+              level_for(std::max(own.skewness(), part.projected.skewness()),
+                        is_of_second_degree(face) ||
+                          is_of_second_degree(other));
             sums.size = std::max(sums.size, other.size);
             for (const PlanePoint &q : gauss_points(part.where, level))
               {
                 const auto            here = own.at(q.position);
-                const Eigen::VectorXd N    = here.shape.head(n);
-                const double around        = axisymmetric ? radius(face, N) : 1;
+                const Eigen::VectorXd N    = nodal_shapes(face, here);
+                const double          around =
+                  axisymmetric ? radius(face, here.shape) : 1;
                 const Eigen::VectorXd weighted =
                   q.weight * here.stretch * around * N;
                 sums.areas += weighted;
                 sums.mass += weighted * N.transpose();
-                const Eigen::Vector4d there =
-                  part.projected.at(q.position).shape;
+                const Eigen::VectorXd there =
+                  nodal_shapes(other, part.projected.at(q.position));
                 for (std::size_t l = 0; l < other.nodes.size(); ++l)
                   sums.masters
                     .try_emplace(other.nodes[l], Eigen::VectorXd::Zero(n))
@@ -215,7 +241,7 @@ namespace conetact::pairing
       note_seen()
       {
         for (const MortarRow &row : rows.all())
-          if (row.area > 0)
+          if (row.area != 0) // of second degree: below, too
             seen.insert(row.node);
       }
 

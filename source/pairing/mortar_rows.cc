@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/mortar_rows.h"
 
+#include "conetact/pairing/nodal_shapes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,6 +15,11 @@ namespace conetact::pairing
   {
     /** Covered less than this part a node leaves its pressure to others. */
     constexpr double next_to_nothing = 1e-3;
+    /**
+     * Shape functions of second degree change their sign: near a rim what a
+     * corner has is below 0 or cancels, and means over it reach far.
+     */
+    constexpr double next_to_cancelled = .1;
 
     double
     area_of(const FaceNet::Face &face, const bool axisymmetric)
@@ -81,10 +88,14 @@ namespace conetact::pairing
               add_row(node);
             row_of[f][c]   = row_of_side[side[i]];
             MortarRow &row = at(f, c);
-            // Equal shares of a face are near enough: they weigh normals, and
-            // tell which part of a node's faces is covered.
-            const double share = area_of(faces[f], axisymmetric) /
-                                 static_cast<double>(faces[f].nodes.size());
+            // Shares of a parallelogram are near enough: they weigh normals,
+            // and tell which part of a node's faces is covered.
+            const std::size_t n         = faces[f].nodes.size(),
+                              n_corners = faces[f].corners.size();
+            if (n > n_corners)
+              row.least = next_to_cancelled;
+            const double share =
+              area_of(faces[f], axisymmetric) * nodal_shares(n, n_corners)[c];
             row.whole += share;
             row.normal += share * faces[f].outward;
           }
@@ -96,7 +107,8 @@ namespace conetact::pairing
   {
     rows_at.emplace(node, rows.size());
     rows.emplace_back();
-    rows.back().node = node;
+    rows.back().node  = node;
+    rows.back().least = next_to_nothing;
   }
 
   void
@@ -181,7 +193,7 @@ namespace conetact::pairing
     };
     std::vector<std::size_t> small;
     for (std::size_t i = 0; i < rows.size(); ++i)
-      if (rows[i].area > 0 && covered(i) < next_to_nothing)
+      if (rows[i].area != 0 && covered(i) < rows[i].least)
         small.push_back(i);
     // The least covered first: its neighbour may be small as well and then has
     // more to give on.

@@ -127,6 +127,7 @@ namespace conetact::pairing
   {
     const auto where = local(p);
     Seen       seen;
+    seen.local = where;
     seen.shape = Eigen::Vector4d(shape_values(n_corners(), where).data());
     for (std::size_t i = 0; i < n_corners(); ++i)
       seen.height += seen.shape[static_cast<Eigen::Index>(i)] * heights[i];

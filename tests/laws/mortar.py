@@ -14,7 +14,7 @@ import time
 from support.half_cylinders import half_cylinder
 from support.meshes import distorted
 from support.polygons import shares_under
-from support.scenes import box, joint, load, ring, simplices, support
+from support.scenes import box, joint, load, merge, ring, simplices, support
 
 PRESSURE = 2.0
 JOINT = "joint"
@@ -121,17 +121,19 @@ def held(laws):
         laws.check("  the whole force", abs(abs(run.increments[-1][f"{JOINT}_f_y"]) / (2 * PRESSURE) - 1), 1e-10)
 
 
-def turned_on_wider(angle, exchanged, is_cut=False, pressure=PRESSURE, **contact):
+def turned_on_wider(angle, exchanged, is_cut=False, pressure=PRESSURE, degree=1, **contact):
     """A turned block on a wider one, which carries the same pressure beside it: all of it is uniform."""
     cells, size, small = (4, 5), (2.0, 2.0), 1.1
     c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
     place = [(.97 + c * x - s * y, 1.02 + s * x + c * y)
              for x, y in ((-small / 2, -small / 2), (small / 2, -small / 2), (small / 2, small / 2), (-small / 2, small / 2))]
-    under = shares_under(cells, size, place)
-    whole = shares_under(cells, size, [(0, 0), (2, 0), (2, 2), (0, 2)])
+    under = shares_under(cells, size, place, degree)
+    whole = shares_under(cells, size, [(0, 0), (2, 0), (2, 2), (0, 2)], degree)
     upper = box((3, 4, 1), (small, small, 1.0), (-small / 2, -small / 2, 0.0), Rotation=(0, 0, 1, angle), Translation=(.97, 1.02, 1.0))
     scene = stacked(3, box((*cells, 2), (*size, 1.0)), simplices(upper) if is_cut else upper, exchanged, **contact)
     scene.pop("Support wall upper")
+    if degree == 2:
+        scene = merge(scene, {"Body lower": {"Element": "Q2"}, "Body upper": {"Element": "Q2"}})
     scene["Load top"]["Value"] = repr(pressure)
     for k, (node, share) in enumerate(whole.items()):
         force = -pressure * (share - under.get(node, 0))

@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (axisymmetric, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
-                  hertz, initial_strain, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, preload, refinement, restart, rolling,
+                  hertz, initial_strain, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, patch, path, preload, quadratic, refinement, restart, rolling,
                   round_pairs, sliding,
                   supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
@@ -34,7 +34,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload,
-            "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies}
+            "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
+            "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:

@@ -58,6 +58,11 @@ class Field:
             total = total + product
         return total
 
+    def at_each(self, places):
+        """Values at the rows of an array."""
+        return sum((factor * np.prod([np.sin(k * x + phase) for x, (k, phase) in zip(places.T, waves)], axis=0)
+                    for factor, waves in self.terms), np.zeros(len(places)))
+
     def text(self):
         def wave(name, k, phase):
             return f" * sin({k!r}*{name} + {phase!r})" if k else f" * {math.sin(phase)!r}"
@@ -121,7 +126,7 @@ def scene(dim, cells, poisson=.3):
 
 
 def read_displacement(file, dim, cells):
-    """Nodal displacements of a VTU file on the lattice: [node, ..., component]."""
+    """Nodal displacements of a VTU file on the lattice: [node, ..., component]; `cells`: its gaps a side."""
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(str(file))
     reader.Update()
@@ -132,24 +137,40 @@ def read_displacement(file, dim, cells):
     return u
 
 
-def errors(u, solution):
+def nodal_errors(file, solution):
+    """Relative errors of displacements and of mean stresses at the points of a VTU file."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    grid, dim = reader.GetOutput(), solution.dim
+    places = vtk_to_numpy(grid.GetPoints().GetData())[:, :dim]
+    stress = vtk_to_numpy(grid.GetPointData().GetArray("stress")).reshape(-1, 3, 3)[:, :dim, :dim]
+    u = vtk_to_numpy(grid.GetPointData().GetArray("displacement"))[:, :dim]
+    exact = np.stack([f.at_each(places) for f in solution.u], axis=-1)
+    exact_stress = np.stack([f.at_each(places) for row in solution.stress for f in row], axis=-1).reshape(stress.shape)
+    return [np.linalg.norm(a - b) / np.linalg.norm(b) for a, b in ((u, exact), (stress, exact_stress))]
+
+
+def errors(u, solution, degree=1):
     """
-    Relative errors of a d-linear field: L2 norm of displacements, energy norm, and
+    Relative errors of a field of this degree in each coordinate: L2 norm of displacements, energy norm, and
     the latter with changes of volume as means of cells, as some elements take them.
     """
-    dim, cells = solution.dim, u.shape[0] - 1
-    gauss, weight = np.polynomial.legendre.leggauss(3)
+    dim, cells = solution.dim, (u.shape[0] - 1) // degree
+    gauss, weight = np.polynomial.legendre.leggauss(degree + 2)
     gauss, weight = (gauss + 1) / 2, weight / 2
     x = ((np.arange(cells)[:, None] + gauss) / cells).ravel()
     weights = np.array(1.0)
     for _ in range(dim):
         weights = np.multiply.outer(weights, np.tile(weight / cells, cells))
-    cell, place = np.repeat(np.arange(cells), gauss.size), np.tile(gauss, cells)
+    cell, s = np.repeat(np.arange(cells), gauss.size), np.tile(gauss, cells)
+    shapes, slopes = {1: ((1 - s, s), (-1 + 0 * s, 1 + 0 * s)),
+                      2: (((1 - 2 * s) * (1 - s), 4 * s * (1 - s), s * (2 * s - 1)), (4 * s - 3, 4 - 8 * s, 4 * s - 1))}[degree]
 
     def along(values, axis, differentiate):
-        low, high = np.take(values, cell, axis), np.take(values, cell + 1, axis)
-        share = place.reshape([-1 if d == axis else 1 for d in range(dim)])
-        return cells * (high - low) if differentiate else (1 - share) * low + share * high
+        shape = [-1 if d == axis else 1 for d in range(dim)]
+        return sum((cells * slope if differentiate else N).reshape(shape) * np.take(values, degree * cell + i, axis)
+                   for i, (N, slope) in enumerate(zip(shapes, slopes)))
 
     def interpolated(values, slope=None):
         for axis in range(dim):
@@ -172,16 +193,17 @@ def errors(u, solution):
 
     points = [x] * dim
     exact = [f.at(points) for f in solution.u]
-    slopes = [[f.at(points) for f in row] for row in solution.gradient]
+    exact_slopes = [[f.at(points) for f in row] for row in solution.gradient]
     wrong = [interpolated(u[..., i]) - exact[i] for i in range(dim)]
-    wrong_slopes = [[interpolated(u[..., i], j) - slopes[i][j] for j in range(dim)] for i in range(dim)]
-    return norms(wrong, wrong_slopes) / norms(exact, slopes)
+    wrong_slopes = [[interpolated(u[..., i], j) - exact_slopes[i][j] for j in range(dim)] for i in range(dim)]
+    return norms(wrong, wrong_slopes) / norms(exact, exact_slopes)
 
 
-def pressure_error(rows, solution, cells):
+def pressure_error(rows, solution, cells, degree=1):
     """Relative L2 error of reactions over areas, normal and tangential."""
     def share(x):
-        return (.5 if min(x, 1 - x) < 1e-9 else 1) / cells
+        at_side = .5 if min(x, 1 - x) < 1e-9 else 1
+        return at_side / cells * (1 if degree == 1 else 2 / 3 if round(2 * x * cells) % 2 else 1 / 3)
     wrong = size = 0.0
     for row in rows:
         place = (row["x"], row["y"])[:solution.dim - 1]
@@ -194,7 +216,7 @@ def pressure_error(rows, solution, cells):
     return math.sqrt(wrong / size)
 
 
-def solution_errors(laws, dim, cells, poisson=.3, body=()):
+def solution_errors(laws, dim, cells, poisson=.3, body=(), degree=1):
     """Errors of the manufactured solution at both times: displacement, energy, contact stresses."""
     run = laws.run(merge(scene(dim, cells, poisson), {"Body block": dict(body)}))
     result = []
@@ -204,6 +226,6 @@ def solution_errors(laws, dim, cells, poisson=.3, body=()):
         rows = [row for row in run.rows if row["increment"] == time]
         if any(row["state"] != state for row in rows):
             laws.demand(f"{dim}D, {cells} cells: every node in {state}", False)
-        result += [*errors(read_displacement(file, dim, cells), solution)[:2],
-                   pressure_error(rows, solution, cells)]
+        result += [*errors(read_displacement(file, dim, degree * cells), solution, degree)[:2],
+                   pressure_error(rows, solution, cells, degree)]
     return result

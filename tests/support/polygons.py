@@ -20,19 +20,33 @@ def clip(subject, clipping):
     return subject
 
 
-def shares_under(cells, size, polygon):
-    """Integrals of the bilinear functions of a grid over a convex polygon."""
+def dunavant():
+    """Barycentric coordinates and weights of seven points, exact to the fifth degree."""
+    yield (1 / 3, 1 / 3, 1 / 3), 9 / 40
+    for sign in (1, -1):
+        a = (6 + sign * 15**.5) / 21
+        for at in ((a, a, 1 - 2 * a), (a, 1 - 2 * a, a), (1 - 2 * a, a, a)):
+            yield at, (155 + sign * 15**.5) / 1200
+
+
+def shape_values(degree, s):
+    return (1 - s, s) if degree == 1 else ((1 - 2 * s) * (1 - s), 4 * s * (1 - s), s * (2 * s - 1))
+
+
+def shares_under(cells, size, polygon, degree=1):
+    """Integrals over a convex polygon of a grid's functions of a degree in each coordinate, by places of nodes."""
     result = {}
     step = [s / n for s, n in zip(size, cells)]
     for i, j in itertools.product(*map(range, cells)):
-        corner = [(i + a, j + b) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        part = clip([(x * step[0], y * step[1]) for x, y in corner], polygon)
+        part = clip([((i + a) * step[0], (j + b) * step[1]) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))], polygon)
         for p, q in zip(part[1:], part[2:]):
             o = part[0]
             area = ((p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0])) / 2
-            middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in ((o, p), (p, q), (q, o))]
-            for x, y in middles:  # exact to the second degree
-                s, t = x / step[0] - i, y / step[1] - j
-                for (k, m), N in zip(corner, ((1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t)):
-                    result[k, m] = result.get((k, m), 0) + area / 3 * N
+            for at, weight in dunavant():
+                x, y = (sum(w * c for w, c in zip(at, coordinates)) for coordinates in zip(o, p, q))
+                across = shape_values(degree, y / step[1] - j)
+                for k, along in enumerate(shape_values(degree, x / step[0] - i)):
+                    for m, other in enumerate(across):
+                        node = i + k / degree, j + m / degree
+                        result[node] = result.get(node, 0) + area * weight * along * other
     return result

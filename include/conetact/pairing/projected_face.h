@@ -62,8 +62,9 @@ namespace conetact::pairing
 
     struct Seen
     {
-      Eigen::Vector4d shape  = Eigen::Vector4d::Zero(); ///< of the corners
-      double          height = 0; ///< above the plane [length]
+      std::array<double, 2> local{{0, 0}}; ///< in the unit square or triangle
+      Eigen::Vector4d       shape = Eigen::Vector4d::Zero(); ///< of the corners
+      double                height = 0; ///< above the plane [length]
       /** Area of the face over that of what is seen of it. */
       double stretch = 1;
     };

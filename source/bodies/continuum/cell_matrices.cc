@@ -21,7 +21,7 @@ namespace conetact::bodies
      */
     constexpr unsigned int cells_at_once = 64;
 
-    /** Vertices relative to the first one, and how exactly they are known. */
+    /** Nodes relative to the first one, and how exactly they are known. */
     template <int dim>
     struct Outline
     {
@@ -130,7 +130,9 @@ namespace conetact::bodies
   void
   CellMatrices<dim>::keep_matrices()
   {
-    std::size_t room = room_for_single_cells / sizeof(typename Element::Matrix);
+    const std::size_t n_dofs = dim * mesh.n_cell_nodes;
+    std::size_t       room =
+      room_for_single_cells / (sizeof(double) * n_dofs * n_dofs);
     for (Shape &shape : shapes)
       if (shape.n_cells > 1 || room > 0)
         {

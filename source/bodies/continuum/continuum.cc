@@ -33,11 +33,12 @@ namespace conetact::bodies
       for (const auto &cell : body.dof_handler.active_cell_iterators())
         {
           mesh.material_ids.push_back(static_cast<int>(cell->material_id()));
-          for (const unsigned int v : cell->vertex_indices())
+          const auto nodes  = body.nodes_of(cell);
+          const auto places = body.places_of(cell);
+          for (std::size_t v = 0; v < nodes.size(); ++v)
             {
-              const unsigned int node = cell->vertex_dof_index(v, 0) / dim;
-              mesh.nodes_of_cells.push_back(node);
-              mesh.nodes[node] = cell->vertex(v);
+              mesh.nodes_of_cells.push_back(nodes[v]);
+              mesh.nodes[nodes[v]] = places[v];
             }
           if (has_phases)
             mesh.phase_of_cell.push_back(cell->material_id());
@@ -155,7 +156,8 @@ namespace conetact::bodies
             {
               nodes[master].area += weight * found->second.area;
               for (const Tensor<1, 3> &normal : found->second.normals)
-                nodes[master].normals.push_back(weight * normal);
+                // of second degree weights are below 0, too
+                nodes[master].normals.push_back(std::abs(weight) * normal);
             }
           nodes.erase(found);
         }
@@ -180,7 +182,8 @@ namespace conetact::bodies
     const ElementRow<dim>                           &row,
     const MeshGroups::Ids                           &groups)
     : discretization(
-        std::make_unique<Discretization<dim>>(std::move(finished_mesh)))
+        std::make_unique<Discretization<dim>>(std::move(finished_mesh),
+                                              row.degree))
     , mesh(plain(*discretization, materials.size() > 1))
     , phases(make_phases(materials, row))
     , groups_of_faces(groups)
@@ -487,7 +490,7 @@ namespace conetact::bodies
   std::string
   Continuum<dim>::caution() const
   {
-    if (!discretization->has_simplices())
+    if (!discretization->has_simplices() || discretization->fe.degree > 1)
       return {};
     const std::string cells = dim == 2 ? "triangles" : "tetrahedra";
     return "linear " + cells + " are too stiff in bending and lock near nu = " +

@@ -25,11 +25,11 @@ namespace conetact::bodies
 
     template <int dim>
     std::unique_ptr<FiniteElement<dim>>
-    linear_element(const Triangulation<dim> &mesh)
+    scalar_element(const Triangulation<dim> &mesh, const unsigned int degree)
     {
       if (mesh.all_reference_cells_are_hyper_cube())
-        return std::make_unique<FE_Q<dim>>(1);
-      return std::make_unique<FE_SimplexP<dim>>(1);
+        return std::make_unique<FE_Q<dim>>(degree);
+      return std::make_unique<FE_SimplexP<dim>>(degree);
     }
 
     /** Three points a direction; lines are the faces of triangles, too. */
@@ -41,30 +41,19 @@ namespace conetact::bodies
         return QGaussSimplex<dim - 1>(3);
       return QGauss<dim - 1>(3);
     }
-
-    template <class Accessor>
-    unsigned int
-    node_of(const Accessor    &object,
-            const unsigned int vertex,
-            const unsigned int dim)
-    {
-      // Without renumbering deal.II gives the components of a vertex
-      // consecutive dofs.
-      return static_cast<unsigned int>(object->vertex_dof_index(vertex, 0)) /
-             dim;
-    }
   } // namespace
 
   template <int dim>
   Discretization<dim>::Discretization(
-    std::unique_ptr<Triangulation<dim>> finished_mesh)
+    std::unique_ptr<Triangulation<dim>> finished_mesh,
+    const unsigned int                  degree)
     : triangulation(std::move(finished_mesh))
     , mapping(kind_of_cells(*triangulation)
                 .template get_default_linear_mapping<dim>())
-    , fe(*linear_element(*triangulation), dim)
+    , fe(*scalar_element(*triangulation, degree), dim)
     , dof_handler(*triangulation)
     , quadrature(kind_of_cells(*triangulation)
-                   .template get_gauss_type_quadrature<dim>(2))
+                   .template get_gauss_type_quadrature<dim>(degree + 1))
     , face_quadrature(quadrature_of_faces(*triangulation))
   {
     dof_handler.distribute_dofs(fe);
@@ -72,6 +61,35 @@ namespace conetact::bodies
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
     constraints.close();
     find_boundary_faces();
+  }
+
+  template <int dim>
+  std::vector<unsigned int>
+  Discretization<dim>::nodes_of(const CellIterator &cell) const
+  {
+    // Without renumbering deal.II gives the components of a node consecutive
+    // dofs.
+    std::vector<types::global_dof_index> dofs(fe.dofs_per_cell);
+    cell->get_dof_indices(dofs);
+    std::vector<unsigned int> nodes;
+    for (unsigned int v = 0; v < fe.dofs_per_cell / dim; ++v)
+      nodes.push_back(static_cast<unsigned int>(
+        dofs[fe.component_to_system_index(0, v)] / dim));
+    return nodes;
+  }
+
+  template <int dim>
+  std::vector<Point<dim>>
+  Discretization<dim>::places_of(const CellIterator &cell) const
+  {
+    std::vector<Point<dim>> places;
+    for (const unsigned int v : cell->vertex_indices())
+      places.push_back(cell->vertex(v));
+    for (unsigned int v = cell->n_vertices(); v < fe.dofs_per_cell / dim; ++v)
+      places.push_back(mapping.transform_unit_to_real_cell(
+        cell,
+        fe.get_unit_support_points()[fe.component_to_system_index(0, v)]));
+    return places;
   }
 
   template <int dim>
@@ -83,13 +101,21 @@ namespace conetact::bodies
         if (const auto face = cell->face(f); face->at_boundary())
           {
             BoundaryFace result{cell, f, face->boundary_id(), {}, {}};
-            for (const unsigned int v : face->vertex_indices())
+            const auto   of_cell = nodes_of(cell);
+            std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(f));
+            face->get_dof_indices(dofs, cell->active_fe_index());
+            for (unsigned int i = 0; i < dofs.size(); ++i)
               {
-                result.nodes.push_back(node_of(face, v, dim));
-                for (const unsigned int w : cell->vertex_indices())
-                  // The face's own order of vertices is not that of its cell.
-                  if (node_of(cell, w, dim) == result.nodes.back())
-                    result.shapes.push_back(fe.component_to_system_index(0, w));
+                if (fe.face_system_to_component_index(i, f).first != 0)
+                  continue;
+                result.nodes.push_back(
+                  static_cast<unsigned int>(dofs[i] / dim));
+                // The face's own order of nodes is not that of its cell.
+                const auto place = std::find(of_cell.begin(),
+                                             of_cell.end(),
+                                             result.nodes.back());
+                result.shapes.push_back(fe.component_to_system_index(
+                  0, static_cast<unsigned int>(place - of_cell.begin())));
               }
             boundary_faces.push_back(result);
           }

@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/continuum/elements.h"
 
+#include "conetact/bodies/continuum/quadratic_element.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -139,6 +141,13 @@ namespace conetact::bodies
       return std::make_unique<Element<dim>>(material);
     }
 
+    template <int dim, bool is_simplex>
+    std::unique_ptr<ElementFormulation<dim>>
+    create_quadratic(const ElasticMaterial &material)
+    {
+      return std::make_unique<QuadraticElement<dim>>(material, is_simplex);
+    }
+
     template <int dim>
     std::unique_ptr<ElementFormulation<dim>>
     create_b_bar(const ElasticMaterial &material)
@@ -177,7 +186,23 @@ namespace conetact::bodies
        true,
        "linear displacements on triangles or tetrahedra, uniform strains; far "
        "too stiff in bending, locks near nu = 0.5",
-       &create<dim, LinearElement>}};
+       &create<dim, LinearElement>},
+      {"Q2",
+       false,
+       "bi- or triquadratic displacements on cells with straight edges, nodes "
+       "in the middle of edges, faces and cells too; for bending and for "
+       "stresses, nu up to 0.499; not for bodies of revolution",
+       &create_quadratic<dim, false>,
+       // a node on the axis has no area: int r N dr = 0
+       false,
+       2},
+      {"P2",
+       true,
+       "quadratic displacements on triangles with straight edges; neither for "
+       "tetrahedra nor for bodies of revolution",
+       &create_quadratic<dim, true>,
+       false,
+       2}};
     return table;
   }
 

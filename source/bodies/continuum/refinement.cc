@@ -19,7 +19,8 @@ namespace conetact::bodies
     dealii::Vector<float>        jumps(body.triangulation->n_active_cells());
     dealii::KellyErrorEstimator<dim>::estimate(body.mapping,
                                                body.dof_handler,
-                                               dealii::QGauss<dim - 1>(2),
+                                               dealii::QGauss<dim - 1>(
+                                                 body.fe.degree + 1),
                                                {},
                                                displacements,
                                                jumps);

@@ -145,14 +145,27 @@ TEST(Temperature, StressOutOfThePlane)
   steel.poisson_ratio = nu;
   steel.expansion     = alpha;
   using Element       = ElementFormulation<2>;
-  // the first three vertices of the unit square are those of the triangle
+  const auto places   = [](const ElementRow<2> &row) {
+    Element::Vertices x;
+    // the first three vertices of the unit square are those of the triangle
+    for (unsigned int v = 0; v < (row.is_simplex ? 3 : 4); ++v)
+      x.push_back(dealii::GeometryInfo<2>::unit_cell_vertex(v));
+    if (row.degree == 1)
+      return x;
+    using Edges       = std::vector<std::pair<std::size_t, std::size_t>>;
+    const Edges edges = row.is_simplex ?
+                            Edges{{0, 1}, {1, 2}, {2, 0}} :
+                            Edges{{0, 2}, {1, 3}, {0, 1}, {2, 3}, {0, 3}};
+    for (const auto &[v, w] : edges)
+      x.push_back(x[v] + .5 * (x[w] - x[v]));
+    return x;
+  };
   const auto stresses = [&](const ElementRow<2> &row) -> Element::Strains {
-    const unsigned int     n = row.is_simplex ? 3 : 4;
-    Element::Vertices      vertices;
+    const auto             vertices = places(row);
+    const auto             n = static_cast<unsigned int>(vertices.size());
     Element::Displacements u(2 * n);
     for (unsigned int v = 0; v < n; ++v)
       {
-        vertices.push_back(dealii::GeometryInfo<2>::unit_cell_vertex(v));
         u.segment<2>(2 * v) << .03 * vertices[v][0], .01 * vertices[v][1];
       }
     const Element::Strains heated =
@@ -160,7 +173,7 @@ TEST(Temperature, StressOutOfThePlane)
     return row.create(steel)->stresses(vertices, u, heated);
   };
   for (const auto &row : element_table<2>())
-    for (unsigned int v = 0; v < (row.is_simplex ? 3 : 4); ++v)
+    for (unsigned int v = 0; v < places(row).size(); ++v)
       {
         steel.plane             = ElasticMaterial::Plane::strain;
         const Eigen::Vector4d s = stresses(row).col(v);

@@ -28,7 +28,7 @@ namespace conetact::bodies
 
   /**
    * A body of quadrilaterals or triangles (2D), hexahedra or tetrahedra (3D)
-   * with a displacement at each vertex, @f$K = \int B^T C B\,dx@f$.
+   * with a displacement at each node, @f$K = \int B^T C B\,dx@f$.
    */
   template <int dim>
   class Continuum : public Structure
@@ -94,7 +94,7 @@ namespace conetact::bodies
                   const SurfaceTensorField &stiffness,
                   const ElementVisitor     &visit) const override;
 
-    /** Initial strains are taken at the nodes and linear between them. */
+    /** Initial strains are taken at the nodes and interpolated between them. */
     bool
     add_initial_strain(const InitialStrainField &strain,
                        Eigen::VectorXd          &f) const override;

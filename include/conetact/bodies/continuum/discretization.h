@@ -19,9 +19,10 @@
 namespace conetact::bodies
 {
   /**
-   * Linear displacements on a mesh of quadrilaterals or hexahedra (FE_Q) or of
-   * triangles or tetrahedra (FE_SimplexP): all dofs are at vertices, and dof
-   * `dim * i + c` is component c of node i.
+   * Displacements of first or second degree on a mesh of quadrilaterals or
+   * hexahedra (FE_Q) or of triangles or tetrahedra (FE_SimplexP), whose edges
+   * are straight: each node (vertex, middle of an edge, face or cell) has all
+   * components, and dof `dim * i + c` is component c of node i.
    */
   template <int dim>
   struct Discretization
@@ -39,13 +40,20 @@ namespace conetact::bodies
 
     /** Of a finished mesh, whose cells are all of one kind. */
     explicit Discretization(
-      std::unique_ptr<dealii::Triangulation<dim>> finished_mesh);
+      std::unique_ptr<dealii::Triangulation<dim>> finished_mesh,
+      const unsigned int                          degree = 1);
 
     bool
     has_simplices() const
     {
       return !triangulation->all_reference_cells_are_hyper_cube();
     }
+    /** Of a cell, in deal.II's order. */
+    std::vector<unsigned int>
+    nodes_of(const CellIterator &cell) const;
+    /** Where they stand. */
+    std::vector<dealii::Point<dim>>
+    places_of(const CellIterator &cell) const;
     /** Nodes that follow others; none of those hangs itself. */
     std::vector<HangingNode>
     hanging_nodes() const;
@@ -68,9 +76,9 @@ namespace conetact::bodies
     dealii::FESystem<dim>                       fe;
     dealii::DoFHandler<dim>                     dof_handler;
     dealii::AffineConstraints<double>           constraints; ///< hanging nodes
-    dealii::Quadrature<dim>                     quadrature;  ///< 2nd degree
-    dealii::Quadrature<dim - 1>                 face_quadrature; ///< 4th
-    std::vector<BoundaryFace>                   boundary_faces;
+    dealii::Quadrature<dim>     quadrature;      ///< degree + 1 points
+    dealii::Quadrature<dim - 1> face_quadrature; ///< 4th degree
+    std::vector<BoundaryFace>   boundary_faces;
 
   private:
     void

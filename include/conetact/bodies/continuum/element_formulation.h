@@ -18,9 +18,9 @@ namespace conetact::bodies
 {
   /**
    * How the strains @f$\bar B u@f$ of a cell follow from the displacements of
-   * its vertices, and from them its stiffness
-   * @f$\int \bar B^T C \bar B\,dx@f$. Vertices come in deal.II's order, dof
-   * `dim * vertex + component`; strains and stresses as in
+   * its nodes, and from them its stiffness
+   * @f$\int \bar B^T C \bar B\,dx@f$. Nodes come in deal.II's order, vertices
+   * first, dof `dim * node + component`; strains and stresses as in
    * ElasticMaterial::elasticity(). Without the thickness of 2D bodies;
    * of bodies of revolution, @f$dx = 2\pi r\,dA@f$ and
    * @f$\varepsilon_{zz} = u_r / r@f$, the whole circumference.
@@ -29,27 +29,14 @@ namespace conetact::bodies
   class ElementFormulation
   {
   public:
-    static constexpr int most_vertices = 1 << dim;
-    static constexpr int most_dofs     = dim * most_vertices;
-    static constexpr int n_strains     = 2 * dim;
+    static constexpr int n_strains = 2 * dim;
 
-    using Vertices = std::vector<dealii::Point<dim>>;
-    using Displacements =
-      Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_dofs, 1>;
-    using Matrix     = Eigen::Matrix<double,
-                                 Eigen::Dynamic,
-                                 Eigen::Dynamic,
-                                 Eigen::ColMajor,
-                                 most_dofs,
-                                 most_dofs>;
-    using Elasticity = Eigen::Matrix<double, n_strains, n_strains>;
-    /** A column for each vertex. */
-    using Strains = Eigen::Matrix<double,
-                                  n_strains,
-                                  Eigen::Dynamic,
-                                  Eigen::ColMajor,
-                                  n_strains,
-                                  most_vertices>;
+    using Vertices      = std::vector<dealii::Point<dim>>; ///< all nodes
+    using Displacements = Eigen::VectorXd;
+    using Matrix        = Eigen::MatrixXd;
+    using Elasticity    = Eigen::Matrix<double, n_strains, n_strains>;
+    /** A column for each node. */
+    using Strains = Eigen::Matrix<double, n_strains, Eigen::Dynamic>;
 
     explicit ElementFormulation(const ElasticMaterial &material)
       : c(material.elasticity(dim))
@@ -70,11 +57,11 @@ namespace conetact::bodies
     /**
      * Nodal forces @f$\int \bar B^T C \varepsilon_0\,dx@f$ that would cause
      * strains of themselves, such as those of a change of temperature, given
-     * at the vertices and linear between them.
+     * at the nodes and interpolated between them.
      */
     virtual Displacements
     forces(const Vertices &vertices, const Strains &initial) const = 0;
-    /** At the vertices, as this cell sees them, less those of `initial`. */
+    /** At the nodes, as this cell sees them, less those of `initial`. */
     virtual Strains
     stresses(const Vertices      &vertices,
              const Displacements &u,
@@ -144,8 +131,8 @@ namespace conetact::bodies
     using typename Base::Matrix;
     using typename Base::Strains;
     using typename Base::Vertices;
-    static constexpr int n_vertices = Base::most_vertices;
-    static constexpr int n_dofs     = Base::most_dofs;
+    static constexpr int n_vertices = 1 << dim;
+    static constexpr int n_dofs     = dim * n_vertices;
     static constexpr int n_strains  = Base::n_strains;
 
     explicit DLinearElement(const ElasticMaterial &material);

@@ -19,7 +19,8 @@ namespace conetact::bodies
     bool        is_simplex; ///< of triangles and tetrahedra
     const char *description;
     std::unique_ptr<ElementFormulation<dim>> (*create)(const ElasticMaterial &);
-    bool goes_round = true; ///< also for bodies of revolution
+    bool         goes_round = true; ///< also for bodies of revolution
+    unsigned int degree     = 1;    ///< of displacements
   };
   /** A material, and how cells that are made of it strain. */
   template <int dim>

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_face_nodes_h
+#define conetact_bodies_face_nodes_h
+
+#include "conetact/bodies/structure.h"
+
+#include <vector>
+
+namespace conetact::bodies
+{
+  /**
+   * Which nodes of a face are its corners, between which edges are straight.
+   * Where displacements are of second degree, those in the middle of edges and
+   * of the face stand behind them: three nodes of a segment (in the plane only,
+   * in space they are a triangle), nine of a quadrilateral.
+   */
+  std::size_t
+  n_corners(const Structure &body, const SurfaceFace &face);
+
+  inline bool
+  is_of_second_degree(const Structure &body, const SurfaceFace &face)
+  {
+    return face.nodes.size() > n_corners(body, face);
+  }
+
+  /** Faces of first degree over all nodes: itself, or two or four. */
+  std::vector<std::vector<unsigned int>>
+  parts_of_first_degree(const Structure &body, const SurfaceFace &face);
+} // namespace conetact::bodies
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/nodal_shapes.h"
+
+#include "conetact/pairing/closest_point.h"
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    /** Products of what the ends and the middle of a segment have. */
+    std::vector<double>
+    products(const std::size_t            n_nodes,
+             const std::array<double, 3> &a,
+             const std::array<double, 3> &b)
+    {
+      if (n_nodes == 3)
+        return {a.begin(), a.end()};
+      return {a[0] * b[0],
+              a[1] * b[0],
+              a[0] * b[1],
+              a[1] * b[1],
+              a[0] * b[2],
+              a[1] * b[2],
+              a[2] * b[0],
+              a[2] * b[1],
+              a[2] * b[2]};
+    }
+  } // namespace
+
+  std::vector<double>
+  nodal_shape_values(const std::size_t            n_nodes,
+                     const std::size_t            n_corners,
+                     const std::array<double, 2> &at)
+  {
+    if (n_nodes == n_corners)
+      {
+        const auto of_corners = shape_values(n_corners, at);
+        return {of_corners.begin(),
+                of_corners.begin() + static_cast<std::ptrdiff_t>(n_corners)};
+      }
+    const auto of_segment = [](const double a) {
+      return std::array<double, 3>{
+        {(1 - 2 * a) * (1 - a), a * (2 * a - 1), 4 * a * (1 - a)}};
+    };
+    return products(n_nodes, of_segment(at[0]), of_segment(at[1]));
+  }
+
+  std::vector<double>
+  nodal_shares(const std::size_t n_nodes, const std::size_t n_corners)
+  {
+    if (n_nodes == n_corners)
+      return std::vector<double>(n_nodes, 1. / static_cast<double>(n_nodes));
+    constexpr std::array<double, 3> of_segment = {{1. / 6, 1. / 6, 4. / 6}};
+    return products(n_nodes, of_segment, of_segment);
+  }
+} // namespace conetact::pairing

@@ -1,0 +1,188 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Elements of second degree.
+
+quadratic: a uniform pressure on obstacles, areas of nodes; quadratic-pairs: a uniform
+pressure through joints of all kinds of faces; quadratic-orders: how fast errors fall.
+"""
+import itertools
+import math
+
+from laws.mortar import PRESSURE, check_patch, from_files, stacked, turned_on_wider
+from laws.patch import patch_scene
+from laws.tie import bar, bars, both_sides, pulled, stress_error
+from support import half_space, manufactured
+from support.checks import orders
+from support.meshes import distorted
+from support.scenes import box, load, merge
+
+Q1, Q2, P2 = ({"Element": element} for element in ("Q1", "Q2", "P2"))
+
+
+def kinds(dim):
+    return (Q2, P2) if dim == 2 else (Q2,)
+
+
+def shape_integral(k, a, b, h):
+    """Over [a, b], of the function of second degree of node k, where nodes are h/2 apart and 0, 2, ... are corners."""
+    def piece(first, values):
+        """Of the parabola with these values at first, first + h/2, first + h: Simpson is exact."""
+        low, high = max(a, first), min(b, first + h)
+        if high <= low:
+            return 0.0
+
+        def at(x):
+            s = (x - first) / h
+            return (values[0] * (1 - 2 * s) * (1 - s) + values[1] * 4 * s * (1 - s) + values[2] * s * (2 * s - 1))
+        return (high - low) / 6 * (at(low) + 4 * at((low + high) / 2) + at(high))
+    x = k * h / 2
+    if k % 2:
+        return piece(x - h / 2, (0, 1, 0))
+    return piece(x - h, (0, 0, 1)) + piece(x, (1, 0, 0))
+
+
+def quadratic(laws):
+    for dim, ids in ((2, (10, 12, 13)), (3, (10, 12, 14, 15))):
+        file = laws.folder / f"distorted{dim}.msh"
+        distorted(file, dim)
+        boxes = "0.4, 0 : 0.6, 0.3 : 2" if dim == 2 else "0.2, 0.2, 0 : 0.45, 0.6, 0.3 : 1"
+        for kind, refined, plane in itertools.product(kinds(dim), ("", boxes), ("strain", "stress")[:4 - dim]):
+            if refined and kind == P2:
+                continue
+            body = merge({"Mesh": {"File": file.name, "Refinement boxes": refined},
+                          "Material": {"Young modulus": 1000, "Poisson ratio": .3, "Plane": plane}}, kind)
+            pressed(laws, f"{dim}D, {kind['Element']}, plane {plane}, distorted{', hanging nodes' * bool(refined)}",
+                    *patch_scene(dim, body, ids, plane))
+    areas_of_boxes(laws)
+
+
+def pressed(laws, what, scene, pressure, strain):
+    run = laws.run(scene)
+    laws.check(f"{what}: reactions over areas", max(abs(row["r_n"] / row["area"] - pressure) for row in run.rows) / pressure, 1e-10)
+    laws.check("  sum of areas", abs(sum(row["area"] for row in run.rows) - 1), 1e-12)
+    laws.check("  displacement", max(math.dist((strain * row["x"], strain * row["y"] if run.dim == 3 else 0),
+                                               (row["u_t1"], row["u_t2"])) for row in run.rows) / strain, 1e-10)
+    laws.check("  friction and gap", max(abs(row["r_t1"]) + abs(row["r_t2"]) + abs(row["gap"]) for row in run.rows), 1e-11)
+
+
+def areas_of_boxes(laws):
+    for dim, cells in ((2, (6, 5)), (3, (4, 3, 2))):
+        body = merge(box(cells, (1.0,) * dim), Q2)
+        run = laws.run(patch_scene(dim, body, (0, 2, 3) if dim == 2 else (0, 2, 4, 5))[0])
+
+        def area(row):
+            return math.prod(shape_integral(round(2 * n * row[c]), 0, 1, 1 / n) for n, c in zip(cells[:dim - 1], "xy"))
+        laws.check(f"{dim}D, Q2: {len(run.rows)} nodes, their areas", max(abs(row["area"] - area(row)) for row in run.rows), 1e-14)
+        laws.demand("  one in the middle of each edge and face", len(run.rows) == math.prod(2 * n + 1 for n in cells[:-1]))
+
+
+def pairs(laws):
+    for ratio, (one, other), exchanged in itertools.product(((2, 3), (5, 7), (1, 9)), (
+            (Q2, Q2), (Q2, Q1), (Q1, Q2), (Q2, P2), (P2, P2)), (False, True)):
+        lower, upper = (merge(box((n, 3), (2.0, 1.0), (0.0, y)), kind)
+                        for n, y, kind in zip(ratio, (0.0, 1.0), (one, other)))
+        check_patch(laws, f"{ratio[0]} {one['Element']} on {ratio[1]} {other['Element']}{', exchanged' * exchanged}",
+                    laws.run(stacked(2, lower, upper, exchanged)))
+    for (lower, upper), (one, other), exchanged in itertools.product((((2, 3, 1), (3, 2, 1)), ((2, 2, 1), (2, 2, 1))), (
+            (Q2, Q2), (Q2, Q1), (Q1, Q2)), (False, True)):
+        blocks = (merge(box(n, (1.5, 1.0, 1.0), (0.0, 0.0, z)), kind) for n, z, kind in ((lower, 0.0, one), (upper, 1.0, other)))
+        check_patch(laws, f"{lower} {one['Element']} on {upper} {other['Element']}{', exchanged' * exchanged}",
+                    laws.run(stacked(3, *blocks, exchanged)))
+    distorted_pairs(laws)
+    hanging_pairs(laws)
+    covered_in_plane(laws)
+    covered_in_space(laws)
+    tied(laws)
+
+
+def distorted_pairs(laws):
+    for dim, counts in ((2, (5, 7)), (3, (2, 3))):
+        files = [laws.folder / f"pair{dim}{n}.msh" for n in counts]
+        for file, n in zip(files, counts):
+            distorted(file, dim, n)
+        for kind, exchanged in itertools.product(kinds(dim), (False, True)):
+            blocks = (merge({"Mesh": {"File": file.name, "Translation": (0, z) if dim == 2 else (0, 0, z)},
+                             "Material": {"Young modulus": 1000, "Poisson ratio": .3}}, kind) for z, file in enumerate(files))
+            check_patch(laws, f"{dim}D: distorted cells, {kind['Element']}{', exchanged' * exchanged}",
+                        laws.run(from_files(stacked(dim, *blocks, exchanged))))
+
+
+def hanging_pairs(laws):
+    for dim, lower, upper, boxes in ((2, (4, 3), (5, 3), "0.4, 0.8 : 0.9, 1 : 2"),
+                                     (3, (2, 2, 1), (3, 2, 1), "0, 0, 0.7 : 0.4, 0.4, 1 : 1")):
+        for exchanged in (False, True):
+            size = (2.0, 1.0) if dim == 2 else (1.5, 1.0, 1.0)
+            blocks = [merge(box(n, size, (0.0,) * (dim - 1) + (z,)), Q2) for n, z in ((lower, 0.0), (upper, 1.0))]
+            blocks[0]["Mesh"]["Refinement boxes"] = boxes
+            check_patch(laws, f"{dim}D: hanging nodes{', exchanged' * exchanged}", laws.run(stacked(dim, *blocks, exchanged)))
+
+
+def covered_in_plane(laws):
+    """A narrow block on a wide one: the rest of the wide one carries the same pressure."""
+    n, width = 5, 2.0
+    h = width / n
+    for (left, right), kind, exchanged in itertools.product(((.33, 1.47), (.05, 1.95), (.39, 1.61), (.0999, 1.2999)),
+                                                            (Q2, Q1), (False, True)):
+        scene = stacked(2, merge(box((n, 2), (width, 1.0)), Q2),
+                        merge(box((4, 3), (right - left, 1.0), (left, 1.0)), kind), exchanged, mu=1.0)
+        scene.pop("Support wall upper")
+        for k in range(2 * n + 1):
+            force = -PRESSURE * (shape_integral(k, 0, width, h) - shape_integral(k, left, right, h))
+            if abs(force) > 1e-15:
+                scene[f"Load {k}"] = load("point force", f"0; {force!r}", body="lower", Point=(k * h / 2, 1.0))
+        check_patch(laws, f"{kind['Element']} from {left} to {right} on a wider Q2{', exchanged' * exchanged}", laws.run(scene))
+
+
+def covered_in_space(laws):
+    for angle, exchanged in itertools.product((0.0, 20.0, 45.0), (False, True)):
+        check_patch(laws, f"3D: turned by {angle:g} degrees on a wider one{', exchanged' * exchanged}",
+                    laws.run(turned_on_wider(angle, exchanged, degree=2, mu=1.0)))
+
+
+def tied(laws):
+    for dim, left, right in ((2, (2, 3), (2, 5)), (3, (1, 2, 3), (1, 3, 2))):
+        for (one, other), exchanged in itertools.product(((Q2, Q2), (Q2, Q1)), (False, True)):
+            run = laws.run(pulled(bars(dim, merge(bar(dim, left), one), merge(bar(dim, right, 1.0), other), exchanged), dim))
+            laws.check(f"{dim}D: {one['Element']} tied to {other['Element']}{', exchanged' * exchanged}: stress", stress_error(run), 1e-10)
+            laws.check("  both sides", both_sides(run), 1e-10)
+
+
+def converging(laws):
+    # full slip, then full stick; reactions over areas: those at the edges are of a lower order
+    names = [f"{what}, {state}" for state in ("slip", "stick") for what in ("displacement", "energy", "reactions")]
+    for dim, sizes in ((2, (4, 8)), (3, (2, 4))):
+        errors = [manufactured.solution_errors(laws, dim, n, body=Q2, degree=2) for n in sizes]
+        for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (2.9, 1.9, 1.5) * 2):
+            laws.check(f"{dim}D, Q2: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)
+    triangles(laws)
+    lines(laws)
+
+
+def triangles(laws):
+    sizes, errors = (4, 8), []
+    for n in sizes:
+        body = merge(P2, {"Mesh": {"Generator": "subdivided_hyper_cube_with_simplices"}})
+        run = laws.run(merge(manufactured.scene(2, n), {"Body block": body}))
+        errors.append([error for time in (1, 2) for error in manufactured.nodal_errors(
+            run.folder / f"solution-block-{time:04}.vtu", manufactured.Solution(2, .3, time))])
+    names = [f"{what} at nodes, {state}" for state in ("slip", "stick") for what in ("displacement", "stresses")]
+    for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (2.9, 1.8) * 2):
+        laws.check(f"2D, P2: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)
+
+
+def lines(laws):
+    """Hertz contact of a line: nodes as far apart as those of Q1."""
+    for n, bound in ((16, 1), (32, 1)):
+        errors = {}
+        for kind, cells in ((Q1, n), (Q2, n // 2)):
+            scene = half_space.hertz(2, cells, 2)
+            scene["Body block"].update(kind)
+            run = laws.run(scene)
+            exact = half_space.Hertz(2, half_space.POISSON["hertz"], 1)
+            force = sum(row["r_n"] for row in run.last())
+            spread = sum(row["r_n"] * row["x"]**2 for row in run.last()) / force
+            wrong, size = (sum(row["area"] * f(row["r_n"] / row["area"], exact.pressure(abs(row["x"])))**2 for row in run.last())
+                           for f in (lambda a, b: a - b, lambda a, b: b))
+            errors[kind["Element"]] = (abs(2 * force / exact.force - 1), abs(2 * math.sqrt(spread) - 1), math.sqrt(wrong / size))
+        for what, a, b in zip(("force", "half width from the spread", "pressures in L2"), errors["Q2"], errors["Q1"]):
+            laws.check(f"Hertz, {n} nodes a half width: {what}, {a:.2g} of Q2 over {b:.2g} of Q1", a / b, bound)
