@@ -7,9 +7,9 @@ usage: calculix_mortar.py [--build FOLDER] [--results FOLDER] [--ratio R] [N...]
 
 Two balls without friction (tests/support/round_pairs.py), half of each, N cells of the slave a half width, those of
 the master R times as large; linear hexahedra, far sides moved as in half spaces. CPU seconds of whole
-processes pinned to one core (the least of three, or of fewer where they take long), and errors against Hertz: the force, the peak pressure, and pressures of
-nodes in L2, with the same areas for both programs. CalculiX: C3D8, hard contact, *CONTACT PAIR of
-TYPE=MORTAR (for linear elements the same as LINMORTAR).
+processes pinned to one core (the least of three, or of fewer where they take long), and errors against
+Hertz: the force, the peak pressure, and pressures of nodes in L2, with the same areas for both programs.
+CalculiX: C3D8, hard contact, *CONTACT PAIR of TYPE=MORTAR (for linear elements the same as LINMORTAR).
 """
 import argparse
 import csv
