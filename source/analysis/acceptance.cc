@@ -416,7 +416,7 @@ namespace conetact::analysis
     const contact::Bodies &bodies = model.bodies;
     record.obstacles.assign(bodies.n_free_obstacles(), {});
     std::vector<bool> taken(finding.external.masters.size(), false);
-    for (const contact::ContactPoint &point : model.points)
+    for (const contact::ContactPoint &point : model.points.all())
       {
         const pairing::ContactNode &node = *point.node;
         if (node.obstacle == nullptr || node.masters.empty() ||

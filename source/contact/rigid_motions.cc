@@ -309,8 +309,15 @@ namespace conetact::contact
   RigidMotions::find_tied(const std::vector<unsigned int> &assembly)
   {
     std::vector<Index> modes, own;
+    const auto         is_locked = [&](const unsigned int body) {
+      return std::any_of(bodies.cuts().begin(),
+                         bodies.cuts().end(),
+                         [&](const Cut &cut) {
+                           return cut.opening && cut.body == body;
+                         });
+    };
     for (const unsigned int body : assembly)
-      for (Index k = 0; k < n_one; ++k)
+      for (Index k = 0; k < n_one && !is_locked(body); ++k)
         modes.push_back(body * n_one + k);
     for (Index j = 0; j < own_modes.cols(); ++j)
       if (tied_with[own_body[static_cast<std::size_t>(j)]] == assembly.front())
@@ -424,7 +431,7 @@ namespace conetact::contact
   RigidMotions::Amounts
   RigidMotions::placement(const double t) const
   {
-    Amounts amounts = Amounts::Zero(held.rows());
+    Amounts amounts = locked();
     // the second time takes out the rounding of long sums
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
@@ -447,24 +454,30 @@ namespace conetact::contact
                 rules.angle(h, p, t) * frames[rule.body].size -
                 amounts[first + h.component];
           }
-        for (const Cut &cut : bodies.cuts())
-          if (cut.opening)
-            {
-              const Index              first = cut.body * n_one;
-              const Eigen::RowVectorXd e =
-                row(cut.body, frames[cut.body].centre, cut.axis);
-              right.segment(first, n_one) +=
-                (*cut.opening - e.dot(amounts.segment(first, n_one))) *
-                e.transpose();
-            }
         for (const Tie &tied : ties)
           {
             const double moved =
               pairing::obstacle_displacement(*tied.node, t) * tied.direction;
             add(moved - relative(tied, amounts), tied, right);
           }
+        // What is locked does not give way to the others.
+        for (const Cut &cut : bodies.cuts())
+          if (cut.opening)
+            right.segment(cut.body * n_one, n_one).setZero();
         amounts += held_inverse * right;
       }
+    return amounts;
+  }
+
+  RigidMotions::Amounts
+  RigidMotions::locked() const
+  {
+    Amounts amounts = none();
+    for (const Cut &cut : bodies.cuts())
+      if (cut.opening)
+        amounts.segment(cut.body * n_one, n_one) =
+          *cut.opening *
+          row(cut.body, frames[cut.body].centre, cut.axis).transpose();
     return amounts;
   }
 

@@ -40,7 +40,8 @@ def free(laws):
                             "Support end": support(0, "x, y" if dim == 2 else "x, y, z"),
                             "Load swelling": load("initial strain", value),
                             "Output": {"VTU": 0, "Probes": " ; ".join(
-                                f"p{i}: {', '.join(map(repr, p))}" for i, p in enumerate(points))}})
+                                f"p{i}: {', '.join(map(repr, p))}" for i, p in enumerate(points))}},
+                           bounds=False)  # there are no forces that balance
             off = max(math.dist(u, exact(*(p + (0,))[:3])) for u, p in zip(probes_of(run), points))
             name = f"{what}, {element}" + (f", plane {plane}" if dim == 2 else "")
             laws.check(f"{name}: displacements", off / A, 1e-12)
@@ -107,11 +108,11 @@ def between_plates(laws):
 
 
 def rings(laws):
-    """A body of revolution that swells along its radius and round it is free of force; one in a rigid bore is not."""
+    """A body of revolution that swells along its radius and round it is free of force."""
     body = merge(box((6, 4), (1.0, 1.0), (1.0, 0.0)), {"Material": {"Plane": "axisymmetric"}})
     scene = {"Dimension": 2, "Body block": body, "Support foot": support(2, "y"), "Support lid": support(3, "y"),
              "Load swelling": load("initial strain", f"{STRAIN} ; 0 ; 0 ; {STRAIN}"), "Output": {"VTU": 0, "Probes": "p0: 1, 0 ; p1: 2, 1 ; p2: 1.5, 0.5"}}
-    run = laws.run(scene)
+    run = laws.run(scene, bounds=False)
     laws.check("ring: radial way", max(abs(u[0] / (STRAIN * r) - 1) for u, r in zip(probes_of(run), (1.0, 2.0, 1.5))), 1e-11)
     laws.check("  force of its supports", abs(run.increments[-1]["support_foot_f_y"]) / (E * STRAIN), 1e-11)
 

@@ -202,6 +202,9 @@ namespace conetact::contact
     find_held_and_free();
     void
     hold_locked();
+    /** Of cuts that are locked, and of nothing else. */
+    Amounts
+    locked() const;
     void
     tie(const ContactPoints &points);
     void
