@@ -546,8 +546,10 @@ namespace conetact::analysis
     constexpr unsigned int most_steps = 4;
     verification::Finding  finding    = acceptance.judge(increment, w);
     bool                   corrected  = false;
+    // of what is not finite nothing is known that could be corrected
     for (unsigned int step = 0;
-         step < most_steps && error_of(finding) > .1 * scene.solver.tolerance;
+         step < most_steps && std::isfinite(error_of(finding)) &&
+         error_of(finding) > .1 * scene.solver.tolerance;
          ++step)
       {
         PendingIncrement better  = increment;

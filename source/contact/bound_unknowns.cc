@@ -74,8 +74,11 @@ namespace conetact::contact
     MatrixXd       S = size.asDiagonal() * W * size.asDiagonal();
     const MatrixXd Q = basis_of(size.asDiagonal() * G);
     S += Q * Q.transpose();
-    const VectorXd diagonal = S.diagonal().unaryExpr(
-      [](const double d) { return d > 0 ? 1 / std::sqrt(d) : 0.; });
+    // what neither strains nor moves has rounding on the diagonal
+    VectorXd diagonal = VectorXd::Zero(n);
+    for (Index i = 0; i < n; ++i)
+      if (size[i] > 0 && S(i, i) > 0)
+        diagonal[i] = 1 / std::sqrt(S(i, i));
     rows = independent_rows(diagonal.asDiagonal() * S * diagonal.asDiagonal());
     scaling.resize(static_cast<Index>(rows.size()) + G.cols());
     scaling << size(rows), VectorXd::Ones(G.cols());
