@@ -99,9 +99,9 @@ namespace conetact::bodies
       if (!goes_round)
         throw InputError(body + ", Element: " + element +
                          " is not for bodies of revolution (Plane = "
-                         "axisymmetric): its modes do not know strains round "
-                         "the axis, or its nodes on the axis have no area "
-                         "there. Use Q1 or Q1 B-bar.");
+                         "axisymmetric), whose strains round the axis its "
+                         "modes do not know, or where its nodes on the axis "
+                         "have no area. Use Q1 or Q1 B-bar.");
     }
 
     /** Contact is node by node: each must have an area. */

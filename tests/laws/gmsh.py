@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes of Gmsh as they come: formats, names of groups, several materials in a body, several bodies in a file."""
-from support.gmsh import FORMATS, gmsh_file, tower
+from support.gmsh import FORMATS, gmsh_file, of_second_order, tower
 from support.scenes import contact, floor, joint, load, merge, support
 
 PRESSURE = 2.0
@@ -36,7 +36,10 @@ def formats(laws):
             laws.check(f"{what}: settlement of two materials", abs(settlement(run) / exact - 1), 1e-12)
             laws.check(f"{what}: pressure", max(abs(row["r_n"] / row["area"] / PRESSURE - 1) for row in run.rows), 1e-11)
             tables.append([row["r_n"] for row in run.rows])
-        laws.demand(f"{dim}D: reactions do not depend on the format", all(table == tables[0] for table in tables))
+            file.write_bytes(gmsh_file(*of_second_order(*tower(dim, 2, (1.0, .5), ("rubber", "steel"))), version, binary))
+            run = laws.run(column(dim, file.name, **{"Material group": "rubber ; steel", "Young modulus": f"{SOFT} ; {STIFF}"}))
+            tables.append([row["r_n"] for row in run.rows])
+        laws.demand(f"{dim}D: reactions depend neither on the format nor on nodes of second order", all(table == tables[0] for table in tables))
 
 
 def bodies_of_a_file(laws):

@@ -8,13 +8,15 @@ pressure through joints of all kinds of faces; quadratic-orders: how fast errors
 import itertools
 import math
 
+from laws.iterative import compare
 from laws.mortar import PRESSURE, check_patch, from_files, stacked, turned_on_wider
 from laws.patch import patch_scene
+from laws.sliding import energy_error, of_body, slab
 from laws.tie import bar, bars, both_sides, pulled, stress_error
 from support import half_space, manufactured
 from support.checks import orders
 from support.meshes import distorted
-from support.scenes import box, load, merge
+from support.scenes import box, load, merge, press_and_shear, with_element
 
 Q1, Q2, P2 = ({"Element": element} for element in ("Q1", "Q2", "P2"))
 
@@ -147,6 +149,26 @@ def tied(laws):
             laws.check("  both sides", both_sides(run), 1e-10)
 
 
+def far(laws):
+    """Finite sliding, and the iterative backend."""
+    for dim in (2, 3):
+        scene = with_element(press_and_shear(dim, increments=5), "Q2")
+        compare(laws, f"{dim}D: both backends", scene)
+        scene["Contact bottom"]["Friction coefficient"] = .03  # every node touches: none turns its neighbours' normals
+        scene["Support top"]["Displacement"] = scene["Support top"]["Displacement"].replace("0.004", "0.43")
+        plane = laws.run(scene)
+        held = slab(scene, *(((28, 1), (7.0, .5), (-1.0, -.5)) if dim == 2 else ((13, 11, 1), (6.5, 4.4, .5), (-1.0, -1.0, -.5))))
+        laws.same(f"{dim}D: a slab that is held is a plane", plane, of_body(laws.run(held)), 1e-8)
+    scene = with_element(press_and_shear(2, mu=.3, increments=21), "Q2")
+    scene["Support top"]["Displacement"] = "0.9*sin(pi*max(t - 1, 0)/10) ; -0.02*min(t, 1)"
+    scene = slab(scene, (13, 2), (6.5, 1.0), (-2.25, -1.0), "bottom")
+    scene["Body slab"]["Element"] = "Q2"
+    run = laws.run(scene)
+    laws.check("soft slab: energies", energy_error(run), 1e-9)
+    laws.check("soft slab: balance", max(row[f"balance_{b}"] for row in run.increments for b in ("block", "slab")), 1e-10)
+    laws.admissible("soft slab", of_body(run), lambda row: .3)
+
+
 def converging(laws):
     # full slip, then full stick; reactions over areas: those at the edges are of a lower order
     names = [f"{what}, {state}" for state in ("slip", "stick") for what in ("displacement", "energy", "reactions")]
@@ -172,17 +194,19 @@ def triangles(laws):
 
 def lines(laws):
     """Hertz contact of a line: nodes as far apart as those of Q1."""
-    for n, bound in ((16, 1), (32, 1)):
+    exact = half_space.Hertz(2, half_space.POISSON["hertz"], 1)
+    for n, widths in ((16, 2e-4), (32, 5e-5)):
         errors = {}
         for kind, cells in ((Q1, n), (Q2, n // 2)):
             scene = half_space.hertz(2, cells, 2)
             scene["Body block"].update(kind)
-            run = laws.run(scene)
-            exact = half_space.Hertz(2, half_space.POISSON["hertz"], 1)
-            force = sum(row["r_n"] for row in run.last())
-            spread = sum(row["r_n"] * row["x"]**2 for row in run.last()) / force
-            wrong, size = (sum(row["area"] * f(row["r_n"] / row["area"], exact.pressure(abs(row["x"])))**2 for row in run.last())
+            rows = laws.run(scene).last()
+            force = sum(row["r_n"] for row in rows)
+            spread = sum(row["r_n"] * row["x"]**2 for row in rows) / force
+            wrong, size = (sum(row["area"] * f(row["r_n"] / row["area"], exact.pressure(abs(row["x"])))**2 for row in rows)
                            for f in (lambda a, b: a - b, lambda a, b: b))
-            errors[kind["Element"]] = (abs(2 * force / exact.force - 1), abs(2 * math.sqrt(spread) - 1), math.sqrt(wrong / size))
-        for what, a, b in zip(("force", "half width from the spread", "pressures in L2"), errors["Q2"], errors["Q1"]):
+            errors[kind["Element"]] = (abs(2 * force / exact.force - 1), math.sqrt(wrong / size), abs(2 * math.sqrt(spread) - 1))
+        for what, bound, a, b in zip(("force", "pressures in L2"), (.01, .6), errors["Q2"], errors["Q1"]):
             laws.check(f"Hertz, {n} nodes a half width: {what}, {a:.2g} of Q2 over {b:.2g} of Q1", a / b, bound)
+        # of Q1 that is better by chance, as forces at nodes spread a little
+        laws.check("  half width from the spread, Q2", errors["Q2"][2], widths)

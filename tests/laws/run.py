@@ -35,7 +35,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
-            "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging}
+            "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,
+            "quadratic-far": quadratic.far}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:

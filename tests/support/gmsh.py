@@ -4,7 +4,8 @@
 import itertools
 import struct
 
-DIMENSIONS = {1: 1, 2: 2, 3: 2, 4: 3, 5: 3, 15: 0}  # of Gmsh's types of elements
+SECOND_ORDER = {1: (8, 1), 2: (9, 3), 3: (10, 5), 4: (11, 6), 5: (12, 19)}  # types, and nodes behind the corners
+DIMENSIONS = {1: 1, 2: 2, 3: 2, 4: 3, 5: 3, 8: 1, 9: 2, 10: 2, 11: 3, 12: 3, 15: 0}  # of Gmsh's types of elements
 FORMATS = tuple(itertools.product(("2.2", "4.1"), (False, True)))
 
 
@@ -16,6 +17,17 @@ def gmsh_file(points, elements, names, version="4.1", binary=False):
     out.append(f"$PhysicalNames\n{len(names)}\n{rows}$EndPhysicalNames\n".encode())
     body = old(points, elements, binary) if version == "2.2" else new(points, elements, binary)
     return b"".join(out) + body
+
+
+def of_second_order(points, elements, names):
+    """The same with more nodes behind the corners of each element, somewhere inside."""
+    points, raised = list(points), []
+    for kind, groups, nodes in elements:
+        other, n = SECOND_ORDER[kind]
+        middle = tuple(sum(points[i][d] for i in nodes) / len(nodes) for d in range(3))
+        raised.append((other, groups, [*nodes, *range(len(points), len(points) + n)]))
+        points += [middle] * n
+    return points, raised, names
 
 
 def old(points, elements, binary):

@@ -137,6 +137,14 @@ namespace conetact::test
     EXPECT_EQ(gmsh_version("$NOD\n"), 1);
   }
 
+  TEST(GmshFile, CornersOfSecondOrderAreTaken)
+  {
+    const GmshMesh mesh = read_gmsh(
+      replaced(old_text, "4 2 3 3 1 0 1 5 9", "4 9 3 3 1 0 1 5 9 5 9 1"));
+    EXPECT_EQ(mesh.elements.back().nodes, (std::vector<unsigned int>{0, 1, 2}));
+    EXPECT_EQ(mesh.elements.back().groups, std::set<unsigned int>{3});
+  }
+
   TEST(GmshFile, WhatIsCutOffIsNoMesh)
   {
     for (const std::string &contents :
@@ -153,7 +161,7 @@ namespace conetact::test
         << fault_of(contents);
     };
     expect(replaced(old_text, "2.2 0 8", "4.0 0 8"), "of version 4. Save it");
-    expect(replaced(old_text, "4 2 3 3 1 0 1 5 9", "4 9 3 3 1 0 1 5 9 1 5 9"),
+    expect(replaced(old_text, "4 2 3 3 1 0 1 5 9", "4 21 3 3 1 0 1 5 9 1 5 9"),
            "'Mesh.ElementOrder = 1;'");
     expect(replaced(old_text, "1 0 1 5 9", "1 0 1 5 8"),
            "names a node that is not there");

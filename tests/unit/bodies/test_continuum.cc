@@ -164,6 +164,9 @@ TEST(Continuum, OnlyRigidMotionsNeedNoEnergy)
   for (const auto &body : all_bodies())
     {
       const Eigen::Index n_rigid = body->n_components() == 2 ? 3 : 6;
+      // the more modes a cell has, the further apart their energies
+      const double least =
+        body->description().find("P2") != std::string::npos ? 1e-4 : 1e-3;
       body->for_each_element(
         [&](const std::vector<unsigned int> &dofs, const double *matrix) {
           const auto            n = static_cast<Eigen::Index>(dofs.size());
@@ -172,7 +175,7 @@ TEST(Continuum, OnlyRigidMotionsNeedNoEnergy)
               .selfadjointView<Eigen::Lower>()
               .eigenvalues();
           ASSERT_LE(std::abs(energies[n_rigid - 1]), 1e-13 * energies[n - 1]);
-          ASSERT_GE(energies[n_rigid], 1e-3 * energies[n - 1])
+          ASSERT_GE(energies[n_rigid], least * energies[n - 1])
             << body->description();
         });
     }
