@@ -5,15 +5,18 @@
 # (component program), and the solvers as a package for other programs (development).
 # Folders are those of the GNU coding standards; scripts find theirs relative to
 # themselves, so that the whole may be moved.
-set(CMAKE_INSTALL_DOCDIR share/doc/conetact CACHE PATH "Folder of documentation")
+if(NOT CMAKE_INSTALL_DOCDIR) # else it would have the project's capital letter
+  set(CMAKE_INSTALL_DOCDIR share/doc/conetact)
+endif()
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 include(GNUInstallDirs)
 set(SHARED_FILES ${CMAKE_INSTALL_DATADIR}/conetact)
 
 install(TARGETS conetact conetact-reproductions RUNTIME)
 if(TARGET conetact-exchange)
-  # of no use to other programs, hence not among the libraries of the system
-  set(PRIVATE_LIBRARIES ${CMAKE_INSTALL_LIBDIR}/conetact)
+  # of no use to other programs, hence not among the libraries of the system; two
+  # folders below them, or CPack would have the package call ldconfig
+  set(PRIVATE_LIBRARIES ${CMAKE_INSTALL_LIBDIR}/conetact/private)
   install(TARGETS conetact-exchange LIBRARY DESTINATION ${PRIVATE_LIBRARIES})
   install(TARGETS conetact-fclib RUNTIME)
   file(RELATIVE_PATH FROM_PROGRAMS /usr/${CMAKE_INSTALL_BINDIR} /usr/${PRIVATE_LIBRARIES})

@@ -13,17 +13,21 @@ endif()
 
 add_custom_target(man ALL)
 
-# PROGRAM prints --help; the page is made anew when one of DEPENDS changes.
+# PROGRAM prints --help; the page is made anew when one of DEPENDS changes. help2man knows
+# the line of usage by a capital letter.
 function(add_manual_page NAME PROGRAM SUMMARY)
   cmake_parse_arguments(PAGE "" "" DEPENDS ${ARGN})
   set(PAGE ${CMAKE_BINARY_DIR}/man/${NAME}.1)
   set(MORE ${CMAKE_SOURCE_DIR}/doc/man/${NAME}.txt)
+  set(TELLER ${CMAKE_BINARY_DIR}/man/programs/${NAME})
+  file(GENERATE OUTPUT ${TELLER}
+    CONTENT "#!/bin/sh\n\"${PROGRAM}\" \"$@\" | sed '1s/^usage:/Usage:/'\n"
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
   add_custom_command(OUTPUT ${PAGE}.gz
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/man
     COMMAND ${HELP2MAN} --no-info --name=${SUMMARY} "--version-string=${PROJECT_VERSION}"
-      "--source=Conetact ${PROJECT_VERSION}" --include=${MORE} --output=${PAGE} ${PROGRAM}
+      "--source=Conetact ${PROJECT_VERSION}" --include=${MORE} --output=${PAGE} ${TELLER}
     COMMAND ${GZIP} -9nf ${PAGE}
-    DEPENDS ${PAGE_DEPENDS} ${MORE} COMMENT "Page of man: ${NAME}" VERBATIM)
+    DEPENDS ${PAGE_DEPENDS} ${MORE} ${TELLER} COMMENT "Page of man: ${NAME}" VERBATIM)
   add_custom_target(man-${NAME} DEPENDS ${PAGE}.gz)
   add_dependencies(man man-${NAME})
   install(FILES ${PAGE}.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

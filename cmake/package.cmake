@@ -24,13 +24,13 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY
   "frictional contact of elastic bodies with the exact Coulomb cone")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Conetact computes quasi-static frictional contact of linear elastic bodies in
- the plane and in space, with the exact Coulomb cone and without penalty
- parameters. Scenes are described in text files. Each load increment is accepted
- only after an independent check of contact law, equilibrium and balance; where
- no equilibrium exists a sentence says why.
- .
- The package holds the program, scenes to start from, scripts that draw pictures
- and curves of results, and a Python package for runs and sweeps.")
+the plane and in space, with the exact Coulomb cone and without penalty
+parameters. Scenes are described in text files. Each load increment is accepted
+only after an independent check of contact law, equilibrium and balance; where
+no equilibrium exists a sentence says why.
+
+The package holds the program, scenes to start from, scripts that draw pictures
+and curves of results, and a Python package for runs and sweeps.")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3:any")
