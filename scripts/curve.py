@@ -178,7 +178,10 @@ def numbers(text):
 
 
 def parse(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    summary, usage, rest = __doc__.split("\n\n", 2)
+    parser = argparse.ArgumentParser(usage=usage.removeprefix("usage: ").replace("curve.py", "%(prog)s"),
+                                     description=f"{summary}\n\n{rest}",
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("column", nargs="?")
     parser.add_argument("against", nargs="?", default="time")

@@ -147,7 +147,10 @@ def view(text):
 
 
 def parse(arguments):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    summary, usage, rest = __doc__.split("\n\n", 2)
+    parser = argparse.ArgumentParser(usage=usage.removeprefix("usage: ").replace("picture.py", "%(prog)s"),
+                                     description=f"{summary}\n\n{rest}",
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--increment", help="a number, or all; default: the last one that is drawn")
     parser.add_argument("-o", "--output", type=Path, help="default: picture.png in the folder")

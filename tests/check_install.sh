@@ -2,18 +2,61 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 #
-# Installs the solvers from a build, builds the example with the installed
-# package alone and runs it: one node sticks, one slips.
+# Installs a build into a folder and uses what is there, without the source tree: the
+# program solves a scene as its golden table says, the Python package finds the program
+# and draws the scene's picture, pages of man are there if they were made. Then builds the
+# example with the installed solvers alone and runs it: one node sticks, one slips.
 # usage: check_install.sh SOURCE_TREE BUILD
 set -euo pipefail
+tree=$1 build=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-cmake --install "$2" --prefix "$folder/prefix" >"$folder/log" || { cat "$folder/log"; exit 1; }
-cmake -S "$1/examples/contact_by_hand" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_PREFIX_PATH="$folder/prefix" >"$folder/log" || { cat "$folder/log"; exit 1; }
-cmake --build "$folder/build" >"$folder/log" || { cat "$folder/log"; exit 1; }
-"$folder/prefix/bin/conetact-reproductions" --help >"$folder/log" || { cat "$folder/log"; exit 1; }
-found=$("$folder/build/contact-by-hand")
+prefix=$folder/prefix
+bin=$prefix/bin
+unset CONETACT PYTHONPATH
+
+quietly() { "$@" >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }; }
+
+quietly cmake --install "$build" --prefix "$folder/first"
+mv "$folder/first" "$prefix" # it may be moved
+cd "$folder"
+
+# a scene of those that were installed
+scenes=$prefix/share/conetact/parameter-files
+quietly /usr/bin/python3 "$tree/tests/run_scene.py" "$bin/conetact" runs \
+  "$tree/tests/scenes/shipped-floating-block.prm"
+quietly "$bin/conetact" "$scenes/floating-block.prm" -o result
+cmp result/reactions.csv runs/shipped-floating-block/result/reactions.csv
+
+# Python and pictures
+PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$prefix/share/conetact/python /usr/bin/python3 -c "
+import conetact
+assert conetact.executable().resolve() == conetact.Path('$bin/conetact').resolve()
+result = conetact.run('$scenes/floating-block.prm')
+assert result.exit_code == 0 and len(result.reactions) > 0"
+quietly env PYTHONDONTWRITEBYTECODE=1 "$bin/conetact-picture" result -o picture.png
+[ -s picture.png ]
+PYTHONDONTWRITEBYTECODE=1 "$bin/conetact-curve" result | grep -q bottom_f_x
+
+# pages to read; those of man where help2man made them
+for page in README.md CHANGELOG.md LICENSE copyright doc/gmsh.md doc/gallery/floating-block.png; do
+  [ -s "$prefix/share/doc/conetact/$page" ] || { echo "$page is missing"; exit 1; }
+done
+if grep -q '^HELP2MAN:FILEPATH=/' "$build/CMakeCache.txt" && [ -d "$build/man" ]; then
+  for program in "$bin"/*; do
+    page=$prefix/share/man/man1/$(basename "$program").1.gz
+    gzip -dc "$page" | grep -q 'SH DESCRIPTION' || { echo "$page is not there or empty"; exit 1; }
+  done
+  gzip -dc "$prefix/share/man/man1/conetact.1.gz" | grep -q 'restart'
+fi
+quietly "$bin/conetact-reproductions" --help
+[ ! -x "$bin/conetact-fclib" ] || quietly "$bin/conetact-fclib" --help
+
+# the solvers, for other programs
+quietly cmake -S "$tree/examples/contact_by_hand" -B build -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_PREFIX_PATH="$prefix"
+quietly cmake --build build
+found=$(build/contact-by-hand)
 echo "$found"
 # springs carry what the floor does not: r_n = 10 - 0, 10 - 100 * 0.02; r_t = -2, -0.3 * 8
 [ "$found" = "node 0: r_t = -2, r_n = 10, stick by 0

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""scripts/picture.py, scripts/curve.py and python/conetact.py on small scenes.
+"""scripts/picture.py, scripts/curve.py and the Python package on small scenes.
 
 usage: check_python.py PROGRAM CASE
 

@@ -3,7 +3,7 @@
 """Bodies, obstacles and reactions in the plane."""
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
-from vtu import LINE, QUADRILATERAL, TRIANGLE
+from conetact.vtu import LINE, QUADRILATERAL, TRIANGLE
 
 from drawing.colours import ARROWS, OBSTACLE
 

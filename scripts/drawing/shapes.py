@@ -8,7 +8,7 @@ touches its obstacle does so in the picture.
 from dataclasses import dataclass
 
 import numpy as np
-from vtu import HEXAHEDRON, LINE, QUADRILATERAL, TETRAHEDRON, TRIANGLE
+from conetact.vtu import HEXAHEDRON, LINE, QUADRILATERAL, TETRAHEDRON, TRIANGLE
 
 # corners of faces of a cell, those of simplices repeat one in space
 FACES = {TRIANGLE: [(0, 1), (1, 2), (2, 0)], QUADRILATERAL: [(0, 1), (1, 2), (2, 3), (3, 0)],

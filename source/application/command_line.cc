@@ -17,7 +17,8 @@ Quasi-static frictional contact of linear elastic bodies with the exact
 Coulomb cone.
 
   -o, --output FOLDER           write there (default: output/SCENE)
-  -s, --set SECTION/ENTRY=VALUE replace an entry of the scene; may be repeated
+  -s, --set SECTION/ENTRY=VALUE
+                                replace an entry of the scene; may be repeated
       --restart FOLDER          go on from the last checkpoint in the FOLDER of
                                 results (Output/Checkpoint) with what the scene
                                 has beyond its time; loads, supports and times

@@ -12,8 +12,8 @@
 
 Tables are structured arrays with the columns that README.md lists. Errors of the program
 are exceptions with its sentence, a class for each exit code: InputError (1),
-AnalysisError (2), WriteError (3). The program is build/conetact of this repository, or what
-the environment variable CONETACT names.
+AnalysisError (2), WriteError (3). The program is build/conetact of this repository, the one
+that was installed with this package, or what the environment variable CONETACT names.
 """
 import csv
 import itertools
@@ -28,9 +28,9 @@ from pathlib import Path
 
 import numpy as np
 
-from vtu import read_vtu
+from .vtu import read_vtu
 
-TOP = Path(__file__).resolve().parent.parent
+TOP = Path(__file__).resolve().parents[2]  # of the source tree, or share/conetact
 INTEGERS = ("increment", "node", "substeps", "iterations", "open", "stick", "slip", "event")
 TEXTS = ("contact", "state", "solver", "determinate", "from", "to", "largest_displacement_body",
          "largest_pressure_contact")
@@ -69,13 +69,15 @@ class ResultError(ConetactError):
 
 
 def executable():
+    """The one that is named, that of the source tree, or the one that was installed with this package."""
     named = os.environ.get("CONETACT")
-    program = Path(named) if named else TOP / "build" / "conetact"
-    if not os.access(program, os.X_OK) or program.is_dir():
-        raise ConetactError(f"There is no program {program}. " + (
-            "The environment variable CONETACT names it; it must be an executable." if named else
-            "Build it with ./conetact --version, or name another one in the environment variable CONETACT."))
-    return program
+    places = [Path(named)] if named else [TOP / "build" / "conetact", TOP.parent.parent / "bin" / "conetact"]
+    for program in places:
+        if os.access(program, os.X_OK) and not program.is_dir():
+            return program
+    raise ConetactError(f"There is no program {places[0]}. " + (
+        "The environment variable CONETACT names it; it must be an executable." if named else
+        "Build it with ./conetact --version, or name another one in the environment variable CONETACT."))
 
 
 def read_table(file):
