@@ -31,6 +31,7 @@ GALLERY = {
     "sheet-pile": ({}, []),
     "double-layer-grid-04": ({}, []),
     "floating-block": ({}, []),
+    "bolt-preload": ({}, ["--increment", "10", "--amplify", "50", "--contact", "bed"]),
     "bolt-joint": ({}, ["--increment", "7", "--amplify", "100", "--contact", "joint"]),
     "dovetail": ({}, ["--increment", "4", "--amplify", "40"]),
     "disc-brake": ({"Output/VTU": 6}, ["--view", "50,-30"]),

@@ -73,6 +73,20 @@ def bolt_joint(laws):
     laws.demand("bolt: separated beyond", joint[6] > 0 and joint[7] == joint[8] == 0)
 
 
+def bolt_preload(laws):
+    """Ties that meet the axis of revolution: the tension is what was asked for, then what the flange leaves to it."""
+    run = shipped(laws, "bolt-preload")
+    for row in run.increments:
+        at = f"stud, t = {row['time']:g}"
+        tension = row["preload_cut_force"]
+        if row["time"] <= 1:
+            laws.check(f"{at}: tension", abs(tension / (3e4 * row["time"]) - 1), 1e-10)
+        bed, nut = (resultant(run, rows_of(run, contact, row["time"]))[0][1] for contact in ("bed", "under nut"))
+        laws.check(f"{at}: the nut carries the stud", abs(abs(nut) - tension) / 3e4, 1e-9)
+        laws.check(f"{at}: the ground has what the pull leaves", abs(bed - (tension - row["loads_f_y"])) / 3e4, 1e-9)
+    laws.demand("stud: the flange takes most of the pull", 0 < tension - 3e4 < .02 * run.increments[-1]["loads_f_y"])
+
+
 def dovetail(laws):
     """A wedge with friction, pulled and let go; at t = 5 and 6 it sticks."""
     run, mu = shipped(laws, "dovetail"), .25
@@ -153,7 +167,7 @@ def sheet_pile(laws):
 
 
 def plane(laws):
-    for law in (shrink_fit, bolt_joint, dovetail, retaining_wall, o_ring, fretting_loop, sheet_pile):
+    for law in (shrink_fit, bolt_joint, bolt_preload, dovetail, retaining_wall, o_ring, fretting_loop, sheet_pile):
         law(laws)
 
 
@@ -218,7 +232,7 @@ def works(run):
 
 
 ENERGIES = (("inclined-obstacle",), ("partial-slip",), ("fretting-loop",), ("shrink-fit",), ("stacked-blocks",), ("sheet-pile",),
-            ("double-layer-grid-unloading",), ("floating-block",), ("bolt-joint",), ("dovetail",), ("retaining-wall",), ("o-ring",),
+            ("double-layer-grid-unloading",), ("floating-block",), ("bolt-joint",), ("bolt-preload",), ("dovetail",), ("retaining-wall",), ("o-ring",),
             ("bracket",), ("block-press-shear", "Body block/Mesh/Arguments=8, 8, 8 : 0, 0, 0 : 1, 1, 1 : true"))
 
 

@@ -270,9 +270,15 @@ TEST(InitialStrain, HeldBodiesHaveItsStressAndNoStrain)
         s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2]};
       for (const VtuField &field : drawn.point_fields)
         for (std::size_t k = 0; k < field.values.size(); ++k)
-          if (field.name == "stress")
-            EXPECT_NEAR(field.values[k], expected[k % 9], 1e-12);
-          else if (field.name == "strain")
-            EXPECT_NEAR(field.values[k], 0, 1e-15);
+          {
+            if (field.name == "stress")
+              {
+                EXPECT_NEAR(field.values[k], expected[k % 9], 1e-12);
+              }
+            else if (field.name == "strain")
+              {
+                EXPECT_NEAR(field.values[k], 0, 1e-15);
+              }
+          }
     }
 }

@@ -119,6 +119,8 @@ TEST(Preloads, LocksTakeAMotionAway)
       const auto placed = model.motions.placement(2);
       EXPECT_NEAR(model.motions.at(placed, 2, 0)[1], -.02, 1e-14);
       if (!is_held)
-        EXPECT_NEAR(model.motions.at(placed, 1, 0)[1], -.02, 1e-14);
+        {
+          EXPECT_NEAR(model.motions.at(placed, 1, 0)[1], -.02, 1e-14);
+        }
     }
 }
