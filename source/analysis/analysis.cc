@@ -15,6 +15,7 @@
 #include "conetact/output/progress.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact::analysis
 {
@@ -42,6 +43,32 @@ namespace conetact::analysis
             "Contact '" + scene.contact_names[c] +
             "' has no node that may touch: supports hold all of them along its "
             "normal. Take them out of the supports, or remove the contact.");
+    }
+
+    /** Sides that are tied across a gap pass shear on without its couple. */
+    void
+    warn_of_tied_gaps(const application::Scene    &scene,
+                      const contact::ContactModel &model,
+                      Log                         &log)
+    {
+      constexpr double    large = .05; // of a cell; facets of round faces less
+      std::vector<double> widest(scene.contact_names.size(), 0);
+      for (std::size_t i = model.points.size(); i < model.points.all().size();
+           ++i)
+        {
+          const pairing::ContactNode &node = *model.points.all()[i].node;
+          if (node.kind == pairing::ContactKind::tie && !node.closes &&
+              std::abs(node.gap) > large * node.spacing)
+            widest[node.contact] =
+              std::max(widest[node.contact], std::abs(node.gap));
+        }
+      for (std::size_t c = 0; c < widest.size(); ++c)
+        if (widest[c] > 0)
+          log.say("warning: contact '" + scene.contact_names[c] +
+                  "': it binds sides that are up to " + to_text(widest[c]) +
+                  " apart. Forces along them make a couple, force times gap, "
+                  "that nothing carries. Move the bodies together, or give the "
+                  "contact a Gap that closes.");
     }
 
     /** That of the run that is continued: a state is kept in its terms. */
@@ -97,6 +124,7 @@ namespace conetact::analysis
     , acceptance(scene, model, l)
   {
     check_empty_contacts(scene, model, log);
+    warn_of_tied_gaps(scene, model, log);
   }
 
   void

@@ -5,6 +5,7 @@ import itertools
 import math
 
 from laws.mortar import turned_on_wider
+from support.logs import log_of
 from support.scenes import box, contact, floor, load, merge, simplices, support
 from support.tables import Events
 
@@ -295,6 +296,10 @@ def redundant(laws):
                           "Support here": support(1, "x", "0", body="left"), "Support there": support(0, "x", "0.1", body="right")})
     laws.demand(f"a joint that supports tear apart is refused ({done.returncode}): {done.stderr.strip()[-160:]}",
                 done.returncode == 2 and "is tied and moves" in done.stderr)
+    for gap in (0.0, .04):
+        run = laws.run(pulled(bars(2, bar(2, (2, 3)), bar(2, (2, 3), 1.0 + gap)), 2))
+        laws.demand(f"a joint across a gap of {gap} is {'' if gap else 'not '}warned of",
+                    ("binds sides that are up to 0.04 apart" in log_of(run)) == (gap > 0))
 
 
 def press_fits(laws):
