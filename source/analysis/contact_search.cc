@@ -14,6 +14,7 @@ namespace conetact::analysis
     : contacts(c)
     , model(m)
     , frames(m.bodies.frames())
+    , start_nodes(m.points.nodes())
   {}
 
   ContactSearch::Nodes
@@ -155,37 +156,128 @@ namespace conetact::analysis
     return worst;
   }
 
+  namespace
+  {
+    /** How a node that enters an obstacle on its way comes out of it. */
+    enum class Way
+    {
+      right,      ///< where it came in, or it does not enter
+      round_edge, ///< held by another side: one that it slid to, or a wrong one
+      through     ///< on the other side, or it was deep inside
+    };
+
+    /**
+     * Follows a node on its way, given at parts of it from 0 to 1, to where
+     * `end` says. Gaps are distances, so that no obstacle is too thin to be
+     * met.
+     */
+    template <typename NodeAt>
+    Way
+    way_of(const NodeAt               &at,
+           const pairing::ContactNode &end,
+           const bool                  may_be_deep)
+    {
+      constexpr double     shortest = 1. / 64, longest = 1. / 8; // of the way
+      constexpr double     other_side = -.5, same_side = .5;     // cosines
+      constexpr double     deep_enough = .25; // of a cell, as the others
+      constexpr double     touches = 1e-9, closed = 1e-6;
+      pairing::ContactNode before = at(0);
+      const double         length = (end.moved - before.moved).norm();
+      if (before.gap > length) // out of reach
+        return Way::right;
+      bool has_entered = false;
+      for (double part = 0; part < 1 && !has_entered;)
+        {
+          part += std::clamp(before.gap / std::max(length, 1e-300),
+                             shortest,
+                             longest);
+          pairing::ContactNode now  = part < 1 ? at(part) : end;
+          const double         step = (now.moved - before.moved).norm();
+          const bool           is_through =
+            now.n * before.n < 0 && now.gap >= 0 && before.gap + now.gap < step;
+          has_entered = is_through || now.gap < -touches * end.spacing;
+          if (!has_entered)
+            before = std::move(now);
+        }
+      if (!has_entered)
+        return Way::right;
+      double depth = 0; // of a cell
+      for (double part = 0; part < 1; part += longest)
+        depth = std::max(depth, -at(part).gap / end.spacing);
+      const double cosine = before.n * end.n;
+      if (cosine < other_side || (may_be_deep && depth > 1))
+        return Way::through;
+      return cosine < same_side && depth > deep_enough &&
+                 end.gap < closed * end.spacing ?
+               Way::round_edge :
+               Way::right;
+    }
+  } // namespace
+
   /* Between the ends of an increment displacements are taken as straight; for
      a body that turns they are not. */
   std::string
-  ContactSearch::passes_through(const Eigen::VectorXd &u, const double t) const
+  ContactSearch::passes_through(const Eigen::VectorXd &u,
+                                const double           t,
+                                const bool             may_be_cut) const
   {
-    constexpr unsigned int n_looks = 8;
-    constexpr double       no_turn = 1e-3;
-    const Eigen::VectorXd  from =
+    constexpr double      no_turn = 1e-3;
+    const Eigen::VectorXd from =
       start.size() > 0 ? start : Eigen::VectorXd::Zero(u.size());
     const auto &now      = model.bodies.frames();
     const auto  is_still = [&](const unsigned int body) {
       return body >= frames.size() ||
              (now[body].rotation - frames[body].rotation).norm() <= no_turn;
     };
-    for (unsigned int look = 1; look < n_looks; ++look)
+    for (const pairing::ContactNode &node : model.points.nodes())
       {
-        const double part    = look / static_cast<double>(n_looks);
-        const Nodes  between = contacts.find_on_obstacles(
-          model.points.nodes(),
-          [&](const unsigned int body, const unsigned int node) {
-            return model.displacement(from + part * (u - from), body, node);
-          },
-          start_t + part * (t - start_t));
-        for (const pairing::ContactNode &node : between)
-          if (node.slides && node.obstacle != nullptr && is_still(node.body) &&
-              node.gap < -node.spacing)
-            return "obstacle '" + node.obstacle->name + "' passes through " +
-                   model.bodies.called(node.body) + " at " +
-                   to_text(node.position) +
-                   ", which it does not touch at the end. Use smaller "
-                   "increments, or another path";
+        if (!node.slides || node.obstacle == nullptr)
+          continue;
+        const auto at = [&](const double part) {
+          return contacts.find_on_obstacle(
+            node,
+            [&](const unsigned int body, const unsigned int i) {
+              return Tensor<1, 3>((1 - part) *
+                                    model.displacement(from, body, i) +
+                                  part * model.displacement(u, body, i));
+            },
+            start_t + part * (t - start_t));
+        };
+        const Way way = way_of(at, at(1), is_still(node.body));
+        if (way == Way::through || (way == Way::round_edge && may_be_cut))
+          return "obstacle '" + node.obstacle->name + "' passes through " +
+                 model.bodies.called(node.body) + " at " +
+                 to_text(node.position) +
+                 " and is behind it at the end. Use smaller increments, or "
+                 "another path";
+      }
+    return "";
+  }
+
+  /* The faces that it met at the start, moved on with their normal, would have
+     it deep inside, but it is told to stand before others or none. */
+  std::string
+  ContactSearch::loses_masters(const Eigen::VectorXd &u) const
+  {
+    constexpr double same_side = .5, deep = .1; // cosine; of a cell
+    const auto       at = [&](const unsigned int body, const unsigned int i) {
+      return model.displacement(u, body, i);
+    };
+    const Nodes &end = model.points.nodes();
+    for (std::size_t i = 0; i < end.size(); ++i)
+      {
+        const pairing::ContactNode &then = start_nodes[i], &now = end[i];
+        if (!now.slides || now.obstacle != nullptr || then.masters.empty())
+          continue;
+        const double depth =
+          -then.gap - then.n * contact::difference_of_sides(then, at);
+        if (depth > deep * then.spacing &&
+            (now.masters.empty() || now.n * then.n < same_side ||
+             now.gap + now.n * contact::difference_of_sides(now, at) >
+               deep * now.spacing))
+          return "the node at " + to_text(now.position) + " of " +
+                 model.bodies.called(now.body) + " is behind the faces of " +
+                 model.bodies.called(then.master) + " that it met";
       }
     return "";
   }
@@ -200,8 +292,9 @@ namespace conetact::analysis
   void
   ContactSearch::accept(const Eigen::VectorXd &u, const double t)
   {
-    start   = u;
-    start_t = t;
-    frames  = model.bodies.frames();
+    start       = u;
+    start_t     = t;
+    frames      = model.bodies.frames();
+    start_nodes = model.points.nodes();
   }
 } // namespace conetact::analysis

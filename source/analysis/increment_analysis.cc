@@ -242,7 +242,10 @@ namespace conetact::analysis
                                    solvers::ContactState         &state,
                                    solvers::SolverReport         &report)
   {
-    state.r           = -problem.system->matrix.fullPivLu().solve(problem.load);
+    state.r = -problem.system->matrix.fullPivLu().solve(problem.load);
+    // what they do not resist, such as a ring's spin, stays as it is
+    const Eigen::MatrixXd &loose = model.motions.unresisted();
+    state.r -= loose * (loose.transpose() * state.r);
     state.v           = Eigen::VectorXd::Zero(state.r.size());
     report.converged  = true;
     report.solver     = "linear";
@@ -298,12 +301,12 @@ namespace conetact::analysis
         const bool   is_slow = n >= most / 3 && error > .9 * before;
         before               = error;
         if (error <= exact)
-          return search.passes_through(u, increment.record.time);
+          return passes_through(increment.record, u);
         if ((is_slow || n == most) && turn <= least_turn &&
             may_take(increment.record, change))
           {
             say_unsettled(increment.record, change);
-            return search.passes_through(u, increment.record.time);
+            return passes_through(increment.record, u);
           }
         if (n++ == most)
           return "contacts that slide are found elsewhere again and again, "
@@ -344,6 +347,19 @@ namespace conetact::analysis
             !parts.is_long(search.time(),
                            duration(record.increment),
                            scene.times[record.increment - 1]));
+  }
+
+  /* A body that goes round an edge may look so: it is asked for smaller parts
+     only. */
+  std::string
+  IncrementAnalysis::passes_through(const output::IncrementRecord &record,
+                                    const Eigen::VectorXd         &u) const
+  {
+    const bool        may_be_cut = parts.may_be_cut(search.time(),
+                                             duration(record.increment),
+                                             scene.times[record.increment - 1]);
+    const std::string why = search.passes_through(u, record.time, may_be_cut);
+    return why.empty() && may_be_cut ? search.loses_masters(u) : why;
   }
 
   double
@@ -431,7 +447,8 @@ namespace conetact::analysis
   IncrementAnalysis::no_equilibrium(const solvers::ContactProblem &problem,
                                     const PendingIncrement        &increment)
   {
-    if (problem.system->null_space.cols() == 0)
+    if (problem.system->null_space.cols() == 0 ||
+        problem.system->n_nodes() == 0)
       return "";
     if (!existence)
       existence = std::make_unique<solvers::ExistenceCheck>(

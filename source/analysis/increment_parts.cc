@@ -14,14 +14,21 @@ namespace conetact::analysis
   } // namespace
 
   bool
+  IncrementParts::may_be_cut(const double begin,
+                             const double duration,
+                             const double whole) const
+  {
+    return end(whole) - begin > shortest * duration;
+  }
+
+  bool
   IncrementParts::cut(const double begin,
                       const double duration,
                       const double whole)
   {
-    const double length = end(whole) - begin;
-    if (!(length > shortest * duration))
+    if (!may_be_cut(begin, duration, whole))
       return false;
-    ends.push_back(begin + .5 * length);
+    ends.push_back(begin + .5 * (end(whole) - begin));
     return true;
   }
 

@@ -76,17 +76,17 @@ namespace conetact::application
     const Entries now  = entries_of(values());
     Entries       both = then;
     both.insert(now.begin(), now.end());
-    for (const auto &[path, value] : both)
-      if (must_stay(path) && value_in(then, path) != value_in(now, path))
-        throw InputError("Option --restart: " + path + " was '" +
-                         value_in(then, path) + "' in " + run.folder.string() +
-                         " and is '" + value_in(now, path) + "' here." +
+    for (const auto &[entry, value] : both)
+      if (must_stay(entry) && value_in(then, entry) != value_in(now, entry))
+        throw InputError("Option --restart: " + entry + " was '" +
+                         value_in(then, entry) + "' in " + run.folder.string() +
+                         " and is '" + value_in(now, entry) + "' here." +
                          what_may_differ);
-    for (const auto &[path, value] : then)
-      if (path.rfind("Support ", 0) == 0 && !value.empty() &&
-          path.substr(path.find('/')) == "/Stiffness" &&
-          value_in(now, path) != value)
-        throw InputError("Option --restart: " + path + " was '" + value +
+    for (const auto &[entry, value] : then)
+      if (entry.rfind("Support ", 0) == 0 && !value.empty() &&
+          entry.substr(entry.find('/')) == "/Stiffness" &&
+          value_in(now, entry) != value)
+        throw InputError("Option --restart: " + entry + " was '" + value +
                          "' in " + run.folder.string() +
                          ". Springs hold energy of the run that is continued: "
                          "keep that support as it was.");
@@ -97,19 +97,19 @@ namespace conetact::application
   void
   Scene::continue_from(const std::filesystem::path &folder)
   {
-    const std::filesystem::path file = folder / "checkpoint.bin";
+    const std::filesystem::path kept = folder / "checkpoint.bin";
     if (path.follows)
       throw InputError("Option --restart: a load path cannot be continued. "
                        "Run the scene from its start.");
     if (adaptive.cycles > 0)
       throw InputError("Option --restart: a scene with Adaptive refinement "
                        "cannot be continued. Run it from its start.");
-    if (!std::filesystem::is_regular_file(file))
+    if (!std::filesystem::is_regular_file(kept))
       throw InputError("Option --restart: there is no checkpoint.bin in " +
                        folder.string() +
                        ". Give the folder of results of a run with "
                        "Output/Checkpoint = 1 or more.");
-    Restart run{folder, Archive::read(file)};
+    Restart run{folder, Archive::read(kept)};
     refuse_changes(run);
     std::vector<double> all = run.state.get("times");
     run.n_done              = static_cast<unsigned int>(all.size());

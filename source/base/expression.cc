@@ -48,6 +48,20 @@ namespace conetact
       return false;
     }
 
+    /** Whether a single equals sign stands there, which would assign. */
+    bool
+    assigns(const std::string &text)
+    {
+      for (std::size_t i = text.find('='); i != text.npos;
+           i             = text.find('=', i + 1))
+        if (i + 1 < text.size() && text[i + 1] == '=')
+          ++i;
+        else if (i == 0 ||
+                 std::string("<>!").find(text[i - 1]) == std::string::npos)
+          return true;
+      return false;
+    }
+
     [[noreturn]] void
     fail(const std::string &entry,
          const std::string &text,
@@ -75,6 +89,8 @@ namespace conetact
     if (p.text.empty())
       throw InputError(entry + ": an expression is missing. Give a number or " +
                        "a function of x, y, z, t.");
+    if (assigns(p.text))
+      fail(entry, p.text, "a single '=' compares nothing, write '=='");
     try
       {
         p.mu.DefineVar("x", &p.x);

@@ -51,7 +51,8 @@ namespace conetact::bodies
     const std::string entry = in + "Turn axis";
     if (dim == 2)
       {
-        if (split(text, ',') != std::vector<std::string>{"0", "0", "1"})
+        const Tensor<1, 3> axis = to_vector(text, 3, entry);
+        if (axis[0] != 0 || axis[1] != 0 || axis[2] <= 0)
           throw InputError(entry + ": in 2D everything turns about z, and '" +
                            text + "' is another axis. Remove the entry.");
         return Tensor<1, 3>({0., 0., 1.});

@@ -263,8 +263,15 @@ namespace conetact::contact
     ties.clear();
     free_body.clear();
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
-      for (const Tensor<1, 3> &direction : points.all()[i].dual)
-        ties.push_back(make_tie(*points.all()[i].node, direction));
+      {
+        const contact::ContactPoint &point = points.all()[i];
+        // as it was at the start: those that are found again are replaced
+        const pairing::ContactNode &node =
+          bodies.contact_nodes[static_cast<std::size_t>(point.node -
+                                                        points.nodes().data())];
+        for (const Tensor<1, 3> &direction : point.dual)
+          ties.push_back(make_tie(node, direction));
+      }
     find_assemblies();
     const Index k = own_modes.cols();
     if (ties.empty())

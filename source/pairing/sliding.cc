@@ -234,21 +234,22 @@ namespace conetact::pairing
                         const Displacement             &at,
                         const double                    t) const
   {
-    std::vector<ContactNode> nodes = find_on_obstacles(last, at, t);
+    std::vector<ContactNode> nodes = last;
+    for (ContactNode &node : nodes)
+      if (node.slides && node.obstacle != nullptr)
+        node = find_on_obstacle(std::move(node), at, t);
     if (std::any_of(contacts.begin(), contacts.end(), is_pair_that_slides))
       find_pairs(at, nodes);
     return nodes;
   }
 
-  std::vector<ContactNode>
-  SlidingContacts::find_on_obstacles(std::vector<ContactNode> nodes,
-                                     const Displacement      &at,
-                                     const double             t) const
+  ContactNode
+  SlidingContacts::find_on_obstacle(ContactNode         node,
+                                    const Displacement &at,
+                                    const double        t) const
   {
-    for (ContactNode &node : nodes)
-      if (node.slides && node.obstacle != nullptr)
-        find_on_obstacle(structures, at, t, dim, node);
-    return nodes;
+    pairing::find_on_obstacle(structures, at, t, dim, node);
+    return node;
   }
 
   void

@@ -36,11 +36,17 @@ namespace conetact::analysis
     turns_too_far(const double t) const;
 
     /**
-     * Whether an obstacle stands deep in a body on the way to displacements u
-     * at time t, a sentence; empty: none does.
+     * Whether an obstacle passes through a body on the way to displacements u
+     * at time t, a sentence; empty: none does. Where the increment may be cut,
+     * what may only have gone round an edge is doubted, too.
      */
     std::string
-    passes_through(const Eigen::VectorXd &u, const double t) const;
+    passes_through(const Eigen::VectorXd &u,
+                   const double           t,
+                   const bool             may_be_cut) const;
+    /** The same of bodies: whether a node has passed the faces that it met. */
+    std::string
+    loses_masters(const Eigen::VectorXd &u) const;
 
     using Nodes = std::vector<pairing::ContactNode>;
     /** Contacts where bodies are at time t: displacements u of all dofs. */
@@ -104,6 +110,7 @@ namespace conetact::analysis
     Eigen::VectorXd                   start; ///< displacements of all dofs
     double                            start_t = 0;
     std::vector<pairing::RigidMotion> frames; ///< of bodies, then
+    Nodes                             start_nodes;
   };
 } // namespace conetact::analysis
 

@@ -84,6 +84,10 @@ namespace conetact::analysis
     bool
     may_take(const output::IncrementRecord &record,
              const pairing::FoundChange    &change) const;
+    /** Why the contacts that were found cannot be those; empty: they can. */
+    std::string
+    passes_through(const output::IncrementRecord &record,
+                   const Eigen::VectorXd         &u) const;
     /** They are taken, and said. */
     void
     say_unsettled(const output::IncrementRecord &record,
@@ -103,7 +107,7 @@ namespace conetact::analysis
     std::string
     no_equilibrium(const solvers::ContactProblem &problem,
                    const PendingIncrement        &increment);
-    static void
+    void
     solve_motions(const solvers::ContactProblem &problem,
                   solvers::ContactState         &state,
                   solvers::SolverReport         &report);

@@ -36,6 +36,10 @@ namespace conetact::analysis
      */
     bool
     cut(const double begin, const double duration, const double whole);
+    bool
+    may_be_cut(const double begin,
+               const double duration,
+               const double whole) const;
 
     /** Whether the part that is next is more than a quarter of its increment.
      */

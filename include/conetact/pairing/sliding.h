@@ -50,11 +50,11 @@ namespace conetact::pairing
     find(const std::vector<ContactNode> &last,
          const Displacement             &at,
          const double                    t) const;
-    /** Those on obstacles only; others stay as they were. */
-    std::vector<ContactNode>
-    find_on_obstacles(std::vector<ContactNode> nodes,
-                      const Displacement      &at,
-                      const double             t) const;
+    /** The same of one node on an obstacle. */
+    ContactNode
+    find_on_obstacle(ContactNode         node,
+                     const Displacement &at,
+                     const double        t) const;
     /** Frames of these normals, gaps of the linearised contact. */
     void
     linearise(std::vector<ContactNode> &nodes) const;
