@@ -356,8 +356,10 @@ namespace conetact::pairing
   {
     Tensor<1, 3> distance;
     // differences: far from the origin no digits are lost
+    ContactNode sides = node; // what opens a cut is at no place
+    sides.opening.reset();
     for_each_side(
-      node,
+      sides,
       [&](const unsigned int body, const unsigned int i, const double weight) {
         distance += weight * (structures[body]->position(i) - node.position);
       });

@@ -117,6 +117,12 @@ def joints(laws):
     laws.demand("  apart at the end", states == {"open"})
     laws.check("joint: work", energy(run), 1e-10)
 
+    # nodes that are found again beside a nut that is locked
+    small = clamped(areas, moduli, "1, 2, 3", "2*max(t - 1, 0)")
+    far = merge(small, {f"Contact {side} below": {"Kinematics": "finite sliding"} for side in ("left", "right")})
+    small, far = (column(laws.run(scene), "force") for scene in (small, far))
+    laws.check("joint with contacts that slide far: tension", max(abs(a - b) for a, b in zip(small, far)) / FORCE, 1e-8)
+
     # a bolt that is tightened while the plates are pulled: the force is its own
     free = laws.run(clamped(areas, moduli, "1, 2", "2*max(t - 1, 0)", locked=""))
     laws.check("joint that is not locked: tension", abs(column(free, "force")[-1] - FORCE) / FORCE, 1e-10)

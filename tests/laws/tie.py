@@ -296,6 +296,14 @@ def redundant(laws):
                           "Support here": support(1, "x", "0", body="left"), "Support there": support(0, "x", "0.1", body="right")})
     laws.demand(f"a joint that supports tear apart is refused ({done.returncode}): {done.stderr.strip()[-160:]}",
                 done.returncode == 2 and "is tied and moves" in done.stderr)
+    rings = {"Dimension": 2, "Contact joint": {**tie("outer", 0, "inner", 1, Gap="-0.002"), "Kind": "bilateral"},
+             "Support hub": support(0, "x, y", body="inner"), "Output": {"VTU": 0}}
+    for name, radii, cells, angle in (("inner", "1 : 2", 10, 0), ("outer", "2 : 3", 7, 13)):
+        rings[f"Body {name}"] = {"Mesh": {"Generator": "hyper_shell", "Arguments": f"0, 0 : {radii} : {cells} : true",
+                                          "Global refinements": 1, "Rotation": angle},
+                                 "Material": {"Young modulus": E, "Poisson ratio": .3}}
+    done, _ = laws.start(rings)
+    laws.demand(f"a ring that may spin on another ends with a result or a sentence ({done.returncode})", done.returncode in (0, 2))
     for gap in (0.0, .04):
         run = laws.run(pulled(bars(2, bar(2, (2, 3)), bar(2, (2, 3), 1.0 + gap)), 2))
         laws.demand(f"a joint across a gap of {gap} is {'' if gap else 'not '}warned of",
