@@ -15,6 +15,7 @@ Needs python3-numpy and python3-matplotlib.
 """
 import argparse
 import difflib
+import os
 import sys
 from pathlib import Path
 
@@ -201,11 +202,13 @@ def main(arguments):
     try:
         result = Result(args.folder)
         if args.column is None:
-            print(Tables(result).told())
+            print(Tables(result).told(), flush=True)
         else:
             draw(result, args)
     except (ConetactError, ValueError) as error:
         sys.exit(f"curve.py: {error}")
+    except BrokenPipeError:  # who reads the list has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 if __name__ == "__main__":
