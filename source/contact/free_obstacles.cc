@@ -88,16 +88,23 @@ namespace conetact::contact
     return made;
   }
 
+  std::vector<Eigen::Index>
+  first_dofs(const Bodies &bodies)
+  {
+    std::vector<Eigen::Index> first = {0};
+    for (const bodies::Structure *structure : bodies.structures)
+      first.push_back(first.back() + structure->n_dofs());
+    return first;
+  }
+
   Eigen::VectorXd
   forces_on_free_obstacles(const std::vector<pairing::Obstacle> &obstacles,
                            const Bodies                         &bodies,
                            const double                          t)
   {
-    std::vector<Eigen::Index> first = {0};
-    for (const bodies::Structure *structure : bodies.structures)
-      first.push_back(first.back() + structure->n_dofs());
-    Eigen::VectorXd f    = Eigen::VectorXd::Zero(first.back());
-    std::size_t     body = bodies.n_elastic();
+    const std::vector<Eigen::Index> first = first_dofs(bodies);
+    Eigen::VectorXd                 f     = Eigen::VectorXd::Zero(first.back());
+    std::size_t                     body  = bodies.n_elastic();
     for (const pairing::Obstacle &obstacle : obstacles)
       if (obstacle.free.any())
         {

@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/rigid_body.h"
+#include "conetact/contact/free_obstacles.h"
 
 #include <cmath>
 
@@ -124,9 +125,7 @@ namespace conetact::contact
                      const double                         t,
                      Eigen::VectorXd                     &f)
   {
-    std::vector<Eigen::Index> first = {0};
-    for (const bodies::Structure *structure : bodies.structures)
-      first.push_back(first.back() + structure->n_dofs());
+    const std::vector<Eigen::Index> first = first_dofs(bodies);
     for (const Cut &cut : bodies.cuts())
       if (!cut.is_locked_after(t))
         {

@@ -36,6 +36,7 @@ namespace conetact::analysis
      */
     bool
     cut(const double begin, const double duration, const double whole);
+    /** Whether cut() would do so. */
     bool
     may_be_cut(const double begin,
                const double duration,

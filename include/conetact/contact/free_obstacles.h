@@ -24,6 +24,10 @@ namespace conetact::contact
   std::vector<std::unique_ptr<bodies::Structure>>
   add_free_obstacles(std::vector<pairing::Obstacle> &obstacles, Bodies &bodies);
 
+  /** Of each body the first dof, behind them the number of all. */
+  std::vector<Eigen::Index>
+  first_dofs(const Bodies &bodies);
+
   /** Their forces and moments at time t, on all dofs of all bodies. */
   Eigen::VectorXd
   forces_on_free_obstacles(const std::vector<pairing::Obstacle> &obstacles,
