@@ -4,8 +4,12 @@
 #include "conetact/analysis/contact_search.h"
 
 #include "conetact/base/text.h"
+#include "conetact/bodies/face_nodes.h"
+
+#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
+#include <map>
 
 namespace conetact::analysis
 {
@@ -15,7 +19,33 @@ namespace conetact::analysis
     , model(m)
     , frames(m.bodies.frames())
     , start_nodes(m.points.nodes())
-  {}
+  {
+    find_obstacle_faces();
+  }
+
+  void
+  ContactSearch::find_obstacle_faces()
+  {
+    using Key = std::pair<unsigned int, unsigned int>; // contact, body
+    std::map<Key, std::map<unsigned int, std::size_t>> nodes_of;
+    for (std::size_t i = 0; i < start_nodes.size(); ++i)
+      if (const pairing::ContactNode &node = start_nodes[i];
+          node.obstacle != nullptr && !node.is_bound() &&
+          !node.obstacle->shape->states_gaps())
+        nodes_of[{node.contact, node.body}][node.node] = i;
+    for (const auto &[key, nodes] : nodes_of)
+      {
+        const bodies::Structure &body = *model.bodies.structures[key.second];
+        for (const auto &face : body.surface(body.boundary_ids()).faces)
+          for (const auto &corners : bodies::parts_of_first_degree(body, face))
+            if (std::all_of(corners.begin(),
+                            corners.end(),
+                            [&, &of = nodes](const unsigned int corner) {
+                              return of.count(corner) > 0;
+                            }))
+              obstacle_faces.push_back({nodes.at(corners[0]), corners});
+      }
+  }
 
   ContactSearch::Nodes
   ContactSearch::find_there(const Eigen::VectorXd &u, const double t) const
@@ -59,18 +89,24 @@ namespace conetact::analysis
   }
 
   /* Friction opposes the slip from one end of an increment to the other: a
-     chord, which a turn by half a circle would reverse. */
+     chord, which a turn by half a circle would reverse. Without friction it
+     must be clear which way bodies turn. */
   std::string
   ContactSearch::turns_too_far(const double t) const
   {
-    constexpr double largest = 20; // degrees
-    const auto      &nodes   = model.points.nodes();
-    if (std::none_of(nodes.begin(), nodes.end(), [](const auto &node) {
-          return node.slides && node.mu_1 + node.mu_2 > 0;
-        }))
+    constexpr double with_friction = 20, without = 170; // degrees
+    const auto      &nodes = model.points.nodes();
+    const auto       some  = [&](const auto &holds) {
+      return std::any_of(nodes.begin(), nodes.end(), holds);
+    };
+    if (!some([](const auto &node) { return node.slides; }))
       return "";
-    double     turn = 0;
-    const auto note = [&](const Expression &angle) {
+    const bool   rubs    = some([](const auto &node) {
+      return node.slides && node.mu_1 + node.mu_2 > 0;
+    });
+    const double largest = rubs ? with_friction : without;
+    double       turn    = 0;
+    const auto   note    = [&](const Expression &angle) {
       turn =
         std::max(turn,
                  std::abs(angle(Point<3>(), t) - angle(Point<3>(), start_t)));
@@ -81,12 +117,14 @@ namespace conetact::analysis
     for (const pairing::ContactNode &node : nodes)
       if (node.slides && node.obstacle != nullptr && node.obstacle->turn)
         note(*node.obstacle->turn);
-    return turn <= largest ?
-             "" :
-             "supports or obstacles Turn by " + to_text(turn) +
-               " degrees, and friction knows the slip of an increment as a "
-               "straight line only, also in parts of the increment. Use "
-               "increments with turns of 20 degrees at most";
+    if (turn <= largest)
+      return "";
+    return "supports or obstacles Turn by " + to_text(turn) + " degrees, and " +
+           (rubs ? "friction knows the slip of an increment as a straight line "
+                   "only" :
+                   "what they meet on such a way is not known") +
+           ", also in parts of the increment. Use increments with turns of " +
+           to_text(largest) + " degrees at most";
   }
 
   ContactSearch::Nodes
@@ -158,13 +196,17 @@ namespace conetact::analysis
 
   namespace
   {
-    /** How a node that enters an obstacle on its way comes out of it. */
+    /** How a node that enters an obstacle or a body on its way goes on. */
     enum class Way
     {
-      right,      ///< where it came in, or it does not enter
+      right,      ///< out where it came in, or it does not enter
       round_edge, ///< held by another side: one that it slid to, or a wrong one
-      through     ///< on the other side, or it was deep inside
+      through     ///< to the other side, or it was deep inside
     };
+
+    constexpr double other_side = -.5, same_side = .5; // cosines
+    constexpr double deep_enough = .25;                // of a cell
+    constexpr double closed      = 1e-6;               // of a cell
 
     /**
      * Follows a node on its way, given at parts of it from 0 to 1, to where
@@ -173,16 +215,12 @@ namespace conetact::analysis
      */
     template <typename NodeAt>
     Way
-    way_of(const NodeAt               &at,
-           const pairing::ContactNode &end,
-           const bool                  may_be_deep)
+    way_of(const NodeAt &at, const pairing::ContactNode &end)
     {
       constexpr double     shortest = 1. / 64, longest = 1. / 8; // of the way
-      constexpr double     other_side = -.5, same_side = .5;     // cosines
-      constexpr double     deep_enough = .25; // of a cell, as the others
-      constexpr double     touches = 1e-9, closed = 1e-6;
-      pairing::ContactNode before = at(0);
-      const double         length = (end.moved - before.moved).norm();
+      constexpr double     touches = 1e-9;
+      pairing::ContactNode before  = at(0);
+      const double         length  = (end.moved - before.moved).norm();
       if (before.gap > length) // out of reach
         return Way::right;
       bool has_entered = false;
@@ -205,30 +243,91 @@ namespace conetact::analysis
       for (double part = 0; part < 1; part += longest)
         depth = std::max(depth, -at(part).gap / end.spacing);
       const double cosine = before.n * end.n;
-      if (cosine < other_side || (may_be_deep && depth > 1))
+      if (cosine < other_side || depth > 1)
         return Way::through;
       return cosine < same_side && depth > deep_enough &&
                  end.gap < closed * end.spacing ?
                Way::round_edge :
                Way::right;
     }
+
+    /** What holds a node of a pair at the end. */
+    struct Held
+    {
+      Tensor<1, 3> n;       ///< 0: nothing
+      double       gap = 0; ///< [length]
+    };
+
+    Way
+    way_of(const pairing::SlidingContacts::PairPassage &passage,
+           const Held                                  &held)
+    {
+      const double depth = passage.depth / passage.size;
+      if (passage.is_out())
+        {
+          const double cosine = passage.entered * passage.left;
+          if (cosine < other_side || depth > 1)
+            return Way::through;
+          return cosine < same_side && depth > deep_enough &&
+                     held.n.norm_square() > 0 &&
+                     held.gap < closed * passage.size ?
+                   Way::round_edge :
+                   Way::right;
+        }
+      constexpr double unseen = .1; // of a cell
+      const double     cosine = passage.entered * held.n;
+      if (!passage.is_slave || cosine >= same_side || depth <= unseen)
+        return Way::right;
+      return cosine < other_side || held.n.norm_square() == 0 ? Way::through :
+                                                                Way::round_edge;
+    }
+
+    bool
+    is_wrong(const Way way, const bool may_be_cut)
+    {
+      return way == Way::through || (way == Way::round_edge && may_be_cut);
+    }
   } // namespace
 
-  /* Between the ends of an increment displacements are taken as straight; for
-     a body that turns they are not. */
+  ContactSearch::Ways
+  ContactSearch::ways_to(const Eigen::VectorXd &u) const
+  {
+    const auto &now = model.bodies.frames();
+    Ways        ways;
+    for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
+      {
+        const bodies::Structure &body = *model.bodies.structures[b];
+        std::vector<Point<3>>    from, to;
+        for (unsigned int i = 0; i < body.n_nodes(); ++i)
+          {
+            from.push_back(body.position(i));
+            if (start.size() > 0)
+              from.back() += model.displacement(start, b, i);
+            to.push_back(body.position(i) + model.displacement(u, b, i));
+          }
+        Tensor<2, 3> turn = dealii::unit_symmetric_tensor<3>();
+        if (b < now.size() && b < frames.size())
+          turn = now[b].rotation * transpose(frames[b].rotation);
+        ways.emplace_back(std::move(from), to, turn);
+      }
+    return ways;
+  }
+
   std::string
   ContactSearch::passes_through(const Eigen::VectorXd &u,
                                 const double           t,
                                 const bool             may_be_cut) const
   {
-    constexpr double      no_turn = 1e-3;
-    const Eigen::VectorXd from =
-      start.size() > 0 ? start : Eigen::VectorXd::Zero(u.size());
-    const auto &now      = model.bodies.frames();
-    const auto  is_still = [&](const unsigned int body) {
-      return body >= frames.size() ||
-             (now[body].rotation - frames[body].rotation).norm() <= no_turn;
-    };
+    const Ways        ways = ways_to(u);
+    const std::string why  = obstacle_passes(ways, t, may_be_cut);
+    return why.empty() ? body_passes(ways, u, may_be_cut) : why;
+  }
+
+  std::string
+  ContactSearch::obstacle_passes(const Ways  &ways,
+                                 const double t,
+                                 const bool   may_be_cut) const
+  {
     for (const pairing::ContactNode &node : model.points.nodes())
       {
         if (!node.slides || node.obstacle == nullptr)
@@ -237,19 +336,96 @@ namespace conetact::analysis
           return contacts.find_on_obstacle(
             node,
             [&](const unsigned int body, const unsigned int i) {
-              return Tensor<1, 3>((1 - part) *
-                                    model.displacement(from, body, i) +
-                                  part * model.displacement(u, body, i));
+              return ways[body].at(i, part) -
+                     model.bodies.structures[body]->position(i);
             },
             start_t + part * (t - start_t));
         };
-        const Way way = way_of(at, at(1), is_still(node.body));
-        if (way == Way::through || (way == Way::round_edge && may_be_cut))
+        if (is_wrong(way_of(at, at(1)), may_be_cut))
           return "obstacle '" + node.obstacle->name + "' passes through " +
                  model.bodies.called(node.body) + " at " +
                  to_text(node.position) +
                  " and is behind it at the end. Use smaller increments, or "
                  "another path";
+      }
+    return "";
+  }
+
+  std::string
+  ContactSearch::body_passes(const Ways            &ways,
+                             const Eigen::VectorXd &u,
+                             const bool             may_be_cut) const
+  {
+    const auto passages = contacts.passages(ways);
+    if (passages.empty())
+      return "";
+    const auto displacement = [&](const unsigned int body,
+                                  const unsigned int i) {
+      return model.displacement(u, body, i);
+    };
+    std::map<std::pair<unsigned int, unsigned int>, Held> held; // of a contact
+    for (const pairing::ContactNode &node : model.points.nodes())
+      if (!node.masters.empty())
+        held[{node.contact, node.node}] = {
+          node.n,
+          node.gap + node.n * contact::difference_of_sides(node, displacement)};
+    for (const auto &passage : passages)
+      {
+        const auto found = passage.is_slave ?
+                             held.find({passage.contact, passage.node}) :
+                             held.end();
+        if (is_wrong(way_of(passage,
+                            found == held.end() ? Held() : found->second),
+                     may_be_cut))
+          return model.bodies.called(passage.other) + " passes through " +
+                 model.bodies.called(passage.body) + " at " +
+                 to_text(model.bodies.structures[passage.body]->position(
+                   passage.node)) +
+                 ". Use smaller increments, or another path";
+      }
+    return "";
+  }
+
+  std::string
+  ContactSearch::comes_between(const Eigen::VectorXd &u, const double t) const
+  {
+    constexpr double deep = .1; // of the size of a face
+    const auto       at   = [&](const unsigned int b, const unsigned int i) {
+      return model.displacement(u, b, i);
+    };
+    for (const ObstacleFace &face : obstacle_faces)
+      {
+        pairing::ContactNode     node   = model.points.nodes()[face.node];
+        const bodies::Structure &body   = *model.bodies.structures[node.body];
+        const Point<3>           corner = node.position;
+        const auto               n = static_cast<double>(face.corners.size());
+        Tensor<1, 3>             centre, moved;
+        double                   size = 0;
+        for (const unsigned int i : face.corners)
+          {
+            centre += Tensor<1, 3>(body.position(i)) / n;
+            moved += at(node.body, i) / n;
+            size = std::max(size, corner.distance(body.position(i)));
+          }
+        if (node.gap + node.n * contact::relative_displacement(node, at, t) >
+            size)
+          continue;
+        node.position = Point<3>(centre);
+        const double gap =
+          contacts
+            .find_on_obstacle(
+              node,
+              [&, own = node.body](const unsigned int b, const unsigned int i) {
+                return b == own ? moved : at(b, i);
+              },
+              t)
+            .gap;
+        if (gap < -deep * size)
+          return "obstacle '" + node.obstacle->name + "' is " + to_text(-gap) +
+                 " deep in " + model.bodies.called(node.body) + " near " +
+                 to_text(node.position) +
+                 ", in between its nodes, and only nodes touch. Use cells that "
+                 "are smaller than the obstacle";
       }
     return "";
   }

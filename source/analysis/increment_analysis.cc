@@ -146,7 +146,7 @@ namespace conetact::analysis
           why = solve_contact(batch.back(), history.start());
         if (why.empty() && search.is_needed())
           {
-            why           = settle(batch.back());
+            why           = try_to_settle(batch.back());
             lost_contacts = !why.empty();
           }
         if (!why.empty())
@@ -274,6 +274,19 @@ namespace conetact::analysis
     const std::string  why      = solve_contact(increment, guess);
     increment.record.report.iterations += before;
     return why;
+  }
+
+  std::string
+  IncrementAnalysis::try_to_settle(PendingIncrement &increment)
+  {
+    try
+      {
+        return settle(increment);
+      }
+    catch (const AnalysisError &error) // nodes without a place
+      {
+        return error.what();
+      }
   }
 
   std::string
@@ -587,6 +600,7 @@ namespace conetact::analysis
     const std::string  why = complete(increment, finding, w);
     if (!why.empty())
       return {Step::Outcome::failed, k, failed(increment.record, why), {}};
+    warn_of_small_obstacles(finding.u, increment.record.time);
     if (search.is_needed())
       search.accept(finding.u, increment.record.time);
     // those after it started from what was not exact
@@ -594,6 +608,18 @@ namespace conetact::analysis
             parts.others_follow() ? k : k + 1,
             {},
             {}};
+  }
+
+  void
+  IncrementAnalysis::warn_of_small_obstacles(const Eigen::VectorXd &u,
+                                             const double           t)
+  {
+    if (said_small_obstacle)
+      return;
+    const std::string sentence = search.comes_between(u, t);
+    said_small_obstacle        = !sentence.empty();
+    if (said_small_obstacle)
+      log.say("warning: t = " + to_text(t) + ": " + sentence + ".");
   }
 
   std::optional<Eigen::VectorXd>

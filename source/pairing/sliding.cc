@@ -282,12 +282,42 @@ namespace conetact::pairing
       if (node.contact == c)
         {
           if (now == found.nodes.end() || now->node != node.node)
-            throw AnalysisError("Contact '" + contact.name +
-                                "': its nodes are not found as they were at "
-                                "the start, for their surface has changed too "
-                                "much. Use Kinematics = small.");
+            throw AnalysisError(
+              "Contact '" + contact.name +
+              "': its nodes are not found as they were at "
+              "the start, for their surface has changed too "
+              "much. Use smaller increments, or Kinematics = small.");
           take(*now++, at, node);
         }
+  }
+
+  std::vector<SlidingContacts::PairPassage>
+  SlidingContacts::passages(const std::vector<BodyWay> &ways) const
+  {
+    std::vector<PairPassage> found;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        const Contact &contact = contacts[c];
+        if (!is_pair_that_slides(contact))
+          continue;
+        const auto look = [&](const unsigned int         body,
+                              const bodies::BoundaryIds &ids,
+                              const unsigned int         other,
+                              const bodies::BoundaryIds &entries) {
+          const MovingBoundary boundary(*structures[other],
+                                        ways[other],
+                                        entries);
+          for (const bodies::SurfaceNode &node :
+               structures[body]->surface(ids).nodes)
+            for (const Passage &passage :
+                 boundary.passages(ways[body], node.node))
+              found.push_back(
+                {passage, c, body, node.node, other, body == contact.body});
+        };
+        look(contact.body, contact.ids, contact.master, contact.master_ids);
+        look(contact.master, contact.master_ids, contact.body, contact.ids);
+      }
+    return found;
   }
 
   void

@@ -36,9 +36,10 @@ namespace conetact::analysis
     turns_too_far(const double t) const;
 
     /**
-     * Whether an obstacle passes through a body on the way to displacements u
-     * at time t, a sentence; empty: none does. Where the increment may be cut,
-     * what may only have gone round an edge is doubted, too.
+     * Whether an obstacle or a body passes through another body on the way to
+     * displacements u at time t, a sentence; empty: none does. Where the
+     * increment may be cut, what may only have gone round an edge is doubted,
+     * too.
      */
     std::string
     passes_through(const Eigen::VectorXd &u,
@@ -47,6 +48,13 @@ namespace conetact::analysis
     /** The same of bodies: whether a node has passed the faces that it met. */
     std::string
     loses_masters(const Eigen::VectorXd &u) const;
+
+    /**
+     * Whether an obstacle, smaller than cells, has come in between nodes at
+     * displacements u and time t, a sentence; empty: none has.
+     */
+    std::string
+    comes_between(const Eigen::VectorXd &u, const double t) const;
 
     using Nodes = std::vector<pairing::ContactNode>;
     /** Contacts where bodies are at time t: displacements u of all dofs. */
@@ -100,6 +108,25 @@ namespace conetact::analysis
     }
 
   private:
+    using Ways = std::vector<pairing::BodyWay>;
+    Ways
+    ways_to(const Eigen::VectorXd &u) const;
+    std::string
+    obstacle_passes(const Ways  &ways,
+                    const double t,
+                    const bool   may_be_cut) const;
+    std::string
+    body_passes(const Ways            &ways,
+                const Eigen::VectorXd &u,
+                const bool             may_be_cut) const;
+    /** A face, or a part of it, whose corners may all touch an obstacle. */
+    struct ObstacleFace
+    {
+      std::size_t               node; ///< one of them, among contact nodes
+      std::vector<unsigned int> corners;
+    };
+    void
+    find_obstacle_faces();
     Nodes
     find_there(const Eigen::VectorXd &u, const double t) const;
     Nodes
@@ -111,6 +138,7 @@ namespace conetact::analysis
     double                            start_t = 0;
     std::vector<pairing::RigidMotion> frames; ///< of bodies, then
     Nodes                             start_nodes;
+    std::vector<ObstacleFace>         obstacle_faces;
   };
 } // namespace conetact::analysis
 

@@ -76,6 +76,8 @@ namespace conetact::analysis
      */
     std::string
     settle(PendingIncrement &increment);
+    std::string
+    try_to_settle(PendingIncrement &increment);
     /** A node as part of a sentence; empty without one. */
     std::string
     where(const pairing::ContactNode *node) const;
@@ -132,6 +134,8 @@ namespace conetact::analysis
     condense_all();
     Step
     check(PendingIncrement &increment, Eigen::VectorXd w);
+    void
+    warn_of_small_obstacles(const Eigen::VectorXd &u, const double t);
     /** The deformation once more, better; none: no contact solution there. */
     std::optional<Eigen::VectorXd>
     correct(PendingIncrement            &increment,
@@ -145,10 +149,10 @@ namespace conetact::analysis
     ContactSearch                            search;
     IncrementParts                           parts; ///< of the one that is next
     bool         lost_contacts  = false; ///< that slide, in what failed last
-    bool         said_unsettled = false;
-    unsigned int n_saved        = 0;     ///< increments before the checkpoint
-    unsigned int first_unsure   = 0;     ///< increments before the last one
-    bool         correcting     = false; ///< increments need refinement
+    bool         said_unsettled = false, said_small_obstacle = false;
+    unsigned int n_saved      = 0;     ///< increments before the checkpoint
+    unsigned int first_unsure = 0;     ///< increments before the last one
+    bool         correcting   = false; ///< increments need refinement
   };
 } // namespace conetact::analysis
 

@@ -4,7 +4,9 @@
 #ifndef conetact_pairing_sliding_h
 #define conetact_pairing_sliding_h
 
+#include "conetact/pairing/body_way.h"
 #include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/passages.h"
 
 #include <functional>
 #include <vector>
@@ -55,6 +57,17 @@ namespace conetact::pairing
     find_on_obstacle(ContactNode         node,
                      const Displacement &at,
                      const double        t) const;
+    /** A node of a pair that went into the other body. */
+    struct PairPassage : Passage
+    {
+      unsigned int contact, body, node; ///< numbers
+      unsigned int other;               ///< body
+      bool         is_slave;            ///< the node is on the slave's side
+    };
+    /** Of all pairs that slide, on the ways of their bodies. */
+    std::vector<PairPassage>
+    passages(const std::vector<BodyWay> &ways) const;
+
     /** Frames of these normals, gaps of the linearised contact. */
     void
     linearise(std::vector<ContactNode> &nodes) const;

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/body_way.h"
+
+#include "conetact/bodies/placement.h"
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    /** Below, the chord of an arc is as good. [rad] */
+    constexpr double no_turn = 1e-3;
+
+    Tensor<1, 3>
+    mean(const std::vector<Point<3>> &points)
+    {
+      Tensor<1, 3> sum;
+      for (const Point<3> &p : points)
+        sum += p;
+      return sum / static_cast<double>(std::max<std::size_t>(points.size(), 1));
+    }
+
+    Tensor<2, 3>
+    rotation_by(const Tensor<1, 3> &axis, const double angle)
+    {
+      return angle > 0 ? bodies::rotation_about(axis, angle * 180 / M_PI) :
+                         Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
+    }
+  } // namespace
+
+  BodyWay::BodyWay(std::vector<Point<3>>        from,
+                   const std::vector<Point<3>> &to,
+                   const Tensor<2, 3>          &rotation)
+    : start(std::move(from))
+  {
+    Tensor<1, 3> spin; // 2 sin(angle) times the axis
+    for (unsigned int d = 0; d < 3; ++d)
+      spin[d] =
+        rotation[(d + 2) % 3][(d + 1) % 3] - rotation[(d + 1) % 3][(d + 2) % 3];
+    const double turn = std::atan2(spin.norm(), trace(rotation) - 1);
+    if (turn > no_turn && spin.norm() > 0)
+      {
+        axis  = spin / spin.norm();
+        angle = turn;
+      }
+    const Tensor<2, 3> Q = rotation_by(axis, angle);
+    const Tensor<1, 3> b = mean(to) - Q * mean(start);
+    along                = angle > 0 ? (b * axis) * axis : b;
+    if (angle > 0)
+      {
+        // the point off the axis through the origin that (I - Q) takes to b
+        const Tensor<1, 3> across = b - along;
+        centre = Point<3>(.5 * (across + cross_product_3d(axis, across) /
+                                           std::tan(.5 * angle)));
+      }
+    for (std::size_t i = 0; i < start.size(); ++i)
+      strained.push_back(Tensor<1, 3>(to[i]) - Q * Tensor<1, 3>(start[i]) - b);
+  }
+
+  Point<3>
+  BodyWay::at(const unsigned int node, const double part) const
+  {
+    const Point<3> straight = start[node] + part * (along + strained[node]);
+    if (angle == 0)
+      return straight;
+    const Tensor<1, 3> arm = start[node] - centre;
+    return straight + (rotation_by(axis, part * angle) * arm - arm);
+  }
+} // namespace conetact::pairing

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/passages.h"
+
+#include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    /** Of a face: so far a node that touches it at the start may be inside. */
+    constexpr double touches = 2e-3;
+    /** Of a face: so far beside it what crosses its plane goes through it. */
+    constexpr double overlap = 1e-3;
+
+    /** From one place to the next. */
+    Point<3>
+    between(const std::vector<Point<3>> &places, const double when)
+    {
+      const std::size_t k =
+        std::min(static_cast<std::size_t>(when), places.size() - 2);
+      return places[k] +
+             (when - static_cast<double>(k)) * (places[k + 1] - places[k]);
+    }
+
+    FaceTree::Ball
+    ball_around(const std::vector<Point<3>> &points)
+    {
+      Point<3> low = points[0], high = points[0];
+      for (const Point<3> &p : points)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            low[d]  = std::min(low[d], p[d]);
+            high[d] = std::max(high[d], p[d]);
+          }
+      return {low + .5 * (high - low), .5 * low.distance(high)};
+    }
+  } // namespace
+
+  MovingBoundary::MovingBoundary(const bodies::Structure   &body,
+                                 const BodyWay             &way,
+                                 const bodies::BoundaryIds &entries)
+    : places(body.n_nodes())
+    , middle(n_places)
+  {
+    const bodies::Surface boundary = body.surface(body.boundary_ids());
+    const auto            n        = static_cast<double>(boundary.nodes.size());
+    for (const bodies::SurfaceNode &node : boundary.nodes)
+      for (unsigned int k = 0; k < n_places; ++k)
+        middle[k] += Tensor<1, 3>(way.at(node.node, part(k))) / n;
+    for (const bodies::SurfaceNode &node : boundary.nodes)
+      places[node.node] = places_of(way, node.node);
+    std::set<std::vector<unsigned int>> may_be_entered;
+    for (const bodies::SurfaceFace &face : body.surface(entries).faces)
+      may_be_entered.insert(face.nodes);
+    std::vector<FaceTree::Ball> balls;
+    for (const bodies::SurfaceFace &face : boundary.faces)
+      {
+        add_face(body, face, may_be_entered.count(face.nodes) > 0);
+        Places all;
+        for (const unsigned int corner : faces.back().corners)
+          all.insert(all.end(), places[corner].begin(), places[corner].end());
+        balls.push_back(ball_around(all));
+      }
+    tree = FaceTree(balls);
+  }
+
+  double
+  MovingBoundary::part(const unsigned int place)
+  {
+    return static_cast<double>(place) / (n_places - 1);
+  }
+
+  MovingBoundary::Places
+  MovingBoundary::places_of(const BodyWay &way, const unsigned int node) const
+  {
+    Places result;
+    for (unsigned int k = 0; k < n_places; ++k)
+      result.push_back(way.at(node, part(k)) - middle[k]);
+    return result;
+  }
+
+  void
+  MovingBoundary::add_face(const bodies::Structure   &body,
+                           const bodies::SurfaceFace &from,
+                           const bool                 may_be_entered)
+  {
+    Face face{from.nodes, 1, 0, may_be_entered};
+    face.corners.resize(bodies::n_corners(body, from));
+    std::vector<Point<3>> undeformed;
+    for (const unsigned int corner : face.corners)
+      {
+        undeformed.push_back(body.position(corner));
+        face.size =
+          std::max(face.size, undeformed[0].distance(undeformed.back()));
+      }
+    if (face_normal_at(undeformed, {{.25, .25}}) * from.normal < 0)
+      face.side = -1;
+    faces.push_back(std::move(face));
+  }
+
+  std::vector<Point<3>>
+  MovingBoundary::corners_of(const Face &face, const double when) const
+  {
+    std::vector<Point<3>> corners;
+    for (const unsigned int corner : face.corners)
+      corners.push_back(between(places[corner], when));
+    return corners;
+  }
+
+  Tensor<1, 3>
+  MovingBoundary::normal_of(const Face &face, const double when) const
+  {
+    return face.side * face_normal_at(corners_of(face, when), {{.25, .25}});
+  }
+
+  /** Over the plane of the face, negative: below. */
+  double
+  MovingBoundary::height(const Face   &face,
+                         const Places &node,
+                         const double  when) const
+  {
+    const Point<3> corner = between(places[face.corners[0]], when);
+    return normal_of(face, when) * (between(node, when) - corner);
+  }
+
+  /** Whether what is in the plane of the face is in the face. */
+  bool
+  MovingBoundary::is_inside(const Face   &face,
+                            const Places &node,
+                            const double  when) const
+  {
+    const Point<3>     p = between(node, when);
+    const Tensor<1, 3> n = normal_of(face, when);
+    const Tensor<1, 3> miss =
+      p - closest_point(corners_of(face, when), p).point;
+    return (miss - (miss * n) * n).norm() <= overlap * face.size;
+  }
+
+  void
+  MovingBoundary::find_crossings(const unsigned int     f,
+                                 const Places          &node,
+                                 std::vector<Crossing> &crossings) const
+  {
+    const Face &face   = faces[f];
+    double      before = height(face, node, 0);
+    if (before < 0 && before > -touches * face.size)
+      before = 0;
+    for (unsigned int k = 1; k < n_places; ++k)
+      {
+        const double now = height(face, node, k);
+        if ((before >= 0) != (now >= 0))
+          if (const double when = time_of_crossing(face, node, k, before, now);
+              is_inside(face, node, when))
+            crossings.push_back({when, f, now < 0});
+        before = now;
+      }
+  }
+
+  /** Between the place before k, and k, where heights have different signs. */
+  double
+  MovingBoundary::time_of_crossing(const Face        &face,
+                                   const Places      &node,
+                                   const unsigned int k,
+                                   const double       height_before,
+                                   const double       height_now) const
+  {
+    constexpr unsigned int n_steps = 3; // of the regula falsi
+    double a = k - 1., at_a = height_before, b = k, at_b = height_now;
+    double when = a + at_a / (at_a - at_b);
+    for (unsigned int i = 0; i < n_steps; ++i)
+      {
+        const double at = height(face, node, when);
+        if ((at >= 0) == (at_a >= 0))
+          {
+            a    = when;
+            at_a = at;
+          }
+        else
+          {
+            b    = when;
+            at_b = at;
+          }
+        if (at_a != at_b)
+          when = a + (b - a) * at_a / (at_a - at_b);
+      }
+    return when;
+  }
+
+  Passage
+  MovingBoundary::passage(const Crossing &in,
+                          const Crossing *out,
+                          const Places   &node) const
+  {
+    constexpr unsigned int last = n_places - 1;
+    const Face            &face = faces[in.face];
+    Passage                found{normal_of(face, last), {}, 0, face.size};
+    if (out == nullptr)
+      {
+        found.depth = -height(face, node, last);
+        return found;
+      }
+    const Face &other = faces[out->face];
+    found.left        = normal_of(other, last);
+    for (unsigned int k = 0; k < n_places; ++k)
+      if (k > in.when && k < out->when)
+        found.depth =
+          std::max(found.depth,
+                   std::min(-height(face, node, k), -height(other, node, k)));
+    return found;
+  }
+
+  std::vector<Passage>
+  MovingBoundary::passages(const BodyWay &way, const unsigned int number) const
+  {
+    const Places          node = places_of(way, number);
+    std::vector<Crossing> crossings;
+    for (const std::size_t f : tree.near(ball_around(node)))
+      find_crossings(static_cast<unsigned int>(f), node, crossings);
+    std::sort(crossings.begin(),
+              crossings.end(),
+              [](const Crossing &one, const Crossing &other) {
+                return one.when < other.when;
+              });
+    std::vector<Passage> found;
+    const Crossing      *in = nullptr;
+    for (const Crossing &crossing : crossings)
+      if (in == nullptr && crossing.is_inwards &&
+          faces[crossing.face].may_be_entered)
+        in = &crossing;
+      else if (in != nullptr && !crossing.is_inwards)
+        {
+          found.push_back(passage(*in, &crossing, node));
+          in = nullptr;
+        }
+    if (in != nullptr)
+      found.push_back(passage(*in, nullptr, node));
+    return found;
+  }
+} // namespace conetact::pairing
