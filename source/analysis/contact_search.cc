@@ -274,9 +274,11 @@ namespace conetact::analysis
                    Way::round_edge :
                    Way::right;
         }
+      if (!passage.is_slave) // a mean over the slave's faces sees a little
+        return depth > deep_enough ? Way::through : Way::right;
       constexpr double unseen = .1; // of a cell
       const double     cosine = passage.entered * held.n;
-      if (!passage.is_slave || cosine >= same_side || depth <= unseen)
+      if (cosine >= same_side || depth <= unseen)
         return Way::right;
       return cosine < other_side || held.n.norm_square() == 0 ? Way::through :
                                                                 Way::round_edge;
@@ -345,8 +347,8 @@ namespace conetact::analysis
           return "obstacle '" + node.obstacle->name + "' passes through " +
                  model.bodies.called(node.body) + " at " +
                  to_text(node.position) +
-                 " and is behind it at the end. Use smaller increments, or "
-                 "another path";
+                 " (undeformed) and is behind it at the end. Use smaller "
+                 "increments, or another path";
       }
     return "";
   }
@@ -381,7 +383,8 @@ namespace conetact::analysis
                  model.bodies.called(passage.body) + " at " +
                  to_text(model.bodies.structures[passage.body]->position(
                    passage.node)) +
-                 ". Use smaller increments, or another path";
+                 " (undeformed). Use smaller increments, finer meshes, or "
+                 "another path";
       }
     return "";
   }
@@ -424,8 +427,55 @@ namespace conetact::analysis
           return "obstacle '" + node.obstacle->name + "' is " + to_text(-gap) +
                  " deep in " + model.bodies.called(node.body) + " near " +
                  to_text(node.position) +
-                 ", in between its nodes, and only nodes touch. Use cells that "
-                 "are smaller than the obstacle";
+                 ", in between its nodes, and only nodes touch. Use smaller "
+                 "cells there";
+      }
+    const auto found = contacts.master_in_slave(at, deep);
+    if (!found)
+      return "";
+    const pairing::Contact &contact = contacts.contact(found->contact);
+    return "contact '" + contact.name +
+           "': " + model.bodies.called(contact.master) + " is " +
+           to_text(found->depth) + " of a cell deep in " +
+           model.bodies.called(contact.body) + " at its node " +
+           to_text(
+             model.bodies.structures[contact.master]->position(found->node)) +
+           " (undeformed), in between nodes of the slave. Choose the body of "
+           "finer cells as slave (Body), or smaller cells";
+  }
+
+  std::string
+  ContactSearch::meets_askew(const PendingIncrement &increment) const
+  {
+    constexpr double largest = M_PI / 6, little = 1e-2; // of the largest force
+    const auto      &now   = model.bodies.frames();
+    double           scale = 0;
+    for (const contact::ContactPoint &point : model.points)
+      scale =
+        std::max(scale, contact::force_of(point, increment.state.r).norm());
+    for (const contact::ContactPoint &point : model.points)
+      {
+        const pairing::ContactNode &node = *point.node;
+        if (node.obstacle == nullptr || node.outward.empty() ||
+            contact::force_of(point, increment.state.r).norm() <=
+              little * scale)
+          continue;
+        double facing = -1; // cosine
+        for (Tensor<1, 3> n : node.outward)
+          {
+            if (node.body < now.size())
+              n = now[node.body].rotation * n;
+            facing = std::max(facing, -(n * node.n));
+          }
+        if (facing < std::cos(largest))
+          return "obstacle '" + node.obstacle->name + "' presses on " +
+                 model.bodies.called(node.body) + " at the node " +
+                 to_text(node.position) + " along " +
+                 to_text(Point<3>(node.n)) + ", " +
+                 to_text(std::acos(facing) * 180 / M_PI) +
+                 " degrees off the body's normal there, as where an edge is in "
+                 "between nodes: its reactions are as wrong. Use smaller cells "
+                 "there, a rounded obstacle, or a body in its place";
       }
     return "";
   }

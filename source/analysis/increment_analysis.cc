@@ -285,7 +285,10 @@ namespace conetact::analysis
       }
     catch (const AnalysisError &error) // nodes without a place
       {
-        return error.what();
+        std::string why = error.what();
+        if (!why.empty() && why.back() == '.') // the sentence goes on
+          why.pop_back();
+        return why;
       }
   }
 
@@ -600,7 +603,7 @@ namespace conetact::analysis
     const std::string  why = complete(increment, finding, w);
     if (!why.empty())
       return {Step::Outcome::failed, k, failed(increment.record, why), {}};
-    warn_of_small_obstacles(finding.u, increment.record.time);
+    warn_of_nodes(increment, finding.u);
     if (search.is_needed())
       search.accept(finding.u, increment.record.time);
     // those after it started from what was not exact
@@ -611,15 +614,19 @@ namespace conetact::analysis
   }
 
   void
-  IncrementAnalysis::warn_of_small_obstacles(const Eigen::VectorXd &u,
-                                             const double           t)
+  IncrementAnalysis::warn_of_nodes(const PendingIncrement &increment,
+                                   const Eigen::VectorXd  &u)
   {
-    if (said_small_obstacle)
-      return;
-    const std::string sentence = search.comes_between(u, t);
-    said_small_obstacle        = !sentence.empty();
-    if (said_small_obstacle)
-      log.say("warning: t = " + to_text(t) + ": " + sentence + ".");
+    const std::string when = "t = " + to_text(increment.record.time) + ": ";
+    const auto        say  = [&](bool &said, const std::string &sentence) {
+      said = !sentence.empty();
+      if (said)
+        log.say("warning: " + when + sentence + ".");
+    };
+    if (!said_between)
+      say(said_between, search.comes_between(u, increment.record.time));
+    if (!said_askew)
+      say(said_askew, search.meets_askew(increment));
   }
 
   std::optional<Eigen::VectorXd>

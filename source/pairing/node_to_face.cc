@@ -71,6 +71,8 @@ namespace conetact::pairing
     node.area     = s.area;
     node.obstacle = contact.obstacle;
     node.spacing  = spacing.at(s.node);
+    if (!surface.two_sided)
+      node.outward = s.normals;
     return node;
   }
 

@@ -193,6 +193,17 @@ namespace conetact::pairing
     return when;
   }
 
+  /** Not more than below the face where it came in. */
+  double
+  MovingBoundary::depth_at_end(double depth, const Point<3> &p) const
+  {
+    for (const std::size_t f : tree.near({p, std::max(depth, 0.)}))
+      depth =
+        std::min(depth,
+                 closest_point(corners_of(faces[f], n_places - 1), p).distance);
+    return depth;
+  }
+
   Passage
   MovingBoundary::passage(const Crossing &in,
                           const Crossing *out,
@@ -203,7 +214,7 @@ namespace conetact::pairing
     Passage                found{normal_of(face, last), {}, 0, face.size};
     if (out == nullptr)
       {
-        found.depth = -height(face, node, last);
+        found.depth = depth_at_end(-height(face, node, last), node.back());
         return found;
       }
     const Face &other = faces[out->face];

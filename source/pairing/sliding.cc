@@ -6,10 +6,12 @@
 #include "conetact/base/errors.h"
 #include "conetact/bodies/displaced.h"
 #include "conetact/bodies/rigid_body.h"
+#include "conetact/pairing/face_net.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 
 namespace conetact::pairing
 {
@@ -283,10 +285,10 @@ namespace conetact::pairing
         {
           if (now == found.nodes.end() || now->node != node.node)
             throw AnalysisError(
-              "Contact '" + contact.name +
-              "': its nodes are not found as they were at "
-              "the start, for their surface has changed too "
-              "much. Use smaller increments, or Kinematics = small.");
+              "contact '" + contact.name +
+              "': bodies come so deep into each other, or bend so much, that "
+              "its nodes do not find their places again. Use smaller "
+              "increments");
           take(*now++, at, node);
         }
   }
@@ -318,6 +320,46 @@ namespace conetact::pairing
         look(contact.master, contact.master_ids, contact.body, contact.ids);
       }
     return found;
+  }
+
+  std::optional<SlidingContacts::DeepNode>
+  SlidingContacts::master_in_slave(const Displacement &at,
+                                   const double        depth) const
+  {
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        const Contact &contact = contacts[c];
+        if (contact.obstacle != nullptr || contact.gap ||
+            contact.kind != ContactKind::contact ||
+            contact.body == contact.master)
+          continue;
+        const bodies::Displaced slave(*structures[contact.body],
+                                      displacements(*structures[contact.body],
+                                                    contact.body,
+                                                    at));
+        const bodies::Surface   met = slave.surface(contact.ids);
+        if (met.two_sided || met.faces.empty())
+          continue;
+        const FaceNet            faces(slave, met);
+        std::unique_ptr<FaceNet> boundary; // made if it is needed
+        for (const bodies::SurfaceNode &node :
+             structures[contact.master]->surface(contact.master_ids).nodes)
+          {
+            const Point<3> p = node.position + at(contact.master, node.node);
+            const FaceNet::Closest closest = faces.nearest(p);
+            const double           size    = faces.all()[closest.face].size;
+            if ((p - closest.point) * closest.normal > -depth * size)
+              continue;
+            if (!boundary)
+              boundary =
+                std::make_unique<FaceNet>(slave,
+                                          slave.surface(slave.boundary_ids()));
+            if (const double inside = -boundary->signed_distance(p);
+                inside > depth)
+              return DeepNode{c, node.node, inside};
+          }
+      }
+    return {};
   }
 
   void

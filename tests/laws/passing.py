@@ -13,6 +13,7 @@ def passing(laws):
     swings(laws)
     deep_punch(laws)
     needles(laws)
+    askew(laws)
 
 
 def met(laws, what, scene):
@@ -93,3 +94,27 @@ def needles(laws):
                 laws.demand(f"{scene['Dimension']}D, {kinematics}, a punch of {width if scene is plane else radius:g}: "
                             f"{'warned of' if says else 'no warning'}, force {run.largest('r_n'):.3g}",
                             says == warns and (warns or run.largest("r_n") > 0))
+    for pairing in ("mortar", "node to face"):
+        for slave in ("block", "pin"):
+            joint = pair("block", 3, "pin", "0, 1, 2") if slave == "block" else pair("pin", "0, 1, 2", "block", 3)
+            scene = {"Dimension": 2, "Body block": box((4, 2), (2.0, 1.0), (-.75, -1.0)), "Support ground": support(2, "x, y"),
+                     "Body pin": box((2, 4), (.1, .4), (.02, .001)), "Support pin": support(3, "x, y", "0 ; -0.1*t", body="pin"),
+                     "Contact top": {**joint, "Pairing": pairing, "Kinematics": "small"}, "Time": {"End": 1, "Increments": 1},
+                     "Output": {"VTU": 0}}
+            run = laws.run(scene)
+            says = "in between nodes of the slave" in log_of(run)
+            laws.demand(f"{pairing}, a pin of fine cells, {slave} as slave: {'warned of' if says else 'no warning'}, "
+                        f"force {run.largest('r_n'):.3g}", says != (run.largest("r_n") > 0))
+
+
+def askew(laws):
+    """An obstacle's edge on a node presses along neither side: the log says so; what is round does not."""
+    block = {"Dimension": 2, "Body block": box((8, 4), (2.0, 1.0), (-1.0, -1.0)), "Support ground": support(2, "x, y"),
+             "Contact top": {"Body": "block", "Boundary ids": 3, "Obstacle": "punch", "Friction coefficient": .3},
+             "Time": {"End": 1, "Increments": 1}, "Output": {"VTU": 0}}
+    for name, punch, warns in (("edges on nodes", {"Shape": "box", "Center": (0, .5), "Sizes": (1.0, 1.0)}, True),
+                               ("edges between nodes", {"Shape": "box", "Center": (0, .5), "Sizes": (1.1, 1.0)}, False),
+                               ("a disc", {"Shape": "cylinder", "Point": (0, 1.0), "Radius": 1.0}, False)):
+        run = laws.run(merge(block, {"Obstacle punch": {**punch, "Displacement": "0 ; -0.01*t"}}))
+        says = "off the body's normal" in log_of(run)
+        laws.demand(f"{name}: {'warned of' if says else 'no warning'}", says == warns)

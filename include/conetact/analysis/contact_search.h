@@ -50,11 +50,17 @@ namespace conetact::analysis
     loses_masters(const Eigen::VectorXd &u) const;
 
     /**
-     * Whether an obstacle, smaller than cells, has come in between nodes at
-     * displacements u and time t, a sentence; empty: none has.
+     * Whether an obstacle, smaller than cells, or a master has come in between
+     * nodes at displacements u and time t, a sentence; empty: none has.
      */
     std::string
     comes_between(const Eigen::VectorXd &u, const double t) const;
+    /**
+     * Whether an obstacle presses on a node along a direction that its body
+     * does not face, a sentence; empty: nowhere.
+     */
+    std::string
+    meets_askew(const PendingIncrement &increment) const;
 
     using Nodes = std::vector<pairing::ContactNode>;
     /** Contacts where bodies are at time t: displacements u of all dofs. */

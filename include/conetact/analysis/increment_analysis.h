@@ -134,8 +134,9 @@ namespace conetact::analysis
     condense_all();
     Step
     check(PendingIncrement &increment, Eigen::VectorXd w);
+    /** Of what contact at nodes does not see. */
     void
-    warn_of_small_obstacles(const Eigen::VectorXd &u, const double t);
+    warn_of_nodes(const PendingIncrement &increment, const Eigen::VectorXd &u);
     /** The deformation once more, better; none: no contact solution there. */
     std::optional<Eigen::VectorXd>
     correct(PendingIncrement            &increment,
@@ -148,8 +149,8 @@ namespace conetact::analysis
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
     ContactSearch                            search;
     IncrementParts                           parts; ///< of the one that is next
-    bool         lost_contacts  = false; ///< that slide, in what failed last
-    bool         said_unsettled = false, said_small_obstacle = false;
+    bool lost_contacts  = false; ///< that slide, in what failed last
+    bool said_unsettled = false, said_between = false, said_askew = false;
     unsigned int n_saved      = 0;     ///< increments before the checkpoint
     unsigned int first_unsure = 0;     ///< increments before the last one
     bool         correcting   = false; ///< increments need refinement

@@ -84,13 +84,15 @@ namespace conetact::pairing
    */
   struct ContactNode
   {
-    unsigned int    contact = 0; ///< index
-    unsigned int    body    = 0; ///< index
-    unsigned int    node    = 0; ///< number in its body
-    Point<3>        position;
-    Tensor<1, 3>    n, t1, t2;
-    double          area    = 0; ///< tributary [length^2]
-    double          spacing = 0; ///< longest edge of its faces [length]
+    unsigned int contact = 0; ///< index
+    unsigned int body    = 0; ///< index
+    unsigned int node    = 0; ///< number in its body
+    Point<3>     position;
+    Tensor<1, 3> n, t1, t2;
+    /** Of its body there, one for each smooth patch; empty: it has no side. */
+    std::vector<Tensor<1, 3>> outward;
+    double                    area = 0; ///< tributary [length^2]
+    double          spacing        = 0; ///< longest edge of its faces [length]
     double          gap = 0; ///< undeformed, negative: interference [length]
     const Obstacle *obstacle = nullptr; ///< none: a pair of bodies
     ContactKind     kind     = ContactKind::contact;

@@ -17,8 +17,8 @@ namespace conetact::pairing
   {
     Tensor<1, 3> entered; ///< outward normal of the face, as it is at the end
     Tensor<1, 3> left;    ///< the same where it came out; 0: it did not
-    double       depth;   ///< below both faces, the largest [length]
-    double       size;    ///< longest edge of the face that was entered
+    double depth; ///< the largest, or if it is inside that at the end [length]
+    double size;  ///< longest edge of the face that was entered
 
     bool
     is_out() const
@@ -89,6 +89,8 @@ namespace conetact::pairing
     find_crossings(const unsigned int     face,
                    const Places          &node,
                    std::vector<Crossing> &crossings) const;
+    double
+    depth_at_end(double depth, const Point<3> &p) const;
     Passage
     passage(const Crossing &in, const Crossing *out, const Places &node) const;
 

@@ -9,6 +9,7 @@
 #include "conetact/pairing/passages.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace conetact::pairing
@@ -39,6 +40,11 @@ namespace conetact::pairing
                     const std::vector<ContactNode>               &at_start,
                     const unsigned int                            dim);
 
+    const Contact &
+    contact(const unsigned int number) const
+    {
+      return contacts[number];
+    }
     /** Whether no contact slides far. */
     bool
     empty() const;
@@ -67,6 +73,16 @@ namespace conetact::pairing
     /** Of all pairs that slide, on the ways of their bodies. */
     std::vector<PairPassage>
     passages(const std::vector<BodyWay> &ways) const;
+
+    /** A node of a master that stands in the slave body. */
+    struct DeepNode
+    {
+      unsigned int contact, node; ///< numbers
+      double       depth;         ///< over the size of the slave's face
+    };
+    /** The first one that is deeper than a part of a face; none: nothing. */
+    std::optional<DeepNode>
+    master_in_slave(const Displacement &at, const double depth) const;
 
     /** Frames of these normals, gaps of the linearised contact. */
     void
