@@ -59,19 +59,35 @@ namespace conetact::backends
       return A;
     }
 
+    /** Of the rows of all processes. */
     Eigen::MatrixXd
-    dense(const SmoothedAggregation &levels, const int level)
+    dense(const SmoothedAggregation &levels,
+          const int                  level,
+          const Communicator        &processes)
     {
-      const int       n = levels.size(level);
-      Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+      const int       n   = levels.first(level).back();
+      const int       own = levels.size(level);
+      Eigen::VectorXd A   = Eigen::VectorXd::Zero(Eigen::Index(own) * n);
       SparseRow       row;
-      for (int i = 0; i < n; ++i)
+      for (int i = 0; i < own; ++i)
         {
           levels.matrix_row(level, i, row);
           for (std::size_t k = 0; k < row.columns.size(); ++k)
-            A(i, row.columns[k]) = row.values[k];
+            A(Eigen::Index(i) * n + row.columns[k]) = row.values[k];
         }
-      return A;
+      return Eigen::Map<const Eigen::MatrixXd>(processes.gather_all(A).data(),
+                                               n,
+                                               n)
+        .transpose();
+    }
+
+    /** Numbers of blocks from those of unknowns. */
+    std::vector<int>
+    over(std::vector<int> first, const int size)
+    {
+      for (int &i : first)
+        i /= size;
+      return first;
     }
 
     /** Inverse diagonal blocks of a matrix. */
@@ -96,45 +112,65 @@ namespace conetact::backends
 
   template <int fine, int coarse>
   CoarseLevels<fine, coarse>::CoarseLevels(const SmoothedAggregation &levels,
-                                           const int                  n_fine)
+                                           const Communicator        &p)
+    : processes(p)
   {
     const int n = levels.n_levels();
     if (n < 2)
       return;
-    SparseRow row;
-    P = gather_blocks<fine, coarse>(n_fine, [&](const int i, SparseRow &r) {
-      levels.prolongator_row(1, i, r);
-    });
+    P = {gather_blocks<fine, coarse>(levels.size(0) / fine,
+                                     [&](const int i, SparseRow &r) {
+                                       levels.prolongator_row(1, i, r);
+                                     }),
+         over(levels.first(1), coarse),
+         processes};
+    R = {P, at(levels.size(1) / coarse)};
     below.resize(at(n - 1));
-    R = P.transposed(at(levels.size(1) / coarse));
     for (int l = 1; l < n; ++l)
-      {
-        Level    &level  = below[at(l - 1)];
-        const int blocks = levels.size(l) / coarse;
-        for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
-          v->setZero(levels.size(l));
-        if (l + 1 == n)
-          break;
-        level.A =
-          gather_blocks<coarse, coarse>(blocks, [&](const int i, SparseRow &r) {
-            levels.matrix_row(l, i, r);
-          });
-        level.D = inverse_diagonal(level.A);
-        level.P =
-          gather_blocks<coarse, coarse>(blocks, [&](const int i, SparseRow &r) {
-            levels.prolongator_row(l + 1, i, r);
-          });
-        level.R       = level.P.transposed(at(levels.size(l + 1) / coarse));
-        level.largest = largest_eigenvalue(
-          [&](const FloatVector &x, FloatVector &y) {
-            level.A.multiply(x.data(), y.data());
-          },
-          [&](const FloatVector &x, FloatVector &y) {
-            multiply_blocks(level.D, x, y);
-          },
-          level.b.size());
-      }
-    coarsest.compute(dense(levels, n - 1));
+      make_level(levels, l);
+    coarsest.compute(dense(levels, n - 1, processes));
+    first_coarsest = levels.first(n - 1)[at(processes.rank())];
+  }
+
+
+
+  template <int fine, int coarse>
+  void
+  CoarseLevels<fine, coarse>::make_level(const SmoothedAggregation &levels,
+                                         const int                  l)
+  {
+    Level    &level  = below[at(l - 1)];
+    const int blocks = levels.size(l) / coarse;
+    for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
+      v->setZero(levels.size(l));
+    if (l + 1 == levels.n_levels())
+      return;
+    level.A       = {gather_blocks<coarse, coarse>(blocks,
+                                             [&](const int i, SparseRow &r) {
+                                               levels.matrix_row(l, i, r);
+                                             }),
+                     over(levels.first(l), coarse),
+                     processes};
+    level.D       = inverse_diagonal(level.A.own_part());
+    level.P       = {gather_blocks<coarse, coarse>(blocks,
+                                             [&](const int i, SparseRow &r) {
+                                               levels.prolongator_row(l + 1,
+                                                                      i,
+                                                                      r);
+                                             }),
+                     over(levels.first(l + 1), coarse),
+                     processes};
+    level.R       = {level.P, at(levels.size(l + 1) / coarse)};
+    level.largest = largest_eigenvalue(
+      [&](const FloatVector &x, FloatVector &y) {
+        level.A.multiply(x.data(), y.data());
+      },
+      [&](const FloatVector &x, FloatVector &y) {
+        multiply_blocks(level.D, x, y);
+      },
+      levels.first(l)[at(processes.rank())],
+      level.b.size(),
+      processes);
   }
 
 
@@ -157,8 +193,11 @@ namespace conetact::backends
     Level &level = below[l];
     if (l + 1 == below.size())
       {
-        level.x = coarsest.solve(level.b.template cast<double>())
-                    .template cast<float>();
+        const Eigen::VectorXd b =
+          processes.gather_all(level.b).template cast<double>();
+        const Eigen::VectorXd x = coarsest.solve(b);
+        level.x =
+          x.segment(first_coarsest, level.b.size()).template cast<float>();
         return;
       }
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {

@@ -110,10 +110,15 @@ namespace conetact::contact
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
-    given.upper   = assemble(elastic, coordinates);
-    given.node_of = coordinates.node_of_unknowns();
-    given.modes   = rigid_modes(elastic.bodies, coordinates);
-    given.contact = points.layout();
+    given.upper    = assemble(elastic, coordinates);
+    given.node_of  = coordinates.node_of_unknowns();
+    given.modes    = rigid_modes(elastic.bodies, coordinates);
+    given.contact  = points.layout();
+    given.position = [&](const unsigned int number) {
+      const auto [body, node] = coordinates.locate(number);
+      const Point<3> p        = elastic.bodies.structures[body]->position(node);
+      return std::array<double, 3>{{p[0], p[1], p[2]}};
+    };
     system->large =
       backends::make_large_system(std::move(given), elastic.bodies.dim);
     const VectorXd diagonal = system->large->diagonal();
