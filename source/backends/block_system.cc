@@ -391,6 +391,45 @@ namespace conetact::backends
     return x;
   }
 
+  /* One after the other, as Gram and Schmidt do it in the modified way; or all
+     at once, and once more for the sake of rounding: two messages. */
+  template <int block>
+  double
+  BlockSystem<block>::orthogonalize(const std::vector<FloatVector> &V,
+                                    FloatVector                    &w,
+                                    Eigen::Ref<Array>               along) const
+  {
+    if (processes.size() == 1)
+      {
+        for (std::size_t i = 0; i < V.size(); ++i)
+          {
+            const double part =
+              w.template cast<double>().dot(V[i].template cast<double>());
+            along(static_cast<Index>(i)) = part;
+            w -= static_cast<float>(part) * V[i];
+          }
+        return w.template cast<double>().norm();
+      }
+    const Index n_along = along.size();
+    Array       parts(n_along + 1);
+    along.setZero();
+    for (int pass = 0; pass < 2; ++pass)
+      {
+        const Array all = w.template cast<double>();
+        for (Index i = 0; i < n_along; ++i)
+          parts(i) = all.dot(V[at(i)].template cast<double>());
+        parts(n_along) = all.squaredNorm();
+        processes.sum(parts.data(), parts.size());
+        along += parts.head(n_along);
+        for (Index i = 0; i < n_along; ++i)
+          w -= static_cast<float>(parts(i)) * V[at(i)];
+      }
+    return std::sqrt(
+      std::max(parts(n_along) - parts.head(n_along).squaredNorm(), 0.));
+  }
+
+
+
   /* For |b| = 1 and K over its scale: what is left of b is at most `goal`,
      or what a cycle leaves. */
   template <int block>
@@ -412,13 +451,7 @@ namespace conetact::backends
         FloatVector w(n);
         A.multiply(Z.back().data(), w.data());
         add_laws(system, scale, Z.back(), w);
-        for (Index i = 0; i <= k; ++i)
-          {
-            H(i, k) = processes.sum(
-              w.template cast<double>().dot(V[at(i)].template cast<double>()));
-            w -= static_cast<float>(H(i, k)) * V[at(i)];
-          }
-        H(k + 1, k) = norm(w.template cast<double>());
+        H(k + 1, k) = orthogonalize(V, w, H.col(k).head(k + 1));
         if (!std::isfinite(H(k + 1, k)))
           break;
         V.push_back(w / static_cast<float>(std::max(H(k + 1, k), 1e-30)));

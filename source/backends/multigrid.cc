@@ -17,6 +17,9 @@ namespace conetact::backends
       return static_cast<std::size_t>(i);
     }
 
+    /** Unknowns of a level of which each process has all. */
+    constexpr int few = 4000;
+
     /** A matrix of blocks from rows of entries. */
     template <int n_rows, int n_columns, typename RowOf>
     BlockMatrix<n_rows, n_columns, float>
@@ -59,6 +62,34 @@ namespace conetact::backends
       return A;
     }
 
+    /** The rows of all processes. */
+    template <int n_rows, int n_columns>
+    BlockMatrix<n_rows, n_columns, float>
+    all_rows(BlockMatrix<n_rows, n_columns, float> own,
+             const Communicator                   &processes)
+    {
+      if (processes.size() == 1)
+        return own;
+      using Ints   = Eigen::VectorXi;
+      using Floats = Eigen::VectorXf;
+      const auto n = static_cast<Eigen::Index>(own.column.size());
+      Ints       lengths(own.n_block_rows());
+      for (std::size_t i = 0; i < own.n_block_rows(); ++i)
+        lengths[static_cast<Eigen::Index>(i)] =
+          static_cast<int>(own.start[i + 1] - own.start[i]);
+      BlockMatrix<n_rows, n_columns, float> all;
+      for (const int length : processes.gather_all(lengths))
+        all.start.push_back(all.start.back() + at(length));
+      all.allocate();
+      const Ints columns =
+        processes.gather_all(Ints(Eigen::Map<Ints>(own.column.data(), n)));
+      std::copy(columns.begin(), columns.end(), all.column.begin());
+      const Floats values = processes.gather_all(
+        Floats(Eigen::Map<Floats>(own.value.data(), n * n_rows * n_columns)));
+      std::copy(values.begin(), values.end(), all.value.begin());
+      return all;
+    }
+
     /** Of the rows of all processes. */
     Eigen::MatrixXd
     dense(const SmoothedAggregation &levels,
@@ -75,10 +106,8 @@ namespace conetact::backends
           for (std::size_t k = 0; k < row.columns.size(); ++k)
             A(Eigen::Index(i) * n + row.columns[k]) = row.values[k];
         }
-      return Eigen::Map<const Eigen::MatrixXd>(processes.gather_all(A).data(),
-                                               n,
-                                               n)
-        .transpose();
+      A = processes.gather_all(A);
+      return Eigen::Map<const Eigen::MatrixXd>(A.data(), n, n).transpose();
     }
 
     /** Numbers of blocks from those of unknowns. */
@@ -118,18 +147,42 @@ namespace conetact::backends
     const int n = levels.n_levels();
     if (n < 2)
       return;
-    P = {gather_blocks<fine, coarse>(levels.size(0) / fine,
-                                     [&](const int i, SparseRow &r) {
-                                       levels.prolongator_row(1, i, r);
-                                     }),
-         over(levels.first(1), coarse),
-         processes};
-    R = {P, at(levels.size(1) / coarse)};
     below.resize(at(n - 1));
     for (int l = 1; l < n; ++l)
+      {
+        Level &level   = below[at(l - 1)];
+        level.is_whole = l + 1 == n || levels.first(l).back() <= few;
+        level.is_first_whole =
+          level.is_whole && (l == 1 || !below[at(l - 2)].is_whole);
+        const int size =
+          level.is_whole ? levels.first(l).back() : levels.size(l);
+        for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
+          v->setZero(size);
+      }
+    P = prolongator<fine>(levels, 1);
+    R = {P, static_cast<std::size_t>(below[0].b.size()) / coarse};
+    for (int l = 1; l + 1 < n; ++l)
       make_level(levels, l);
     coarsest.compute(dense(levels, n - 1, processes));
-    first_coarsest = levels.first(n - 1)[at(processes.rank())];
+  }
+
+
+
+  template <int fine, int coarse>
+  template <int size>
+  DistributedMatrix<size, coarse, float>
+  CoarseLevels<fine, coarse>::prolongator(const SmoothedAggregation &levels,
+                                          const int                  l) const
+  {
+    auto rows = gather_blocks<size, coarse>(levels.size(l - 1) / size,
+                                            [&](const int i, SparseRow &r) {
+                                              levels.prolongator_row(l, i, r);
+                                            });
+    if (l > 1 && below[at(l - 2)].is_whole)
+      rows = all_rows(std::move(rows), processes);
+    return {std::move(rows),
+            over(levels.first(l), coarse),
+            sharers(below[at(l - 1)])};
   }
 
 
@@ -139,28 +192,19 @@ namespace conetact::backends
   CoarseLevels<fine, coarse>::make_level(const SmoothedAggregation &levels,
                                          const int                  l)
   {
-    Level    &level  = below[at(l - 1)];
-    const int blocks = levels.size(l) / coarse;
-    for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
-      v->setZero(levels.size(l));
-    if (l + 1 == levels.n_levels())
-      return;
-    level.A       = {gather_blocks<coarse, coarse>(blocks,
-                                             [&](const int i, SparseRow &r) {
-                                               levels.matrix_row(l, i, r);
-                                             }),
-                     over(levels.first(l), coarse),
-                     processes};
+    Level             &level = below[at(l - 1)];
+    const Communicator own   = sharers(level);
+    auto rows = gather_blocks<coarse, coarse>(levels.size(l) / coarse,
+                                              [&](const int i, SparseRow &r) {
+                                                levels.matrix_row(l, i, r);
+                                              });
+    if (level.is_whole)
+      rows = all_rows(std::move(rows), processes);
+    level.A       = {std::move(rows), over(levels.first(l), coarse), own};
     level.D       = inverse_diagonal(level.A.own_part());
-    level.P       = {gather_blocks<coarse, coarse>(blocks,
-                                             [&](const int i, SparseRow &r) {
-                                               levels.prolongator_row(l + 1,
-                                                                      i,
-                                                                      r);
-                                             }),
-                     over(levels.first(l + 1), coarse),
-                     processes};
-    level.R       = {level.P, at(levels.size(l + 1) / coarse)};
+    level.P       = prolongator<coarse>(levels, l + 1);
+    level.R       = {level.P,
+                     static_cast<std::size_t>(below[at(l)].b.size()) / coarse};
     level.largest = largest_eigenvalue(
       [&](const FloatVector &x, FloatVector &y) {
         level.A.multiply(x.data(), y.data());
@@ -168,9 +212,24 @@ namespace conetact::backends
       [&](const FloatVector &x, FloatVector &y) {
         multiply_blocks(level.D, x, y);
       },
-      levels.first(l)[at(processes.rank())],
+      level.is_whole ? 0 : levels.first(l)[at(own.rank())],
       level.b.size(),
-      processes);
+      own);
+  }
+
+
+
+  /* What each process has of the residual makes a part of the whole. */
+  template <int fine, int coarse>
+  template <typename Matrix>
+  void
+  CoarseLevels<fine, coarse>::restrict_to(Level             &level,
+                                          const Matrix      &restriction,
+                                          const FloatVector &r)
+  {
+    restriction.multiply(r.data(), level.b.data());
+    if (level.is_first_whole)
+      processes.sum(level.b.data(), level.b.size());
   }
 
 
@@ -179,7 +238,7 @@ namespace conetact::backends
   void
   CoarseLevels<fine, coarse>::correct(const FloatVector &r, FloatVector &x)
   {
-    R.multiply(r.data(), below[0].b.data());
+    restrict_to(below[0], R, r);
     cycle(0);
     P.multiply(below[0].x.data(), x.data());
   }
@@ -193,11 +252,8 @@ namespace conetact::backends
     Level &level = below[l];
     if (l + 1 == below.size())
       {
-        const Eigen::VectorXd b =
-          processes.gather_all(level.b).template cast<double>();
-        const Eigen::VectorXd x = coarsest.solve(b);
-        level.x =
-          x.segment(first_coarsest, level.b.size()).template cast<float>();
+        level.x = coarsest.solve(level.b.template cast<double>())
+                    .template cast<float>();
         return;
       }
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {
@@ -209,7 +265,7 @@ namespace conetact::backends
     Chebyshev smoother(multiply, scale, level.largest);
     level.r = level.b;
     smoother.smooth_first(level.r, level.x);
-    level.R.multiply(level.r.data(), below[l + 1].b.data());
+    restrict_to(below[l + 1], level.R, level.r);
     cycle(l + 1);
     level.P.multiply(below[l + 1].x.data(), level.c.data());
     level.x += level.c;

@@ -8,10 +8,7 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
-#include <chrono>
 #include <exception>
-#include <thread>
 
 namespace conetact::backends
 {
@@ -19,37 +16,21 @@ namespace conetact::backends
   {
     bool left_alone = false;
 
-    // Who waits looks again at once, then after an eighth of the time it has
-    // waited: a core that the first process may need is idle.
-    constexpr std::chrono::microseconds at_once{300}, longest_sleep{2000};
-
+    /* All processes are asked by the same call. */
     void
-    wait_asleep(MPI_Request &request)
+    broadcast(Order &order)
     {
-      using Clock      = std::chrono::steady_clock;
-      const auto start = Clock::now();
-      for (int done = 0;;)
-        {
-          MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-          if (done != 0)
-            return;
-          const auto waited =
-            std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() -
-                                                                  start);
-          if (waited < at_once)
-            std::this_thread::yield();
-          else
-            std::this_thread::sleep_for(std::min(waited / 8, longest_sleep));
-        }
+      std::vector<MPI_Request> request(1);
+      MPI_Ibcast(
+        &order, sizeof(order), MPI_BYTE, 0, MPI_COMM_WORLD, &request[0]);
+      Communicator::wait(request);
     }
 
     Order
     next_order()
     {
-      Order       order;
-      MPI_Request request;
-      MPI_Ibcast(&order, sizeof(order), MPI_BYTE, 0, MPI_COMM_WORLD, &request);
-      wait_asleep(request);
+      Order order;
+      broadcast(order);
       return order;
     }
   } // namespace
@@ -59,10 +40,8 @@ namespace conetact::backends
   Together::Together(const Order &order)
     : exceptions(std::uncaught_exceptions())
   {
-    Order       sent = order;
-    MPI_Request request;
-    MPI_Ibcast(&sent, sizeof(sent), MPI_BYTE, 0, MPI_COMM_WORLD, &request);
-    MPI_Wait(&request, MPI_STATUS_IGNORE);
+    Order sent = order;
+    broadcast(sent);
   }
 
 

@@ -6,7 +6,9 @@
 #include "conetact/base/process.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
+#include <thread>
 
 namespace conetact
 {
@@ -20,6 +22,37 @@ namespace conetact
 
     /** Bytes that go in one message, whose length is an int. */
     constexpr std::size_t longest = 1 << 30;
+
+    // Who waits looks again at once, later after an eighth of the time it has
+    // waited.
+    constexpr std::chrono::microseconds at_once{20}, longest_sleep{2000};
+
+    void
+    wait_for(const MPI_Request request)
+    {
+      std::vector<MPI_Request> requests = {request};
+      Communicator::wait(requests);
+    }
+
+    template <typename Number>
+    void
+    add_up(Number             *x,
+           const Eigen::Index  length,
+           MPI_Datatype        type,
+           const Communicator &processes)
+    {
+      if (processes.size() == 1 || length == 0)
+        return;
+      MPI_Request request;
+      MPI_Iallreduce(MPI_IN_PLACE,
+                     x,
+                     static_cast<int>(length),
+                     type,
+                     MPI_SUM,
+                     processes.handle(),
+                     &request);
+      wait_for(request);
+    }
   } // namespace
 
 
@@ -62,9 +95,47 @@ namespace conetact
   {
     if (n == 1)
       return x;
-    double result = 0;
-    MPI_Allreduce(&x, &result, 1, MPI_DOUBLE, MPI_SUM, comm);
+    double result = x;
+    sum(&result, 1);
     return result;
+  }
+
+
+
+  void
+  Communicator::sum(double *x, const Eigen::Index length) const
+  {
+    add_up(x, length, MPI_DOUBLE, *this);
+  }
+
+
+
+  void
+  Communicator::sum(float *x, const Eigen::Index length) const
+  {
+    add_up(x, length, MPI_FLOAT, *this);
+  }
+
+
+
+  void
+  Communicator::wait(std::vector<MPI_Request> &requests)
+  {
+    using Clock      = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    for (int done = 0;;)
+      {
+        MPI_Testall(static_cast<int>(requests.size()),
+                    requests.data(),
+                    &done,
+                    MPI_STATUSES_IGNORE);
+        if (done != 0)
+          break;
+        if (const auto waited = Clock::now() - start; waited > at_once)
+          std::this_thread::sleep_for(
+            std::min<Clock::duration>(waited / 8, longest_sleep));
+      }
+    requests.clear();
   }
 
 
@@ -108,14 +179,17 @@ namespace conetact
                            void         *all,
                            const Counts &counts) const
   {
-    MPI_Allgatherv(part,
-                   counts.own,
-                   MPI_BYTE,
-                   all,
-                   counts.length.data(),
-                   counts.start.data(),
-                   MPI_BYTE,
-                   comm);
+    MPI_Request request;
+    MPI_Iallgatherv(part,
+                    counts.own,
+                    MPI_BYTE,
+                    all,
+                    counts.length.data(),
+                    counts.start.data(),
+                    MPI_BYTE,
+                    comm,
+                    &request);
+    wait_for(request);
   }
 
 
@@ -123,15 +197,18 @@ namespace conetact
   void
   Communicator::gather(const void *part, void *all, const Counts &counts) const
   {
-    MPI_Gatherv(part,
-                counts.own,
-                MPI_BYTE,
-                all,
-                counts.length.data(),
-                counts.start.data(),
-                MPI_BYTE,
-                0,
-                comm);
+    MPI_Request request;
+    MPI_Igatherv(part,
+                 counts.own,
+                 MPI_BYTE,
+                 all,
+                 counts.length.data(),
+                 counts.start.data(),
+                 MPI_BYTE,
+                 0,
+                 comm,
+                 &request);
+    wait_for(request);
   }
 
 
@@ -139,15 +216,18 @@ namespace conetact
   void
   Communicator::scatter(const void *all, void *part, const Counts &counts) const
   {
-    MPI_Scatterv(all,
-                 counts.length.data(),
-                 counts.start.data(),
-                 MPI_BYTE,
-                 part,
-                 counts.own,
-                 MPI_BYTE,
-                 0,
-                 comm);
+    MPI_Request request;
+    MPI_Iscatterv(all,
+                  counts.length.data(),
+                  counts.start.data(),
+                  MPI_BYTE,
+                  part,
+                  counts.own,
+                  MPI_BYTE,
+                  0,
+                  comm,
+                  &request);
+    wait_for(request);
   }
 
 
@@ -156,11 +236,16 @@ namespace conetact
   Communicator::broadcast(void *x, const std::size_t bytes) const
   {
     for (std::size_t k = 0; k < bytes; k += longest)
-      MPI_Bcast(static_cast<char *>(x) + k,
-                static_cast<int>(std::min(longest, bytes - k)),
-                MPI_BYTE,
-                0,
-                comm);
+      {
+        MPI_Request request;
+        MPI_Ibcast(static_cast<char *>(x) + k,
+                   static_cast<int>(std::min(longest, bytes - k)),
+                   MPI_BYTE,
+                   0,
+                   comm,
+                   &request);
+        wait_for(request);
+      }
   }
 
 
@@ -183,13 +268,17 @@ namespace conetact
   Communicator::receive(void *x, const std::size_t bytes, const int from) const
   {
     for (std::size_t k = 0; k < bytes; k += longest)
-      MPI_Recv(static_cast<char *>(x) + k,
-               static_cast<int>(std::min(longest, bytes - k)),
-               MPI_BYTE,
-               from,
-               0,
-               comm,
-               MPI_STATUS_IGNORE);
+      {
+        MPI_Request request;
+        MPI_Irecv(static_cast<char *>(x) + k,
+                  static_cast<int>(std::min(longest, bytes - k)),
+                  MPI_BYTE,
+                  from,
+                  0,
+                  comm,
+                  &request);
+        wait_for(request);
+      }
   }
 
 
@@ -224,9 +313,7 @@ namespace conetact
                   0,
                   comm,
                   &requests.emplace_back());
-    MPI_Waitall(static_cast<int>(requests.size()),
-                requests.data(),
-                MPI_STATUSES_IGNORE);
+    wait(requests);
     return result;
   }
 } // namespace conetact

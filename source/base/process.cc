@@ -8,6 +8,7 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <mpi.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -35,6 +36,9 @@ namespace conetact
 {
   namespace
   {
+    /** By how much sleeps may be longer than they should [ns]. */
+    constexpr unsigned long shortest_sleep = 2000;
+
     unsigned int sessions       = 0;
     unsigned int threads        = 0; ///< not set yet
     bool         we_initialized = false;
@@ -159,15 +163,16 @@ namespace conetact
 
 
 
-  /* Cores may be fewer than processes: who waits for a message lets others go
-     first. */
+  /* Who waits for a message sleeps (Communicator::wait). To yield in between
+     would give way to all other programs of the machine, for milliseconds. */
   void
   ProcessSession::join()
   {
     const Ranks told = ranks_of_mpirun();
     if (told.size < 2)
       return;
-    setenv("OMPI_MCA_mpi_yield_when_idle", "1", /*overwrite=*/0);
+    setenv("OMPI_MCA_mpi_yield_when_idle", "0", /*overwrite=*/0);
+    prctl(PR_SET_TIMERSLACK, shortest_sleep);
     joined = told;
     try
       {

@@ -119,6 +119,14 @@ namespace conetact::backends
     multiply(const System &system, const Array &x) const;
     FloatVector
     precondition(const System &system, const FloatVector &r) const;
+    /**
+     * Takes away from w what is along V, whose parts are `along`. Returns the
+     * norm of what is left.
+     */
+    double
+    orthogonalize(const std::vector<FloatVector> &V,
+                  FloatVector                    &w,
+                  Eigen::Ref<Array>               along) const;
     FloatVector
     gmres(const System      &system,
           const FloatVector &b,

@@ -149,10 +149,7 @@ namespace conetact::backends
     void
     wait()
     {
-      MPI_Waitall(static_cast<int>(requests.size()),
-                  requests.data(),
-                  MPI_STATUSES_IGNORE);
-      requests.clear();
+      Communicator::wait(requests);
     }
 
     std::shared_ptr<const HaloPlan> plan;

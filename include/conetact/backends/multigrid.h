@@ -130,7 +130,8 @@ namespace conetact::backends
   /**
    * The levels below the finest one, whose nodes have `fine` unknowns:
    * aggregates with `coarse` unknowns each, in single precision; the coarsest
-   * one is solved directly, by all processes.
+   * one is solved directly. Levels of few unknowns are whole: each process has
+   * all of them and does the same, which takes less time than messages.
    */
   template <int fine, int coarse>
   class CoarseLevels
@@ -158,18 +159,32 @@ namespace conetact::backends
       DistributedMatrix<coarse, coarse, float> P;
       TransposedMatrix<coarse, coarse, float>  R;
       FloatVector                              b, r, x, c;
+      bool is_whole = false, is_first_whole = false;
     };
     void
     cycle(const std::size_t level);
     void
     make_level(const SmoothedAggregation &levels, const int l);
+    /** The map between a level and the one above it, from own rows. */
+    template <int size>
+    DistributedMatrix<size, coarse, float>
+    prolongator(const SmoothedAggregation &levels, const int l) const;
+    /** Of those that share a level. */
+    Communicator
+    sharers(const Level &level) const
+    {
+      return level.is_whole ? Communicator() : processes;
+    }
+    /** b of a level, from the residual above it. */
+    template <typename Matrix>
+    void
+    restrict_to(Level &level, const Matrix &restriction, const FloatVector &r);
 
     Communicator                           processes;
     DistributedMatrix<fine, coarse, float> P;
     TransposedMatrix<coarse, fine, float>  R;
     std::vector<Level>                     below;
-    Eigen::LDLT<Eigen::MatrixXd>           coarsest; ///< of all processes
-    int                                    first_coarsest = 0;
+    Eigen::LDLT<Eigen::MatrixXd>           coarsest;
   };
 
   extern template class CoarseLevels<2, 3>;

@@ -46,6 +46,18 @@ namespace conetact
 
     double
     sum(const double x) const;
+    /** Of each number. */
+    void
+    sum(double *x, const Eigen::Index length) const;
+    void
+    sum(float *x, const Eigen::Index length) const;
+
+    /**
+     * Until all of these are done. Who waits for long sleeps in between: there
+     * may be fewer cores than processes, and other programs.
+     */
+    static void
+    wait(std::vector<MPI_Request> &requests);
 
     /** What each process has, one behind the other. */
     template <typename Vector>
