@@ -100,12 +100,12 @@ namespace conetact::backends
     class FirstPart : public solvers::LargeSystem
     {
     public:
-      FirstPart(LargeStiffness given, const unsigned int dim)
+      FirstPart(LargeStiffness &given, const unsigned int dim)
         : n_parts(useful_processes(given.upper.cols()))
         , number(n_parts > 1 ? ++n_made : 0)
         , places(find_places(given, static_cast<int>(dim), n_parts))
       {
-        WholeSystem whole = to_whole(std::move(given));
+        WholeSystem whole = to_whole(given);
         const auto  together =
           call(dim == 2 ? Command::make_plane : Command::make_space);
         system = share_system(std::move(whole),
@@ -159,10 +159,10 @@ namespace conetact::backends
                  std::make_unique<Together>(Order{command, number, n_parts});
       }
       WholeSystem
-      to_whole(LargeStiffness given) const
+      to_whole(LargeStiffness &given) const
       {
         WholeSystem whole;
-        whole.upper  = std::move(given.upper);
+        whole.upper.swap(given.upper);
         whole.places = places.of;
         whole.first  = places.first;
         whole.modes.resize(places.first.back(), given.modes.cols());
@@ -177,6 +177,7 @@ namespace conetact::backends
                  ++k)
               node.push_back(places.of[at(begin + k)]);
           }
+        given = {};
         return whole;
       }
       Array
@@ -251,8 +252,8 @@ namespace conetact::backends
 
 
   std::shared_ptr<const solvers::LargeSystem>
-  make_large_system(LargeStiffness given, const unsigned int dim)
+  make_large_system(LargeStiffness &&given, const unsigned int dim)
   {
-    return std::make_shared<FirstPart>(std::move(given), dim);
+    return std::make_shared<FirstPart>(given, dim);
   }
 } // namespace conetact::backends

@@ -88,13 +88,14 @@ namespace conetact::backends
       return A;
     }
 
-    /* One after the other, so that there is one copy at a time. */
+    /* One after the other, so that there is one copy at a time; `upper` is
+       large and empty in the end. */
     template <int block>
     BlockMatrix<block, block, double>
-    deal_rows(Eigen::SparseMatrix<double> upper,
-              const std::vector<int>     &places,
-              const std::vector<int>     &first,
-              const Communicator         &processes)
+    deal_rows(Eigen::SparseMatrix<double> &upper,
+              const std::vector<int>      &places,
+              const std::vector<int>      &first,
+              const Communicator          &processes)
     {
       BlockMatrix<block, block, double> rows;
       if (processes.rank() > 0)
@@ -117,6 +118,7 @@ namespace conetact::backends
           processes.send(rows.column, p);
           processes.send(rows.value, p);
         }
+      Eigen::SparseMatrix<double>().swap(upper);
       return rows;
     }
 
@@ -207,7 +209,7 @@ namespace conetact::backends
     class Shared : public SharedSystem
     {
     public:
-      Shared(WholeSystem whole, const Communicator &p)
+      Shared(WholeSystem &whole, const Communicator &p)
         : processes(p)
       {
         first = whole.first;
@@ -222,11 +224,8 @@ namespace conetact::backends
         share.contact   = std::move(contact.places);
         share.exists    = deal_places(whole.places);
         share.modes     = deal_modes(std::move(whole.modes));
-        share.K         = deal_rows<block>(std::move(whole.upper),
-                                   whole.places,
-                                   first,
-                                   processes);
-        system = std::make_unique<const BlockSystem<block>>(std::move(share));
+        share.K = deal_rows<block>(whole.upper, whole.places, first, processes);
+        system  = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
 
       Array
@@ -302,12 +301,12 @@ namespace conetact::backends
 
 
   std::unique_ptr<SharedSystem>
-  share_system(WholeSystem         whole,
+  share_system(WholeSystem       &&whole,
                const unsigned int  dim,
                const Communicator &processes)
   {
     if (dim == 2)
-      return std::make_unique<Shared<2>>(std::move(whole), processes);
-    return std::make_unique<Shared<3>>(std::move(whole), processes);
+      return std::make_unique<Shared<2>>(whole, processes);
+    return std::make_unique<Shared<3>>(whole, processes);
   }
 } // namespace conetact::backends

@@ -42,10 +42,10 @@ namespace conetact::backends
    * held and knows S. Nodes have `dim` unknowns at most, 2 or 3.
    *
    * In a run of many processes each has the rows of its nodes, as long as that
-   * is worth a process.
+   * is worth a process. What is given is empty then.
    */
   std::shared_ptr<const solvers::LargeSystem>
-  make_large_system(LargeStiffness given, const unsigned int dim);
+  make_large_system(LargeStiffness &&given, const unsigned int dim);
 
   /** What a process but the first has of such systems. */
   class SystemParts

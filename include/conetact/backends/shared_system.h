@@ -47,9 +47,10 @@ namespace conetact::backends
           const double                         precision) const = 0;
   };
 
-  /** The other processes give nothing: an empty system. */
+  /** The other processes give nothing: an empty system. What is not needed any
+   * more is taken from it. */
   std::unique_ptr<SharedSystem>
-  share_system(WholeSystem         whole,
+  share_system(WholeSystem       &&whole,
                const unsigned int  dim,
                const Communicator &processes);
 } // namespace conetact::backends
