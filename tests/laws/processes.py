@@ -26,7 +26,7 @@ def compare(laws, what, scene, *numbers):
 
 def pair(dim, pairing):
     """A block on another one, finer than what needs no levels."""
-    cells = ((20, 10), (30, 10)) if dim == 2 else ((7, 6, 4), (9, 7, 4))
+    cells = ((24, 14), (34, 14)) if dim == 2 else ((7, 6, 4), (9, 7, 4))
     size = (2.0, 1.0) if dim == 2 else (1.0, 1.0, .7)
     low, high = (2, 3) if dim == 2 else (4, 5)
     every = "x, y" if dim == 2 else "x, y, z"
@@ -36,20 +36,20 @@ def pair(dim, pairing):
             "Contact joint": joint("upper", low, "lower", high, **{"Pairing": pairing, "Friction coefficient": .3}),
             "Support ground": support(low, every, body="lower"),
             "Support top": support(high, every, moved, body="upper"),
-            "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+            "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
 
 
 def tables(laws):
-    space = press_and_shear(3, cells=(9, 7, 8), increments=3)
+    space = press_and_shear(3, cells=(11, 8, 8), increments=2)
     compare(laws, "3D", space, 2, 3, 4)
     # halves above each other: one has no contact node
     tall = merge(space, {"Body block": box((4, 4, 20), (1.0, 1.0, 5.0))})
     compare(laws, "3D, contact nodes of one process only", tall, 2)
-    compare(laws, "3D, more processes than are worth it", press_and_shear(3, cells=(5, 6, 7), increments=2), 4)
+    compare(laws, "3D, more processes than are worth it", press_and_shear(3, cells=(7, 7, 8), increments=2), 4)
     compare(laws, "2D, too small to be shared", press_and_shear(2), 2)
     compare(laws, "2D, own weight, foundation, refined", merge(press_and_shear(2, cells=(30, 16), increments=3), {
         "Support side": support(1, "x", Stiffness=300), "Load weight": load("body force", "0 ; -2"),
-        "Body block": {"Mesh": {"Refined x": "-inf, 0.75", "Refined y": "-inf, 0.5"}}}), 3)
+        "Body block": {"Mesh": {"Refinement boxes": "0, 0 : 0.6, 0.3 : 2 ; 1.6, 0 : 2, 0.2 : 3"}}}), 3)
     compare(laws, "3D, mortar", pair(3, "mortar"), 2)
     compare(laws, "2D, node to face", pair(2, "node to face"), 3)
 
@@ -66,7 +66,7 @@ def ours(text):
 def endings(laws):
     """What is said once, and what the exit codes are."""
     block = SHIPPED / "block-press-shear.prm"
-    for option, words in (("--version", "conetact "), ("--help", "usage: "), ("--parameters", "# Conetact: ")):
+    for option, words in (("--version", "conetact "), ("--help", "usage: "), ("--parameters", "# All entries")):
         done = start(laws, 2, option)
         laws.demand(f"{option}: once", done.returncode == 0 and len(re.findall(f"^{words}", done.stdout, re.M)) == 1)
     folder = laws.folder / "refused"
@@ -78,10 +78,9 @@ def endings(laws):
         done = start(laws, 2, block, "-o", folder, *wrong, timeout=60)
         laws.demand(f"{what}: one sentence, exit code {code}",
                     done.returncode == code and len(ours(done.stderr)) == 1 and not folder.exists())
-    ends = merge(press_and_shear(3, cells=(9, 7, 8)), {"Solver": {"Backend": "iterative", "Maximal iterations": 1,
-                                                                  "Maximal substeps": 1}})
+    ends = merge(press_and_shear(2), {"Support top": None, "Load push": load("traction", "0.5*t ; -1", ids=3)})
     done, folder = laws.start(ends, "--processes", "2", timeout=60)
-    laws.demand("no convergence: one sentence, exit code 2, nothing else", done.returncode == 2
+    laws.demand("no equilibrium: one sentence, exit code 2, nothing else", done.returncode == 2
                 and done.stderr.count("\n") == 1 and done.stderr == "".join(line + "\n" for line in ours(done.stderr)))
     none = {**ENVIRONMENT, "PATH": str(laws.folder)}
     done, folder = laws.start(press_and_shear(2), "--processes", "2", env=none)
