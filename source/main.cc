@@ -19,6 +19,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -69,10 +70,16 @@ namespace
     if (backends::Together::is_possible())
       {
         const backends::Together together({backends::Command::report});
-        std::string              peaks;
-        for (const double bytes : backends::peaks_of_processes())
-          peaks += (peaks.empty() ? "" : ", ") + analysis::megabytes(bytes);
-        log.note("memory of processes: " + peaks);
+        std::string              memory, time;
+        for (const backends::Needs &needs : backends::needs_of_processes())
+          {
+            const char *const comma = memory.empty() ? "" : ", ";
+            memory += comma + analysis::megabytes(needs.peak_memory);
+            time +=
+              comma + to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
+          }
+        log.note("memory of processes: " + memory);
+        log.note("CPU of processes: " + time);
       }
     log.note(describe(analysis.work()));
   }

@@ -17,7 +17,7 @@ namespace conetact::backends
       {Command::diagonal, [&](const Order &o) { parts.diagonal(o); }},
       {Command::solve, [&](const Order &o) { parts.solve(o); }},
       {Command::forget, [&](const Order &o) { parts.forget(o); }},
-      {Command::report, [](const Order &) { peaks_of_processes(); }},
+      {Command::report, [](const Order &) { needs_of_processes(); }},
     });
   }
 } // namespace conetact::backends

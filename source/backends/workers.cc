@@ -72,16 +72,24 @@ namespace conetact::backends
 
 
 
-  std::vector<double>
-  peaks_of_processes()
+  std::vector<Needs>
+  needs_of_processes()
   {
-    const auto   n   = static_cast<int>(ProcessSession::n_processes());
-    Communicator all = Communicator::of_first(n);
-    rusage       usage;
+    const auto n   = static_cast<int>(ProcessSession::n_processes());
+    const auto all = Communicator::of_first(n);
+    rusage     usage;
     getrusage(RUSAGE_SELF, &usage);
-    const Eigen::VectorXd peaks = all.gather_all(Eigen::VectorXd(
-      Eigen::VectorXd::Constant(1,
-                                1024. * static_cast<double>(usage.ru_maxrss))));
-    return {peaks.begin(), peaks.end()};
+    const auto seconds = [](const timeval &t) {
+      return static_cast<double>(t.tv_sec) +
+             1e-6 * static_cast<double>(t.tv_usec);
+    };
+    Eigen::VectorXd own(2);
+    own << 1024. * static_cast<double>(usage.ru_maxrss),
+      seconds(usage.ru_utime) + seconds(usage.ru_stime);
+    const Eigen::VectorXd found = all.gather_all(own);
+    std::vector<Needs>    needs;
+    for (Eigen::Index p = 0; p < n; ++p)
+      needs.push_back({found(2 * p), found(2 * p + 1)});
+    return needs;
   }
 } // namespace conetact::backends

@@ -63,6 +63,22 @@ namespace conetact
       return {static_cast<unsigned int>(size), static_cast<unsigned int>(rank)};
     }
 
+    void
+    check_ranks(const Ranks &found)
+    {
+      const std::string seen = std::to_string(found.size);
+      if (found.size > 1 && joined.size == 1)
+        throw InputError("There are " + seen +
+                         " processes, but whoever started them has told them "
+                         "nothing of each other: they would all write the same "
+                         "files. Start them by mpirun, or with --processes.");
+      if (found.size != joined.size)
+        throw InputError("mpirun has started " + std::to_string(joined.size) +
+                         " processes, of which MPI sees " + seen +
+                         ": it is not the mpirun of the program's MPI. Start "
+                         "them with --processes.");
+    }
+
     /** The first of these variables of the environment that is a number. */
     unsigned int
     number_of(const std::vector<const char *> &variables,
@@ -151,12 +167,7 @@ namespace conetact
         if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS)
           throw std::runtime_error("MPI does not start.");
         we_initialized = true;
-        if (const Ranks ranks = ranks_of_mpi(); ranks.size != joined.size)
-          throw InputError("There are " + std::to_string(joined.size) +
-                           " processes, of which MPI sees " +
-                           std::to_string(ranks.size) +
-                           ": they were not started by the mpirun of the "
-                           "program's MPI. Start them with --processes.");
+        check_ranks(ranks_of_mpi());
       }
     return static_cast<int>(MPI_Comm_c2f(MPI_COMM_SELF));
   }

@@ -22,7 +22,7 @@ namespace conetact::backends
     diagonal,
     solve,
     forget,
-    report, ///< their memory
+    report, ///< what they have needed
     end
   };
 
@@ -69,9 +69,15 @@ namespace conetact::backends
   void
   work();
 
-  /** Most memory of each process so far [bytes]; the first one asks. */
-  std::vector<double>
-  peaks_of_processes();
+  /** What a process has needed so far. */
+  struct Needs
+  {
+    double peak_memory = 0; ///< [bytes]
+    double cpu_seconds = 0;
+  };
+  /** Of each process; the first one asks. */
+  std::vector<Needs>
+  needs_of_processes();
 } // namespace conetact::backends
 
 #endif
