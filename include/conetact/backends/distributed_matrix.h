@@ -108,10 +108,8 @@ namespace conetact::backends
         f(a);
     }
 
-    /**
-     * Calls f(column, block) for a row, `values` being of all columns and
-     * `far_values` those of others: of_columns().
-     */
+    /** Calls f(column, block) for a row: own columns before those of others, as
+     * of_columns() has them. */
     template <typename F>
     void
     for_row(const std::size_t i, const F &f) const
@@ -128,10 +126,8 @@ namespace conetact::backends
         f(static_cast<int>(n_own) + far.column[k], far.block(k));
     }
 
-    /**
-     * Behind numbers of the own columns those of the columns of others; blocks
-     * of n_columns each, as for_row() counts them.
-     */
+    /** Numbers of the own columns, n_columns for each block, and behind them
+     * those of the columns of others that it needs. */
     std::vector<Number>
     of_columns(std::vector<Number> x) const
     {
