@@ -29,6 +29,34 @@ namespace conetact::backends
     {
       return static_cast<std::size_t>(i);
     }
+
+    /**
+     * Pieces that stay in the cache; sums over them in single precision are
+     * exact enough.
+     */
+    template <typename F>
+    void
+    for_pieces(const FloatVector &w, const F &f)
+    {
+      constexpr Index piece = 512;
+      for (Index i = 0; i < w.size(); i += piece)
+        f(i, std::min(piece, w.size() - i));
+    }
+
+    /** w -= c v, and (w, next) of what is left. */
+    double
+    subtract_and_project(const double       c,
+                         const FloatVector &v,
+                         const FloatVector &next,
+                         FloatVector       &w)
+    {
+      double sum = 0;
+      for_pieces(w, [&](const Index i, const Index n) {
+        w.segment(i, n) -= static_cast<float>(c) * v.segment(i, n);
+        sum += static_cast<double>(w.segment(i, n).dot(next.segment(i, n)));
+      });
+      return sum;
+    }
   } // namespace
 
 
@@ -56,6 +84,7 @@ namespace conetact::backends
     for (int &i : first_node)
       i /= block;
     K = {std::move(given.K), first_node, processes};
+    K.share_equal_rows();
     find_scale();
     make_smoother();
     make_levels(given.modes);
@@ -94,7 +123,7 @@ namespace conetact::backends
     Array d(n);
     for (int i = 0; i < n_nodes; ++i)
       d.segment<block>(i * block) =
-        K.own_part().block(diagonal_block(i)).diagonal();
+        K.own_part().block(at(i), diagonal_block(i)).diagonal();
     return d;
   }
 
@@ -106,7 +135,7 @@ namespace conetact::backends
   {
     double sum = 0;
     for (int i = 0; i < n_nodes; ++i)
-      sum += K.own_part().block(diagonal_block(i)).trace();
+      sum += K.own_part().block(at(i), diagonal_block(i)).trace();
     sum                     = processes.sum(sum);
     const double n_unknowns = processes.sum(exists.sum());
     scale = sum > 0 ? std::exp2(std::round(std::log2(sum / n_unknowns))) : 1.;
@@ -207,7 +236,7 @@ namespace conetact::backends
                                     const Array      &free,
                                     const FloatBlock &S) const
   {
-    FloatBlock a = A.own_part().block(diagonal_block(i));
+    FloatBlock a = A.own_part().block(at(i), diagonal_block(i));
     a += S;
     for (int r = 0; r < block; ++r)
       if (free[i * block + r] == 0)
@@ -401,28 +430,33 @@ namespace conetact::backends
   {
     if (processes.size() == 1)
       {
-        for (std::size_t i = 0; i < V.size(); ++i)
-          {
-            const double part =
-              w.template cast<double>().dot(V[i].template cast<double>());
-            along(static_cast<Index>(i)) = part;
-            w -= static_cast<float>(part) * V[i];
-          }
-        return w.template cast<double>().norm();
+        along(0) = subtract_and_project(0, V.front(), V.front(), w);
+        for (std::size_t i = 1; i < V.size(); ++i)
+          along(static_cast<Index>(i)) = subtract_and_project(
+            along(static_cast<Index>(i) - 1), V[i - 1], V[i], w);
+        return std::sqrt(
+          subtract_and_project(along(along.size() - 1), V.back(), w, w));
       }
     const Index n_along = along.size();
     Array       parts(n_along + 1);
     along.setZero();
     for (int pass = 0; pass < 2; ++pass)
       {
-        const Array all = w.template cast<double>();
-        for (Index i = 0; i < n_along; ++i)
-          parts(i) = all.dot(V[at(i)].template cast<double>());
-        parts(n_along) = all.squaredNorm();
+        parts.setZero();
+        for_pieces(w, [&](const Index begin, const Index size) {
+          const auto piece = w.segment(begin, size);
+          for (Index i = 0; i < n_along; ++i)
+            parts(i) +=
+              static_cast<double>(piece.dot(V[at(i)].segment(begin, size)));
+          parts(n_along) += static_cast<double>(piece.squaredNorm());
+        });
         processes.sum(parts.data(), parts.size());
         along += parts.head(n_along);
-        for (Index i = 0; i < n_along; ++i)
-          w -= static_cast<float>(parts(i)) * V[at(i)];
+        for_pieces(w, [&](const Index begin, const Index size) {
+          for (Index i = 0; i < n_along; ++i)
+            w.segment(begin, size) -=
+              static_cast<float>(parts(i)) * V[at(i)].segment(begin, size);
+        });
       }
     return std::sqrt(
       std::max(parts(n_along) - parts.head(n_along).squaredNorm(), 0.));

@@ -128,7 +128,7 @@ namespace conetact::backends
       for (std::size_t i = 0; i < D.size(); ++i)
         for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
           if (static_cast<std::size_t>(A.column[k]) == i)
-            D[i] = A.block(k)
+            D[i] = A.block(i, k)
                      .template cast<double>()
                      .completeOrthogonalDecomposition()
                      .pseudoInverse()

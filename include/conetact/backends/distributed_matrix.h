@@ -66,6 +66,14 @@ namespace conetact::backends
         std::make_shared<const HaloPlan>(needed, first, processes));
     }
 
+    /** BlockMatrix::share_equal_rows() */
+    void
+    share_equal_rows()
+    {
+      own.share_equal_rows();
+      far.share_equal_rows();
+    }
+
     /** Of own rows and columns. */
     const Matrix &
     own_part() const
@@ -115,7 +123,7 @@ namespace conetact::backends
     for_row(const std::size_t i, const F &f) const
     {
       for (std::size_t k = own.start[i]; k < own.start[i + 1]; ++k)
-        f(own.column[k], own.block(k));
+        f(own.column[k], own.block(i, k));
       const auto it =
         std::lower_bound(edge.begin(), edge.end(), static_cast<int>(i));
       if (it == edge.end() || *it != static_cast<int>(i))
@@ -123,7 +131,7 @@ namespace conetact::backends
       const auto        e     = static_cast<std::size_t>(it - edge.begin());
       const std::size_t n_own = own.n_block_rows();
       for (std::size_t k = far.start[e]; k < far.start[e + 1]; ++k)
-        f(static_cast<int>(n_own) + far.column[k], far.block(k));
+        f(static_cast<int>(n_own) + far.column[k], far.block(e, k));
     }
 
     /** Numbers of the own columns, n_columns for each block, and behind them
@@ -170,19 +178,20 @@ namespace conetact::backends
       own.allocate();
       far.allocate();
       std::size_t next = 0, next_far = 0;
-      for (std::size_t k = 0; k < rows.column.size(); ++k)
-        if (const int j = rows.column[k]; is_own(j))
-          {
-            own.column[next]  = j - begin;
-            own.block(next++) = rows.block(k);
-          }
-        else
-          {
-            far.column[next_far] = static_cast<int>(
-              std::lower_bound(needed.begin(), needed.end(), j) -
-              needed.begin());
-            far.block(next_far++) = rows.block(k);
-          }
+      for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
+        for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k)
+          if (const int j = rows.column[k]; is_own(j))
+            {
+              own.column[next]  = j - begin;
+              own.block(next++) = rows.block(i, k);
+            }
+          else
+            {
+              far.column[next_far] = static_cast<int>(
+                std::lower_bound(needed.begin(), needed.end(), j) -
+                needed.begin());
+              far.block(next_far++) = rows.block(i, k);
+            }
     }
 
     Matrix           own;
