@@ -8,6 +8,7 @@
 #include "conetact/application/located.h"
 #include "conetact/application/manual.h"
 #include "conetact/application/scene.h"
+#include "conetact/backends/workers.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/log.h"
@@ -18,6 +19,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -65,6 +67,20 @@ namespace
   {
     log.note("memory: " + analysis::megabytes(analysis::peak_memory()) +
              " at most");
+    if (backends::Together::is_possible())
+      {
+        const backends::Together together({backends::Command::report});
+        std::string              memory, time;
+        for (const backends::Needs &needs : backends::needs_of_processes())
+          {
+            const char *const comma = memory.empty() ? "" : ", ";
+            memory += comma + analysis::megabytes(needs.peak_memory);
+            time +=
+              comma + to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
+          }
+        log.note("memory of processes: " + memory);
+        log.note("CPU of processes: " + time);
+      }
     log.note(describe(analysis.work()));
   }
 
@@ -214,49 +230,121 @@ namespace
       std::cerr << "conetact: " << sentence << std::endl;
     return code;
   }
+
+  /** What the other processes of a run do; no return if one fails. */
+  int
+  work_for_first()
+  {
+    std::string why;
+    try
+      {
+        backends::work();
+        return 0;
+      }
+    catch (const std::bad_alloc &)
+      {
+        why = "The scene needs more memory than there is. Use a coarser mesh, "
+              "or other machines.";
+      }
+    catch (const std::exception &error)
+      {
+        why = error.what();
+      }
+    std::cerr << "conetact: Process " << ProcessSession::rank() + 1 << " of "
+              << ProcessSession::n_processes() << ": " << why << std::endl;
+    ProcessSession::end_all(2);
+  }
+
+  /** Lets the other processes end, or ends them where they have been left in
+   * the middle of something. */
+  int
+  end_work(const int code)
+  {
+    if (ProcessSession::n_processes() == 1)
+      return code;
+    std::cout << std::flush;
+    if (!backends::Together::is_possible())
+      ProcessSession::end_all(code);
+    backends::Together({backends::Command::end});
+    return code;
+  }
+
+  /** As many processes as the user wants: now, or in a run that takes the place
+   * of this one. */
+  void
+  start_processes(const application::CommandLine &line, char *const argv[])
+  {
+    const unsigned int n = ProcessSession::n_processes();
+    if (n == 1 && line.processes > 1)
+      conetact::start_processes(line.processes, argv);
+    if (n > 1 && line.processes > 0 && line.processes != n)
+      throw InputError("mpirun has started " + std::to_string(n) +
+                       " processes, and Option --processes wants " +
+                       std::to_string(line.processes) +
+                       ". Leave one of them out.");
+  }
+
+  /** The exit code; only the first of many processes is here. */
+  int
+  run_program(int argc, char *argv[])
+  {
+    application::CommandLine line;
+    try
+      {
+        line = application::parse_command_line(argc, argv);
+        if (!line.answer.empty())
+          std::cout << line.answer;
+        else if (!line.new_scene.empty())
+          std::cout << application::write_starter_scene(line.new_scene);
+        else if (line.scene.empty())
+          std::cout << application::manual();
+        else
+          {
+            start_processes(line, argv);
+            run(line);
+          }
+        return 0;
+      }
+    catch (const InputError &error)
+      {
+        return say(application::located(error.what(), line), 1);
+      }
+    catch (const AnalysisError &error)
+      {
+        return say(error.what(), 2);
+      }
+    catch (const WriteError &error)
+      {
+        return say(error.what(), 3);
+      }
+    catch (const dealii::ExceptionBase &error)
+      {
+        std::ostringstream text;
+        error.print_info(text);
+        return say("deal.II refuses the scene: " + one_line(text.str()), 1);
+      }
+    catch (const std::exception &error)
+      {
+        return say(error.what(), 1);
+      }
+  }
 } // namespace
 
 int
 main(int argc, char *argv[])
 {
-  ProcessSession           process;
-  application::CommandLine line;
+  const ProcessSession process;
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try
     {
-      refuse_many_processes(ranks_of_mpirun().size);
-      line = application::parse_command_line(argc, argv);
-      if (!line.answer.empty())
-        std::cout << line.answer;
-      else if (!line.new_scene.empty())
-        std::cout << application::write_starter_scene(line.new_scene);
-      else if (line.scene.empty())
-        std::cout << application::manual();
-      else
-        run(line);
-      return 0;
+      ProcessSession::join();
     }
   catch (const InputError &error)
     {
-      return say(application::located(error.what(), line), 1);
-    }
-  catch (const AnalysisError &error)
-    {
-      return say(error.what(), 2);
-    }
-  catch (const WriteError &error)
-    {
-      return say(error.what(), 3);
-    }
-  catch (const dealii::ExceptionBase &error)
-    {
-      std::ostringstream text;
-      error.print_info(text);
-      return say("deal.II refuses the scene: " + one_line(text.str()), 1);
-    }
-  catch (const std::exception &error)
-    {
       return say(error.what(), 1);
     }
+  if (ProcessSession::rank() > 0)
+    return work_for_first();
+  return end_work(run_program(argc, argv));
 }

@@ -5,7 +5,7 @@
 
 usage: check_program.py PROGRAM CASE [COUNT]
 
-  processes   mpirun starts one process only, and of several one speaks
+  processes   processes that do not see each other are refused, and one speaks for all
   silence     nothing but the log on standard output, without contact too
   old-files   pictures of a longer run are removed, files of others stay
   loads       the log tells the resultant of each load

@@ -7,6 +7,7 @@
 #include "conetact/analysis/scene_report.h"
 #include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/process.h"
 #include "conetact/base/text.h"
 #include "conetact/output/closing.h"
 #include "conetact/output/former_rows.h"
@@ -109,6 +110,11 @@ namespace conetact::analysis
         log.note("backend: " +
                  std::string(choice.iterative ? "iterative" : "condensed") +
                  ", " + choice.reason);
+      if (const unsigned int n = ProcessSession::n_processes(); n > 1)
+        log.note(std::to_string(n) + " processes: " +
+                 (choice.iterative ? "they share the linear systems" :
+                                     "the first one condenses, the others "
+                                     "have nothing to do"));
       return model;
     }
   } // namespace

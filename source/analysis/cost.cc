@@ -64,9 +64,9 @@ namespace conetact::analysis
     constexpr double lus_an_increment  = .15; // after the first
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
-    // 16^3 and 32^3 cells (space), 50^2 (plane).
+    // 32^3 and 64^3 cells (space), 50^2 (plane).
     constexpr double setup_of_unknown[]     = {8e-6, 2e-5};
-    constexpr double increment_of_unknown[] = {4e-5, 4e-5};
+    constexpr double increment_of_unknown[] = {4e-5, 1.7e-5};
     constexpr double bytes_of_unknown[]     = {1500, 4500};
 
     // Unknowns in space below which nothing is worth a forecast, and above
@@ -160,8 +160,11 @@ namespace conetact::analysis
       return to_text(std::round(cost.seconds)) + " s and " +
              megabytes(cost.memory_bytes);
     };
-    // Time alone is no reason: condensation never fails to converge.
-    return {condensed.memory_bytes > machine_memory(),
+    // A little time is no reason: condensation never fails to converge, and
+    // cells that differ cost more than those of the forecast.
+    constexpr double much_faster = 3;
+    return {condensed.memory_bytes > machine_memory() ||
+              condensed.seconds > much_faster * other.seconds,
             "condensed " + text(condensed) + ", iterative " + text(other)};
   }
 

@@ -7,6 +7,8 @@
 
 #include <getopt.h>
 
+#include <charconv>
+
 namespace conetact::application
 {
   namespace
@@ -31,6 +33,8 @@ Coulomb cone.
       --verify                  condense all bodies once more by an independent
                                 solver (Trilinos' Amesos), print by how much the
                                 stiffness differs, stop beyond 1e-10
+      --processes N             share the linear algebra of Solver/Backend =
+                                iterative among N processes (mpirun -n N)
   -q, --quiet                   print errors only
       --version                 print the version
   -h, --help                    print this text
@@ -40,6 +44,20 @@ converged, all increments before it are on disk; 3 cannot write.
 )";
 
     constexpr const char *see_help = " See conetact --help.";
+
+    unsigned int
+    number_of_processes(const std::string &text)
+    {
+      constexpr unsigned int most = 9999;
+      unsigned int           n    = 0;
+      const char *const      end  = text.data() + text.size();
+      const auto [rest, error]    = std::from_chars(text.data(), end, n);
+      if (error != std::errc() || rest != end || n < 1 || n > most)
+        throw InputError("Option --processes: '" + text +
+                         "' is no number of processes, 1 to " +
+                         std::to_string(most) + "." + see_help);
+      return n;
+    }
   } // namespace
 
   CommandLine
@@ -52,6 +70,7 @@ converged, all increments before it are on disk; 3 cannot write.
       {"new", required_argument, nullptr, 'n'},
       {"parameters", no_argument, nullptr, 'p'},
       {"dry-run", no_argument, nullptr, 'd'},
+      {"processes", required_argument, nullptr, 'P'},
       {"verify", no_argument, nullptr, 'V'},
       {"quiet", no_argument, nullptr, 'q'},
       {"version", no_argument, nullptr, 'v'},
@@ -87,6 +106,9 @@ converged, all increments before it are on disk; 3 cannot write.
             break;
           case 'd':
             line.dry_run = true;
+            break;
+          case 'P':
+            line.processes = number_of_processes(optarg);
             break;
           case 'V':
             line.verify = true;

@@ -43,7 +43,9 @@ namespace conetact::application
         "1",
         dealii::Patterns::Integer(0, 1024),
         "Threads of the factorisation of the bodies' stiffness; "
-        "0: one for each core. Results do not depend on it but "
+        "0: one for each core. Of many processes (--processes) the "
+        "first one has them, for what it does alone; the others have "
+        "one each and sleep meanwhile. Results do not depend on it but "
         "for rounding.");
       prm.declare_entry(
         "Working set",

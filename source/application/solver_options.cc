@@ -88,7 +88,8 @@ namespace conetact::application
         "their number. iterative: Newton's method on all unknowns, whose "
         "linear systems are solved by GMRES and multigrid; memory grows with "
         "the mesh only. It solves increments (Method = automatic) of continua "
-        "that supports hold. automatic: condensed, unless that is forecast not "
+        "that supports hold, and its linear systems are shared by all "
+        "processes (option --processes, mpirun -n). automatic: condensed, unless that is forecast not "
         "to fit into memory; --dry-run says which.");
     }
 

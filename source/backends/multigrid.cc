@@ -17,6 +17,9 @@ namespace conetact::backends
       return static_cast<std::size_t>(i);
     }
 
+    /** Unknowns of a level of which each process has all. */
+    constexpr int few = 4000;
+
     /** A matrix of blocks from rows of entries. */
     template <int n_rows, int n_columns, typename RowOf>
     BlockMatrix<n_rows, n_columns, float>
@@ -59,19 +62,61 @@ namespace conetact::backends
       return A;
     }
 
-    Eigen::MatrixXd
-    dense(const SmoothedAggregation &levels, const int level)
+    /** The rows of all processes. */
+    template <int n_rows, int n_columns>
+    BlockMatrix<n_rows, n_columns, float>
+    all_rows(BlockMatrix<n_rows, n_columns, float> own,
+             const Communicator                   &processes)
     {
-      const int       n = levels.size(level);
-      Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+      if (processes.size() == 1)
+        return own;
+      using Ints   = Eigen::VectorXi;
+      using Floats = Eigen::VectorXf;
+      const auto n = static_cast<Eigen::Index>(own.column.size());
+      Ints       lengths(own.n_block_rows());
+      for (std::size_t i = 0; i < own.n_block_rows(); ++i)
+        lengths[static_cast<Eigen::Index>(i)] =
+          static_cast<int>(own.start[i + 1] - own.start[i]);
+      BlockMatrix<n_rows, n_columns, float> all;
+      for (const int length : processes.gather_all(lengths))
+        all.start.push_back(all.start.back() + at(length));
+      all.allocate();
+      const Ints columns =
+        processes.gather_all(Ints(Eigen::Map<Ints>(own.column.data(), n)));
+      std::copy(columns.begin(), columns.end(), all.column.begin());
+      const Floats values = processes.gather_all(
+        Floats(Eigen::Map<Floats>(own.value.data(), n * n_rows * n_columns)));
+      std::copy(values.begin(), values.end(), all.value.begin());
+      return all;
+    }
+
+    /** Of the rows of all processes. */
+    Eigen::MatrixXd
+    dense(const SmoothedAggregation &levels,
+          const int                  level,
+          const Communicator        &processes)
+    {
+      const int       n   = levels.first(level).back();
+      const int       own = levels.size(level);
+      Eigen::VectorXd A   = Eigen::VectorXd::Zero(Eigen::Index(own) * n);
       SparseRow       row;
-      for (int i = 0; i < n; ++i)
+      for (int i = 0; i < own; ++i)
         {
           levels.matrix_row(level, i, row);
           for (std::size_t k = 0; k < row.columns.size(); ++k)
-            A(i, row.columns[k]) = row.values[k];
+            A(Eigen::Index(i) * n + row.columns[k]) = row.values[k];
         }
-      return A;
+      A = processes.gather_all(A);
+      return Eigen::Map<const Eigen::MatrixXd>(A.data(), n, n).transpose();
+    }
+
+    /** Numbers of blocks from those of unknowns. */
+    std::vector<int>
+    over(std::vector<int> first, const int size)
+    {
+      for (int &i : first)
+        i /= size;
+      return first;
     }
 
     /** Inverse diagonal blocks of a matrix. */
@@ -83,7 +128,7 @@ namespace conetact::backends
       for (std::size_t i = 0; i < D.size(); ++i)
         for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
           if (static_cast<std::size_t>(A.column[k]) == i)
-            D[i] = A.block(k)
+            D[i] = A.block(i, k)
                      .template cast<double>()
                      .completeOrthogonalDecomposition()
                      .pseudoInverse()
@@ -96,45 +141,95 @@ namespace conetact::backends
 
   template <int fine, int coarse>
   CoarseLevels<fine, coarse>::CoarseLevels(const SmoothedAggregation &levels,
-                                           const int                  n_fine)
+                                           const Communicator        &p)
+    : processes(p)
   {
     const int n = levels.n_levels();
     if (n < 2)
       return;
-    SparseRow row;
-    P = gather_blocks<fine, coarse>(n_fine, [&](const int i, SparseRow &r) {
-      levels.prolongator_row(1, i, r);
-    });
     below.resize(at(n - 1));
-    R = P.transposed(at(levels.size(1) / coarse));
     for (int l = 1; l < n; ++l)
       {
-        Level    &level  = below[at(l - 1)];
-        const int blocks = levels.size(l) / coarse;
+        Level &level   = below[at(l - 1)];
+        level.is_whole = l + 1 == n || levels.first(l).back() <= few;
+        level.is_first_whole =
+          level.is_whole && (l == 1 || !below[at(l - 2)].is_whole);
+        const int size =
+          level.is_whole ? levels.first(l).back() : levels.size(l);
         for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
-          v->setZero(levels.size(l));
-        if (l + 1 == n)
-          break;
-        level.A =
-          gather_blocks<coarse, coarse>(blocks, [&](const int i, SparseRow &r) {
-            levels.matrix_row(l, i, r);
-          });
-        level.D = inverse_diagonal(level.A);
-        level.P =
-          gather_blocks<coarse, coarse>(blocks, [&](const int i, SparseRow &r) {
-            levels.prolongator_row(l + 1, i, r);
-          });
-        level.R       = level.P.transposed(at(levels.size(l + 1) / coarse));
-        level.largest = largest_eigenvalue(
-          [&](const FloatVector &x, FloatVector &y) {
-            level.A.multiply(x.data(), y.data());
-          },
-          [&](const FloatVector &x, FloatVector &y) {
-            multiply_blocks(level.D, x, y);
-          },
-          level.b.size());
+          v->setZero(size);
       }
-    coarsest.compute(dense(levels, n - 1));
+    P = prolongator<fine>(levels, 1);
+    R = {P, static_cast<std::size_t>(below[0].b.size()) / coarse};
+    for (int l = 1; l + 1 < n; ++l)
+      make_level(levels, l);
+    coarsest.compute(dense(levels, n - 1, processes));
+  }
+
+
+
+  template <int fine, int coarse>
+  template <int size>
+  DistributedMatrix<size, coarse, float>
+  CoarseLevels<fine, coarse>::prolongator(const SmoothedAggregation &levels,
+                                          const int                  l) const
+  {
+    auto rows = gather_blocks<size, coarse>(levels.size(l - 1) / size,
+                                            [&](const int i, SparseRow &r) {
+                                              levels.prolongator_row(l, i, r);
+                                            });
+    if (l > 1 && below[at(l - 2)].is_whole)
+      rows = all_rows(std::move(rows), processes);
+    return {std::move(rows),
+            over(levels.first(l), coarse),
+            sharers(below[at(l - 1)])};
+  }
+
+
+
+  template <int fine, int coarse>
+  void
+  CoarseLevels<fine, coarse>::make_level(const SmoothedAggregation &levels,
+                                         const int                  l)
+  {
+    Level             &level = below[at(l - 1)];
+    const Communicator own   = sharers(level);
+    auto rows = gather_blocks<coarse, coarse>(levels.size(l) / coarse,
+                                              [&](const int i, SparseRow &r) {
+                                                levels.matrix_row(l, i, r);
+                                              });
+    if (level.is_whole)
+      rows = all_rows(std::move(rows), processes);
+    level.A       = {std::move(rows), over(levels.first(l), coarse), own};
+    level.D       = inverse_diagonal(level.A.own_part());
+    level.P       = prolongator<coarse>(levels, l + 1);
+    level.R       = {level.P,
+                     static_cast<std::size_t>(below[at(l)].b.size()) / coarse};
+    level.largest = largest_eigenvalue(
+      [&](const FloatVector &x, FloatVector &y) {
+        level.A.multiply(x.data(), y.data());
+      },
+      [&](const FloatVector &x, FloatVector &y) {
+        multiply_blocks(level.D, x, y);
+      },
+      level.is_whole ? 0 : levels.first(l)[at(own.rank())],
+      level.b.size(),
+      own);
+  }
+
+
+
+  /* What each process has of the residual makes a part of the whole. */
+  template <int fine, int coarse>
+  template <typename Matrix>
+  void
+  CoarseLevels<fine, coarse>::restrict_to(Level             &level,
+                                          const Matrix      &restriction,
+                                          const FloatVector &r)
+  {
+    restriction.multiply(r.data(), level.b.data());
+    if (level.is_first_whole)
+      processes.sum(level.b.data(), level.b.size());
   }
 
 
@@ -143,7 +238,7 @@ namespace conetact::backends
   void
   CoarseLevels<fine, coarse>::correct(const FloatVector &r, FloatVector &x)
   {
-    R.multiply(r.data(), below[0].b.data());
+    restrict_to(below[0], R, r);
     cycle(0);
     P.multiply(below[0].x.data(), x.data());
   }
@@ -170,7 +265,7 @@ namespace conetact::backends
     Chebyshev smoother(multiply, scale, level.largest);
     level.r = level.b;
     smoother.smooth_first(level.r, level.x);
-    level.R.multiply(level.r.data(), below[l + 1].b.data());
+    restrict_to(below[l + 1], level.R, level.r);
     cycle(l + 1);
     level.P.multiply(below[l + 1].x.data(), level.c.data());
     level.x += level.c;

@@ -12,6 +12,7 @@
 #include <ml_MultiLevelPreconditioner.h>
 #include <ml_include.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace conetact::backends
@@ -23,29 +24,37 @@ namespace conetact::backends
     /** Unknowns of a level that needs none below it. */
     constexpr int coarse_enough = 600;
 
-    std::unique_ptr<SparseMatrix>
-    to_trilinos(const int                                              n,
-                const std::function<void(const int row, SparseRow &)> &row_of)
+    std::size_t
+    at(const int i)
     {
+      return static_cast<std::size_t>(i);
+    }
+
+    std::unique_ptr<SparseMatrix>
+    to_trilinos(const std::vector<int>                                &first,
+                const std::function<void(const int row, SparseRow &)> &row_of,
+                const Communicator &processes)
+    {
+      const int begin = first[at(processes.rank())],
+                n     = first[at(processes.rank()) + 1] - begin;
       SparseRow                 row;
-      std::vector<unsigned int> length(static_cast<std::size_t>(n));
+      std::vector<unsigned int> length(at(n));
       for (int i = 0; i < n; ++i)
         {
           row_of(i, row);
-          length[static_cast<std::size_t>(i)] =
-            static_cast<unsigned int>(row.columns.size());
+          length[at(i)] = static_cast<unsigned int>(row.columns.size());
         }
+      dealii::IndexSet own(static_cast<unsigned int>(first.back()));
+      own.add_range(static_cast<unsigned int>(begin),
+                    static_cast<unsigned int>(begin + n));
       auto result =
-        std::make_unique<SparseMatrix>(dealii::complete_index_set(
-                                         static_cast<unsigned int>(n)),
-                                       MPI_COMM_SELF,
-                                       length);
+        std::make_unique<SparseMatrix>(own, processes.handle(), length);
       std::vector<SparseMatrix::size_type> columns;
       for (int i = 0; i < n; ++i)
         {
           row_of(i, row);
           columns.assign(row.columns.begin(), row.columns.end());
-          result->set(static_cast<unsigned int>(i),
+          result->set(static_cast<unsigned int>(begin + i),
                       static_cast<unsigned int>(columns.size()),
                       columns.data(),
                       row.values.data(),
@@ -79,6 +88,24 @@ namespace conetact::backends
       return list;
     }
 
+    /** Of the columns that an operator of ML sees, among those of all. */
+    std::vector<int>
+    number_columns(ML_Operator &matrix, const int begin)
+    {
+      const int            n    = matrix.invec_leng;
+      ML_CommInfoOP *const comm = matrix.getrow->pre_comm;
+      int                  more = 0;
+      if (comm != nullptr)
+        more = std::max(ML_CommInfoOP_Compute_TotalRcvLength(comm), 0);
+      std::vector<double> number(at(n + more));
+      for (int i = 0; i < n; ++i)
+        number[at(i)] = begin + i;
+      if (comm != nullptr)
+        ML_exchange_bdry(
+          number.data(), comm, n, matrix.comm, ML_OVERWRITE, nullptr);
+      return {number.begin(), number.end()};
+    }
+
     void
     read_row(ML_Operator *matrix, int row, SparseRow &result)
     {
@@ -97,8 +124,17 @@ namespace conetact::backends
           result.columns.resize(2 * result.columns.size());
           result.values.resize(result.columns.size());
         }
-      result.columns.resize(static_cast<std::size_t>(length));
+      result.columns.resize(at(length));
       result.values.resize(result.columns.size());
+    }
+
+    /** No names: as they are. */
+    void
+    rename(SparseRow &row, const std::vector<int> &names)
+    {
+      if (!names.empty())
+        for (int &j : row.columns)
+          j = names[at(j)];
     }
   } // namespace
 
@@ -111,25 +147,62 @@ namespace conetact::backends
     // refers to both
     std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> levels;
 
+    int                           rank = 0;
+    std::vector<std::vector<int>> first; ///< of levels
+    // of levels, in a run of many processes
+    std::vector<std::vector<int>> matrix_columns, prolongator_columns;
+
     ML &
     ml() const
     {
       return *const_cast<ML *>(levels->GetML());
     }
+    void
+    number_levels(const std::vector<int> &finest,
+                  const Communicator     &processes);
   };
 
 
 
+  /* What ML calls columns is known to the process alone. */
+  void
+  SmoothedAggregation::Implementation::number_levels(
+    const std::vector<int> &finest,
+    const Communicator     &processes)
+  {
+    const int n = ml().ML_num_actual_levels;
+    rank        = processes.rank();
+    first       = {finest};
+    matrix_columns.resize(at(n));
+    prolongator_columns.resize(at(n));
+    for (int l = 1; l < n; ++l)
+      {
+        const Eigen::VectorXi sizes    = processes.gather_all(Eigen::VectorXi(
+          Eigen::VectorXi::Constant(1, ml().Amat[l].outvec_leng)));
+        std::vector<int>     &of_level = first.emplace_back(1, 0);
+        for (const int size : sizes)
+          of_level.push_back(of_level.back() + size);
+        if (processes.size() == 1)
+          continue;
+        const int begin            = of_level[at(processes.rank())];
+        matrix_columns[at(l)]      = number_columns(ml().Amat[l], begin);
+        prolongator_columns[at(l)] = number_columns(ml().Pmat[l], begin);
+      }
+  }
+
+
+
   SmoothedAggregation::SmoothedAggregation(
-    const int                                              n,
+    const std::vector<int>                                &first,
     const int                                              block,
     const std::function<void(const int row, SparseRow &)> &row_of,
-    const Eigen::MatrixXd                                 &modes)
+    const Eigen::MatrixXd                                 &modes,
+    const Communicator                                    &processes)
     : implementation(std::make_unique<Implementation>())
   {
     ProcessSession::require_mpi();
     implementation->modes  = modes;
-    implementation->matrix = to_trilinos(n, row_of);
+    implementation->matrix = to_trilinos(first, row_of, processes);
     implementation->levels =
       std::make_unique<ML_Epetra::MultiLevelPreconditioner>(
         implementation->matrix->trilinos_matrix(),
@@ -137,6 +210,7 @@ namespace conetact::backends
         true);
     if (!implementation->levels->IsPreconditionerComputed())
       throw std::runtime_error("ML has built no levels");
+    implementation->number_levels(first, processes);
   }
 
   SmoothedAggregation::~SmoothedAggregation() = default;
@@ -147,10 +221,18 @@ namespace conetact::backends
     return implementation->ml().ML_num_actual_levels;
   }
 
+  const std::vector<int> &
+  SmoothedAggregation::first(const int level) const
+  {
+    return implementation->first[at(level)];
+  }
+
   int
   SmoothedAggregation::size(const int level) const
   {
-    return implementation->ml().Amat[level].outvec_leng;
+    const std::vector<int> &first = implementation->first[at(level)];
+    return first[at(implementation->rank) + 1] -
+           first[at(implementation->rank)];
   }
 
   void
@@ -159,6 +241,7 @@ namespace conetact::backends
                                   SparseRow &result) const
   {
     read_row(&implementation->ml().Amat[level], row, result);
+    rename(result, implementation->matrix_columns[at(level)]);
   }
 
   void
@@ -167,5 +250,6 @@ namespace conetact::backends
                                        SparseRow &result) const
   {
     read_row(&implementation->ml().Pmat[level], row, result);
+    rename(result, implementation->prolongator_columns[at(level)]);
   }
 } // namespace conetact::backends

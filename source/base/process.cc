@@ -8,11 +8,13 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <mpi.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -34,9 +36,13 @@ namespace conetact
 {
   namespace
   {
+    /** By how much sleeps may be longer than they should [ns]. */
+    constexpr unsigned long shortest_sleep = 2000;
+
     unsigned int sessions       = 0;
     unsigned int threads        = 0; ///< not set yet
     bool         we_initialized = false;
+    Ranks        joined; ///< the processes of this run
 
     bool
     started_by_mpirun()
@@ -46,6 +52,31 @@ namespace conetact
         if (std::getenv(name) != nullptr)
           return true;
       return false;
+    }
+
+    Ranks
+    ranks_of_mpi()
+    {
+      int size = 1, rank = 0;
+      MPI_Comm_size(MPI_COMM_WORLD, &size);
+      MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+      return {static_cast<unsigned int>(size), static_cast<unsigned int>(rank)};
+    }
+
+    void
+    check_ranks(const Ranks &found)
+    {
+      const std::string seen = std::to_string(found.size);
+      if (found.size > 1 && joined.size == 1)
+        throw InputError("There are " + seen +
+                         " processes, but whoever started them has told them "
+                         "nothing of each other: they would all write the same "
+                         "files. Start them by mpirun, or with --processes.");
+      if (found.size != joined.size)
+        throw InputError("mpirun has started " + std::to_string(joined.size) +
+                         " processes, of which MPI sees " + seen +
+                         ": it is not the mpirun of the program's MPI. Start "
+                         "them with --processes.");
     }
 
     /** The first of these variables of the environment that is a number. */
@@ -136,11 +167,59 @@ namespace conetact
         if (MPI_Init(nullptr, nullptr) != MPI_SUCCESS)
           throw std::runtime_error("MPI does not start.");
         we_initialized = true;
-        int size       = 1; // a starter that says nothing in the environment
-        MPI_Comm_size(MPI_COMM_WORLD, &size);
-        refuse_many_processes(static_cast<unsigned int>(size));
+        check_ranks(ranks_of_mpi());
       }
     return static_cast<int>(MPI_Comm_c2f(MPI_COMM_SELF));
+  }
+
+
+
+  /* Who waits for a message sleeps (Communicator::wait). To yield in between
+     would give way to all other programs of the machine, for milliseconds. */
+  void
+  ProcessSession::join()
+  {
+    const Ranks told = ranks_of_mpirun();
+    if (told.size < 2)
+      return;
+    setenv("OMPI_MCA_mpi_yield_when_idle", "0", /*overwrite=*/0);
+    prctl(PR_SET_TIMERSLACK, shortest_sleep);
+    joined = told;
+    try
+      {
+        require_mpi();
+      }
+    catch (const InputError &)
+      {
+        joined = {};
+        throw;
+      }
+  }
+
+
+
+  unsigned int
+  ProcessSession::n_processes()
+  {
+    return joined.size;
+  }
+
+
+
+  unsigned int
+  ProcessSession::rank()
+  {
+    return joined.rank;
+  }
+
+
+
+  void
+  ProcessSession::end_all(const int exit_code)
+  {
+    if (mpi_is_running())
+      MPI_Abort(MPI_COMM_WORLD, exit_code);
+    std::_Exit(exit_code);
   }
 
 
@@ -201,14 +280,35 @@ namespace conetact
 
 
 
+  /* What the environment says to Open MPI others do not read: as many
+     processes as are asked for, on whatever cores, also in a container. It says
+     no more about an exit code than the program does. */
   void
-  refuse_many_processes(const unsigned int n)
+  start_processes(const unsigned int n, char *const arguments[])
   {
-    if (n > 1)
-      throw InputError("mpirun started " + std::to_string(n) +
-                       " processes, but a scene is run by one: they would all "
-                       "write the same files. Start the program without "
-                       "mpirun; Solver/Threads gives it more cores.");
+    const char *const settings[][2] = {
+      {"OMPI_MCA_rmaps_base_oversubscribe", "1"},
+      {"OMPI_MCA_hwloc_base_binding_policy", "none"},
+      {"OMPI_MCA_orte_execute_quiet", "1"},
+      {"OMPI_ALLOW_RUN_AS_ROOT", "1"},
+      {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"}};
+    for (const auto &setting : settings)
+      setenv(setting[0], setting[1], /*overwrite=*/0);
+    const std::string number = std::to_string(n);
+    const std::string program =
+      std::filesystem::read_symlink("/proc/self/exe").string();
+    std::vector<const char *> line = {"mpirun",
+                                      "-n",
+                                      number.c_str(),
+                                      program.c_str()};
+    for (char *const *argument = arguments + 1; *argument != nullptr;
+         ++argument)
+      line.push_back(*argument);
+    line.push_back(nullptr);
+    execvp(line[0], const_cast<char *const *>(line.data()));
+    throw InputError("Option --processes: mpirun, which starts processes, is "
+                     "not found. Install Open MPI (Debian: openmpi-bin), or "
+                     "leave the option out.");
   }
 
 

@@ -52,6 +52,21 @@ namespace conetact::contact
       return modes;
     }
 
+    /** Else some motion of a body that floats may be open to all directions. */
+    bool
+    has_friction(const ContactPoints &points, const unsigned int body)
+    {
+      return std::any_of(points.begin(),
+                         points.end(),
+                         [&](const ContactPoint &point) {
+                           const pairing::ContactNode &node = *point.node;
+                           const bool                  is_its =
+                             node.body == body ||
+                             (!node.masters.empty() && node.master == body);
+                           return is_its && node.mu_1 > 0 && node.mu_2 > 0;
+                         });
+    }
+
     /** Whether nodes with unknowns of their own contacts are masters, too. */
     bool
     masters_are_slaves(const ContactPoints &points)
@@ -84,9 +99,10 @@ namespace conetact::contact
              "far, nor bodies that turn";
     if (points.n_bound() > 0)
       return "knows no ties and no bilateral contacts";
-    if (motions.n_free() > 0)
-      return "solves bodies that supports hold, and " +
-             bodies.called(motions.body_of_free()[0]) + " is not";
+    for (const unsigned int body : motions.body_of_free())
+      if (!has_friction(points, body))
+        return "solves bodies that supports or friction hold, and " +
+               bodies.called(body) + " is not";
     if (points.share_nodes())
       return "wants each node in one contact";
     if (points.have_prescribed_slip())
@@ -110,10 +126,15 @@ namespace conetact::contact
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
-    given.upper   = assemble(elastic, coordinates);
-    given.node_of = coordinates.node_of_unknowns();
-    given.modes   = rigid_modes(elastic.bodies, coordinates);
-    given.contact = points.layout();
+    given.upper    = assemble(elastic, coordinates);
+    given.node_of  = coordinates.node_of_unknowns();
+    given.modes    = rigid_modes(elastic.bodies, coordinates);
+    given.contact  = points.layout();
+    given.position = [&](const unsigned int number) {
+      const auto [body, node] = coordinates.locate(number);
+      const Point<3> p        = elastic.bodies.structures[body]->position(node);
+      return std::array<double, 3>{{p[0], p[1], p[2]}};
+    };
     system->large =
       backends::make_large_system(std::move(given), elastic.bodies.dim);
     const VectorXd diagonal = system->large->diagonal();

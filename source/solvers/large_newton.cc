@@ -153,16 +153,19 @@ namespace conetact::solvers
       return false;
     report.krylov += found->iterations;
     ++report.iterations;
-    const Array Kdu   = body->multiply(found->du);
-    Point       trial = point_at(point.u + found->du, point.f + Kdu);
+    Point trial = point_at(point.u + found->du);
     if (manner.damped)
-      for (double tau = .5; tau > .02 && !(trial.residual() < point.residual());
-           tau /= 2)
-        trial = point_at(point.u + tau * found->du, point.f + tau * Kdu);
+      {
+        const Array Kdu = trial.f - point.f;
+        for (double tau = .5;
+             tau > .02 && !(trial.residual() < point.residual());
+             tau /= 2)
+          trial = point_at(point.u + tau * found->du, point.f + tau * Kdu);
+        trial = point_at(trial.u); // sums of steps round
+      }
     if (!std::isfinite(trial.residual()))
       return false;
-    // Sums of steps round: forces are those of the displacements.
-    point      = point_at(trial.u);
+    point      = std::move(trial);
     point.sets = sets_of_point(*relation, point.p, point.d);
     return true;
   }

@@ -3,7 +3,7 @@
 """Both backends give the same tables; linear iterations are bounded on any mesh."""
 import re
 
-from support.scenes import ELEMENTS, SHIPPED, box, joint, load, merge, press_and_shear, support, with_element
+from support.scenes import ELEMENTS, SHIPPED, box, contact, floor, joint, load, merge, press_and_shear, support, with_element
 
 SHIPPED_SCENES = ("block-press-shear", "inclined-obstacle", "partial-slip", "shrink-fit", "sphere-on-layer")
 
@@ -73,6 +73,31 @@ def pairs(laws):
                     "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}})
 
 
+def floating(laws):
+    """Bodies that friction alone holds, on a floor and on one another, at eight tenths of what it can."""
+    compare(laws, "floating-block", SHIPPED / "floating-block.prm", "-s", "Output/VTU=0")
+    for dim in (2, 3):
+        low, high = (2, 3) if dim == 2 else (4, 5)
+        cells, size = ((10, 10), (1.0, 1.0)) if dim == 2 else ((5, 5, 5), (1.0, 1.0, 1.0))
+        weight = {"Load weight": load("body force", " ; ".join(["0"] * (dim - 1) + ["-min(t, 1)"])),
+                  "Load push": load("body force", " ; ".join(["0.08*max(t - 1, 0)"] + ["0"] * (dim - 1)))}
+        for height in (0.0, -.01):
+            point = (0.0,) * (dim - 1) + (height,)
+            compare(laws, f"{dim}D, on a floor {-height:g} below", {
+                "Dimension": dim, "Body block": box(cells, size), "Obstacle floor": floor(dim, Point=point),
+                "Contact bottom": contact(ids=low, mu=.3), **weight, "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}})
+        under = tuple(1.4 for _ in size[:-1]) + (.6,)
+        corner = tuple(-.2 for _ in size[:-1]) + (-.6,)
+        for pairing in ("node to face", "mortar"):
+            for young in (1.0, 1e3, 1e6):
+                compare(laws, f"{dim}D, on a block, {pairing}, E {young:g} on 1000", {
+                    "Dimension": dim, "Body block": box(cells, size, young=young),
+                    "Body base": box((7,) * (dim - 1) + (3,), under, corner),
+                    "Contact joint": joint("block", low, "base", high, **{"Pairing": pairing, "Friction coefficient": .3}),
+                    "Support ground": support(low, "x, y, z"[:3 * dim - 2], body="base"), **weight,
+                    "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}})
+
+
 def iterative(laws):
     obstacles(laws)
     sizes(laws)
@@ -80,3 +105,7 @@ def iterative(laws):
 
 def iterative_pairs(laws):
     pairs(laws)
+
+
+def iterative_floating(laws):
+    floating(laws)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (axisymmetric, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
-                  hertz, initial_strain, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, preload, quadratic, refinement, restart, rolling,
+                  hertz, initial_strain, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, preload, processes, quadratic, refinement, restart, rolling,
                   round_pairs, sliding,
                   supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
@@ -25,10 +25,10 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
             "shapes": driven.shapes, "free": driven.free_obstacles, "turning": driven.turning,
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
-            "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "kill": kill.kill,
+            "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "kill": kill.kill,
             "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "gmsh": gmsh.gmsh,
             "orthotropic": orthotropic.orthotropy, "path": path.path, "iterative": iterative.iterative,
-            "iterative-pairs": iterative.iterative_pairs, "restart": restart.restart, "sliding": sliding.sliding, "far-turns": far_turns.far_turns,
+            "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating, "restart": restart.restart, "sliding": sliding.sliding, "far-turns": far_turns.far_turns,
             "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "passing": passing.passing, "rolling": rolling.rolling, "round-plane": round_pairs.plane, "round-orders": round_pairs.orders_of_plane, "round-space": round_pairs.space,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,

@@ -22,6 +22,7 @@ namespace conetact::application
     bool                     dry_run          = false;
     bool                     quiet            = false;
     bool                     verify           = false;
+    unsigned int             processes        = 0; ///< 0: not said
     std::string              new_scene; ///< name of a scene to be written
     /** Text to print instead of doing anything: help, version. */
     std::string answer;

@@ -4,11 +4,13 @@
 #ifndef conetact_backends_large_stiffness_h
 #define conetact_backends_large_stiffness_h
 
+#include "conetact/backends/shared_system.h"
+#include "conetact/backends/workers.h"
 #include "conetact/solvers/contact_problem.h"
-#include "conetact/solvers/large_system.h"
 
-#include <Eigen/SparseCore>
-
+#include <array>
+#include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -21,6 +23,8 @@ namespace conetact::backends
     std::vector<unsigned int>   node_of; ///< of each unknown, any numbers
     Eigen::MatrixXd             modes;   ///< rigid motions, a column for each
     solvers::ContactSystem      contact; ///< layout of the last unknowns
+    /** Of a node, to share nodes among processes. */
+    std::function<std::array<double, 3>(const unsigned int node)> position;
   };
 
   /**
@@ -36,9 +40,35 @@ namespace conetact::backends
    * hierarchy would cost thirty. The finest level is that of the step: its
    * smoother, Chebyshev's method on the blocks of nodes, leaves out what is
    * held and knows S. Nodes have `dim` unknowns at most, 2 or 3.
+   *
+   * In a run of many processes each has the rows of its nodes, as long as that
+   * is worth a process. What is given is empty then.
    */
   std::shared_ptr<const solvers::LargeSystem>
-  make_large_system(LargeStiffness given, const unsigned int dim);
+  make_large_system(LargeStiffness &&given, const unsigned int dim);
+
+  /** What a process but the first has of such systems. */
+  class SystemParts
+  {
+  public:
+    void
+    make(const Order &order, const unsigned int dim);
+    void
+    multiply(const Order &order) const;
+    void
+    diagonal(const Order &order) const;
+    void
+    solve(const Order &order) const;
+    void
+    forget(const Order &order);
+
+  private:
+    /** Null: others share it. */
+    const SharedSystem *
+    find(const Order &order) const;
+
+    std::map<int, std::unique_ptr<SharedSystem>> systems;
+  };
 } // namespace conetact::backends
 
 #endif

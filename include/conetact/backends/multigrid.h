@@ -4,10 +4,12 @@
 #ifndef conetact_backends_multigrid_h
 #define conetact_backends_multigrid_h
 
-#include "conetact/backends/block_matrix.h"
+#include "conetact/backends/distributed_matrix.h"
 #include "conetact/backends/smoothed_aggregation.h"
 
 #include <Eigen/Cholesky>
+
+#include <cmath>
 
 namespace conetact::backends
 {
@@ -73,26 +75,39 @@ namespace conetact::backends
     FloatVector            d, z, change;
   };
 
-  /** The largest eigenvalue of D A, but for some percent, and not below it. */
+  /** Euclidean, of a vector of which each process has a part. */
+  inline float
+  norm(const FloatVector &x, const Communicator &processes)
+  {
+    return std::sqrt(static_cast<float>(processes.sum(x.squaredNorm())));
+  }
+
+  /**
+   * The largest eigenvalue of D A, but for some percent, and not below it; of n
+   * unknowns this process has those from `first`.
+   */
   template <typename Multiply, typename Scale>
   float
-  largest_eigenvalue(const Multiply    &multiply,
-                     const Scale       &scale,
-                     const Eigen::Index n)
+  largest_eigenvalue(const Multiply     &multiply,
+                     const Scale        &scale,
+                     const Eigen::Index  first,
+                     const Eigen::Index  n,
+                     const Communicator &processes)
   {
     constexpr int steps = 15;
     FloatVector   x(n), y(n), z(n);
     // any vector that is no eigenvector
     for (Eigen::Index i = 0; i < n; ++i)
-      x[i] = 1 + static_cast<float>((i * 7919) % 1009) / 1009 -
-             2 * static_cast<float>(i % 2);
+      x[i] = 1 + static_cast<float>(((first + i) * 7919) % 1009) / 1009 -
+             2 * static_cast<float>((first + i) % 2);
     float value = 1;
     for (int k = 0; k < steps; ++k)
       {
         multiply(x, y);
         scale(y, z);
-        value = z.norm() / x.norm();
-        x     = z / z.norm();
+        const float size = norm(z, processes);
+        value            = size / norm(x, processes);
+        x                = z / size;
       }
     return 1.15f * value;
   }
@@ -115,13 +130,15 @@ namespace conetact::backends
   /**
    * The levels below the finest one, whose nodes have `fine` unknowns:
    * aggregates with `coarse` unknowns each, in single precision; the coarsest
-   * one is solved directly.
+   * one is solved directly. Levels of few unknowns are whole: each process has
+   * all of them and does the same, which takes less time than messages.
    */
   template <int fine, int coarse>
   class CoarseLevels
   {
   public:
-    CoarseLevels(const SmoothedAggregation &levels, const int n_fine);
+    CoarseLevels(const SmoothedAggregation &levels,
+                 const Communicator        &processes);
 
     bool
     empty() const
@@ -135,19 +152,39 @@ namespace conetact::backends
   private:
     struct Level
     {
-      BlockMatrix<coarse, coarse, float>                A;
+      DistributedMatrix<coarse, coarse, float>          A;
       std::vector<Eigen::Matrix<float, coarse, coarse>> D;
       float                                             largest = 1;
-      BlockMatrix<coarse, coarse, float> P, R; ///< from and to the next one
-      FloatVector                        b, r, x, c;
+      /// from and to the next one
+      DistributedMatrix<coarse, coarse, float> P;
+      TransposedMatrix<coarse, coarse, float>  R;
+      FloatVector                              b, r, x, c;
+      bool is_whole = false, is_first_whole = false;
     };
     void
     cycle(const std::size_t level);
+    void
+    make_level(const SmoothedAggregation &levels, const int l);
+    /** The map between a level and the one above it, from own rows. */
+    template <int size>
+    DistributedMatrix<size, coarse, float>
+    prolongator(const SmoothedAggregation &levels, const int l) const;
+    /** Of those that share a level. */
+    Communicator
+    sharers(const Level &level) const
+    {
+      return level.is_whole ? Communicator() : processes;
+    }
+    /** b of a level, from the residual above it. */
+    template <typename Matrix>
+    void
+    restrict_to(Level &level, const Matrix &restriction, const FloatVector &r);
 
-    BlockMatrix<fine, coarse, float> P;
-    BlockMatrix<coarse, fine, float> R;
-    std::vector<Level>               below;
-    Eigen::LDLT<Eigen::MatrixXd>     coarsest;
+    Communicator                           processes;
+    DistributedMatrix<fine, coarse, float> P;
+    TransposedMatrix<coarse, fine, float>  R;
+    std::vector<Level>                     below;
+    Eigen::LDLT<Eigen::MatrixXd>           coarsest;
   };
 
   extern template class CoarseLevels<2, 3>;

@@ -4,6 +4,8 @@
 #ifndef conetact_backends_smoothed_aggregation_h
 #define conetact_backends_smoothed_aggregation_h
 
+#include "conetact/base/communicator.h"
+
 #include <Eigen/Dense>
 
 #include <functional>
@@ -26,19 +28,24 @@ namespace conetact::backends
    * Mandel, Brezina, Computing 56 (1996) 179-196). Level 0 is the matrix
    * itself. An aggregate has as many unknowns, one behind the other, as there
    * are modes.
+   *
+   * Each process has rows of all levels, and makes aggregates of its own nodes.
    */
   class SmoothedAggregation
   {
   public:
     /**
-     * The matrix is n x n, with `block` unknowns a node; entries that are zero
-     * join nodes, too. `modes` has a column for each.
+     * Process p has rows first[p], ..., first[p+1]-1 of the matrix, with
+     * `block` unknowns a node; `row_of` counts its own rows and the columns of
+     * all. Entries that are zero join nodes, too. `modes` has a column for
+     * each, and the rows of this process.
      */
     SmoothedAggregation(
-      const int                                              n,
+      const std::vector<int>                                &first,
       const int                                              block,
       const std::function<void(const int row, SparseRow &)> &row_of,
-      const Eigen::MatrixXd                                 &modes);
+      const Eigen::MatrixXd                                 &modes,
+      const Communicator                                    &processes);
     ~SmoothedAggregation();
     SmoothedAggregation(const SmoothedAggregation &) = delete;
     SmoothedAggregation &
@@ -47,10 +54,13 @@ namespace conetact::backends
     /** With the finest. */
     int
     n_levels() const;
-    /** Unknowns of a level. */
+    /** Unknowns of a level: process p has first[p], ..., first[p+1]-1. */
+    const std::vector<int> &
+    first(const int level) const;
+    /** Those of this process. */
     int
     size(const int level) const;
-    /** Of the matrix of a level, but the finest. */
+    /** Of the matrix of a level, but the finest; rows as `row_of` counts. */
     void
     matrix_row(const int level, const int row, SparseRow &result) const;
     /** Of the map from a level to the one above it, which is finer. */

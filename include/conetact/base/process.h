@@ -15,6 +15,10 @@ namespace conetact
    * by the destructor. A process that was not started by mpirun gets Open MPI
    * without its helper daemon and its network layers, which is ten times
    * faster to start and to end.
+   *
+   * Of the processes of mpirun the first one runs the program, all others wait
+   * for work that it gives them (backends/workers.h). Threads are those of the
+   * first one, for what it does alone; the others sleep meanwhile.
    */
   class ProcessSession
   {
@@ -28,10 +32,26 @@ namespace conetact
     /**
      * Starts MPI unless it runs already. Returns the Fortran handle of the
      * communicator that holds this process alone. Throws std::logic_error
-     * if no ProcessSession lives, InputError if there are other processes.
+     * if no ProcessSession lives, InputError if there are other processes that
+     * have not joined.
      */
     static int
     require_mpi();
+
+    /**
+     * Starts MPI if mpirun has started several processes, which are one run
+     * then. Throws InputError if they cannot see each other.
+     */
+    static void
+    join();
+    /** Those of the run, and which one this is. */
+    static unsigned int
+    n_processes();
+    static unsigned int
+    rank();
+    /** Ends all processes at once, as one that has failed must. */
+    [[noreturn]] static void
+    end_all(const int exit_code);
 
     static bool
     mpi_is_running();
@@ -60,9 +80,12 @@ namespace conetact
   Ranks
   ranks_of_mpirun();
 
-  /** Throws InputError where there are several processes. */
+  /**
+   * Goes on as n processes of mpirun with the same arguments. Throws
+   * InputError if there is no mpirun.
+   */
   void
-  refuse_many_processes(const unsigned int n);
+  start_processes(const unsigned int n, char *const arguments[]);
 
   /**
    * While it lives BLAS and OpenMP have all threads of the process, otherwise

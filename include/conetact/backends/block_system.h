@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_backends_block_system_h
+#define conetact_backends_block_system_h
+
+#include "conetact/backends/multigrid.h"
+#include "conetact/solvers/large_system.h"
+
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace conetact::backends
+{
+  /** Unknowns that need no levels: solved directly, by one process. */
+  constexpr int small_enough = 600;
+
+  /** What a process has of the unknowns of all nodes, `block` places each. */
+  template <int block>
+  struct BlockShare
+  {
+    Communicator     processes;
+    std::vector<int> first; ///< places of process p: first[p], first[p]+1, ...
+    /** Own rows; columns are those of all processes. */
+    BlockMatrix<block, block, double> K;
+    Eigen::VectorXd                   exists;  ///< 0: a place of no unknown
+    std::vector<std::vector<int>>     contact; ///< own places, node by node
+    Eigen::MatrixXd                   modes;
+  };
+
+  /**
+   * The linear systems of make_large_system(), of which each process has its
+   * own nodes. All processes call the same functions, each with its part of the
+   * vectors and with the laws of its own contact nodes.
+   */
+  template <int block>
+  class BlockSystem
+  {
+  public:
+    using Index   = Eigen::Index;
+    using Array   = Eigen::VectorXd;
+    using NodeLaw = solvers::NodeLaw;
+    using Step    = solvers::LargeSystem::Step;
+
+    explicit BlockSystem(BlockShare<block> given);
+
+    /** K x. */
+    Array
+    multiply(const Array &x) const;
+    Array
+    diagonal() const;
+    Step
+    solve(const std::vector<NodeLaw> &laws,
+          const Array                &f,
+          const double                precision) const;
+
+  private:
+    using SmallMatrix = solvers::SmallMatrix;
+    using FloatBlock  = Eigen::Matrix<float, block, block>;
+
+    /** Rows of a node that stay: y_u += S x_u + Q y_k. */
+    struct NodeRows
+    {
+      std::vector<int> stays, known; ///< places
+      SmallMatrix      S, Q;
+    };
+    /** The linear system of a step. */
+    struct System
+    {
+      Array                                   free; ///< 1 or 0 [-]
+      FloatVector                             free_float;
+      std::vector<NodeRows>                   rows;
+      Array                                   known, right_hand_side;
+      std::vector<std::pair<int, FloatBlock>> D; ///< of contact nodes
+    };
+
+    /** Number of the block (i, i) of the own part of matrices. */
+    std::size_t
+    diagonal_block(const int i) const;
+    /** Of vectors of which each process has its part. */
+    template <typename Vector>
+    double
+    norm(const Vector &x) const
+    {
+      return std::sqrt(processes.sum(x.squaredNorm()));
+    }
+    void
+    find_scale();
+    void
+    make_smoother();
+    void
+    make_levels(const Eigen::MatrixXd &modes);
+    struct Columns;
+    /** Of the matrix with all contact nodes held; columns are those of all. */
+    void
+    held_row(const Columns &columns, const int i, SparseRow &row) const;
+    FloatBlock
+    inverse_block(const int i, const Array &free, const FloatBlock &S) const;
+    System
+    system_of(const std::vector<NodeLaw> &laws, const Array &f) const;
+    void
+    add_node(const std::vector<int> &node,
+             const NodeLaw          &law,
+             const Array            &y,
+             System                 &system) const;
+    /** The blocks of the smoother where a law has changed them. */
+    void
+    set_blocks(System &system) const;
+    /** Turns K x (both over a unit of stiffness) into rows of the laws. */
+    template <typename Vector>
+    void
+    add_laws(const System &system,
+             const double  unit,
+             const Vector &x,
+             Vector       &y) const;
+    Array
+    multiply(const System &system, const Array &x) const;
+    FloatVector
+    precondition(const System &system, const FloatVector &r) const;
+    /**
+     * Takes away from w what is along V, whose parts are `along`. Returns the
+     * norm of what is left.
+     */
+    double
+    orthogonalize(const std::vector<FloatVector> &V,
+                  FloatVector                    &w,
+                  Eigen::Ref<Array>               along) const;
+    FloatVector
+    gmres(const System      &system,
+          const FloatVector &b,
+          const double       goal,
+          unsigned int      &iterations) const;
+    Step
+    refine(const System &system, const double precision) const;
+
+    const Communicator                      processes;
+    const std::vector<int>                  first; ///< places of processes
+    const int                               n;     ///< own places
+    const int                               n_nodes;
+    const Array                             exists; ///< 1 or 0 [-]
+    const std::vector<std::vector<int>>     contact;
+    DistributedMatrix<block, block, double> K;
+    double                                  scale = 1; ///< a power of two
+    DistributedMatrix<block, block, float>  A;         ///< K over it
+    std::vector<FloatBlock>                 D;
+    float                                   largest = 1; ///< eigenvalue of D A
+    std::unique_ptr<CoarseLevels<block, 3 * (block - 1)>> levels;
+    Eigen::LDLT<Eigen::MatrixXd>                          whole; ///< of few
+  };
+
+  extern template class BlockSystem<2>;
+  extern template class BlockSystem<3>;
+} // namespace conetact::backends
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_backends_distributed_matrix_h
+#define conetact_backends_distributed_matrix_h
+
+#include "conetact/backends/block_matrix.h"
+#include "conetact/backends/halo.h"
+
+#include <algorithm>
+
+namespace conetact::backends
+{
+  /** Adds to rows of a vector: y_rows[i] += (A x)_i. */
+  template <int n_rows, int n_columns, typename Number>
+  void
+  add_rows(const BlockMatrix<n_rows, n_columns, Number> &A,
+           const std::vector<int>                       &rows,
+           const Number                                 *x,
+           std::vector<Number>                          &buffer,
+           Number                                       *y)
+  {
+    buffer.resize(rows.size() * n_rows);
+    A.multiply(x, buffer.data());
+    const Number *from = buffer.data();
+    for (const int i : rows)
+      for (int r = 0; r < n_rows; ++r)
+        y[static_cast<std::ptrdiff_t>(i) * n_rows + r] += *from++;
+  }
+
+  /**
+   * The rows of a matrix that this process has: columns whose unknowns it has,
+   * too, and those of others, which are sent while it multiplies its own. A
+   * process that is alone has a BlockMatrix, no more.
+   */
+  template <int n_rows, int n_columns, typename Number>
+  class DistributedMatrix
+  {
+  public:
+    using Matrix = BlockMatrix<n_rows, n_columns, Number>;
+
+    DistributedMatrix() = default;
+    /**
+     * `rows` number columns among those of all processes, of which process p
+     * has first[p], ..., first[p+1]-1. All processes call this.
+     */
+    DistributedMatrix(Matrix                  rows,
+                      const std::vector<int> &first,
+                      const Communicator     &processes)
+    {
+      if (processes.size() == 1)
+        {
+          own = std::move(rows);
+          return;
+        }
+      const int begin = first[static_cast<std::size_t>(processes.rank())],
+                end   = first[static_cast<std::size_t>(processes.rank()) + 1];
+      std::vector<int> needed;
+      for (const int j : rows.column)
+        if (j < begin || j >= end)
+          needed.push_back(j);
+      std::sort(needed.begin(), needed.end());
+      needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+      split(rows, begin, end, needed);
+      halo = Halo<n_columns, Number>(
+        std::make_shared<const HaloPlan>(needed, first, processes));
+    }
+
+    /** BlockMatrix::share_equal_rows() */
+    void
+    share_equal_rows()
+    {
+      own.share_equal_rows();
+      far.share_equal_rows();
+    }
+
+    /** Of own rows and columns. */
+    const Matrix &
+    own_part() const
+    {
+      return own;
+    }
+
+    /** y = A x, of vectors of which each process has its part. */
+    void
+    multiply(const Number *x, Number *y) const
+    {
+      if (halo.its_plan() == nullptr)
+        return own.multiply(x, y);
+      halo.start(x);
+      own.multiply(x, y);
+      add_rows(far, edge, halo.finish(), buffer, y);
+    }
+
+    template <typename Other>
+    DistributedMatrix<n_rows, n_columns, Other>
+    cast() const
+    {
+      DistributedMatrix<n_rows, n_columns, Other> result;
+      result.own  = own.template cast<Other>();
+      result.far  = far.template cast<Other>();
+      result.edge = edge;
+      if (halo.its_plan() != nullptr)
+        result.halo = Halo<n_columns, Other>(halo.its_plan());
+      return result;
+    }
+
+    /** Calls f with the numbers of all blocks. */
+    template <typename F>
+    void
+    for_all_numbers(const F &f)
+    {
+      for (Number &a : own.value)
+        f(a);
+      for (Number &a : far.value)
+        f(a);
+    }
+
+    /** Calls f(column, block) for a row: own columns before those of others, as
+     * of_columns() has them. */
+    template <typename F>
+    void
+    for_row(const std::size_t i, const F &f) const
+    {
+      for (std::size_t k = own.start[i]; k < own.start[i + 1]; ++k)
+        f(own.column[k], own.block(i, k));
+      const auto it =
+        std::lower_bound(edge.begin(), edge.end(), static_cast<int>(i));
+      if (it == edge.end() || *it != static_cast<int>(i))
+        return;
+      const auto        e     = static_cast<std::size_t>(it - edge.begin());
+      const std::size_t n_own = own.n_block_rows();
+      for (std::size_t k = far.start[e]; k < far.start[e + 1]; ++k)
+        f(static_cast<int>(n_own) + far.column[k], far.block(e, k));
+    }
+
+    /** Numbers of the own columns, n_columns for each block, and behind them
+     * those of the columns of others that it needs. */
+    std::vector<Number>
+    of_columns(std::vector<Number> x) const
+    {
+      if (halo.its_plan() == nullptr)
+        return x;
+      halo.start(x.data());
+      const Number *const others = halo.finish();
+      x.insert(x.end(),
+               others,
+               others + static_cast<std::ptrdiff_t>(halo.its_plan()->n_needed) *
+                          n_columns);
+      return x;
+    }
+
+  private:
+    template <int, int, typename>
+    friend class DistributedMatrix;
+    template <int, int, typename>
+    friend class TransposedMatrix;
+
+    void
+    split(const Matrix           &rows,
+          const int               begin,
+          const int               end,
+          const std::vector<int> &needed)
+    {
+      const auto is_own = [&](const int j) { return j >= begin && j < end; };
+      for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
+        {
+          std::size_t n = 0;
+          for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k)
+            n += is_own(rows.column[k]);
+          own.start.push_back(own.start.back() + n);
+          const std::size_t others = rows.start[i + 1] - rows.start[i] - n;
+          if (others == 0)
+            continue;
+          edge.push_back(static_cast<int>(i));
+          far.start.push_back(far.start.back() + others);
+        }
+      own.allocate();
+      far.allocate();
+      std::size_t next = 0, next_far = 0;
+      for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
+        for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k)
+          if (const int j = rows.column[k]; is_own(j))
+            {
+              own.column[next]  = j - begin;
+              own.block(next++) = rows.block(i, k);
+            }
+          else
+            {
+              far.column[next_far] = static_cast<int>(
+                std::lower_bound(needed.begin(), needed.end(), j) -
+                needed.begin());
+              far.block(next_far++) = rows.block(i, k);
+            }
+    }
+
+    Matrix           own;
+    Matrix           far;  ///< of rows `edge` and columns of others
+    std::vector<int> edge; ///< rows that see others
+    // of a product, not of the matrix
+    mutable Halo<n_columns, Number> halo;
+    mutable std::vector<Number>     buffer;
+  };
+
+  /** The transposed of a DistributedMatrix, whose rows have the same owners as
+   * its columns. */
+  template <int n_rows, int n_columns, typename Number>
+  class TransposedMatrix
+  {
+  public:
+    TransposedMatrix() = default;
+    TransposedMatrix(const DistributedMatrix<n_columns, n_rows, Number> &A,
+                     const std::size_t                                   n_own)
+      : own(A.own.transposed(n_own))
+      , edge(A.edge)
+    {
+      if (A.halo.its_plan() == nullptr)
+        return;
+      halo = Halo<n_rows, Number>(A.halo.its_plan());
+      far =
+        A.far.transposed(static_cast<std::size_t>(A.halo.its_plan()->n_needed));
+    }
+
+    /** y = A^T x. */
+    void
+    multiply(const Number *x, Number *y) const
+    {
+      if (halo.its_plan() == nullptr)
+        return own.multiply(x, y);
+      buffer.resize(edge.size() * n_columns);
+      Number *to = buffer.data();
+      for (const int i : edge)
+        for (int c = 0; c < n_columns; ++c)
+          *to++ = x[static_cast<std::ptrdiff_t>(i) * n_columns + c];
+      far.multiply(buffer.data(), halo.far_blocks());
+      halo.start_back();
+      own.multiply(x, y);
+      halo.finish_back(y);
+    }
+
+  private:
+    BlockMatrix<n_rows, n_columns, Number> own;
+    BlockMatrix<n_rows, n_columns, Number> far; ///< from `edge` to others
+    std::vector<int>                       edge;
+    mutable Halo<n_rows, Number>           halo;
+    mutable std::vector<Number>            buffer;
+  };
+} // namespace conetact::backends
+
+#endif

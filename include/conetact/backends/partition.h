@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_backends_partition_h
+#define conetact_backends_partition_h
+
+#include <array>
+#include <vector>
+
+namespace conetact::backends
+{
+  /** A node that has work, in numbers of any unit. */
+  struct WeighedNode
+  {
+    std::array<double, 3> position;
+    double                weight;
+  };
+
+  /**
+   * The part of each node, of `n_parts` that have about the same work: nodes
+   * are halved along the longest side of their box, and each half again
+   * (Berger, Bokhari, IEEE Trans. Computers 36 (1987) 570-580). No part is
+   * empty as long as there are as many nodes.
+   */
+  std::vector<int>
+  partition(const std::vector<WeighedNode> &nodes, const int n_parts);
+} // namespace conetact::backends
+
+#endif

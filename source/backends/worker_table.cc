@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/backends/large_stiffness.h"
+#include "conetact/backends/workers.h"
+
+namespace conetact::backends
+{
+  void
+  work()
+  {
+    SystemParts parts;
+    wait_for_orders({
+      {Command::make_plane, [&](const Order &o) { parts.make(o, 2); }},
+      {Command::make_space, [&](const Order &o) { parts.make(o, 3); }},
+      {Command::multiply, [&](const Order &o) { parts.multiply(o); }},
+      {Command::diagonal, [&](const Order &o) { parts.diagonal(o); }},
+      {Command::solve, [&](const Order &o) { parts.solve(o); }},
+      {Command::forget, [&](const Order &o) { parts.forget(o); }},
+      {Command::report, [](const Order &) { needs_of_processes(); }},
+    });
+  }
+} // namespace conetact::backends

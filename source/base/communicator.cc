@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/communicator.h"
+
+#include "conetact/base/process.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <thread>
+
+namespace conetact
+{
+  namespace
+  {
+    std::size_t
+    at(const int i)
+    {
+      return static_cast<std::size_t>(i);
+    }
+
+    /** Bytes that go in one message, whose length is an int. */
+    constexpr std::size_t longest = 1 << 30;
+
+    // Who waits looks again at once, later after an eighth of the time it has
+    // waited.
+    constexpr std::chrono::microseconds at_once{20}, longest_sleep{2000};
+
+    void
+    wait_for(const MPI_Request request)
+    {
+      std::vector<MPI_Request> requests = {request};
+      Communicator::wait(requests);
+    }
+
+    template <typename Number>
+    void
+    add_up(Number             *x,
+           const Eigen::Index  length,
+           MPI_Datatype        type,
+           const Communicator &processes)
+    {
+      if (processes.size() == 1 || length == 0)
+        return;
+      MPI_Request request;
+      MPI_Iallreduce(MPI_IN_PLACE,
+                     x,
+                     static_cast<int>(length),
+                     type,
+                     MPI_SUM,
+                     processes.handle(),
+                     &request);
+      wait_for(request);
+    }
+  } // namespace
+
+
+
+  /* Each is made once, and ends with MPI. */
+  Communicator
+  Communicator::of_first(const int n)
+  {
+    static std::map<int, MPI_Comm> made;
+    Communicator                   result;
+    result.n = n;
+    MPI_Comm_rank(MPI_COMM_WORLD, &result.own);
+    if (n == 1)
+      return result;
+    const auto [it, is_new] = made.emplace(n, MPI_COMM_NULL);
+    if (is_new)
+      MPI_Comm_split(MPI_COMM_WORLD,
+                     result.own < n ? 0 : MPI_UNDEFINED,
+                     result.own,
+                     &it->second);
+    result.comm = it->second;
+    return result;
+  }
+
+
+
+  MPI_Comm
+  Communicator::handle() const
+  {
+    if (n > 1)
+      return comm;
+    ProcessSession::require_mpi();
+    return MPI_COMM_SELF;
+  }
+
+
+
+  double
+  Communicator::sum(const double x) const
+  {
+    if (n == 1)
+      return x;
+    double result = x;
+    sum(&result, 1);
+    return result;
+  }
+
+
+
+  void
+  Communicator::sum(double *x, const Eigen::Index length) const
+  {
+    add_up(x, length, MPI_DOUBLE, *this);
+  }
+
+
+
+  void
+  Communicator::sum(float *x, const Eigen::Index length) const
+  {
+    add_up(x, length, MPI_FLOAT, *this);
+  }
+
+
+
+  void
+  Communicator::wait(std::vector<MPI_Request> &requests)
+  {
+    using Clock      = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    for (int done = 0;;)
+      {
+        MPI_Testall(static_cast<int>(requests.size()),
+                    requests.data(),
+                    &done,
+                    MPI_STATUSES_IGNORE);
+        if (done != 0)
+          break;
+        if (const auto waited = Clock::now() - start; waited > at_once)
+          std::this_thread::sleep_for(
+            std::min<Clock::duration>(waited / 8, longest_sleep));
+      }
+    requests.clear();
+  }
+
+
+
+  Communicator::Counts
+  Communicator::count(const Eigen::Index own_bytes) const
+  {
+    Counts counts;
+    counts.own = static_cast<int>(own_bytes);
+    counts.length.resize(at(n));
+    MPI_Allgather(
+      &counts.own, 1, MPI_INT, counts.length.data(), 1, MPI_INT, comm);
+    for (const int length : counts.length)
+      {
+        counts.start.push_back(counts.total);
+        counts.total += length;
+      }
+    return counts;
+  }
+
+
+
+  Communicator::Counts
+  Communicator::count(const std::vector<int> &first, const int bytes) const
+  {
+    Counts counts;
+    for (int p = 0; p < n; ++p)
+      {
+        counts.start.push_back(first[at(p)] * bytes);
+        counts.length.push_back((first[at(p) + 1] - first[at(p)]) * bytes);
+      }
+    counts.own   = counts.length[at(own)];
+    counts.total = first[at(n)] * bytes;
+    return counts;
+  }
+
+
+
+  void
+  Communicator::gather_all(const void   *part,
+                           void         *all,
+                           const Counts &counts) const
+  {
+    MPI_Request request;
+    MPI_Iallgatherv(part,
+                    counts.own,
+                    MPI_BYTE,
+                    all,
+                    counts.length.data(),
+                    counts.start.data(),
+                    MPI_BYTE,
+                    comm,
+                    &request);
+    wait_for(request);
+  }
+
+
+
+  void
+  Communicator::gather(const void *part, void *all, const Counts &counts) const
+  {
+    MPI_Request request;
+    MPI_Igatherv(part,
+                 counts.own,
+                 MPI_BYTE,
+                 all,
+                 counts.length.data(),
+                 counts.start.data(),
+                 MPI_BYTE,
+                 0,
+                 comm,
+                 &request);
+    wait_for(request);
+  }
+
+
+
+  void
+  Communicator::scatter(const void *all, void *part, const Counts &counts) const
+  {
+    MPI_Request request;
+    MPI_Iscatterv(all,
+                  counts.length.data(),
+                  counts.start.data(),
+                  MPI_BYTE,
+                  part,
+                  counts.own,
+                  MPI_BYTE,
+                  0,
+                  comm,
+                  &request);
+    wait_for(request);
+  }
+
+
+
+  void
+  Communicator::broadcast(void *x, const std::size_t bytes) const
+  {
+    for (std::size_t k = 0; k < bytes; k += longest)
+      {
+        MPI_Request request;
+        MPI_Ibcast(static_cast<char *>(x) + k,
+                   static_cast<int>(std::min(longest, bytes - k)),
+                   MPI_BYTE,
+                   0,
+                   comm,
+                   &request);
+        wait_for(request);
+      }
+  }
+
+
+
+  void
+  Communicator::send(const void *x, const std::size_t bytes, const int to) const
+  {
+    for (std::size_t k = 0; k < bytes; k += longest)
+      MPI_Send(static_cast<const char *>(x) + k,
+               static_cast<int>(std::min(longest, bytes - k)),
+               MPI_BYTE,
+               to,
+               0,
+               comm);
+  }
+
+
+
+  void
+  Communicator::receive(void *x, const std::size_t bytes, const int from) const
+  {
+    for (std::size_t k = 0; k < bytes; k += longest)
+      {
+        MPI_Request request;
+        MPI_Irecv(static_cast<char *>(x) + k,
+                  static_cast<int>(std::min(longest, bytes - k)),
+                  MPI_BYTE,
+                  from,
+                  0,
+                  comm,
+                  &request);
+        wait_for(request);
+      }
+  }
+
+
+
+  std::vector<std::vector<int>>
+  Communicator::exchange(const std::vector<std::vector<int>> &lists) const
+  {
+    std::vector<int> sent, received(at(n));
+    for (const std::vector<int> &list : lists)
+      sent.push_back(static_cast<int>(list.size()));
+    MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm);
+    std::vector<std::vector<int>> result(at(n));
+    std::vector<MPI_Request>      requests;
+    for (int p = 0; p < n; ++p)
+      {
+        result[at(p)].resize(at(received[at(p)]));
+        if (received[at(p)] > 0)
+          MPI_Irecv(result[at(p)].data(),
+                    received[at(p)],
+                    MPI_INT,
+                    p,
+                    0,
+                    comm,
+                    &requests.emplace_back());
+      }
+    for (int p = 0; p < n; ++p)
+      if (sent[at(p)] > 0)
+        MPI_Isend(lists[at(p)].data(),
+                  sent[at(p)],
+                  MPI_INT,
+                  p,
+                  0,
+                  comm,
+                  &requests.emplace_back());
+    wait(requests);
+    return result;
+  }
+} // namespace conetact
