@@ -221,6 +221,7 @@ main(int argc, char *argv[])
 {
   ProcessSession           process;
   application::CommandLine line;
+  take_size_limits_as_errors();
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try

@@ -242,14 +242,18 @@ namespace conetact::application
       {
         if (!contact.preload || !contact.preload->locked_from)
           continue;
-        const double from = *contact.preload->locked_from;
-        if (from != 0 && !times.empty() && from < times.back() &&
+        const double      from = *contact.preload->locked_from;
+        const std::string in =
+          "Contact '" + contact.name + "', Preload locked from: ";
+        if (from <= 0)
+          throw InputError(in + "the force acts up to t = " + to_text(from) +
+                           ", which is never. Give the end of the increment "
+                           "in which it has tightened the bolt.");
+        if (!times.empty() && from < times.back() &&
             std::none_of(times.begin(), times.end(), [from](const double t) {
               return std::abs(t - from) <= 1e-12 * std::abs(from);
             }))
-          throw InputError("Contact '" + contact.name +
-                           "', Preload locked from: no increment ends at t = " +
-                           to_text(from) +
+          throw InputError(in + "no increment ends at t = " + to_text(from) +
                            ". Give the end of one, or choose other Times.");
       }
   }
