@@ -35,18 +35,20 @@ namespace conetact::application
                 const std::string              &list,
                 const double                    end)
     {
-      const auto refuse = [&list](const std::string &entry,
-                                  const std::string &otherwise) {
+      const auto refuse = [&list](const std::string &entry) {
         throw InputError("Time/" + entry + ": increments are those of " + list +
                          ", and it has no effect. Remove one of both, or "
                          "leave " +
-                         entry + " at " + otherwise + '.');
+                         entry + " at 1.");
       };
-      if (to_number(prm.get("Increments"), "Time/Increments") != 1)
-        refuse("Increments", "1");
-      const double given = to_number(prm.get("End"), "Time/End");
-      if (given != 1 && given != end)
-        refuse("End", "1");
+      const auto is = [&prm](const std::string &entry, const double value) {
+        return prm.get(entry).empty() ||
+               to_number(prm.get(entry), "Time/" + entry) == value;
+      };
+      if (!is("Increments", 1))
+        refuse("Increments");
+      if (!is("End", 1) && !is("End", end))
+        refuse("End");
     }
   } // namespace
 

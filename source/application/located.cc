@@ -63,18 +63,6 @@ namespace conetact::application
       return {};
     }
 
-    bool
-    is_replaced(const std::string &path, const std::string &override)
-    {
-      const auto equals = override.find('=');
-      if (equals == override.npos)
-        return false;
-      std::vector<std::string> parts = split(override.substr(0, equals), '/');
-      for (std::string &part : parts)
-        part = one_line(part);
-      return join(parts, "/") == path;
-    }
-
     /** Where an entry is set or a subsection begins; empty: nowhere. */
     std::string
     place_in(const SceneText   &scene,
@@ -82,7 +70,7 @@ namespace conetact::application
              const CommandLine &line)
     {
       for (const std::string &override : line.overrides)
-        if (is_replaced(path, override))
+        if (sets(override, path))
           return "Option -s '" + override + '\'';
       const auto at = place_of(scene, path);
       return at ? scene.place(*at) : "";

@@ -108,6 +108,7 @@ namespace conetact::application
   {
     adaptive = create_adaptive(prm);
     prm.enter_subsection("Time");
+    replace_times();
     times = create_times(prm);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
@@ -122,6 +123,23 @@ namespace conetact::application
     vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));
     checkpoint_every = static_cast<unsigned int>(prm.get_integer("Checkpoint"));
     prm.leave_subsection();
+  }
+
+  /* Times of the command line stand in place of those of the file. */
+  void
+  Scene::replace_times()
+  {
+    const auto is_replaced = [this](const std::string &entry) {
+      return std::any_of(overrides.begin(),
+                         overrides.end(),
+                         [&entry](const std::string &override) {
+                           return sets(override, "Time/" + entry);
+                         });
+    };
+    if (is_replaced("Times") || is_replaced("Stages"))
+      for (const char *entry : {"End", "Increments"})
+        if (!is_replaced(entry))
+          prm.set(entry, "1");
   }
 
   void

@@ -144,6 +144,8 @@ namespace conetact::application
     void
     read_options();
     void
+    replace_times();
+    void
     read_problem_increments();
     std::vector<bool>
     bodies_at_rest() const;
