@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -125,20 +126,26 @@ namespace conetact::application
     prm.leave_subsection();
   }
 
-  /* Times of the command line stand in place of those of the file. */
+  /* Times of the command line stand in place of those of the file, and these
+     in place of those that it includes. */
   void
   Scene::replace_times()
   {
-    const auto is_replaced = [this](const std::string &entry) {
-      return std::any_of(overrides.begin(),
-                         overrides.end(),
-                         [&entry](const std::string &override) {
-                           return sets(override, "Time/" + entry);
-                         });
+    constexpr int nowhere = std::numeric_limits<int>::max();
+    const auto    depth   = [this](const std::string &entry) {
+      const std::string path = "Time/" + entry;
+      if (std::any_of(overrides.begin(),
+                      overrides.end(),
+                      [&path](const std::string &override) {
+                        return sets(override, path);
+                      }))
+        return -1;
+      const auto line = place_of(text, path);
+      return line ? static_cast<int>(text.origins[*line].depth) : nowhere;
     };
-    if (is_replaced("Times") || is_replaced("Stages"))
+    for (const char *list : {"Times", "Stages"})
       for (const char *entry : {"End", "Increments"})
-        if (!is_replaced(entry))
+        if (!prm.get(list).empty() && depth(list) < depth(entry))
           prm.set(entry, "1");
   }
 
