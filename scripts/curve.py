@@ -5,8 +5,8 @@
 
 usage: curve.py FOLDER COLUMN [AGAINST] [-o CURVE.png] [--contact NAME] [--node N | --near X,Y] [--increment N]
 
-COLUMN and AGAINST (default: time) are columns of increments.csv, reactions.csv, events.csv or
-refinement.csv; those of the first two go together: bottom_f_x against u_t1 of a node. Columns of
+COLUMN and AGAINST (default: time) are columns of increments.csv, history.csv, reactions.csv, events.csv
+or refinement.csv; those of the first three go together: bottom_f_x against u_t1 of a node. Columns of
 contact nodes against x, y or z are drawn along each contact in one increment (the last
 one, or --increment); all others along the history of one node: the one of --node or --near,
 or the one where the column is largest. Of a load path, time is the load parameter p: its
@@ -26,7 +26,8 @@ from conetact import ConetactError, Result
 from drawing.files import save
 from drawing.units import units_of
 
-TABLES = ("increments", "reactions", "refinement")
+TABLES = ("increments", "history", "reactions", "refinement")
+OF_INCREMENTS = ("increments", "history")  # one row each
 ALONE = ("refinement", "events")  # their rows are no increments
 MARKS = {"open": ("o", "C3"), "stick": ("s", "C2"), "slip+": (">", "C0"), "slip-": ("<", "C1"), "slip": ("D", "C0")}
 
@@ -55,6 +56,12 @@ class Tables:
                                 + (f"Did you mean '{near[0]}'? " if near else "")
                                 + f"All names: curve.py {self.result.folder}")
         return found
+
+    def of_increments(self):
+        """Columns of increments.csv and history.csv, which have a row for each increment."""
+        history = self.tables.get("history")
+        columns = {} if history is None else {c: history[c] for c in self.columns("history")}
+        return {**columns, **{c: self.tables["increments"][c] for c in self.columns("increments")}}
 
     def told(self):
         return "\n".join(f"{name}.csv: {', '.join(self.columns(name))}" for name in self.tables)
@@ -109,11 +116,14 @@ def history(tables, args):
     """One curve over increments, of one node if a column belongs to nodes."""
     where = [tables.of(column) for column in (args.against, args.column)]
     asked = args.contact or args.node is not None or args.near
+    steps = tables.of_increments()
     same = [name for name in tables.tables if all(name in names for names in where)
-            and not (name == "increments" and asked and "reactions" in where[0] and "reactions" in where[1])]
+            and not (name in OF_INCREMENTS and asked and "reactions" in where[0] and "reactions" in where[1])]
     if same and same[0] != "reactions":
         table = tables.tables[same[0]]
         return {"": (table[args.against], table[args.column])}, ""
+    if args.against in steps and args.column in steps:
+        return {"": (steps[args.against], steps[args.column])}, ""
     for names in where:
         if names[0] in ALONE:
             raise ConetactError(f"Rows of {names[0]}.csv are no increments: draw its columns against each other.")
@@ -123,9 +133,8 @@ def history(tables, args):
     rows = one_node(chosen_rows(rows, args), moving) if len(rows) else rows
     if not len(rows):
         raise ConetactError("The run has no contact node.")
-    steps = tables.tables["increments"]
-    steps = steps[np.searchsorted(steps["increment"], rows["increment"])]
-    values = [rows[c] if c in rows.dtype.names else steps[c] for c in (args.against, args.column)]
+    at = np.searchsorted(steps["increment"], rows["increment"])
+    values = [rows[c] if c in rows.dtype.names else steps[c][at] for c in (args.against, args.column)]
     place = ", ".join(f"{x:.6g}" for x in places_of(rows)[0][:tables.result.dimension])
     return {"": tuple(values)}, f"node {rows['node'][0]} at ({place}) of contact {rows['contact'][0]}"
 

@@ -3,6 +3,7 @@
 
 // conetact-fclib: solves contact problems in files of FCLib.
 
+#include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/exchange/fclib_file.h"
 #include "conetact/solvers/solver_table.h"
@@ -241,6 +242,7 @@ main(int argc, char **argv)
   try
     {
       use_one_thread_by_default();
+      take_size_limits_as_errors();
       const CommandLine line = read_arguments(argc, argv);
       if (line.help)
         {

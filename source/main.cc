@@ -334,6 +334,7 @@ int
 main(int argc, char *argv[])
 {
   const ProcessSession process;
+  take_size_limits_as_errors();
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try

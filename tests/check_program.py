@@ -12,6 +12,8 @@ usage: check_program.py PROGRAM CASE [COUNT]
   directions  a body that slides does so where it is pushed
   condensers  what condenses bodies changes no sentence; --verify tells by how much
   first-contact  the manual, a starter scene that runs, includes, line ends, the closing screen
+  pipes       scenes from pipes, devices
+  cautions    what is warned of
   numbers     COUNT meshes of shipped scenes and of deal.II's generators with
               other numbers (default 60): accepted or refused with a sentence,
               never a crash
@@ -253,6 +255,29 @@ class Case:
         run = say("below/other.prm", "-o", "result")
         self.demand("  those of an included file with that file",
                     f"mine.prm, line {line}: Body 'block', Material/Poisson ratio: '0,3' has a comma" in run.stderr, run.stderr)
+
+    def pipes(self):
+        """A scene that is no file."""
+        def fed(text):
+            return subprocess.run([self.program, "/dev/stdin", "-o", self.result], cwd=self.folder, input=text,
+                                  capture_output=True, text=True)
+        run = fed(held(2))
+        self.demand("a scene through a pipe", run.returncode == 0 and (self.result / "increments.csv").exists(), run.stderr)
+        run = fed(held(2).replace("Young modulus = ", "Young modulus = -"))
+        self.demand("  its mistakes are told with their line", run.returncode == 1 and
+                    re.search(r"/dev/stdin, line \d+: Body 'block', Material/Young modulus: -", run.stderr), run.stderr)
+        run = subprocess.run([self.program, "/dev/zero"], cwd=self.folder, capture_output=True, text=True)
+        self.demand("a device without end", run.returncode == 1 and "it is a device" in run.stderr, run.stderr)
+
+    def cautions(self):
+        """What is possible and hardly meant."""
+        for name, change, words in (
+                ("bolt-preload", "Contact cut/Preload locked from=99", "Contact 'cut', Preload locked from: it is never locked"),
+                ("block-press-shear", "Obstacle floor/Displacement=0 ; 0 ; 0.01*(1 - t)",
+                 "Obstacle 'floor', Displacement: it is (0, 0, 0.01) at t = 0")):
+            run = subprocess.run([self.program, SCENES / f"{name}.prm", "--dry-run", "-s", change], cwd=self.folder,
+                                 capture_output=True, text=True)
+            self.demand(f"{name} with {change}: warned", f"\nwarning: {words}" in run.stdout, run.stdout + run.stderr)
 
     def numbers(self, count=60):
         """Each number of a mesh, replaced by what its generator cannot mean."""

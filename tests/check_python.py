@@ -118,10 +118,11 @@ def pictures(laws):
 
 
 def curves(laws):
-    block, path = folder_of(laws, press_and_shear(2)), folder_of(laws, pushed_block(2, .6, .5))
+    block, path = folder_of(laws, merge(press_and_shear(2), {"Output": {"Probes": "tip: 1, 1"}})), folder_of(laws, pushed_block(2, .6, .5))
     file = laws.folder / "curve.png"
     for folder, *arguments in ((block, "strain_energy"), (block, "bottom_f_x", "u_t1"), (block, "pressure", "x", "--increment", 2),
                                (block, "r_t1", "r_n", "--near", "0,0"), (block, "r_n", "time", "--node", 0, "--log", "y"),
+                               (block, "largest_displacement"), (block, "tip_u_y", "bottom_f_y"), (block, "r_n", "largest_pressure"),
                                (path, "time", "u_t1"), (path, "event", "parameter")):
         done = script(laws, "curve.py", folder, *arguments, "-o", file)
         laws.demand(f"{arguments}: drawn {done.stderr.strip()}", done.returncode == 0 and file.stat().st_size > 8000)
@@ -129,7 +130,7 @@ def curves(laws):
     laws.demand("all columns", "strain_energy" in script(laws, "curve.py", block).stdout)
     for words, *arguments in (("Did you mean 'bottom_f_x'", block, "botom_f_x"), ("no increment 9", block, "r_n", "x", "--increment", 9),
                               ("node 999", block, "r_n", "--node", 999), ("'side'", block, "r_n", "--contact", "side"),
-                              ("no increments", path, "event", "u_t1")):
+                              ("Did you mean 'tip_u_x'", block, "tip_ux"), ("no increments", path, "event", "u_t1")):
         demand_sentence(laws, script(laws, "curve.py", *arguments), words)
     demand_process(laws, "curve.py", laws.folder)
 

@@ -10,8 +10,9 @@ STRESSES = ("Pa", "kPa", "MPa", "GPa", "psi", "ksi")
 FORCES = ("mN", "N", "daN", "kN", "MN", "GN", "lbf", "kip")
 
 # columns of tables by kind; the first that matches
-KINDS = ((r"[xyz]|gap|d?u_.*|(foot|acts)_.|displacement", "length"), (r"r_.*|.*_f_.|.*force.*", "force"),
-         (r".*_m_.|.*moment.*|torque", "moment"), (r"pressure|traction.*|.*stress.*|von_mises", "stress"), (r"area", "area"),
+KINDS = ((r"[xyz]|gap|d?u_.*|(foot|acts)_.|(largest_)?displacement|largest_.*_[xyz]|.+_u_[xyz]", "length"),
+         (r"r_.*|.*_f_.|.*force.*", "force"),
+         (r".*_m_.|.*moment.*|torque", "moment"), (r"(largest_)?pressure|traction.*|.*stress.*|von_mises", "stress"), (r"area", "area"),
          (r"strain_energy|external_work|dissipation|contact_work_normal", "moment"))
 
 

@@ -353,13 +353,15 @@ namespace conetact::analysis
     const verification::Claim accepted = claim(increment, w);
     verification.accept(accepted, finding);
     energies.add(model.points, accepted, finding, record);
-    record.rows        = contact_rows.rows(increment.state,
+    solvers::ContactState told = increment.state;
+    told.r                     = finding.r.head(told.r.size());
+    record.rows                = contact_rows.rows(told,
                                     increment.contact,
-                                    increment.bound.r,
+                                    finding.r.tail(increment.bound.r.size()),
                                     finding.u,
                                     record.time,
                                     accepted.whole);
-    const auto &states = increment.state.node;
+    const auto &states         = increment.state.node;
     record.determinate =
       warnings.is_determinate(states) &&
       warnings.are_forces_determinate(states, increment.state.r);

@@ -364,8 +364,12 @@ namespace conetact::analysis
                   increment.forces += f;
                   if (!load.strains())
                     increment.mechanical += f;
-                  increment.record.each_load.push_back(verification::resultant(
-                    model.bodies, coordinates, coordinates.forces_in_space(f)));
+                  increment.record.each_load.push_back(
+                    load.strains() ? // which balances
+                      output::Resultant() :
+                      verification::resultant(model.bodies,
+                                              coordinates,
+                                              coordinates.forces_in_space(f)));
                 });
   }
 

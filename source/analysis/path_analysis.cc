@@ -11,6 +11,7 @@
 #include "conetact/output/problem_texts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace conetact::analysis
@@ -38,6 +39,22 @@ namespace conetact::analysis
         if (!numbers.insert(point.node->node).second)
           return false;
       return true;
+    }
+
+    /** What to do about an error that is rounding; empty: it is another. */
+    std::string
+    advice(const verification::Finding &finding, const double tolerance)
+    {
+      constexpr double rounding = 1e-6;
+      const double     error = std::max(finding.residual, finding.equilibrium);
+      if (!(error > tolerance && error < rounding))
+        return {};
+      return ", which is more than Solver/Tolerance = " + to_text(tolerance) +
+             ". Errors this small are mostly rounding of the condensed "
+             "stiffness that a path is followed with, which is large where a "
+             "node stands in several contacts: take it out of all but one, or "
+             "set Solver/Tolerance to " +
+             to_text(std::pow(10., std::ceil(std::log10(error))));
     }
   } // namespace
 
@@ -468,7 +485,8 @@ namespace conetact::analysis
         if (why.empty())
           finished.push_back(std::move(pending.record));
         else
-          failure = failed(pending.record, why);
+          failure = failed(pending.record,
+                           why + advice(finding, scene.solver.tolerance));
       }
     write(finished);
     for (std::size_t i = 0; i < finished.size(); ++i)

@@ -71,6 +71,8 @@ namespace conetact::analysis
               (cut.locked_from ?
                  ", locked from t = " + to_text(*cut.locked_from) :
                  ""));
+    for (const std::string &caution : scene.cautions())
+      log.say("warning: " + caution);
     for (std::size_t b = 0; b < bodies.names.size(); ++b)
       if (bodies.is_at_rest(b))
         log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +

@@ -29,6 +29,27 @@ namespace conetact::application
                           end :
                           start + (end - start) * static_cast<double>(k) / n);
     }
+    /** End and Increments are of no use beside times that are listed. */
+    void
+    refuse_idle(const dealii::ParameterHandler &prm,
+                const std::string              &list,
+                const double                    end)
+    {
+      const auto refuse = [&list](const std::string &entry) {
+        throw InputError("Time/" + entry + ": increments are those of " + list +
+                         ", and it has no effect. Remove one of both, or "
+                         "leave " +
+                         entry + " at 1.");
+      };
+      const auto is = [&prm](const std::string &entry, const double value) {
+        return prm.get(entry).empty() ||
+               to_number(prm.get(entry), "Time/" + entry) == value;
+      };
+      if (!is("Increments", 1))
+        refuse("Increments");
+      if (!is("End", 1) && !is("End", end))
+        refuse("End");
+    }
   } // namespace
 
   void
@@ -77,7 +98,9 @@ namespace conetact::application
                      to_number(parts[0], "Time/Stages"),
                      to_number(parts[1], "Time/Stages"));
       }
-    if (times.empty())
+    if (!times.empty())
+      refuse_idle(prm, list.empty() ? "Stages" : "Times", times.back());
+    else
       append_stage(times,
                    to_number(prm.get("End"), "Time/End"),
                    to_number(prm.get("Increments"), "Time/Increments"));

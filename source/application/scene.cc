@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -108,6 +109,7 @@ namespace conetact::application
   {
     adaptive = create_adaptive(prm);
     prm.enter_subsection("Time");
+    replace_times();
     times = create_times(prm);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
@@ -122,6 +124,29 @@ namespace conetact::application
     vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));
     checkpoint_every = static_cast<unsigned int>(prm.get_integer("Checkpoint"));
     prm.leave_subsection();
+  }
+
+  /* Times of the command line stand in place of those of the file, and these
+     in place of those that it includes. */
+  void
+  Scene::replace_times()
+  {
+    constexpr int nowhere = std::numeric_limits<int>::max();
+    const auto    depth   = [this](const std::string &entry) {
+      const std::string path = "Time/" + entry;
+      if (std::any_of(overrides.begin(),
+                      overrides.end(),
+                      [&path](const std::string &override) {
+                        return sets(override, path);
+                      }))
+        return -1;
+      const auto line = place_of(text, path);
+      return line ? static_cast<int>(text.origins[*line].depth) : nowhere;
+    };
+    for (const char *list : {"Times", "Stages"})
+      for (const char *entry : {"End", "Increments"})
+        if (!prm.get(list).empty() && depth(list) < depth(entry))
+          prm.set(entry, "1");
   }
 
   void
@@ -242,14 +267,18 @@ namespace conetact::application
       {
         if (!contact.preload || !contact.preload->locked_from)
           continue;
-        const double from = *contact.preload->locked_from;
-        if (from != 0 && !times.empty() && from < times.back() &&
+        const double      from = *contact.preload->locked_from;
+        const std::string in =
+          "Contact '" + contact.name + "', Preload locked from: ";
+        if (from <= 0)
+          throw InputError(in + "the force acts up to t = " + to_text(from) +
+                           ", which is never. Give the end of the increment "
+                           "in which it has tightened the bolt.");
+        if (!times.empty() && from < times.back() &&
             std::none_of(times.begin(), times.end(), [from](const double t) {
               return std::abs(t - from) <= 1e-12 * std::abs(from);
             }))
-          throw InputError("Contact '" + contact.name +
-                           "', Preload locked from: no increment ends at t = " +
-                           to_text(from) +
+          throw InputError(in + "no increment ends at t = " + to_text(from) +
                            ". Give the end of one, or choose other Times.");
       }
   }

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <system_error>
 
 namespace conetact::application
 {
@@ -16,23 +18,58 @@ namespace conetact::application
   {
     namespace fs = std::filesystem;
 
+    /** Far more than any scene needs; what has no end stops here. */
+    constexpr std::streamsize most_bytes = 16 * 1024 * 1024;
+
+    [[noreturn]] void
+    refuse(const fs::path    &file,
+           const std::string &where,
+           const std::string &why)
+    {
+      throw InputError(
+        (where.empty() ?
+           "The scene file " + file.string() + " cannot be read" :
+           where + ": the file " + file.string() + " cannot be included") +
+        why);
+    }
+
+    /** Files and pipes; devices may have no end. */
     std::string
     read_file(const fs::path &file, const std::string &where)
     {
-      std::ifstream      stream(file, std::ios::binary);
-      std::ostringstream text;
-      // Of an empty file nothing can be inserted, which is no failure to read.
-      const bool is_empty = stream.peek() == std::ifstream::traits_type::eof();
-      if (fs::is_directory(file) || !stream.is_open() ||
-          (!is_empty && !(text << stream.rdbuf())))
-        throw InputError(
-          where.empty() ?
-            "The scene file " + file.string() +
-              " cannot be read. Check its name and permissions." :
-            where + ": the file " + file.string() +
-              " cannot be included. Check its name; it is searched for in the "
-              "folder of the file that includes it.");
-      return text.str();
+      std::error_code error;
+      const auto      kind = fs::status(file, error).type();
+      if (kind == fs::file_type::character || kind == fs::file_type::block)
+        refuse(file, where, ": it is a device. Give a file, or a pipe.");
+      std::ifstream     stream(file, std::ios::binary);
+      std::vector<char> text(most_bytes + 1);
+      stream.read(text.data(), most_bytes + 1);
+      if (kind == fs::file_type::directory || !stream.is_open() || stream.bad())
+        refuse(file,
+               where,
+               where.empty() ?
+                 ". Check its name and permissions." :
+                 ". Check its name; it is searched for in the folder of the "
+                 "file that includes it.");
+      if (stream.gcount() > most_bytes)
+        refuse(file,
+               where,
+               ": it has more than 16 MB, which no scene needs. Meshes belong "
+               "to Mesh/File and surfaces to File of an obstacle.");
+      return {text.data(), static_cast<std::size_t>(stream.gcount())};
+    }
+
+    /** What comes through a pipe comes once, and is asked for again. */
+    std::string
+    read_once(const fs::path &file, const std::string &where)
+    {
+      static std::map<fs::path, std::string> pipes;
+      std::error_code                        error;
+      if (fs::status(file, error).type() != fs::file_type::fifo)
+        return read_file(file, where);
+      if (pipes.count(file) == 0)
+        pipes[file] = read_file(file, where);
+      return pipes[file];
     }
 
     /** How many bytes follow this one in a letter of UTF-8; -1: none may. */
@@ -118,12 +155,15 @@ namespace conetact::application
            std::vector<fs::path> &open,
            SceneText             &scene)
     {
-      const fs::path whole = fs::weakly_canonical(file);
+      std::error_code no_path; // pipes have none
+      fs::path        whole = fs::weakly_canonical(file, no_path);
+      if (no_path)
+        whole = file;
       if (std::find(open.begin(), open.end(), whole) != open.end())
         throw InputError(where + ": the file " + file.string() +
                          " includes itself. Remove one of the includes.");
       open.push_back(whole);
-      const SceneText    own(plain(read_file(file, where), file.string()),
+      const SceneText    own(plain(read_once(file, where), file.string()),
                           file.string());
       std::istringstream stream(own.text);
       std::size_t        n = 0;

@@ -65,15 +65,11 @@ namespace conetact::application
       throw InputError("Adaptive refinement: the Solver/Method of this scene "
                        "follows a path on one mesh. Set it to 0, or choose "
                        "another method.");
-    const bool cohesive = std::any_of(bodies.contact_nodes.begin(),
-                                      bodies.contact_nodes.end(),
-                                      [](const pairing::ContactNode &node) {
-                                        return node.cohesion > 0;
-                                      });
-    if (cohesive && !(path.follows && bodies.dim == 2))
-      throw InputError(
-        "Contact, Cohesion: only Solver/Method = load path in 2D knows "
-        "cohesion. Leave it 0, or choose that method.");
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
+      if (node.cohesion > 0 && !(path.follows && bodies.dim == 2))
+        throw InputError("Contact '" + contacts[node.contact].name +
+                         "', Cohesion: only Solver/Method = load path in 2D "
+                         "knows cohesion. Leave it 0, or choose that method.");
     if (!path.follows)
       {
         if (path.law == load_path::PathLaw::holonomic)

@@ -530,6 +530,18 @@ namespace conetact::application
     return entries;
   }
 
+  bool
+  sets(const std::string &override, const std::string &path)
+  {
+    const auto equals = override.find('=');
+    if (equals == override.npos)
+      return false;
+    std::vector<std::string> parts = split(override.substr(0, equals), '/');
+    for (std::string &part : parts)
+      part = one_line(part);
+    return join(parts, "/") == path;
+  }
+
   void
   parse_override(Handler           &prm,
                  const std::string &override,

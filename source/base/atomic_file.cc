@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <string>
 #include <system_error>
 
@@ -59,6 +60,14 @@ namespace conetact
         fail(file);
     }
   } // namespace
+
+
+
+  void
+  take_size_limits_as_errors()
+  {
+    std::signal(SIGXFSZ, SIG_IGN);
+  }
 
 
 

@@ -36,6 +36,25 @@ namespace conetact::bodies
       return kind == Load::Kind::pressure || kind == Load::Kind::temperature;
     }
 
+    /** What a kind of load does not read. */
+    void
+    refuse_idle(const dealii::ParameterHandler &prm,
+                const Load::Kind                kind,
+                const std::string              &in)
+    {
+      const bool acts_at_point = kind == Load::Kind::point_force;
+      for (const auto &[entry, reads] :
+           {std::pair("Boundary ids", has_ids(kind)),
+            std::pair("Point", acts_at_point)})
+        if (!reads && !prm.get(entry).empty())
+          throw InputError(in + entry + ": a load of Kind = " +
+                           prm.get("Kind") + " does not know it, it acts on " +
+                           (has_ids(kind) ? "Boundary ids" :
+                            acts_at_point ? "one Point" :
+                                            "the whole body") +
+                           ". Remove it, or choose another Kind.");
+    }
+
     using Axes = std::vector<std::pair<unsigned int, unsigned int>>;
 
     /** The components of a strain as scenes write them. */
@@ -260,6 +279,7 @@ namespace conetact::bodies
     for (const auto &[text, kind] : load_kinds)
       if (text == prm.get("Kind"))
         load.kind = kind;
+    refuse_idle(prm, load.kind, in);
     if (has_ids(load.kind))
       load.ids = find_boundary(prm.get("Boundary ids"),
                                *structures[load.body],

@@ -81,8 +81,12 @@ namespace conetact::bodies
     all.mechanical = all.forces;
     visit(t, [&](const Load &load, const Eigen::VectorXd &f) {
       all.forces.segment(begin[load.body], f.size()) += f;
-      all.each.push_back(resultant(*structures[load.body], dim, f));
       const bool is_thermal = load.strains();
+      // but round the axis what strains a body balances: the rest is rounding
+      const bool balances =
+        is_thermal && !structures[load.body]->is_axisymmetric();
+      all.each.push_back(balances ? std::pair<Tensor<1, 3>, Tensor<1, 3>>() :
+                                    resultant(*structures[load.body], dim, f));
       if (is_thermal && all.thermal.size() == 0)
         all.thermal.setZero(begin.back());
       (is_thermal ? all.thermal : all.mechanical)

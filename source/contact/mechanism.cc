@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace conetact::contact
 {
@@ -33,18 +34,29 @@ namespace conetact::contact
       return v;
     }
 
+    /** Whether no body turns along another one, or along the obstacles. */
     bool
-    one_translation(const std::vector<std::size_t>  &nodes,
-                    const std::vector<Tensor<1, 3>> &v)
+    are_translations(const ContactPoints             &points,
+                     const std::vector<std::size_t>  &nodes,
+                     const std::vector<Tensor<1, 3>> &v)
     {
+      constexpr int                              obstacles = -1;
+      std::map<std::pair<int, int>, std::size_t> first; // of each pair
       return std::all_of(nodes.begin(), nodes.end(), [&](const std::size_t i) {
-        return (v[i] - v[nodes[0]]).norm() < at_rest;
+        const pairing::ContactNode &node = *points[i].node;
+        const auto                  pair =
+          std::make_pair(static_cast<int>(node.body),
+                         node.masters.empty() ? obstacles :
+                                                static_cast<int>(node.master));
+        return (v[i] - v[first.emplace(pair, i).first->second]).norm() <
+               at_rest;
       });
     }
 
     /** `lifts`: nodes move away from their obstacle, open ones counted. */
     std::string
     kind_of(const Mechanism                 &m,
+            const ContactPoints             &points,
             const std::vector<Tensor<1, 3>> &v,
             const bool                       lifts)
     {
@@ -52,7 +64,7 @@ namespace conetact::contact
         return "lifting";
       // A single node that slides while others lift is the edge of a body that
       // tips.
-      if (m.stay.empty() && one_translation(m.slide, v) &&
+      if (m.stay.empty() && are_translations(points, m.slide, v) &&
           (m.slide.size() > 1 || !lifts))
         return "sliding";
       return lifts ? "tipping" : "turning";
@@ -75,8 +87,9 @@ namespace conetact::contact
         if (v.back().norm() > at_rest)
           moving.insert(points[i].node->body);
       }
-    Mechanism result;
-    bool      lifts = false;
+    Mechanism                result;
+    bool                     lifts = false;
+    std::vector<std::size_t> smooth; // how they slide, if so, nothing tells
     for (std::size_t i = 0; i < points.size(); ++i)
       {
         // v_n > 0 opens the gap.
@@ -89,10 +102,19 @@ namespace conetact::contact
           result.open.push_back(i);
         else if (v[i].norm() > at_rest)
           result.slide.push_back(i);
-        else
+        else if (points[i].directions.size() > 1)
           result.stay.push_back(i);
+        else
+          smooth.push_back(i);
       }
-    result.kind = kind_of(result, v, lifts);
+    if (lifts)
+      {
+        result.stay.insert(result.stay.end(), smooth.begin(), smooth.end());
+        std::sort(result.stay.begin(), result.stay.end());
+      }
+    else if (result.slide.empty() && result.stay.empty())
+      result.slide = smooth;
+    result.kind = kind_of(result, points, v, lifts);
     return result;
   }
 

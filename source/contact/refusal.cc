@@ -54,6 +54,14 @@ namespace conetact::contact
                                     .solve(refusal.v));
     }
 
+    bool
+    really_turns(const RigidMotions::Motion &motion)
+    {
+      constexpr double least = 1e-6; // of what its nodes move by
+      return motion.size * motion.rotation.norm() >
+             least * motion.translation.norm();
+    }
+
     std::string
     what_happens(const solvers::Existence &refusal, const ContactModel &model)
     {
@@ -71,6 +79,12 @@ namespace conetact::contact
             motion.translation = Tensor<1, 3>();
             return body + "tips over, turning " + describe(motion);
           case solvers::Motion::turns:
+            if (!really_turns(motion)) // it slides along several others
+              {
+                motion.translation =
+                  slip_direction(refusal, model, motion.body);
+                return body + "slides " + describe(motion);
+              }
             motion.translation = Tensor<1, 3>();
             return body + "turns " + describe(motion);
           default:

@@ -174,6 +174,22 @@ namespace conetact::pairing
                                "boundaries without common nodes.");
     }
 
+    /** Entries that tell of a master body, where there is an obstacle. */
+    void
+    refuse_masters(const dealii::ParameterHandler &prm, const std::string &in)
+    {
+      if (!prm.get("Gap").empty())
+        throw InputError(in + "Gap: it is that to a Master body. Gaps to an "
+                              "obstacle follow from its place: leave it "
+                              "empty.");
+      for (const char *entry : {"Master boundary ids", "Reach"})
+        if (!prm.get(entry).empty())
+          throw InputError(in + entry +
+                           ": it is one of a Master body, and all nodes meet "
+                           "the Obstacle, however far. Remove it, or name a "
+                           "Master body in place of the Obstacle.");
+    }
+
     void
     find_kind(const dealii::ParameterHandler &prm, Contact &contact)
     {
@@ -531,7 +547,7 @@ namespace conetact::pairing
               "",
               "Time from which on the shortening by the Preload stays as it "
               "is, a nut that is no longer turned, and the tension follows "
-              "what happens to the joint; the end of an increment, or 0. "
+              "what happens to the joint; the end of an increment. "
               "Empty: the force stays prescribed. [time]");
     }
 
@@ -760,10 +776,7 @@ namespace conetact::pairing
     if (prm.get("Master body").empty())
       {
         contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
-        if (!prm.get("Gap").empty())
-          throw InputError(in + "Gap: it is that to a Master body. Gaps to an "
-                                "obstacle follow from its place: leave it "
-                                "empty.");
+        refuse_masters(prm, in);
       }
     else
       find_master(prm, in, bodies, structures, contact);

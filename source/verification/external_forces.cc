@@ -72,6 +72,8 @@ namespace conetact::verification
         sum.force += force;
         balance.forces += force.norm();
         balance.largest = std::max(balance.largest, force.norm());
+        balance.largest_moment =
+          std::max(balance.largest_moment, moment.norm());
         if (bodies.structures[body]->is_axisymmetric())
           {
             // What acts radially cancels round the axis, moments do, too.

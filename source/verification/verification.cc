@@ -45,6 +45,7 @@ namespace conetact::verification
     std::vector<double> force;     ///< F_b
     std::vector<double> history;   ///< largest F_b so far
     double              noise = 0; ///< rounding of the largest force so far
+    std::vector<double> rounding;  ///< of bodies on which nothing acts
     std::vector<double> reach;     ///< largest coordinate + displacement
   };
 
@@ -100,7 +101,8 @@ namespace conetact::verification
   Verification::scales(const Claim &claim, const Finding &out) const
   {
     Scales scales;
-    scales.history = history;
+    scales.history  = history;
+    scales.rounding = out.rounding;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
         const bodies::Structure &structure    = *bodies.structures[body];
@@ -242,7 +244,9 @@ namespace conetact::verification
     const unsigned int other = node.masters.empty() ? node.body : node.master;
     return {// A light body on a heavily loaded one is judged by its own forces.
             std::min(scales.force[node.body], scales.force[other]),
-            scales.noise,
+            std::max({scales.noise,
+                      scales.rounding[node.body],
+                      scales.rounding[other]}),
             // v is a difference of positions.
             16 * eps * std::max(scales.reach[node.body], scales.reach[other]),
             k};
@@ -388,6 +392,73 @@ namespace conetact::verification
         relative_displacements(last.points, last.u, last.t);
   }
 
+  /* Supports and contacts that hold a body which only strains itself take up
+     what its forces leave when they cancel, at all of its nodes together. */
+  double
+  Verification::rounding_of(const unsigned int body,
+                            const Claim       &claim,
+                            const Balance     &balance,
+                            VectorXd          &terms) const
+  {
+    const Index first = plain.offset(body);
+    const Index n     = plain.offset(body + 1) - first;
+    if (balance.forces + balance.largest_moment == 0 ||
+        (claim.mechanical.segment(first, n).array() != 0).any())
+      return 0;
+    const auto n_c     = bodies.structures[body]->n_components();
+    const auto is_turn = [&](const Index i) { return i % n_c >= bodies.dim; };
+    double     largest[2] = {0, 0}; // of forces and of moments
+    for (Index i = 0; i < n; ++i)
+      largest[is_turn(i)] =
+        std::max(largest[is_turn(i)], std::abs(claim.loads[first + i]));
+    if (balance.largest <= noise * largest[0] &&
+        balance.largest_moment <= noise * largest[1])
+      return noise * largest[0];
+    if (balance.error() <= tolerance)
+      return 0;
+    if (terms.size() == 0) // only where they may matter
+      terms = elastic.terms(claim.w);
+    double sum[2] = {0, 0};
+    for (Index i = 0; i < n; ++i)
+      sum[is_turn(i)] += 8 * eps * terms[first + i];
+    return balance.forces <= sum[0] && balance.largest_moment <= sum[1] ?
+             sum[0] :
+             0;
+  }
+
+  bool
+  Verification::find_rounding(const Claim &claim, Finding &out) const
+  {
+    VectorXd terms;
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      out.rounding.push_back(
+        rounding_of(body, claim, out.external.bodies[body], terms));
+    return *std::max_element(out.rounding.begin(), out.rounding.end()) > 0;
+  }
+
+  void
+  Verification::forget_rounding(VectorXd &rest, Finding &out) const
+  {
+    const auto is_idle = [&](const unsigned int body) {
+      return out.rounding[body] > 0;
+    };
+    for (unsigned int body = 0; body < out.rounding.size(); ++body)
+      if (is_idle(body))
+        {
+          const Index first = plain.offset(body);
+          const Index n     = plain.offset(body + 1) - first;
+          rest.segment(first, n).setZero();
+          for (contact::Foundation &foundation : out.foundations)
+            if (foundation.forces.size() > 0)
+              foundation.forces.segment(first, n).setZero();
+        }
+    for (const contact::ContactPoint &point : points.all())
+      if (is_idle(point.node->body) && !point.node->opening &&
+          (point.node->masters.empty() || is_idle(point.node->master)))
+        out.r.segment(point.first, static_cast<Index>(point.dual.size()))
+          .setZero();
+  }
+
   Finding
   Verification::judge(const Claim &claim) const
   {
@@ -425,13 +496,25 @@ namespace conetact::verification
     out.unbalanced = rest;
     // Reactions of supports are read at the nodes that carry them.
     plain.unhang(rest);
-    out.external = external_forces(bodies,
-                                   plain,
-                                   points,
-                                   plain.forces_in_space(rest),
-                                   out.foundations,
-                                   plain.forces_in_space(claim.mechanical),
-                                   claim.r);
+    out.r              = claim.r;
+    const auto collect = [&] {
+      out.external = external_forces(bodies,
+                                     plain,
+                                     points,
+                                     plain.forces_in_space(rest),
+                                     out.foundations,
+                                     plain.forces_in_space(claim.mechanical),
+                                     out.r);
+    };
+    collect();
+    if (find_rounding(claim, out))
+      {
+        forget_rounding(rest, out);
+        collect();
+        for (std::size_t body = 0; body < out.rounding.size(); ++body)
+          if (out.rounding[body] > 0)
+            out.external.bodies[body] = Balance();
+      }
     // Thermal forces are loads here: K w balances them as well, and the energy
     // of w contains their work.
     out.acting = plain.forces_in_space(claim.loads) + out.external.held;

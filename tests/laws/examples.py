@@ -104,6 +104,7 @@ def retaining_wall(laws):
     """Coulomb's earth pressure against the wall's friction."""
     run, limit = limit_of(laws, "retaining-wall")
     laws.check("wall: the surcharge at which it slides", abs(limit / 56.16 - 1), 1e-9)
+    laws.demand("  wall and soil move by a translation each", ",limit load: sliding," in (run.folder / "events.csv").read_text())
     for last in (run.increments[0], run.increments[-1]):
         rows = [row for row in run.rows if row["increment"] == last["increment"]]
         back, ground = (resultant(run, [row for row in rows if row["contact"] == side])[0] for side in ("back_master", "base"))

@@ -98,8 +98,7 @@ def kill(laws):
             resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
         return set_limit
     for size in (100, 2000, 30000, 100000):
-        # Python ignores SIGXFSZ and hands that on
-        done, folder = laws.start(file, preexec_fn=limit(size), restore_signals=False)
+        done, folder = laws.start(file, preexec_fn=limit(size))
         laws.demand(f"files up to {size} bytes: exit code {done.returncode}: {done.stderr.strip()}",
                     done.returncode == 3 and done.stderr.count("\n") == 1)
         readable(laws, folder, f"files up to {size} bytes")

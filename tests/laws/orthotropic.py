@@ -74,6 +74,26 @@ def isotropic(laws):
         laws.same(f"{dim}D, {plane}: orthotropic with equal moduli", *both, 1e-10)
 
 
+STRAINS = {2: "-1e-3*t ; -2e-3*t ; 3e-4*t", 3: "-1e-3*t ; -2e-3*t ; -1e-3*t ; 1e-4*t ; 2e-4*t ; 3e-4*t"}
+
+
+def unloaded(laws):
+    """Bodies that strain themselves between plates that leave room: nothing but rounding acts, and is told as 0."""
+    for dim, element, degrees, all_held in itertools.product((2, 3), ("Q2", "P1"), (0.0, 30.0), (False, True)):
+        held = "x, y, z"[:3 * dim - 2] if all_held else "x"
+        ids = (2, 3) if dim == 2 else (4, 5)
+        body = merge(orthotropic(box((4, 3) if dim == 2 else (3, 2, 2), (1.0,) * dim), degrees if dim == 2 else (1.0, 2.0, 3.0, degrees)),
+                     {"Element": element})
+        scene = {"Dimension": dim, "Body block": body, "Obstacle floor": floor(dim),
+                 "Obstacle lid": {"Shape": "half space", "Normal": (0, -1) if dim == 2 else (0, 0, -1), "Point": (0,) * (dim - 1) + (1.001,)},
+                 "Contact bottom": contact(ids=ids[0], mu=.3), "Contact top": contact(ids=ids[1], obstacle="lid"),
+                 "Support left": support(0, held), "Output": {"VTU": 0},
+                 "Load shrinking": load("initial strain", "-1e-3*t" + " ; 0" * (2 if dim == 2 else 5) if all_held else STRAINS[dim])}
+        last = laws.run(scene).increments[-1]
+        laws.demand(f"{dim}D, {element}, axes at {degrees}, held along {held}, without loads: all forces and balances are 0",
+                    not any(last[name] for name in last if "_f_" in name or "_m_" in name or name.startswith("balance")))
+
+
 def orthotropy(laws):
-    for law in (plates, blocks, isotropic):
+    for law in (plates, blocks, isotropic, unloaded):
         law(laws)

@@ -89,10 +89,10 @@ def supports(laws):
                               "Obstacle floor": {"Normal": (-s, c)}, "Support right": {"Directions": f"({c!r}, {s!r})"}})
     laws.same("rollers at 30 degrees", laws.run(straight), laws.run(turned), matrix=rotation((0, 0, 1), 30))
 
-    first = laws.run(merge(scene, {"Time": {"Stages": "1 : 1, 3 : 4"}}))
-    times = laws.run(merge(scene, {"Time": {"Times": "1, 1.5, 2, 2.5, 3"}}))
+    first = laws.run({**scene, "Time": {"Stages": "1 : 1, 3 : 4"}})
+    times = laws.run({**scene, "Time": {"Times": "1, 1.5, 2, 2.5, 3"}})
     laws.same("stages and times", first, times, 0)
     equal = laws.run(merge(scene, {"Time": {"End": 3, "Increments": 3}}))
-    laws.same("End and Increments", equal, laws.run(merge(scene, {"Time": {"Stages": "3 : 3"}})), 0)
+    laws.same("End and Increments", equal, laws.run({**scene, "Time": {"Stages": "3 : 3"}}), 0)
     table = [row["time"] for row in first.increments]
     laws.demand(f"times {table}", table == [1, 1.5, 2, 2.5, 3])

@@ -70,6 +70,9 @@ namespace conetact::application
     /** Contacts as they are found again where bodies slide far. */
     pairing::SlidingContacts
     sliding_contacts() const;
+    /** What is possible and hardly meant, a sentence each. */
+    std::vector<std::string>
+    cautions() const;
     /** Prestress of all contacts, on all dofs of all bodies [force]. */
     Eigen::VectorXd
     prestress() const;
@@ -140,6 +143,8 @@ namespace conetact::application
     read_names();
     void
     read_options();
+    void
+    replace_times();
     void
     read_problem_increments();
     std::vector<bool>

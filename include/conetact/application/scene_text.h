@@ -45,6 +45,10 @@ namespace conetact::application
   std::optional<std::size_t>
   place_of(const SceneText &scene, const std::string &path);
 
+  /** Whether "A/B/Entry=value" of the command line sets the entry at `path`. */
+  bool
+  sets(const std::string &override, const std::string &path);
+
   /**
    * Sets one entry, "A/B/Entry=value" of the command line. Throws InputError,
    * also where the entry is not declared, unless `skip_undefined`.

@@ -11,6 +11,14 @@
 namespace conetact
 {
   /**
+   * A file that reaches the largest size that is allowed (ulimit -f) is an
+   * error to be told, and no longer a signal that ends the process at once and
+   * leaves temporary files behind. To be called when a program starts.
+   */
+  void
+  take_size_limits_as_errors();
+
+  /**
    * Replaces a file by `text`: written under a temporary name in the same
    * folder, closed, renamed. Whoever looks sees the old file or the new one,
    * never a part, even after a kill or on a full disk. Throws WriteError, with

@@ -22,8 +22,8 @@ namespace conetact::contact
   /**
    * `velocity` of the contact unknowns, largest entry 1; `touching`: whether
    * each node is closed when the motion sets in. Nodes that slide by one
-   * translation make a sliding, others a turning; where some open and others
-   * stay closed, the body tips.
+   * translation between each two bodies make a sliding, others a turning; where
+   * some open and others stay closed, the body tips.
    */
   Mechanism
   name_mechanism(const ContactModel      &model,

@@ -20,6 +20,7 @@ namespace conetact::verification
     double            moments = 0; ///< sum of |arm x force| and |moment|
     double            arms    = 0; ///< sum of |arm| |force| [force x length]
     double            largest = 0; ///< force on a node [force]
+    double            largest_moment = 0; ///< on a node that rotates
 
     /** What moments are compared with. */
     double

@@ -50,6 +50,12 @@ namespace conetact::verification
     Eigen::VectorXd     change_as_before;
     Eigen::VectorXd     missed_by_bound; ///< what is bound moved by [length]
     std::vector<double> largest_force;   ///< external, on a node, of each body
+    /**
+     * Of each body on which nothing acts from outside: the rounding of forces
+     * on its nodes, which are no more than that and count as 0; of others 0.
+     */
+    std::vector<double> rounding;
+    Eigen::VectorXd     r; ///< reactions, 0 where they are this rounding
     ExternalForces      external;
     std::vector<contact::Foundation> foundations; ///< by support
   };
@@ -68,7 +74,11 @@ namespace conetact::verification
    * - closed gaps are closed and stuck nodes stick up to
    *   @f$l = tol\,F/k + 16\,eps\,(|x| + |u|)@f$; what is bound stays where it
    *   is bound up to the same, with any reaction.
-   * Forces of the past count as rounding only.
+   * Forces of the past count as rounding only. So do those of supports and
+   * contacts on a body without loads, if they are no more than its own forces
+   * leave when they cancel: none larger than 64 eps of its largest thermal
+   * nodal force, or where they do not balance, all of them together less than
+   * @f$8\,eps \sum_i \sum_j |K_{ij}|\,|w_j|@f$.
    */
   class Verification
   {
@@ -115,6 +125,15 @@ namespace conetact::verification
     struct Scales;
     Scales
     scales(const Claim &claim, const Finding &out) const;
+    double
+    rounding_of(const unsigned int body,
+                const Claim       &claim,
+                const Balance     &balance,
+                Eigen::VectorXd   &terms) const;
+    bool
+    find_rounding(const Claim &claim, Finding &out) const;
+    void
+    forget_rounding(Eigen::VectorXd &rest, Finding &out) const;
     void
     check_nodes(const Claim &claim, const Scales &scales, Finding &out) const;
     void

@@ -130,3 +130,24 @@ TEST(Manual, AStarterSceneIsWrittenOnce)
             }).find("is no name"),
             std::string::npos);
 }
+
+
+
+TEST(SceneFile, DevicesAndFilesWithoutEndAreRefused)
+{
+  const auto sentence = [](const std::filesystem::path &path) {
+    return test::sentence_of([&] { read_scene_file(path); });
+  };
+  EXPECT_TRUE(test::starts(sentence("/dev/zero"),
+                           "The scene file /dev/zero cannot be read: it is a "
+                           "device."));
+  EXPECT_NE(sentence(file("outer.prm", "include /dev/zero\n"))
+              .find("line 1: the file /dev/zero cannot be included: it is a "
+                    "device."),
+            std::string::npos);
+  EXPECT_NE(sentence(file("long.prm", std::string(17 * 1024 * 1024, '#')))
+              .find("it has more than 16 MB"),
+            std::string::npos);
+  const std::string comment = std::string(16 * 1024 * 1024 - 1, '#') + '\n';
+  EXPECT_EQ(text_of(comment), comment);
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/application/scene.h"
+#include "conetact/base/text.h"
+
+namespace conetact::application
+{
+  namespace
+  {
+    /** What the first increment makes up for; empty: nothing. */
+    std::string
+    jump(const pairing::Obstacle &obstacle)
+    {
+      const double turn = obstacle.turn ? (*obstacle.turn)(Point<3>(), 0) : 0.;
+      if (turn != 0)
+        return "Turn: it is " + to_text(turn) + " degrees";
+      const Tensor<1, 3> move = obstacle.displacement_at(0);
+      return move.norm() == 0 ? "" : "Displacement: it is " + to_text(move);
+    }
+  } // namespace
+
+
+
+  std::vector<std::string>
+  Scene::cautions() const
+  {
+    std::vector<std::string> sentences;
+    for (const pairing::Obstacle &obstacle : obstacles)
+      if (const std::string what = jump(obstacle); !what.empty())
+        sentences.push_back(
+          "Obstacle '" + obstacle.name + "', " + what +
+          " at t = 0, when the obstacle stands as its shape says: the first "
+          "increment moves it by that, too. Begin with 0, or place the shape "
+          "there.");
+    for (const pairing::Contact &contact : contacts)
+      if (contact.preload && contact.preload->locked_from &&
+          *contact.preload->locked_from > times.back())
+        sentences.push_back("Contact '" + contact.name +
+                            "', Preload locked from: it is never locked, for "
+                            "the last increment ends at t = " +
+                            to_text(times.back()) + " and t = " +
+                            to_text(*contact.preload->locked_from) +
+                            " is after it.");
+    return sentences;
+  }
+} // namespace conetact::application
