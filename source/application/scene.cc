@@ -133,14 +133,14 @@ namespace conetact::application
   {
     constexpr int nowhere = std::numeric_limits<int>::max();
     const auto    depth   = [this](const std::string &entry) {
-      const std::string path = "Time/" + entry;
+      const std::string key = "Time/" + entry;
       if (std::any_of(overrides.begin(),
                       overrides.end(),
-                      [&path](const std::string &override) {
-                        return sets(override, path);
+                      [&key](const std::string &override) {
+                        return sets(override, key);
                       }))
         return -1;
-      const auto line = place_of(text, path);
+      const auto line = place_of(text, key);
       return line ? static_cast<int>(text.origins[*line].depth) : nowhere;
     };
     for (const char *list : {"Times", "Stages"})

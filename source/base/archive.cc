@@ -100,7 +100,7 @@ namespace conetact
     const std::vector<double> &values = get(name);
     check_size(name, values.size(), 3 * vectors.size());
     for (std::size_t i = 0; i < values.size(); ++i)
-      vectors[i / 3][i % 3] = values[i];
+      vectors[i / 3][static_cast<unsigned int>(i % 3)] = values[i];
   }
 
 
