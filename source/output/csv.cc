@@ -10,6 +10,7 @@
 #include <charconv>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace conetact::output
 {
@@ -126,9 +127,9 @@ namespace conetact::output
 
 
 
-  CsvRow::CsvRow(std::string &table, const std::string &place)
+  CsvRow::CsvRow(std::string &table, std::string place)
     : text(table)
-    , where(place)
+    , where(std::move(place))
   {}
 
 

@@ -227,6 +227,15 @@ namespace conetact::pairing
     return found;
   }
 
+  /** Of a node that was inside at the start, and entered on the other side. */
+  Passage
+  MovingBoundary::passage_from_inside(const Crossing &out) const
+  {
+    const Face        &face = faces[out.face];
+    const Tensor<1, 3> left = normal_of(face, n_places - 1);
+    return {-left, left, 0, face.size};
+  }
+
   std::vector<Passage>
   MovingBoundary::passages(const BodyWay &way, const unsigned int number) const
   {
@@ -240,7 +249,10 @@ namespace conetact::pairing
                 return one.when < other.when;
               });
     std::vector<Passage> found;
-    const Crossing      *in = nullptr;
+    if (!crossings.empty() && !crossings[0].is_inwards &&
+        !faces[crossings[0].face].may_be_entered)
+      found.push_back(passage_from_inside(crossings[0]));
+    const Crossing *in = nullptr;
     for (const Crossing &crossing : crossings)
       if (in == nullptr && crossing.is_inwards &&
           faces[crossing.face].may_be_entered)

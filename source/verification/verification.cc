@@ -97,6 +97,27 @@ namespace conetact::verification
     return v;
   }
 
+  /* What springs carry along is where it is to the rounding of how far that
+     is, and what strains it to no less. Of what is prescribed only: a body that
+     floats away gains nothing by it. */
+  VectorXd
+  Verification::rounding_of_springs(const Finding &out) const
+  {
+    VectorXd way = VectorXd::Zero(out.u.size());
+    for (const contact::Foundation &foundation : out.foundations)
+      for (unsigned int body = 0;
+           foundation.forces.size() > 0 && body < bodies.structures.size();
+           ++body)
+        {
+          const Index  first = plain.offset(body);
+          const Index  n     = plain.offset(body + 1) - first;
+          const double far =
+            solvers::largest(foundation.ground.segment(first, n));
+          way.segment(first, n) = way.segment(first, n).cwiseMax(far);
+        }
+    return way.isZero(0) ? VectorXd() : VectorXd(16 * eps * elastic.terms(way));
+  }
+
   Verification::Scales
   Verification::scales(const Claim &claim, const Finding &out) const
   {
@@ -155,7 +176,7 @@ namespace conetact::verification
                 const double error = std::abs(free[entry->unknown]) /
                                      (turns ? 2 * motions.size(body) : 1.);
                 const double scale = scales.nodal[body];
-                if (error <= .1 * scales.noise)
+                if (error <= std::max(.1 * scales.noise, out.rounding[body]))
                   continue;
                 // Far below the limit there is no need for |K| |w|.
                 if (error <= .1 * tolerance * scale)
@@ -168,9 +189,11 @@ namespace conetact::verification
                 // The rounding of K w is no fault of the solution. As w carries
                 // no rigid motion this is no loophole: a body that floats away
                 // gains nothing by it.
-                const double left = error - 8 * eps * terms[dof] - scales.noise;
-                const double e    = relative(left, scale);
-                out.equilibrium   = std::max(out.equilibrium, e);
+                double left = error - 8 * eps * terms[dof] - scales.noise;
+                if (out.carried.size() > 0)
+                  left -= out.carried[dof];
+                const double e  = relative(left, scale);
+                out.equilibrium = std::max(out.equilibrium, e);
                 if (e > tolerance && out.why.empty())
                   out.why = "forces at a node of body '" + bodies.names[body] +
                             "' are out of balance by " + to_text(e) +
@@ -189,9 +212,14 @@ namespace conetact::verification
         // can seem to carry what nothing holds: so each body is asked as a
         // whole.
         const Balance &balance = out.external.bodies[body];
-        const double   small   = scales.noise;
-        const double   size    = motions.size(body);
-        const double   e =
+        double         small   = scales.noise;
+        if (out.carried.size() > 0)
+          small += out.carried
+                     .segment(plain.offset(body),
+                              plain.offset(body + 1) - plain.offset(body))
+                     .sum();
+        const double size = motions.size(body);
+        const double e =
           std::max(relative(balance.sum.force.norm() - small, balance.forces),
                    relative(balance.sum.moment.norm() - small * size,
                             balance.turning()));
@@ -398,6 +426,7 @@ namespace conetact::verification
   Verification::rounding_of(const unsigned int body,
                             const Claim       &claim,
                             const Balance     &balance,
+                            const VectorXd    &carried,
                             VectorXd          &terms) const
   {
     const Index first = plain.offset(body);
@@ -420,7 +449,8 @@ namespace conetact::verification
       terms = elastic.terms(claim.w);
     double sum[2] = {0, 0};
     for (Index i = 0; i < n; ++i)
-      sum[is_turn(i)] += 8 * eps * terms[first + i];
+      sum[is_turn(i)] += 8 * eps * terms[first + i] +
+                         (carried.size() > 0 ? carried[first + i] : 0.);
     return balance.forces <= sum[0] && balance.largest_moment <= sum[1] ?
              sum[0] :
              0;
@@ -431,8 +461,8 @@ namespace conetact::verification
   {
     VectorXd terms;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      out.rounding.push_back(
-        rounding_of(body, claim, out.external.bodies[body], terms));
+      out.rounding.push_back(rounding_of(
+        body, claim, out.external.bodies[body], out.carried, terms));
     return *std::max_element(out.rounding.begin(), out.rounding.end()) > 0;
   }
 
@@ -497,6 +527,7 @@ namespace conetact::verification
     // Reactions of supports are read at the nodes that carry them.
     plain.unhang(rest);
     out.r              = claim.r;
+    out.carried        = rounding_of_springs(out);
     const auto collect = [&] {
       out.external = external_forces(bodies,
                                      plain,

@@ -12,6 +12,7 @@ FAR = {"Kinematics": "finite sliding"}
 
 def passing(laws):
     bullets(laws)
+    small_bullets(laws)
     swings(laws)
     deep_punch(laws)
     needles(laws)
@@ -47,6 +48,17 @@ def bullets(laws):
                 met(laws, f"{what}: one that goes through it", shot)
                 beside = laws.run(merge(shot, {"Support bullet": {"Displacement": "4*t ; 5*t" + " ; 0" * (dim - 2)}}))
                 laws.demand(f"{what}: one that passes beside it is not", beside.largest("r_n") == 0)
+
+
+def small_bullets(laws):
+    """What is smaller than the cells of the slave is found by its own nodes."""
+    for thickness in (.2, .6):
+        for pairing in ("mortar", "node to face"):
+            scene = {"Dimension": 2, "Body plate": box((4, 1), (4.0, thickness), (-2.0, -thickness)), "Support base": support(2, "x, y", body="plate"),
+                     "Body ball": box((2, 2), (.04, .04), (.03, 3.0)), "Support drive": support(3, "x, y", "0 ; -6*t", "ball"),
+                     "Contact hit": pair("plate", 3, "ball", "0, 1, 2", Pairing=pairing), "Time": {"End": 1, "Increments": 1}, "Output": {"VTU": 0}}
+            for n in (1, 7):
+                met(laws, f"a small block through a plate of {thickness:g} in {n}, {pairing}", merge(scene, {"Time": {"Increments": n}}))
 
 
 def swings(laws):

@@ -8,7 +8,22 @@ from support.tables import REACTION, in_space
 from support.vectors import plus, rotation, unit
 
 
+def carried(laws):
+    """A block that springs carry through the air: nothing acts on it; one with a weight hangs by as much."""
+    for dim in (2, 3):
+        for k in (1e2, 1e4, 1e7):
+            scene = {"Dimension": dim, "Body block": box((3,) * dim, (1.0,) * dim),
+                     "Obstacle floor": floor(dim, Point=(0.0,) * (dim - 1) + (-10.0,)), "Contact bottom": contact(ids=2 * dim - 2),
+                     "Support top": support(2 * dim - 1, "x, y, z"[:3 * dim - 2], " ; ".join(["0.3*t"] * (dim - 1) + ["-0.5*t"]), Stiffness=k),
+                     "Time": {"End": 1, "Increments": 2}, "Output": {"VTU": 0}}
+            force = "support_top_f_" + "xyz"[dim - 1]
+            laws.check(f"{dim}D, k {k:g}, carried through the air: force", abs(laws.run(scene).increments[-1][force]), 0)
+            heavy = {**scene, "Load weight": load("body force", " ; ".join(["0"] * (dim - 1) + ["-1"]))}
+            laws.check("  with a weight", abs(laws.run(heavy, bounds=False).increments[-1][force] - 1), 1e-15 * k + 1e-12)
+
+
 def supports(laws):
+    carried(laws)
     # a bar between a floor and springs: pressure = d / (1/k + H/E)
     young, height, k, d = 1000.0, 1.5, 400.0, .01
     for dim in (2, 3):

@@ -71,7 +71,7 @@ namespace conetact::output
   {
   public:
     /** `place` begins the sentence of the error: "Increment 3". */
-    CsvRow(std::string &table, const std::string &place);
+    CsvRow(std::string &table, std::string place);
     /** `column` is its name in the error. */
     void
     add(const char *column, const double value);
@@ -86,9 +86,9 @@ namespace conetact::output
     void
     separate();
 
-    std::string       &text;
-    const std::string &where;
-    bool               first = true;
+    std::string      &text;
+    const std::string where;
+    bool              first = true;
   };
 } // namespace conetact::output
 

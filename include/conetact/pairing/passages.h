@@ -89,6 +89,8 @@ namespace conetact::pairing
     find_crossings(const unsigned int     face,
                    const Places          &node,
                    std::vector<Crossing> &crossings) const;
+    Passage
+    passage_from_inside(const Crossing &out) const;
     double
     depth_at_end(double depth, const Point<3> &p) const;
     Passage

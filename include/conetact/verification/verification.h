@@ -55,8 +55,11 @@ namespace conetact::verification
      * on its nodes, which are no more than that and count as 0; of others 0.
      */
     std::vector<double> rounding;
-    Eigen::VectorXd     r; ///< reactions, 0 where they are this rounding
-    ExternalForces      external;
+    /** Rounding of forces where springs of supports carry bodies along, at all
+     * dofs; empty where none does. */
+    Eigen::VectorXd carried;
+    Eigen::VectorXd r; ///< reactions, 0 where they are this rounding
+    ExternalForces  external;
     std::vector<contact::Foundation> foundations; ///< by support
   };
 
@@ -123,13 +126,16 @@ namespace conetact::verification
 
   private:
     struct Scales;
+    Eigen::VectorXd
+    rounding_of_springs(const Finding &out) const;
     Scales
     scales(const Claim &claim, const Finding &out) const;
     double
-    rounding_of(const unsigned int body,
-                const Claim       &claim,
-                const Balance     &balance,
-                Eigen::VectorXd   &terms) const;
+    rounding_of(const unsigned int     body,
+                const Claim           &claim,
+                const Balance         &balance,
+                const Eigen::VectorXd &carried,
+                Eigen::VectorXd       &terms) const;
     bool
     find_rounding(const Claim &claim, Finding &out) const;
     void

@@ -265,7 +265,12 @@ namespace conetact::bodies
     GroupIds       ids(file, dim);
     auto           data = cell_data<dim>(cells, vertices, ids);
     dealii::GridTools::invert_cells_with_negative_measure(places, data);
-    dealii::GridTools::consistently_order_cells(data);
+    // simplices have no order to be found
+    if (std::all_of(data.begin(), data.end(), [](const auto &cell) {
+          return cell.vertices.size() ==
+                 dealii::GeometryInfo<dim>::vertices_per_cell;
+        }))
+      dealii::GridTools::consistently_order_cells(data);
     mesh.create_triangulation(places, data, dealii::SubCellData());
 
     std::set<Groups> seen;
