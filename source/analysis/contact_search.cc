@@ -274,8 +274,8 @@ namespace conetact::analysis
                    Way::round_edge :
                    Way::right;
         }
-      if (!passage.is_slave) // a mean over the slave's faces sees a little
-        return depth > deep_enough ? Way::through : Way::right;
+      if (!passage.is_slave) // in between nodes of the slave, see comes_between
+        return depth > 1 ? Way::through : Way::right;
       constexpr double unseen = .1; // of a cell
       const double     cosine = passage.entered * held.n;
       if (cosine >= same_side || depth <= unseen)

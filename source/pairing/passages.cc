@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace conetact::pairing
@@ -227,13 +228,26 @@ namespace conetact::pairing
     return found;
   }
 
-  /** Of a node that was inside at the start, and entered on the other side. */
+  /** Of a node that was inside at the start: it came in where that is nearest.
+   */
   Passage
-  MovingBoundary::passage_from_inside(const Crossing &out) const
+  MovingBoundary::passage_from_inside(const Crossing &out,
+                                      const Places   &node) const
   {
-    const Face        &face = faces[out.face];
-    const Tensor<1, 3> left = normal_of(face, n_places - 1);
-    return {-left, left, 0, face.size};
+    constexpr unsigned int last    = n_places - 1;
+    double                 nearest = std::numeric_limits<double>::max();
+    Passage                found{{}, normal_of(faces[out.face], last), 0, 0};
+    for (const Face &face : faces)
+      if (face.may_be_entered)
+        if (const double distance =
+              closest_point(corners_of(face, 0), node[0]).distance;
+            distance < nearest)
+          {
+            nearest       = distance;
+            found.entered = normal_of(face, last);
+            found.size    = face.size;
+          }
+    return found;
   }
 
   std::vector<Passage>
@@ -251,7 +265,7 @@ namespace conetact::pairing
     std::vector<Passage> found;
     if (!crossings.empty() && !crossings[0].is_inwards &&
         !faces[crossings[0].face].may_be_entered)
-      found.push_back(passage_from_inside(crossings[0]));
+      found.push_back(passage_from_inside(crossings[0], node));
     const Crossing *in = nullptr;
     for (const Crossing &crossing : crossings)
       if (in == nullptr && crossing.is_inwards &&

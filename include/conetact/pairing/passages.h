@@ -90,7 +90,7 @@ namespace conetact::pairing
                    const Places          &node,
                    std::vector<Crossing> &crossings) const;
     Passage
-    passage_from_inside(const Crossing &out) const;
+    passage_from_inside(const Crossing &out, const Places &node) const;
     double
     depth_at_end(double depth, const Point<3> &p) const;
     Passage
