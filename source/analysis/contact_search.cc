@@ -275,7 +275,9 @@ namespace conetact::analysis
                    Way::right;
         }
       if (!passage.is_slave) // in between nodes of the slave, see comes_between
-        return depth > 1 ? Way::through : Way::right;
+        return depth > 1 || passage.depth > deep_enough * passage.thickness ?
+                 Way::through :
+                 Way::right;
       constexpr double unseen = .1; // of a cell
       const double     cosine = passage.entered * held.n;
       if (cosine >= same_side || depth <= unseen)

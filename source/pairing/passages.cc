@@ -205,6 +205,21 @@ namespace conetact::pairing
     return depth;
   }
 
+  /** To the nearest face that looks the other way. */
+  double
+  MovingBoundary::thickness_at_end(const Passage  &passage,
+                                   const Point<3> &p) const
+  {
+    constexpr double opposite = -.5; // cosine
+    double           beyond   = std::numeric_limits<double>::max();
+    for (const Face &face : faces)
+      if (normal_of(face, n_places - 1) * passage.entered < opposite)
+        beyond =
+          std::min(beyond,
+                   closest_point(corners_of(face, n_places - 1), p).distance);
+    return passage.depth + beyond;
+  }
+
   Passage
   MovingBoundary::passage(const Crossing &in,
                           const Crossing *out,
@@ -215,7 +230,8 @@ namespace conetact::pairing
     Passage                found{normal_of(face, last), {}, 0, face.size};
     if (out == nullptr)
       {
-        found.depth = depth_at_end(-height(face, node, last), node.back());
+        found.depth     = depth_at_end(-height(face, node, last), node.back());
+        found.thickness = thickness_at_end(found, node.back());
         return found;
       }
     const Face &other = faces[out->face];
@@ -263,8 +279,7 @@ namespace conetact::pairing
                 return one.when < other.when;
               });
     std::vector<Passage> found;
-    if (!crossings.empty() && !crossings[0].is_inwards &&
-        !faces[crossings[0].face].may_be_entered)
+    if (!crossings.empty() && !crossings[0].is_inwards)
       found.push_back(passage_from_inside(crossings[0], node));
     const Crossing *in = nullptr;
     for (const Crossing &crossing : crossings)

@@ -58,7 +58,13 @@ def small_bullets(laws):
                      "Body ball": box((2, 2), (.04, .04), (.03, 3.0)), "Support drive": support(3, "x, y", "0 ; -6*t", "ball"),
                      "Contact hit": pair("plate", 3, "ball", "0, 1, 2", Pairing=pairing), "Time": {"End": 1, "Increments": 1}, "Output": {"VTU": 0}}
             for n in (1, 7):
-                met(laws, f"a small block through a plate of {thickness:g} in {n}, {pairing}", merge(scene, {"Time": {"Increments": n}}))
+                what = f"a small block through a plate of {thickness:g} in {n}, {pairing}"
+                met(laws, what, merge(scene, {"Time": {"Increments": n}}))
+                if pairing == "node to face" and n == 1:  # the only one that takes nodes of supports
+                    met(laws, f"{what}, top and bottom in contact",
+                        merge(scene, {"Contact hit": {"Boundary ids": "3, 4"},
+                                      "Body plate": {"Mesh": {"Boundary ids": f"4: y < {.01 - thickness!r} && x > -0.9"}},
+                                      "Time": {"Increments": n}}))
 
 
 def swings(laws):

@@ -19,6 +19,8 @@ namespace conetact::pairing
     Tensor<1, 3> left;    ///< the same where it came out; 0: it did not
     double depth; ///< the largest, or if it is inside that at the end [length]
     double size;  ///< longest edge of the face that was entered
+    /** If it is inside at the end: of the body there, across that face. */
+    double thickness = 0;
 
     bool
     is_out() const
@@ -91,6 +93,8 @@ namespace conetact::pairing
                    std::vector<Crossing> &crossings) const;
     Passage
     passage_from_inside(const Crossing &out, const Places &node) const;
+    double
+    thickness_at_end(const Passage &passage, const Point<3> &p) const;
     double
     depth_at_end(double depth, const Point<3> &p) const;
     Passage
