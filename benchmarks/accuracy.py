@@ -21,7 +21,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from measure import TOP, cpu_seconds, median_cpu_seconds, plain_ticks, table  # first: it knows the way to tests/support
+from measure import TOP, cpu_seconds, finish_panel, median_cpu_seconds, table  # first: it knows the way to tests/support
 from support import half_space, manufactured
 from support.scenes import ELEMENTS, merge, write_scene
 from support.tables import Run
@@ -115,9 +115,7 @@ def draw(curves_of, startup, file):
             axis.loglog([p[1] for p in points], [p[column] for p in points], style, marker="o", markersize=4, label=name)
         if study != "solvers":
             axis.axvline(startup, color="0.7", zorder=0)
-        axis.set(title=title, ylabel=ylabel, xlabel="CPU time, s")
-        plain_ticks(axis.xaxis)
-        axis.grid(True, which="major", alpha=.3)
+        finish_panel(axis, title=title, ylabel=ylabel, xlabel="CPU time, s")
         axis.legend(fontsize=8)
     figure.savefig(file, dpi=130)
 

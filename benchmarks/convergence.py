@@ -15,7 +15,7 @@ import os
 import shutil
 from pathlib import Path
 
-from measure import TOP, plain_ticks, table  # first: it knows the way to tests/support
+from measure import TOP, finish_panel, table  # first: it knows the way to tests/support
 from support import half_space
 from support.checks import Laws, orders
 from support.manufactured import solution_errors
@@ -53,9 +53,7 @@ def draw(studies, file):
     for axis, ((name, dim), (sizes, errors)) in zip(axes.T.flat, studies.items()):
         for what in errors[0]:
             axis.loglog([1 / n for n in sizes], [e[what] for e in errors], "o-", markersize=4, label=what)
-        axis.set(title=f"{name}, {'plane' if dim == 2 else 'space'}", xlabel="h", ylabel="relative error")
-        plain_ticks(axis.xaxis)
-        axis.grid(True, which="major", alpha=.3)
+        finish_panel(axis, title=f"{name}, {'plane' if dim == 2 else 'space'}", xlabel="h", ylabel="relative error")
         axis.legend(fontsize=7)
     figure.savefig(file, dpi=110)
 

@@ -60,3 +60,10 @@ def plain_ticks(axis):
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     axis.set_minor_formatter(NullFormatter())
+
+
+def finish_panel(panel, **words):
+    """Title and labels, numbers along its logarithmic x axis, and a grid."""
+    panel.set(**words)
+    plain_ticks(panel.xaxis)
+    panel.grid(True, which="major", alpha=.3)

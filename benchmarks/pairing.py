@@ -5,7 +5,8 @@
 
 usage: pairing.py [--build FOLDER] [--sizes N...] [--small N...] [--iterative N...] [--sliding N...]
 
-Two plates of N x N cells, one cell thick; the upper one is turned by 20 degrees on the lower one, whose cells are
+Two plates of N x N cells, one cell thick, or as many that they are cubes where nothing is condensed; the upper one is
+turned by 20 degrees on the lower one, whose cells are
 1.5 times as large. First table: one pairing, from CPU seconds of dry runs of scenes in which the same
 contact stands once and many times, which cancels all that is not pairing; the last row are exponents over the
 number of contact nodes, least squares of logarithms. Second table: what pairings take of an increment: of
@@ -27,9 +28,10 @@ COLUMNS = ("contact nodes", *(f"{p}, {unit}" for p in PAIRINGS for unit in ("ms"
 SHARES = ("Kinematics", "Backend", "pairing", "contact nodes", "pairings", "one pairing, s", "increment, CPU s", "share", "peak MB")
 
 
-def plates(n, pairing, increments=1, contacts=1, **entries):
-    scene = {"Dimension": 3, "Body lower": box((n, n, 1), (1.5, 1.5, .1), (-.75, -.75, -.1)),
-             "Body upper": box((n, n, 1), (1.0, 1.0, .1), (-.5, -.5, 0.0), Rotation=(0, 0, 1, 20.0)),
+def plates(n, pairing, increments=1, contacts=1, cubes=False, **entries):
+    layers = max(n // 10, 1) if cubes else 1
+    scene = {"Dimension": 3, "Body lower": box((n, n, layers), (1.5, 1.5, .1), (-.75, -.75, -.1)),
+             "Body upper": box((n, n, layers), (1.0, 1.0, .1), (-.5, -.5, 0.0), Rotation=(0, 0, 1, 20.0)),
              "Support base": support(4, "x, y, z", body="lower"),
              "Support top": support(5, "x, y, z", f"{1.5 / n!r}*max(t - 1, 0) ; 0 ; -1e-3*min(t, 1)", "upper"),
              "Time": {"End": increments, "Increments": increments}, "Output": {"VTU": 0}}
@@ -73,7 +75,7 @@ def whole_run(program, scene, folder):
 
 
 def small_share(program, n, pairing, one, folder, backend):
-    scene = plates(n, pairing) | {"Solver": {"Backend": backend}}
+    scene = plates(n, pairing, cubes=backend == "iterative") | {"Solver": {"Backend": backend}}
     seconds, memory, _ = whole_run(program, scene, folder)
     return ("small", backend, pairing, (n + 1)**2, 1, f"{one:.3g}", f"{seconds:.3g}", f"{one / seconds:.1%}", f"{memory:.0f}")
 

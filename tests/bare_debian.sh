@@ -45,7 +45,8 @@ fresh_root() {
 
 use_proc() { # as any running system has it
   mount -t proc proc "$root/proc"
-  trap 'umount "$root/proc"' EXIT
+  mount -t sysfs -o ro sysfs "$root/sys"
+  trap 'umount "$root/proc" "$root/sys"' EXIT
 }
 
 compare() { # FOLDER of results

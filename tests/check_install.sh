@@ -53,7 +53,7 @@ quietly "$bin/conetact-reproductions" --help
 [ ! -x "$bin/conetact-fclib" ] || quietly "$bin/conetact-fclib" --help
 
 # the solvers, for other programs
-quietly cmake -S "$tree/examples/contact_by_hand" -B build -DCMAKE_BUILD_TYPE=Release \
+quietly cmake -G Ninja -S "$tree/examples/contact_by_hand" -B build -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_PREFIX_PATH="$prefix"
 quietly cmake --build build
 found=$(build/contact-by-hand)

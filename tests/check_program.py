@@ -222,8 +222,9 @@ class Case:
             return subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, text=True)
         manual = say("--parameters")
         self.demand("--parameters alone prints the manual", manual.returncode == 0 and
-                    all(f"\n## {name}\n" in manual.stdout for name in ("Body NAME/Material", "Contact NAME", "Solver",
-                                                                     "Output")), manual.stdout[:200] + manual.stderr)
+                    all(f"\n## {name}\n" in manual.stdout for name in ("Body NAME/Material", "Body NAME/Section NAME", "Contact NAME", "Solver",
+                                                                     "Output"))
+                    and "**Torsion constant**" in manual.stdout and "* **Sections**:" in manual.stdout, manual.stdout[:200] + manual.stderr)
         new = say("--new", "mine")
         self.demand("--new writes a scene", new.returncode == 0 and (self.folder / "mine.prm").exists(), new.stderr)
         run = say("mine.prm")

@@ -156,6 +156,10 @@ def runs(laws):
     demand_exception(laws, conetact.WriteError, "/proc/none", lambda: conetact.run(BLOCK, folder="/proc/none"))
     demand_exception(laws, conetact.InputError, "cannot be read", lambda: conetact.run(laws.folder / "none.prm"))
     demand_exception(laws, conetact.ResultError, "events.csv", lambda: conetact.run(BLOCK).events)
+    bare = laws.folder / "bare"
+    bare.mkdir()
+    for folder, words in ((bare, "is it a folder of results"), (laws.folder / "missing", "no folder")):
+        demand_exception(laws, conetact.ResultError, words, lambda: conetact.Result(folder))
     os.environ["CONETACT"] = str(laws.folder / "none")
     demand_exception(laws, conetact.ConetactError, "CONETACT", lambda: conetact.run(BLOCK))
     os.environ["CONETACT"] = str(laws.program)
@@ -178,6 +182,9 @@ def sweeps(laws):
                 and isinstance(results[1].error, conetact.AnalysisError))
     laws.check("each has its load", max(abs(r.increments["bottom_f_x"][-1] + float(r.changes["Load push/Value"][:3]))
                                         for r in results if not r.error), 1e-10)
+    single = conetact.sweep(BLOCK, {MU: .5, "Load push/Value": "0.2*t"}, quiet, progress=False)
+    laws.demand("a text and a number are one value each", [r.changes for r in single] ==
+                [{**quiet, MU: .5, "Load push/Value": "0.2*t"}])
     folder = laws.folder / "sweep"
     zipped = conetact.sweep(BLOCK, {MU: [.5, .7], "Load push/Value": ["0.2*t", "0.4*t"]}, quiet, zipped=True, folder=folder,
                             processes=2)
@@ -190,6 +197,7 @@ def sweeps(laws):
 def shapes(laws):
     """What pictures stand on."""
     import drawing.shapes as shapes
+    from drawing.colours import Scale
     from drawing.units import Units
     for dim, expected in ((2, 6.0), (3, 2 * (1.5 + 1.5 + 1.0))):
         scene = merge(press_and_shear(dim, (4, 4, 4)[:dim]), DRAWN)
@@ -202,6 +210,17 @@ def shapes(laws):
         sizes = np.linalg.norm(first if dim == 2 else np.cross(first, last), axis=1)
         laws.check(f"cells of two levels, {dim}D: the surface is closed, nothing inside", abs(sizes.sum() - expected), 1e-5)
     laws.demand("factors", [shapes.nice(x) for x in (.3, 1.7, 2, 4.99, 73, 2e4, np.inf)] == [1, 1, 2, 2, 50, 2e4, 1])
+    import matplotlib.pyplot as plt
+    for low, high in ((4.358, 4.358 + 1e-10), (-7e20, -7e20), (0, 0)):
+        scale, (figure, axes) = Scale("von_mises", low, high), plt.subplots()
+        bar = scale.draw_bar(figure, axes, Units(""))
+        laws.demand(f"rounding of {low:g} has one colour and one number", len({scale.map(scale.norm(x)) for x in (low, high)}) == 1
+                    and [text.get_text() for text in bar.ax.get_xticklabels()] == [f"{low:.6g}"])
+    figure, axes = plt.subplots()
+    bar = Scale("von_mises", 4.358, 4.35801).draw_bar(figure, axes, Units(""))
+    figure.canvas.draw()
+    laws.demand("numbers of bars have no offset", bar.formatter.get_offset() == "")
+    plt.close("all")
     units = Units("N, mm, MPa (any consistent ones)")
     laws.demand("units", [units.label(name) for name in ("r_n", "x", "pressure", "bottom_m_z", "slip")] ==
                 ["r_n [N]", "x [mm]", "pressure [MPa]", "bottom_m_z [N mm]", "slip"])

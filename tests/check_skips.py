@@ -11,7 +11,7 @@ import sys
 
 from support import scenes
 from support.checks import run_families
-from support.logs import check_estimates, demand_work, dry_run, log_of, work_of
+from support.logs import check_estimates, check_ratio, demand_work, dry_run, log_of, work_of
 from support.tables import REACTION
 
 
@@ -190,6 +190,24 @@ def estimated(laws):
     laws.demand("a dry run finds a load that is not finite", done.returncode == 1 and "is not finite" in done.stderr)
 
 
+def estimated_of_processes(laws):
+    """The same of each process where nothing is condensed."""
+    for dim, cells in ((2, (130, 130)), (3, (20, 20, 20))):
+        scene = scenes.press_and_shear(dim, cells=cells, increments=2)
+        iterative = ("-s", "Solver/Backend=iterative")
+        check_estimates(laws, f"{dim}D, iterative", dry_run(laws, scene, *iterative), laws.run(scene, *iterative), "memory")
+        for n in (2, 3):
+            processes = (*iterative, "--processes", str(n))
+            first, other = re.search(r"processes, the first one (\S+) MB .*, each other one (\S+) MB",
+                                     dry_run(laws, scene, *processes)).groups()
+            log = log_of(laws.run(scene, *processes))
+            found = re.search("memory of processes: (.*)", log)[1].split(", ")
+            laws.demand(f"{dim}D: there are {n} processes", len(found) == n)
+            check_ratio(laws, f"{dim}D, {n} processes: memory of the first", first, found[0].split()[0])
+            for memory in found[1:]:
+                check_ratio(laws, f"{dim}D, {n} processes: memory of another", other, memory.split()[0])
+
+
 def failed(laws):
     """A run without an equilibrium says what it did, too."""
     done, folder = laws.start(scenes.SHIPPED / "floating-block.prm", "-s", "Contact bottom/Friction coefficient=0.01")
@@ -209,7 +227,7 @@ def frictionless(laws):
 
 
 CHECKS = (factor_once, carried, loads_once, tables_once, drawn_only, paused, no_contact, at_rest, congruent, used_again,
-          estimated, failed, frictionless)
+          estimated, estimated_of_processes, failed, frictionless)
 
 if __name__ == "__main__":
     if len(sys.argv) != 2:

@@ -126,6 +126,8 @@ class Result:
         self._tables = {}
         if not self.folder.is_dir():
             raise ResultError(f"There is no folder {self.folder}.")
+        if error is None and not (self.folder / "used.prm").is_file():
+            raise ResultError(f"{self.folder} holds no used.prm: is it a folder of results?")
 
     def __repr__(self):
         return f"Result({str(self.folder)!r}, changes={self.changes}, exit_code={self.exit_code})"
@@ -261,7 +263,8 @@ def error_of(done):
 
 def combinations(lists, zipped=False):
     """A dictionary of values for each run of a sweep: all combinations, or the first values, the second ones, ..."""
-    names, values = list(lists), [list(values) for values in lists.values()]
+    names = list(lists)
+    values = [[values] if isinstance(values, (str, numbers.Number)) else list(values) for values in lists.values()]
     if zipped and len({len(v) for v in values}) > 1:
         lengths = ", ".join(f"{name}: {len(v)}" for name, v in zip(names, values))
         raise InputError(f"Lists that are zipped must be of one length ({lengths}).")
@@ -272,7 +275,7 @@ def sweep(scene, lists, changes=None, zipped=False, folder=None, processes=None,
     """Runs a scene for lists of values, on all cores; returns the Results in the order of the lists.
 
     `lists`: {"Contact bottom/Friction coefficient": [0.1, 0.2], ...}, in all combinations, or
-    zipped. `changes` are the same for all. With `folder` results stay, in folder/0001, ... A run
+    zipped; a text or a number is one value. `changes` are the same for all. With `folder` results stay, in folder/0001, ... A run
     without equilibrium has exit code 2 and an `error`, and is no reason to stop; wrong input is.
     """
     cases = [{**(changes or {}), **case} for case in combinations(lists, zipped)]

@@ -3,9 +3,10 @@
 """What colours mean: a quantity on bodies, one on members of frames, contact states."""
 import matplotlib
 import numpy as np
-from matplotlib.colors import Normalize
+from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.ticker import MaxNLocator
 
+ROUNDING = 1e-8  # of the size of a field: what varies by less is uniform
 STATES = {"open": ("0.55", "o"), "stick": ("black", "s"), "slip": ("crimson", "D")}
 ARROWS = {state: STATES[state][0] for state in ("stick", "slip")}
 OBSTACLE = "0.82"
@@ -36,7 +37,13 @@ class Scale:
         if low < 0 < high:  # signs are told apart
             low, high = -max(-low, high), max(-low, high)
         self.map = matplotlib.colormaps["coolwarm" if low < 0 < high else "viridis"]
-        self.norm = Normalize(low, high if high > low else low + 1)
+        self.uniform = None
+        if high - low <= ROUNDING * max(-low, high):
+            self.uniform = (low + high) / 2
+            self.map = ListedColormap([self.map(.5)])
+            around = abs(self.uniform) or 1
+            low, high = self.uniform - around, self.uniform + around
+        self.norm = Normalize(low, high)
 
     def values(self, body):
         values = body.arrays[self.quantity]
@@ -47,9 +54,14 @@ class Scale:
         kind = units.label(self.quantity)[len(self.quantity):]
         mappable = matplotlib.cm.ScalarMappable(self.norm, self.map)
         bar = figure.colorbar(mappable, ax=axes, label=title + kind, location="bottom", shrink=.7, aspect=32, pad=.03)
+        if self.uniform is not None:
+            bar.set_ticks([self.uniform], labels=[f"{self.uniform:.6g}"])
+            return bar
         bar.locator = MaxNLocator(6)
         bar.formatter.set_powerlimits((-3, 4))
+        bar.formatter.set_useOffset(False)
         bar.update_ticks()
+        return bar
 
 
 def scales_of(series, asked):

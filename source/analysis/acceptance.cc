@@ -4,6 +4,7 @@
 #include "conetact/analysis/acceptance.h"
 
 #include "conetact/base/text.h"
+#include "conetact/bodies/frame/frame.h"
 #include "conetact/output/extremes.h"
 #include "conetact/pairing/true_gap.h"
 
@@ -501,10 +502,18 @@ namespace conetact::analysis
     record.largest_displacement =
       output::largest_displacement(bodies.structures, bodies.n_elastic(), size);
     record.probes.clear();
+    if (scene.probes.empty())
+      return;
+    const auto actions = scene.actions(record.time);
     for (const bodies::Probe &probe : scene.probes)
-      record.probes.push_back(
-        probe.displacement(u.segment(model.coordinates.offset(probe.body),
-                                     bodies.structures[probe.body]->n_dofs())));
+      {
+        const bodies::Structure &body = *bodies.structures[probe.body];
+        record.probes.push_back(probe.displacement(
+          u.segment(model.coordinates.offset(probe.body), body.n_dofs())));
+        if (const auto *frame = dynamic_cast<const bodies::Frame *>(&body))
+          record.probes.back() +=
+            frame->deflection_between_nodes(probe.point, actions[probe.body]);
+      }
   }
 
   void

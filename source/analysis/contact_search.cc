@@ -5,11 +5,14 @@
 
 #include "conetact/base/text.h"
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/closest_point.h"
 
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <set>
 
 namespace conetact::analysis
 {
@@ -320,7 +323,7 @@ namespace conetact::analysis
   std::string
   ContactSearch::passes_through(const Eigen::VectorXd &u,
                                 const double           t,
-                                const bool             may_be_cut) const
+                                const bool             may_be_cut)
   {
     const Ways        ways = ways_to(u);
     const std::string why  = obstacle_passes(ways, t, may_be_cut);
@@ -358,9 +361,10 @@ namespace conetact::analysis
   std::string
   ContactSearch::body_passes(const Ways            &ways,
                              const Eigen::VectorXd &u,
-                             const bool             may_be_cut) const
+                             const bool             may_be_cut)
   {
-    const auto passages = contacts.passages(ways);
+    inside              = start_inside;
+    const auto passages = contacts.passages(ways, inside);
     if (passages.empty())
       return "";
     const auto displacement = [&](const unsigned int body,
@@ -391,57 +395,132 @@ namespace conetact::analysis
     return "";
   }
 
-  std::string
-  ContactSearch::comes_between(const Eigen::VectorXd &u, const double t) const
+  /* Downhill from the middle of the face, over the face. */
+  double
+  ContactSearch::lowest_gap(const ObstacleFace                           &face,
+                            const pairing::SlidingContacts::Displacement &at,
+                            const double                                  size,
+                            const double t) const
   {
-    constexpr double deep = .1; // of the size of a face
-    const auto       at   = [&](const unsigned int b, const unsigned int i) {
+    constexpr double longest = .2, shortest = .01, level = 1e-3; // of the face
+    pairing::ContactNode     node = model.points.nodes()[face.node];
+    const bodies::Structure &body = *model.bodies.structures[node.body];
+    std::vector<Point<3>>    corners;
+    Point<3>                 p;
+    for (const unsigned int i : face.corners)
+      {
+        corners.push_back(body.position(i) + at(node.body, i));
+        p += Tensor<1, 3>(corners.back()) /
+             static_cast<double>(face.corners.size());
+      }
+    const auto meet = [&](const Point<3> &x) {
+      node.position = x;
+      return contacts.find_on_obstacle(
+        node,
+        [&](const unsigned int b, const unsigned int i) {
+          return b == node.body ? Tensor<1, 3>() : at(b, i);
+        },
+        t);
+    };
+    pairing::ContactNode lowest = meet(p);
+    for (double step = longest * size; step > shortest * size;)
+      {
+        const Point<3> from = lowest.position;
+        const Point<3> to =
+          pairing::closest_point(corners,
+                                 from - std::max(lowest.gap, step) * lowest.n)
+            .point;
+        if (to.distance(from) < level * size)
+          break;
+        if (pairing::ContactNode there = meet(to); there.gap < lowest.gap)
+          lowest = std::move(there);
+        else
+          step /= 2;
+      }
+    return lowest.gap;
+  }
+
+  std::string
+  ContactSearch::comes_between(const Eigen::VectorXd &u, const double t)
+  {
+    constexpr double deep = .1, deep_alone = .01; // of the size of a face
+    const auto       at = [&](const unsigned int b, const unsigned int i) {
       return model.displacement(u, b, i);
     };
+    const auto gap_of = [&](const pairing::ContactNode &node) {
+      return node.gap + node.n * contact::relative_displacement(node, at, t);
+    };
+    std::set<unsigned int> touched; // contacts
+    if (!obstacle_faces.empty())
+      for (const pairing::ContactNode &node : model.points.nodes())
+        if (gap_of(node) < closed * node.spacing)
+          touched.insert(node.contact);
     for (const ObstacleFace &face : obstacle_faces)
       {
-        pairing::ContactNode     node   = model.points.nodes()[face.node];
-        const bodies::Structure &body   = *model.bodies.structures[node.body];
-        const Point<3>           corner = node.position;
-        const auto               n = static_cast<double>(face.corners.size());
-        Tensor<1, 3>             centre, moved;
-        double                   size = 0;
+        const pairing::ContactNode &node = model.points.nodes()[face.node];
+        const bodies::Structure    &body = *model.bodies.structures[node.body];
+        double                      size = 0;
         for (const unsigned int i : face.corners)
-          {
-            centre += Tensor<1, 3>(body.position(i)) / n;
-            moved += at(node.body, i) / n;
-            size = std::max(size, corner.distance(body.position(i)));
-          }
-        if (node.gap + node.n * contact::relative_displacement(node, at, t) >
-            size)
+          size = std::max(size, node.position.distance(body.position(i)));
+        if (gap_of(node) > size)
           continue;
-        node.position = Point<3>(centre);
-        const double gap =
-          contacts
-            .find_on_obstacle(
-              node,
-              [&, own = node.body](const unsigned int b, const unsigned int i) {
-                return b == own ? moved : at(b, i);
-              },
-              t)
-            .gap;
-        if (gap < -deep * size)
+        const double gap = lowest_gap(face, at, size, t);
+        if (gap < -(touched.count(node.contact) > 0 ? deep : deep_alone) * size)
           return "obstacle '" + node.obstacle->name + "' is " + to_text(-gap) +
-                 " deep in " + model.bodies.called(node.body) + " near " +
-                 to_text(node.position) +
+                 " deep in " + model.bodies.called(node.body) +
+                 " beside its node " + to_text(node.position) +
                  ", in between its nodes, and only nodes touch. Use smaller "
                  "cells there";
       }
-    const auto found = contacts.master_in_slave(at, deep);
-    if (!found)
+    return master_comes_between(u, deep);
+  }
+
+  /** How far two bodies at most have moved to each other since `from`. */
+  double
+  ContactSearch::approach(const Places &from, const Places &to) const
+  {
+    double      two = 0, one = 0;
+    std::size_t i = 0;
+    for (const bodies::Structure *const body : model.bodies.structures)
+      {
+        double moved = 0;
+        for (const std::size_t end = i + body->n_nodes(); i < end; ++i)
+          moved = std::max(moved, (to[i] - from[i]).norm());
+        two = std::max(two, one + moved);
+        one = std::max(one, moved);
+      }
+    return two;
+  }
+
+  /* Most increments are too small for it: seen from where it was looked for
+     last. */
+  std::string
+  ContactSearch::master_comes_between(const Eigen::VectorXd &u,
+                                      const double           deep)
+  {
+    if (clearance == std::numeric_limits<double>::max())
+      return ""; // there are no masters
+    const auto at = [&](const unsigned int b, const unsigned int i) {
+      return model.displacement(u, b, i);
+    };
+    Places now;
+    for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
+      for (unsigned int i = 0; i < model.bodies.structures[b]->n_nodes(); ++i)
+        now.push_back(at(b, i));
+    if (!clear_at.empty() && approach(clear_at, now) < clearance)
       return "";
-    const pairing::Contact &contact = contacts.contact(found->contact);
+    const auto found = contacts.master_in_slave(at, deep);
+    clear_at         = std::move(now);
+    clearance        = found.clearance;
+    if (!found.deep)
+      return "";
+    const pairing::Contact &contact = contacts.contact(found.deep->contact);
     return "contact '" + contact.name +
            "': " + model.bodies.called(contact.master) + " is " +
-           to_text(found->depth) + " of a cell deep in " +
+           to_text(found.deep->depth) + " of a cell deep in " +
            model.bodies.called(contact.body) + " at its node " +
-           to_text(
-             model.bodies.structures[contact.master]->position(found->node)) +
+           to_text(model.bodies.structures[contact.master]->position(
+             found.deep->node)) +
            " (undeformed), in between nodes of the slave. Choose the body of "
            "finer cells as slave (Body), or smaller cells";
   }
@@ -520,9 +599,10 @@ namespace conetact::analysis
   void
   ContactSearch::accept(const Eigen::VectorXd &u, const double t)
   {
-    start       = u;
-    start_t     = t;
-    frames      = model.bodies.frames();
-    start_nodes = model.points.nodes();
+    start        = u;
+    start_t      = t;
+    frames       = model.bodies.frames();
+    start_nodes  = model.points.nodes();
+    start_inside = inside;
   }
 } // namespace conetact::analysis

@@ -64,10 +64,14 @@ namespace conetact::analysis
     constexpr double lus_an_increment  = .15; // after the first
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
-    // 32^3 and 64^3 cells (space), 50^2 (plane).
-    constexpr double setup_of_unknown[]     = {8e-6, 2e-5};
-    constexpr double increment_of_unknown[] = {4e-5, 1.7e-5};
-    constexpr double bytes_of_unknown[]     = {1500, 4500};
+    // 32^3 and 64^3 cells (space), 50^2 (plane). What processes share, what the
+    // first one has besides, and what each other has anyway: from 64^3 and
+    // 100^3 cells, 200^2 and 400^2, by one to three processes.
+    constexpr double setup_of_unknown[]     = {8e-6, 5e-6};
+    constexpr double increment_of_unknown[] = {4e-5, 4e-6};
+    constexpr double shared_bytes[]         = {1450, 1390};
+    constexpr double bytes_of_first[]       = {50, 850};
+    constexpr double bytes_of_others        = 1.7e8;
 
     // Unknowns in space below which nothing is worth a forecast, and above
     // which none is needed.
@@ -122,17 +126,25 @@ namespace conetact::analysis
   Cost
   estimate_iterative_cost(const contact::ContactModel &model,
                           const std::size_t            n_increments,
-                          const std::size_t            n_drawings)
+                          const std::size_t            n_drawings,
+                          const int                    n_processes)
   {
     const auto        n = static_cast<double>(model.coordinates.n_unknowns());
     const std::size_t d = model.bodies.dim - 2;
     const auto        increments = static_cast<double>(n_increments);
-    Cost              cost;
-    cost.memory_bytes = peak_memory() + bytes_of_unknown[d] * n;
-    cost.seconds =
-      cpu_seconds() +
-      n * (setup_of_unknown[d] + increment_of_unknown[d] * increments) +
-      seconds_of_results(model, increments, n_drawings);
+    const double      share      = n / n_processes;
+    const double      solution =
+      share * (setup_of_unknown[d] + increment_of_unknown[d] * increments);
+    Cost cost;
+    cost.memory_bytes =
+      peak_memory() + bytes_of_first[d] * n + shared_bytes[d] * share;
+    cost.seconds = cpu_seconds() + solution +
+                   seconds_of_results(model, increments, n_drawings);
+    if (n_processes > 1)
+      {
+        cost.memory_of_others  = bytes_of_others + shared_bytes[d] * share;
+        cost.seconds_of_others = solution;
+      }
     return cost;
   }
 

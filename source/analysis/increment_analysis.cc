@@ -369,7 +369,7 @@ namespace conetact::analysis
      only. */
   std::string
   IncrementAnalysis::passes_through(const output::IncrementRecord &record,
-                                    const Eigen::VectorXd         &u) const
+                                    const Eigen::VectorXd         &u)
   {
     const bool        may_be_cut = parts.may_be_cut(search.time(),
                                              duration(record.increment),

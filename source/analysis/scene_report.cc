@@ -4,6 +4,7 @@
 #include "conetact/analysis/scene_report.h"
 
 #include "conetact/analysis/cost.h"
+#include "conetact/backends/large_stiffness.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 
@@ -33,11 +34,40 @@ namespace conetact::analysis
     }
 
     void
-    warn_of_memory(const Cost &cost, Log &log)
+    warn_of_memory(const double bytes, Log &log)
     {
-      if (cost.memory_bytes > machine_memory())
+      if (bytes > machine_memory())
         log.say("warning: this machine has " + megabytes(machine_memory()) +
                 " of memory only. Use a coarser mesh or fewer contact nodes.");
+    }
+
+    std::string
+    tenths(const double seconds)
+    {
+      return to_text(std::round(10 * seconds) / 10) + " s";
+    }
+
+    void
+    report_iterative_cost(const application::Scene    &scene,
+                          const contact::ContactModel &model,
+                          Log                         &log)
+    {
+      const int  n = backends::useful_processes(model.coordinates.n_unknowns());
+      const Cost cost  = estimate_iterative_cost(model,
+                                                scene.times.size(),
+                                                scene.n_drawings(),
+                                                n);
+      const double all = cost.memory_bytes + (n - 1) * cost.memory_of_others;
+      log.say("estimate: backend iterative, memory of " + megabytes(all) +
+              ", " + tenths(cost.seconds + (n - 1) * cost.seconds_of_others) +
+              " in all");
+      if (n > 1)
+        log.say("estimate: " + std::to_string(n) +
+                " processes, the first one " + megabytes(cost.memory_bytes) +
+                " and " + tenths(cost.seconds) + " of CPU, each other one " +
+                megabytes(cost.memory_of_others) + " and " +
+                tenths(cost.seconds_of_others));
+      warn_of_memory(all, log);
     }
   } // namespace
 
@@ -164,13 +194,7 @@ namespace conetact::analysis
   {
     if (model.is_iterative())
       {
-        const Cost cost = estimate_iterative_cost(model,
-                                                  scene.times.size(),
-                                                  scene.n_drawings());
-        log.say("estimate: backend iterative, memory of " +
-                megabytes(cost.memory_bytes) + ", " +
-                to_text(std::round(10 * cost.seconds) / 10) + " s in all");
-        warn_of_memory(cost, log);
+        report_iterative_cost(scene, model, log);
         return;
       }
     const Cost cost =
@@ -180,12 +204,12 @@ namespace conetact::analysis
             ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
             ", memory of " + megabytes(cost.memory_bytes) + " in all");
     log.say("estimate: " + to_text(cost.factor.flops) +
-            " floating-point operations to factorise, " +
-            to_text(std::round(10 * cost.seconds) / 10) + " s in all");
+            " floating-point operations to factorise, " + tenths(cost.seconds) +
+            " in all");
     if (scene.condenser != &backends::default_condenser())
       log.say("estimate: at least, for " + std::string(scene.condenser->name) +
               " tells nothing before it is done");
-    warn_of_memory(cost, log);
+    warn_of_memory(cost.memory_bytes, log);
   }
 
 

@@ -140,6 +140,10 @@ end
   {
     dealii::ParameterHandler prm;
     declare_scene(prm, {{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}});
+    prm.enter_subsection("Body NAME");
+    prm.set("Sections", std::string("NAME")); // declares Section NAME
+    prm.set("Sections", std::string());
+    prm.leave_subsection();
     std::ostringstream stream;
     prm.print_parameters(stream,
                          dealii::ParameterHandler::Text |

@@ -77,7 +77,8 @@ namespace conetact::application
         "history.csv tells, each with a name: 'tip: 1, 0, 0 ; "
         "edge: 0.5, 0, 1'; 'edge in block: 0.5, 0, 1' where "
         "several bodies hold the point. Between nodes it is that "
-        "of the element [length].");
+        "of the element, of members of frames with the loads on "
+        "them [length].");
       prm.declare_entry("Checkpoint",
                         "0",
                         dealii::Patterns::Integer(0),

@@ -114,11 +114,11 @@ namespace conetact::application
       return utf8;
     }
 
-    /** As editors of all systems leave it: UTF-8 with line feeds. */
+    /** As editors of all systems leave it: UTF-8, line feeds, plain blanks. */
     std::string
     plain(const std::string &raw, const std::string &file)
     {
-      const std::string mark = "\xef\xbb\xbf";
+      const std::string mark = "\xef\xbb\xbf", no_break = "\xc2\xa0";
       std::string       text =
         raw.rfind(mark, 0) == 0 ? raw.substr(mark.size()) : raw;
       if (text.find('\0') != text.npos)
@@ -127,7 +127,12 @@ namespace conetact::application
         text = from_latin1(text);
       std::string lines;
       for (std::size_t i = 0; i < text.size(); ++i)
-        if (text[i] != '\r')
+        if (text.compare(i, no_break.size(), no_break) == 0)
+          {
+            lines += ' ';
+            i += no_break.size() - 1;
+          }
+        else if (text[i] != '\r')
           lines += text[i];
         else if (i + 1 >= text.size() || text[i + 1] != '\n')
           lines += '\n';

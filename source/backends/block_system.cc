@@ -3,6 +3,8 @@
 
 #include "conetact/backends/block_system.h"
 
+#include "conetact/base/index.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -23,12 +25,6 @@ namespace conetact::backends
     constexpr int    cycle_length    = 40;
     constexpr auto   most_iterations = 400u;
     constexpr double digits          = 1e-4;
-
-    std::size_t
-    at(const Index i)
-    {
-      return static_cast<std::size_t>(i);
-    }
 
     /**
      * Pieces that stay in the cache; sums over them in single precision are
@@ -61,16 +57,6 @@ namespace conetact::backends
 
 
 
-  /** Of each column of K, own ones before those of others. */
-  template <int block>
-  struct BlockSystem<block>::Columns
-  {
-    std::vector<double> number; ///< among those of all
-    std::vector<double> held;   ///< 0 at contact unknowns, else 1
-  };
-
-
-
   template <int block>
   BlockSystem<block>::BlockSystem(BlockShare<block> given)
     : processes(given.processes)
@@ -80,9 +66,8 @@ namespace conetact::backends
     , exists(given.exists)
     , contact(std::move(given.contact))
   {
-    std::vector<int> first_node = first;
-    for (int &i : first_node)
-      i /= block;
+    for (const int i : first)
+      first_node.push_back(i / block);
     K = {std::move(given.K), first_node, processes};
     K.share_equal_rows();
     find_scale();
@@ -170,61 +155,40 @@ namespace conetact::backends
 
   template <int block>
   void
-  BlockSystem<block>::held_row(const Columns &columns,
-                               const int      i,
-                               SparseRow     &row) const
-  {
-    row.columns.clear();
-    row.values.clear();
-    K.for_row(at(i / block), [&](const int node, const auto &values) {
-      for (int c = 0; c < block; ++c)
-        {
-          const int    j    = node * block + c;
-          const double held = columns.held[at(i)] * columns.held[at(j)];
-          double       a    = values(i % block, c) / scale;
-          if (i == j && a == 0)
-            a = 1; // no unknown at all
-          row.columns.push_back(static_cast<int>(columns.number[at(j)]));
-          row.values.push_back(i == j ? a : held * a);
-        }
-    });
-  }
-
-
-
-  template <int block>
-  void
   BlockSystem<block>::make_levels(const Eigen::MatrixXd &modes)
   {
-    Columns columns;
-    columns.held.assign(exists.begin(), exists.end());
-    for (const std::vector<int> &node : contact)
-      for (const int p : node)
-        columns.held[at(p)] = 0;
-    columns.held = K.of_columns(std::move(columns.held));
-    for (int i = 0; i < n; ++i)
-      columns.number.push_back(first[at(processes.rank())] + i);
-    columns.number    = K.of_columns(std::move(columns.number));
-    const auto row_of = [&](const int i, SparseRow &row) {
-      held_row(columns, i, row);
-    };
     if (first.back() <= small_enough)
       {
-        Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
-        SparseRow       row;
-        for (int i = 0; i < n; ++i)
-          {
-            row_of(i, row);
-            for (std::size_t k = 0; k < row.columns.size(); ++k)
-              dense(i, row.columns[k]) = row.values[k];
-          }
-        whole.compute(dense);
+        whole.compute(held_matrix());
         return;
       }
-    const SmoothedAggregation aggregates(
-      first, block, row_of, modes, processes);
-    levels = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(aggregates,
-                                                                    processes);
+    levels = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(
+      LevelAbove<block>{K, scale, D, largest, modes}, processes);
+    std::vector<int> nodes;
+    for (const std::vector<int> &node : contact)
+      nodes.push_back(node[0] / block);
+    levels->follow(A, nodes, first_node);
+  }
+
+  template <int block>
+  Eigen::MatrixXd
+  BlockSystem<block>::held_matrix() const
+  {
+    Array free = exists;
+    for (const std::vector<int> &node : contact)
+      for (const int p : node)
+        free[p] = 0;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    for (int i = 0; i < n_nodes; ++i)
+      K.for_row(at(i), [&](const int j, const auto &values) {
+        matrix.block<block, block>(i * block, j * block) = values / scale;
+      });
+    const Array diagonal = matrix.diagonal();
+    matrix               = free.asDiagonal() * matrix * free.asDiagonal();
+    for (int i = 0; i < n; ++i)
+      if (matrix(i, i) == 0)
+        matrix(i, i) = diagonal(i) == 0 ? 1. : diagonal(i);
+    return matrix;
   }
 
 
@@ -243,8 +207,10 @@ namespace conetact::backends
         {
           a.row(r).setZero();
           a.col(r).setZero();
-          a(r, r) = 1;
         }
+    for (int r = 0; r < block; ++r)
+      if (a(r, r) == 0) // held, or of a mechanism: nothing resists
+        a(r, r) = 1;
     FloatBlock inverse = a.inverse();
     for (int r = 0; r < block; ++r)
       if (free[i * block + r] == 0)
@@ -256,13 +222,15 @@ namespace conetact::backends
      D is made one. */
   template <int block>
   void
-  BlockSystem<block>::add_node(const std::vector<int> &node,
-                               const NodeLaw          &law,
-                               const Array            &y,
-                               System                 &system) const
+  BlockSystem<block>::add_node(const std::size_t i,
+                               const NodeLaw    &law,
+                               const Array      &y,
+                               System           &system) const
   {
-    std::vector<Index> stays, known;
-    NodeRows           rows;
+    const std::vector<int> &node = contact[i];
+    std::vector<Index>      stays, known;
+    NodeRows                rows;
+    rows.node = i;
     for (Index k = 0; k < law.h.size(); ++k)
       {
         const int p = node[at(k)];
@@ -314,18 +282,26 @@ namespace conetact::backends
     const Array y          = multiply(system.known);
     system.right_hand_side = -f - y;
     for (std::size_t i = 0; i < contact.size(); ++i)
-      add_node(contact[i], laws[i], y, system);
+      add_node(i, laws[i], y, system);
     system.right_hand_side.array() *= system.free.array();
     system.free_float = system.free.template cast<float>();
-    set_blocks(system);
+    set_states(system);
     return system;
   }
 
   template <int block>
   void
-  BlockSystem<block>::set_blocks(System &system) const
+  BlockSystem<block>::set_states(System &system) const
   {
-    std::vector<FloatBlock> S(at(n_nodes), FloatBlock::Zero());
+    std::vector<NodeState<block>> states;
+    for (const std::vector<int> &places : contact)
+      {
+        const Index i = places[0] / block * block;
+        states.push_back({(exists - system.free)
+                            .template segment<block>(i)
+                            .template cast<float>(),
+                          FloatBlock::Zero()});
+      }
     for (const NodeRows &rows : system.rows)
       {
         // Only its symmetric part makes a smoother, and if it is positive.
@@ -334,19 +310,21 @@ namespace conetact::backends
         const SmallMatrix positive =
           eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.).asDiagonal() *
           eigen.eigenvectors().transpose() / scale;
-        const int i = rows.stays[0] / block;
+        FloatBlock &added = states[rows.node].added;
         for (std::size_t a = 0; a < rows.stays.size(); ++a)
           for (std::size_t b = 0; b < rows.stays.size(); ++b)
-            S[at(i)](rows.stays[a] % block, rows.stays[b] % block) +=
+            added(rows.stays[a] % block, rows.stays[b] % block) +=
               static_cast<float>(
                 positive(static_cast<Index>(a), static_cast<Index>(b)));
       }
-    for (const std::vector<int> &places : contact)
+    for (std::size_t i = 0; i < contact.size(); ++i)
       {
-        const int node = places[0] / block;
-        system.D.emplace_back(node,
-                              inverse_block(node, system.free, S[at(node)]));
+        const int node = contact[i][0] / block;
+        system.D.emplace_back(
+          node, inverse_block(node, system.free, states[i].added));
       }
+    if (levels)
+      levels->set_states(states);
   }
 
   /* y_u += S x_u + Q y_k, and nothing where unknowns are held. */
@@ -384,9 +362,10 @@ namespace conetact::backends
   }
 
   template <int block>
-  FloatVector
+  void
   BlockSystem<block>::precondition(const System      &system,
-                                   const FloatVector &b) const
+                                   const FloatVector &b,
+                                   FloatVector       &result) const
   {
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {
       A.multiply(x.data(), y.data());
@@ -407,17 +386,18 @@ namespace conetact::backends
         z.segment<block>(i * block).noalias() =
           own * r.segment<block>(i * block);
     };
-    Chebyshev   smoother(multiply, scaled, largest);
-    FloatVector r = b, x(n), coarse(n);
-    smoother.smooth_first(r, x);
+    Chebyshev    smoother(multiply, scaled, largest, vectors.smoothing);
+    FloatVector &r = vectors.r, &coarse = vectors.coarse;
+    r = b;
+    coarse.resize(n);
+    smoother.smooth_first(r, result);
     r.array() *= system.free_float.array();
     if (levels)
       levels->correct(r, coarse);
     else
       coarse = whole.solve(r.cast<double>()).template cast<float>();
-    x.array() += system.free_float.array() * coarse.array();
-    smoother.smooth_last(b, r, x);
-    return x;
+    result.array() += system.free_float.array() * coarse.array();
+    smoother.smooth_last(b, r, result);
   }
 
   /* One after the other, as Gram and Schmidt do it in the modified way; or all
@@ -431,11 +411,11 @@ namespace conetact::backends
     if (processes.size() == 1)
       {
         along(0) = subtract_and_project(0, V.front(), V.front(), w);
-        for (std::size_t i = 1; i < V.size(); ++i)
-          along(static_cast<Index>(i)) = subtract_and_project(
-            along(static_cast<Index>(i) - 1), V[i - 1], V[i], w);
-        return std::sqrt(
-          subtract_and_project(along(along.size() - 1), V.back(), w, w));
+        for (Index i = 1; i < along.size(); ++i)
+          along(i) =
+            subtract_and_project(along(i - 1), V[at(i - 1)], V[at(i)], w);
+        const Index last = along.size() - 1;
+        return std::sqrt(subtract_and_project(along(last), V[at(last)], w, w));
       }
     const Index n_along = along.size();
     Array       parts(n_along + 1);
@@ -473,7 +453,16 @@ namespace conetact::backends
                             const double       goal,
                             unsigned int      &iterations) const
   {
-    std::vector<FloatVector> V = {b}, Z;
+    std::vector<FloatVector> &V = vectors.V, &Z = vectors.Z;
+    FloatVector              &w    = vectors.w;
+    const auto                next = [](auto &list, const Index i) -> auto &
+    {
+      if (list.size() <= at(i))
+        list.emplace_back();
+      return list[at(i)];
+    };
+    next(V, 0) = b;
+    w.resize(n);
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(cycle_length + 1, cycle_length);
     VectorXd        g = VectorXd::Zero(cycle_length + 1);
     g(0)              = 1;
@@ -481,14 +470,14 @@ namespace conetact::backends
     Index                                      k = 0;
     for (; k < cycle_length && std::abs(g(k)) > goal; ++k, ++iterations)
       {
-        Z.push_back(precondition(system, V.back()));
-        FloatVector w(n);
-        A.multiply(Z.back().data(), w.data());
-        add_laws(system, scale, Z.back(), w);
+        FloatVector &z = next(Z, k);
+        precondition(system, V[at(k)], z);
+        A.multiply(z.data(), w.data());
+        add_laws(system, scale, z, w);
         H(k + 1, k) = orthogonalize(V, w, H.col(k).head(k + 1));
         if (!std::isfinite(H(k + 1, k)))
           break;
-        V.push_back(w / static_cast<float>(std::max(H(k + 1, k), 1e-30)));
+        next(V, k + 1) = w / static_cast<float>(std::max(H(k + 1, k), 1e-30));
         for (Index i = 0; i < k; ++i)
           H.col(k).applyOnTheLeft(i, i + 1, turns[at(i)].adjoint());
         turns[at(k)].makeGivens(H(k, k), H(k + 1, k));

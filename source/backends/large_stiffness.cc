@@ -5,6 +5,7 @@
 
 #include "conetact/backends/block_system.h"
 #include "conetact/backends/partition.h"
+#include "conetact/base/index.h"
 #include "conetact/base/process.h"
 
 #include <algorithm>
@@ -12,16 +13,24 @@
 
 namespace conetact::backends
 {
+  /* Each has more than needs no levels. */
+  int
+  useful_processes(const Eigen::Index n_unknowns)
+  {
+    if (!Together::is_possible())
+      return 1;
+    return static_cast<int>(std::clamp<Eigen::Index>(
+      n_unknowns / small_enough,
+      1,
+      static_cast<Eigen::Index>(ProcessSession::n_processes())));
+  }
+
+
+
   namespace
   {
     using Eigen::Index;
     using solvers::NodeLaw;
-
-    std::size_t
-    at(const Index i)
-    {
-      return static_cast<std::size_t>(i);
-    }
 
     /** Places of unknowns among those of nodes, each with as many. */
     struct Places
@@ -81,20 +90,6 @@ namespace conetact::backends
         places.of.push_back(next[at(i)]++);
       return places;
     }
-
-    /** Processes that a system is worth: each has more than needs no levels. */
-    int
-    useful_processes(const Index n_unknowns)
-    {
-      if (!Together::is_possible())
-        return 1;
-      return static_cast<int>(
-        std::clamp<Index>(n_unknowns / small_enough,
-                          1,
-                          static_cast<Index>(ProcessSession::n_processes())));
-    }
-
-
 
     /** As the first process sees it. */
     class FirstPart : public solvers::LargeSystem

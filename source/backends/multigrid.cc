@@ -3,6 +3,8 @@
 
 #include "conetact/backends/multigrid.h"
 
+#include "conetact/base/index.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -11,112 +13,53 @@ namespace conetact::backends
 {
   namespace
   {
-    std::size_t
-    at(const int i)
-    {
-      return static_cast<std::size_t>(i);
-    }
-
     /** Unknowns of a level of which each process has all. */
     constexpr int few = 4000;
 
-    /** A matrix of blocks from rows of entries. */
-    template <int n_rows, int n_columns, typename RowOf>
-    BlockMatrix<n_rows, n_columns, float>
-    gather_blocks(const int n, const RowOf &row_of)
-    {
-      BlockMatrix<n_rows, n_columns, float> A;
-      SparseRow                             rows[n_rows];
-      std::vector<int>                      columns;
-      for (int i = 0; i < n; ++i)
-        {
-          columns.clear();
-          for (int r = 0; r < n_rows; ++r)
-            {
-              row_of(n_rows * i + r, rows[r]);
-              for (const int c : rows[r].columns)
-                columns.push_back(c / n_columns);
-            }
-          std::sort(columns.begin(), columns.end());
-          columns.erase(std::unique(columns.begin(), columns.end()),
-                        columns.end());
-          const std::size_t first = A.start.back();
-          A.start.push_back(first + columns.size());
-          A.column.insert(A.column.end(), columns.begin(), columns.end());
-          A.value.resize(A.start.back() * A.block_size, 0.f);
-          for (int r = 0; r < n_rows; ++r)
-            for (std::size_t k = 0; k < rows[r].columns.size(); ++k)
-              {
-                const int  c     = rows[r].columns[k];
-                const auto place = std::lower_bound(columns.begin(),
-                                                    columns.end(),
-                                                    c / n_columns) -
-                                   columns.begin();
-                A.block(first +
-                        static_cast<std::size_t>(place))(r, c % n_columns) =
-                  static_cast<float>(rows[r].values[k]);
-              }
-        }
-      // columns are read in fours
-      A.value.resize(A.value.size() + 8, 0.f);
-      return A;
-    }
+    /** Unknowns of a level that needs none below it. */
+    constexpr int few_enough = 600;
 
-    /** The rows of all processes. */
-    template <int n_rows, int n_columns>
-    BlockMatrix<n_rows, n_columns, float>
-    all_rows(BlockMatrix<n_rows, n_columns, float> own,
-             const Communicator                   &processes)
+    /** What a level must gain, or there is none below it. */
+    constexpr double least_gain = .8;
+
+    Eigen::MatrixXd
+    gather_rows(const Eigen::MatrixXd &own, const Communicator &processes)
     {
       if (processes.size() == 1)
         return own;
-      using Ints   = Eigen::VectorXi;
-      using Floats = Eigen::VectorXf;
-      const auto n = static_cast<Eigen::Index>(own.column.size());
-      Ints       lengths(own.n_block_rows());
-      for (std::size_t i = 0; i < own.n_block_rows(); ++i)
-        lengths[static_cast<Eigen::Index>(i)] =
-          static_cast<int>(own.start[i + 1] - own.start[i]);
-      BlockMatrix<n_rows, n_columns, float> all;
-      for (const int length : processes.gather_all(lengths))
-        all.start.push_back(all.start.back() + at(length));
-      all.allocate();
-      const Ints columns =
-        processes.gather_all(Ints(Eigen::Map<Ints>(own.column.data(), n)));
-      std::copy(columns.begin(), columns.end(), all.column.begin());
-      const Floats values = processes.gather_all(
-        Floats(Eigen::Map<Floats>(own.value.data(), n * n_rows * n_columns)));
-      std::copy(values.begin(), values.end(), all.value.begin());
+      Eigen::MatrixXd all;
+      for (Eigen::Index j = 0; j < own.cols(); ++j)
+        {
+          const Eigen::VectorXd column =
+            processes.gather_all(Eigen::VectorXd(own.col(j)));
+          all.conservativeResize(column.size(), own.cols());
+          all.col(j) = column;
+        }
       return all;
     }
 
-    /** Of the rows of all processes. */
+    template <int size>
     Eigen::MatrixXd
-    dense(const SmoothedAggregation &levels,
-          const int                  level,
-          const Communicator        &processes)
+    dense(const BlockMatrix<size, size, double> &A)
     {
-      const int       n   = levels.first(level).back();
-      const int       own = levels.size(level);
-      Eigen::VectorXd A   = Eigen::VectorXd::Zero(Eigen::Index(own) * n);
-      SparseRow       row;
-      for (int i = 0; i < own; ++i)
-        {
-          levels.matrix_row(level, i, row);
-          for (std::size_t k = 0; k < row.columns.size(); ++k)
-            A(Eigen::Index(i) * n + row.columns[k]) = row.values[k];
-        }
-      A = processes.gather_all(A);
-      return Eigen::Map<const Eigen::MatrixXd>(A.data(), n, n).transpose();
+      const auto      n = static_cast<Eigen::Index>(A.n_block_rows()) * size;
+      Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+      for (std::size_t i = 0; i < A.n_block_rows(); ++i)
+        for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
+          result.block<size, size>(static_cast<Eigen::Index>(i) * size,
+                                   Eigen::Index(A.column[k]) * size) =
+            A.block(i, k);
+      return result;
     }
 
-    /** Numbers of blocks from those of unknowns. */
-    std::vector<int>
-    over(std::vector<int> first, const int size)
+    template <int size>
+    Eigen::Matrix<float, size, size>
+    inverse(const Eigen::Matrix<float, size, size> &block)
     {
-      for (int &i : first)
-        i /= size;
-      return first;
+      return block.template cast<double>()
+        .completeOrthogonalDecomposition()
+        .pseudoInverse()
+        .template cast<float>();
     }
 
     /** Inverse diagonal blocks of a matrix. */
@@ -128,11 +71,7 @@ namespace conetact::backends
       for (std::size_t i = 0; i < D.size(); ++i)
         for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
           if (static_cast<std::size_t>(A.column[k]) == i)
-            D[i] = A.block(i, k)
-                     .template cast<double>()
-                     .completeOrthogonalDecomposition()
-                     .pseudoInverse()
-                     .template cast<float>();
+            D[i] = inverse<size>(A.block(i, k));
       return D;
     }
   } // namespace
@@ -140,71 +79,78 @@ namespace conetact::backends
 
 
   template <int fine, int coarse>
-  CoarseLevels<fine, coarse>::CoarseLevels(const SmoothedAggregation &levels,
-                                           const Communicator        &p)
+  CoarseLevels<fine, coarse>::CoarseLevels(const LevelAbove<fine> &finest,
+                                           const Communicator     &p)
     : processes(p)
   {
-    const int n = levels.n_levels();
-    if (n < 2)
-      return;
-    below.resize(at(n - 1));
-    for (int l = 1; l < n; ++l)
+    below.reserve(100);
+    LevelRows<coarse> rows;
+    bool              is_last =
+      add_level(aggregate<fine, coarse>(finest, processes), P, R, rows);
+    while (!is_last)
       {
-        Level &level   = below[at(l - 1)];
-        level.is_whole = l + 1 == n || levels.first(l).back() <= few;
-        level.is_first_whole =
-          level.is_whole && (l == 1 || !below[at(l - 2)].is_whole);
-        const int size =
-          level.is_whole ? levels.first(l).back() : levels.size(l);
-        for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
-          v->setZero(size);
+        Level             &level   = below.back();
+        const Communicator sharing = sharers(level);
+        const DistributedMatrix<coarse, coarse, double> A(std::move(rows.A),
+                                                          rows.first,
+                                                          sharing);
+        make_smoother(level, A);
+        const Eigen::MatrixXd modes = std::move(rows.modes);
+        is_last                     = add_level(aggregate<coarse, coarse>(
+                              {A, 1., level.D, level.largest, modes}, sharing),
+                            level.P,
+                            level.R,
+                            rows);
       }
-    P = prolongator<fine>(levels, 1);
-    R = {P, static_cast<std::size_t>(below[0].b.size()) / coarse};
-    for (int l = 1; l + 1 < n; ++l)
-      make_level(levels, l);
-    coarsest.compute(dense(levels, n - 1, processes));
+    coarsest_matrix = dense(rows.A);
   }
 
 
 
   template <int fine, int coarse>
   template <int size>
-  DistributedMatrix<size, coarse, float>
-  CoarseLevels<fine, coarse>::prolongator(const SmoothedAggregation &levels,
-                                          const int                  l) const
+  bool
+  CoarseLevels<fine, coarse>::add_level(
+    CoarseLevel<size, coarse>             &&next,
+    DistributedMatrix<size, coarse, float> &prolongator,
+    TransposedMatrix<coarse, size, float>  &restriction,
+    LevelRows<coarse>                      &rows)
   {
-    auto rows = gather_blocks<size, coarse>(levels.size(l - 1) / size,
-                                            [&](const int i, SparseRow &r) {
-                                              levels.prolongator_row(l, i, r);
-                                            });
-    if (l > 1 && below[at(l - 2)].is_whole)
-      rows = all_rows(std::move(rows), processes);
-    return {std::move(rows),
-            over(levels.first(l), coarse),
-            sharers(below[at(l - 1)])};
+    const bool   above_is_whole = !below.empty() && below.back().is_whole;
+    const double n_above        = (above_is_whole ? Communicator() : processes)
+                             .sum(static_cast<double>(next.P.n_block_rows()));
+    Level &level         = below.emplace_back();
+    rows                 = std::move(next.rows);
+    const int  n         = rows.first.back();
+    const bool is_last   = n * coarse <= few_enough || n > least_gain * n_above;
+    level.is_whole       = is_last || n * coarse <= few;
+    level.is_first_whole = level.is_whole && !above_is_whole;
+    if (level.is_first_whole)
+      {
+        rows.A     = gather_rows(std::move(rows.A), processes);
+        rows.modes = gather_rows(rows.modes, processes);
+        rows.first = {0, n};
+      }
+    const Communicator sharing = sharers(level);
+    level.begin                = rows.first[at(sharing.rank())];
+    const int n_own = rows.first[at(sharing.rank()) + 1] - level.begin;
+    for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
+      v->setZero(Eigen::Index(n_own) * coarse);
+    prolongator = {std::move(next.P), rows.first, sharing};
+    restriction = {prolongator, at(n_own)};
+    return is_last;
   }
 
 
 
   template <int fine, int coarse>
   void
-  CoarseLevels<fine, coarse>::make_level(const SmoothedAggregation &levels,
-                                         const int                  l)
+  CoarseLevels<fine, coarse>::make_smoother(
+    Level                                           &level,
+    const DistributedMatrix<coarse, coarse, double> &A)
   {
-    Level             &level = below[at(l - 1)];
-    const Communicator own   = sharers(level);
-    auto rows = gather_blocks<coarse, coarse>(levels.size(l) / coarse,
-                                              [&](const int i, SparseRow &r) {
-                                                levels.matrix_row(l, i, r);
-                                              });
-    if (level.is_whole)
-      rows = all_rows(std::move(rows), processes);
-    level.A       = {std::move(rows), over(levels.first(l), coarse), own};
+    level.A       = A.template cast<float>();
     level.D       = inverse_diagonal(level.A.own_part());
-    level.P       = prolongator<coarse>(levels, l + 1);
-    level.R       = {level.P,
-                     static_cast<std::size_t>(below[at(l)].b.size()) / coarse};
     level.largest = largest_eigenvalue(
       [&](const FloatVector &x, FloatVector &y) {
         level.A.multiply(x.data(), y.data());
@@ -212,9 +158,86 @@ namespace conetact::backends
       [&](const FloatVector &x, FloatVector &y) {
         multiply_blocks(level.D, x, y);
       },
-      level.is_whole ? 0 : levels.first(l)[at(own.rank())],
+      Eigen::Index(level.begin) * coarse,
       level.b.size(),
-      own);
+      sharers(level));
+  }
+
+
+
+  template <int fine, int coarse>
+  void
+  CoarseLevels<fine, coarse>::follow(
+    const DistributedMatrix<fine, fine, float> &A,
+    const std::vector<int>                     &nodes,
+    const std::vector<int>                     &first)
+  {
+    contact = {A, nodes, first, P, processes};
+    for (std::size_t l = 0; l + 1 < below.size(); ++l)
+      {
+        Level &level = below[l];
+        contact.add_level(level.P, level.begin, sharers(level));
+        const int n_own = static_cast<int>(level.D.size());
+        for (const int i : contact.pattern(static_cast<int>(l)).number)
+          if (i >= level.begin && i < level.begin + n_own)
+            {
+              auto &row = level.free_rows.emplace_back();
+              level.A.for_row(at(i - level.begin),
+                              [&](const int, const auto &block) {
+                                row.emplace_back(block);
+                              });
+            }
+      }
+  }
+
+
+
+  template <int fine, int coarse>
+  void
+  CoarseLevels<fine, coarse>::set_states(
+    const std::vector<NodeState<fine>> &states)
+  {
+    const auto changes = contact.change(states);
+    for (std::size_t l = 0; l + 1 < below.size(); ++l)
+      change_rows(below[l], changes[l]);
+    Eigen::MatrixXd last = coarsest_matrix;
+    const auto     &rows = changes.back();
+    for (std::size_t i = 0; i < rows.number.size(); ++i)
+      rows.for_row(i, [&](const int j, const auto &block) {
+        last.template block<coarse, coarse>(rows.number[i] * coarse,
+                                            j * coarse) +=
+          block.template cast<double>();
+      });
+    coarsest.compute(last);
+  }
+
+
+
+  template <int fine, int coarse>
+  void
+  CoarseLevels<fine, coarse>::change_rows(
+    Level                          &level,
+    const SomeRows<coarse, coarse> &change)
+  {
+    const int n_own = static_cast<int>(level.D.size());
+    auto      free  = level.free_rows.begin();
+    for (std::size_t place = 0; place < change.number.size(); ++place)
+      {
+        const int i = change.number[place];
+        if (i < level.begin || i >= level.begin + n_own)
+          continue;
+        auto from = (free++)->begin();
+        level.A.for_row(at(i - level.begin), [&](const int column, auto block) {
+          const int         j = level.A.number_of_column(column);
+          const std::size_t k = change.find(place, j);
+          block               = *from++;
+          if (k < change.blocks.start[place + 1] &&
+              change.blocks.column[k] == j)
+            block += change.blocks.block(place, k);
+          if (j == i)
+            level.D[at(i - level.begin)] = inverse<coarse>(block);
+        });
+      }
   }
 
 
@@ -262,7 +285,7 @@ namespace conetact::backends
     const auto scale = [&](const FloatVector &x, FloatVector &y) {
       multiply_blocks(level.D, x, y);
     };
-    Chebyshev smoother(multiply, scale, level.largest);
+    Chebyshev smoother(multiply, scale, level.largest, level.smoothing);
     level.r = level.b;
     smoother.smooth_first(level.r, level.x);
     restrict_to(below[l + 1], level.R, level.r);

@@ -4,6 +4,7 @@
 #include "conetact/backends/shared_system.h"
 
 #include "conetact/backends/block_system.h"
+#include "conetact/base/index.h"
 
 #include <algorithm>
 
@@ -13,12 +14,6 @@ namespace conetact::backends
   {
     using Eigen::Index;
     using solvers::NodeLaw;
-
-    std::size_t
-    at(const Index i)
-    {
-      return static_cast<std::size_t>(i);
-    }
 
     /** Rows `begin` to `end` - 1 of nodes, both triangles. */
     template <int block>

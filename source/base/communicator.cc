@@ -3,6 +3,7 @@
 
 #include "conetact/base/communicator.h"
 
+#include "conetact/base/index.h"
 #include "conetact/base/process.h"
 
 #include <algorithm>
@@ -14,12 +15,6 @@ namespace conetact
 {
   namespace
   {
-    std::size_t
-    at(const int i)
-    {
-      return static_cast<std::size_t>(i);
-    }
-
     /** Bytes that go in one message, whose length is an int. */
     constexpr std::size_t longest = 1 << 30;
 

@@ -50,7 +50,9 @@ namespace conetact
         const bool        ends =
           other.size() > own.size() + 1 &&
           other.substr(other.size() - own.size() - 1) == ' ' + own;
-        const std::size_t changes = begins || ends ? 1 : n_changes(own, other);
+        const std::size_t changes = own == other   ? 0 :
+                                    begins || ends ? 1 :
+                                                     n_changes(own, other);
         if (changes < least)
           {
             best  = candidate;

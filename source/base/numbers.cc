@@ -29,6 +29,7 @@ namespace conetact
       static const std::regex  comma("([+-]?[0-9]+),([0-9]+)");
       static const std::regex  unit(number + "\\s*(%|[A-Za-z][A-Za-z/^0-9*]*)");
       static const std::regex  blank("([+-]?[0-9.]+)\\s+([eE][+-]?[0-9]+)");
+      static const std::regex  exponent("[eE]([0-9].*)?");
       std::smatch              parts;
       const std::string        start = entry + ": '" + text + "' ";
       if (std::regex_match(text, parts, comma))
@@ -37,8 +38,8 @@ namespace conetact
       if (std::regex_match(text, parts, blank))
         throw InputError(start + "has a blank in it. Write " + parts[1].str() +
                          parts[2].str() + ".");
-      if (std::regex_match(text, parts, unit) && parts[3] != "e" &&
-          parts[3] != "E")
+      if (std::regex_match(text, parts, unit) &&
+          !std::regex_match(parts[3].str(), exponent))
         throw InputError(start + "has '" + parts[3].str() +
                          "' behind the number. Leave it out: units are yours, "
                          "any consistent ones.");
@@ -58,7 +59,8 @@ namespace conetact
     const Expression expression(text, entry);
     if (!expression.is_constant())
       throw InputError(entry + ": '" + trim(text) +
-                       "' depends on position or time. Give a number.");
+                       "' depends on position or time. Give a number, not an "
+                       "expression of them.");
     const double number = expression(dealii::Point<3>());
     if (!std::isfinite(number))
       throw InputError(entry + ": '" + trim(text) +

@@ -37,9 +37,10 @@ namespace conetact::bodies
     const BoundaryIds known  = structure.boundary_ids();
     for (const unsigned int id : ids)
       if (known.count(id) == 0)
-        throw InputError(entry + ": no face of body '" + body + "' has id " +
+        throw InputError(entry + ": body '" + body + "' has no boundary id " +
                          std::to_string(id) + ". It has: " + join(known) +
-                         "; more are tagged by Mesh/Boundary ids.");
+                         "; more are given by Boundary ids of its Mesh or "
+                         "Frame.");
     return ids;
   }
 

@@ -251,9 +251,10 @@ namespace conetact::bodies
                       Anything(),
                       "For a point force: where it acts. [length]");
     prm.declare_entry("Value",
-                      "0",
+                      "",
                       Anything(),
-                      "Components, functions of x, y, z, t, separated by ';' "
+                      "Must be given: components, functions of x, y, z, t, "
+                      "separated by ';' "
                       "(pressure, temperature: one; initial strain in 3D: xx, "
                       "yy, zz, xy, xz, yz, in 2D: xx, yy, xy, and zz if it is "
                       "not 0, components of the tensor along the axes of the "
@@ -288,8 +289,11 @@ namespace conetact::bodies
     if (load.kind == Load::Kind::point_force)
       load.point = Point<3>(to_vector(prm.get("Point"), dim, in + "Point"));
     const std::string value = prm.get("Value");
-    std::size_t       n     = is_scalar(load.kind) ? 1 : dim;
-    const auto        given = split(value, ';').size();
+    if (value.empty())
+      throw InputError(in + "Value is empty. Give its components, separated "
+                            "by ';', or 0 for none.");
+    std::size_t n     = is_scalar(load.kind) ? 1 : dim;
+    const auto  given = split(value, ';').size();
     if (load.kind == Load::Kind::initial_strain)
       {
         load.axes = strain_axes(dim, given);

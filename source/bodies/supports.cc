@@ -213,7 +213,7 @@ namespace conetact::bodies
     for (const HangingNode &node : structure.hanging_nodes())
       hanging.insert(node.node);
     Support support;
-    support.name = "axis of body '" + body_name + "'";
+    support.name = "axis of body " + body_name;
     support.body = body;
     support.directions.push_back(Tensor<1, 3>({1., 0., 0.}));
     support.displacement.emplace_back("0", support.name);

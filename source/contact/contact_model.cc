@@ -298,7 +298,10 @@ namespace conetact::contact
   ContactModel::make_backend() const
   {
     if (large)
-      return std::make_unique<IterativeBackend>(elastic, rules, points);
+      return std::make_unique<IterativeBackend>(elastic,
+                                                rules,
+                                                points,
+                                                motions);
     if (is_dual())
       return std::make_unique<DualBackend>(
         elastic, points, coordinates, motions, chosen, condenser);

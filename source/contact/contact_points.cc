@@ -70,6 +70,32 @@ namespace conetact::contact
       else
         point.frictionless.push_back(tangent);
     }
+
+    /** Neither along the normal nor across it is it held. */
+    [[noreturn]] void
+    refuse_oblique(const pairing::ContactNode &node,
+                   const NodeRule             &rule,
+                   const Bodies               &bodies)
+    {
+      const bodies::Support &support =
+        bodies.supports[rule.held.back().terms.front().support];
+      const std::string at =
+        to_text(node.position) + " of body '" + bodies.names[node.body] + "'";
+      if (bodies.are_axisymmetric() &&
+          support.ids.empty()) // no entry: the axis
+        throw InputError(
+          "The contact node at " + at + " lies on the axis, but its contact " +
+          "normal " + to_text(node.n) + " is not along it. A body of " +
+          "revolution (Plane = axisymmetric) meets an obstacle that goes round " +
+          "the axis, too: centre the obstacle on the axis, with its normal " +
+          "there along y, or take the node out of the contact.");
+      throw InputError("Support '" + support.name +
+                       "' holds the contact node at " + at + " along " +
+                       to_text(rule.held.back().direction) +
+                       ", neither along its contact normal " + to_text(node.n) +
+                       " nor across it. Take the node out of the support or of "
+                       "the contact.");
+    }
   } // namespace
 
 
@@ -254,13 +280,7 @@ namespace conetact::contact
         return;
       }
     if (!is_across(node.n, held))
-      throw InputError(
-        "Support '" +
-        bodies.supports[rule->held.back().terms.front().support].name +
-        "' holds the contact node at " + to_text(node.position) + " of body '" +
-        bodies.names[node.body] + "' along " + to_text(held.back()) +
-        ", neither along its contact normal " + to_text(node.n) +
-        " nor across it. Take the node out of the support or of the contact.");
+      refuse_oblique(node, *rule, bodies);
 
     ContactPoint point;
     point.node = &node;

@@ -3,6 +3,7 @@
 
 #include "conetact/contact/dual_backend.h"
 
+#include "conetact/base/index.h"
 #include "conetact/contact/equal_bodies.h"
 
 #include <algorithm>
@@ -14,12 +15,6 @@ namespace conetact::contact
     using Eigen::Index;
     using SparseMatrix = Eigen::SparseMatrix<double>;
     using Triplets     = std::vector<Eigen::Triplet<double>>;
-
-    std::size_t
-    at(const Index i)
-    {
-      return static_cast<std::size_t>(i);
-    }
 
     /** factor * direction . u of a node, in own unknowns. */
     void

@@ -119,9 +119,11 @@ namespace conetact::contact
 
   IterativeBackend::IterativeBackend(const ElasticSystem &e,
                                      const NodeRules     &supports,
-                                     const ContactPoints &points)
+                                     const ContactPoints &points,
+                                     const RigidMotions  &m)
     : ElasticBackend(WorkingSet(points.layout()))
     , elastic(e)
+    , motions(m)
     , coordinates(elastic.bodies, supports, &points)
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
@@ -139,10 +141,27 @@ namespace conetact::contact
       backends::make_large_system(std::move(given), elastic.bodies.dim);
     const VectorXd diagonal = system->large->diagonal();
     system->large_diagonal  = diagonal.tail(system->n_unknowns());
-    system->null_space.resize(system->n_unknowns(), 0);
+    system->null_space      = motions.null_space();
     if (diagonal.size() > 0 && diagonal.mean() > 0)
       stiffness_scale = std::exp2(std::round(std::log2(diagonal.mean())));
     contact_system = system;
+  }
+
+  VectorXd
+  IterativeBackend::resultants(const VectorXd &load) const
+  {
+    constexpr double       rounding = 1e-13; // of a sum
+    const Eigen::MatrixXd &free     = motions.unresisted();
+    VectorXd               result(free.cols());
+    for (Eigen::Index j = 0; j < free.cols(); ++j)
+      {
+        const VectorXd terms =
+          coordinates.values(motions.field(motions.of_free(free.col(j))))
+            .cwiseProduct(load);
+        const double sum = terms.sum();
+        result[j] = std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
+      }
+    return result;
   }
 
   void

@@ -112,18 +112,22 @@ namespace conetact::contact
   }
 
   Eigen::VectorXd
-  resultants_of(const solvers::ContactProblem &problem,
-                const ContactModel            &model)
+  resultants_of(const solvers::ContactProblem &problem, ContactModel &model)
   {
     const solvers::ContactSystem &system = *problem.system;
-    if (system.form == solvers::Form::stiffness)
+    Eigen::VectorXd               resultants;
+    if (model.is_iterative())
+      resultants = dynamic_cast<IterativeBackend &>(model.condense())
+                     .resultants(problem.load);
+    else if (system.form == solvers::Form::stiffness)
       return problem.load;
+    else
+      resultants = -model.motions.unresisted().transpose() *
+                   problem.load.tail(system.n_motions);
     // Any f with these resultants will do: the check asks for nothing but N^T
     // f. This is the shortest.
     const Eigen::MatrixXd balance = system.null_space.transpose();
-    return balance.completeOrthogonalDecomposition().solve(
-      -model.motions.unresisted().transpose() *
-      problem.load.tail(system.n_motions));
+    return balance.completeOrthogonalDecomposition().solve(resultants);
   }
 
   std::string

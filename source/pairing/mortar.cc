@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -24,6 +25,11 @@ namespace conetact::pairing
     constexpr double round_off = 1e-13;
     /** A face of which less is covered sees nothing. */
     constexpr double least_covered = 1e-12;
+    /**
+     * Of a face: where little of it is seen, means over dual functions reach
+     * beyond what they are means of, gaps by no more than this.
+     */
+    constexpr double beyond_seen = .01;
 
     /** Of one slave face, over the parts of it that see the master. */
     struct FaceIntegrals
@@ -32,6 +38,7 @@ namespace conetact::pairing
       Eigen::VectorXd                         areas;   ///< N_j
       std::map<unsigned int, Eigen::VectorXd> masters; ///< N_j N_l
       double                                  size = 0;
+      double lowest = std::numeric_limits<double>::max(); ///< gap [length]
     };
 
     /** Shape functions of the nodes of a face. */
@@ -198,8 +205,10 @@ namespace conetact::pairing
                   q.weight * here.stretch * around * N;
                 sums.areas += weighted;
                 sums.mass += weighted * N.transpose();
-                const Eigen::VectorXd there =
-                  nodal_shapes(other, part.projected.at(q.position));
+                const auto            opposite = part.projected.at(q.position);
+                const Eigen::VectorXd there    = nodal_shapes(other, opposite);
+                sums.lowest =
+                  std::min(sums.lowest, opposite.height - here.height);
                 for (std::size_t l = 0; l < other.nodes.size(); ++l)
                   sums.masters
                     .try_emplace(other.nodes[l], Eigen::VectorXd::Zero(n))
@@ -228,7 +237,8 @@ namespace conetact::pairing
             const auto j   = static_cast<Index>(c);
             MortarRow &row = rows.at(f, c);
             row.area += sums.areas[j];
-            row.size = std::max(row.size, sums.size);
+            row.size   = std::max(row.size, sums.size);
+            row.lowest = std::min(row.lowest, sums.lowest);
             for (std::size_t k = 0; k < face.nodes.size(); ++k)
               row.slaves[face.nodes[k]] += slaves(j, static_cast<Index>(k));
             for (const auto &[node, integrals] : sums.masters)
@@ -277,6 +287,8 @@ namespace conetact::pairing
         if (node.slaves.size() == 1)
           node.slaves.clear();
         node.gap = gap(node);
+        if (contact.kind == ContactKind::contact && !contact.gap)
+          node.gap = std::max(node.gap, row.lowest - beyond_seen * row.size);
         if (!contact.gap)
           one_by_one.judge(node, std::max(node.spacing, row.size));
         return node;

@@ -128,7 +128,8 @@ namespace conetact::pairing
     const MortarRow &giver = rows[from];
     MortarRow       &taker = rows[to];
     taker.area += part * giver.area;
-    taker.size = std::max(taker.size, giver.size);
+    taker.size   = std::max(taker.size, giver.size);
+    taker.lowest = std::min(taker.lowest, giver.lowest);
     for (const auto &[node, integral] : giver.slaves)
       taker.slaves[node] += part * integral;
     for (const auto &[node, integral] : giver.masters)

@@ -19,6 +19,8 @@ namespace conetact::pairing
     constexpr double touches = 2e-3;
     /** Of a face: so far beside it what crosses its plane goes through it. */
     constexpr double overlap = 1e-3;
+    /** Of its way inside: what is no deeper on half the way slides along. */
+    constexpr double skims = 1e-3;
 
     /** From one place to the next. */
     Point<3>
@@ -205,18 +207,21 @@ namespace conetact::pairing
     return depth;
   }
 
-  /** To the nearest face that looks the other way. */
+  /** To the nearest face that looks the other way, if that is not far beside
+   * the depth. */
   double
   MovingBoundary::thickness_at_end(const Passage  &passage,
                                    const Point<3> &p) const
   {
     constexpr double opposite = -.5; // cosine
+    constexpr double far      = 8;   // of the depth
     double           beyond   = std::numeric_limits<double>::max();
-    for (const Face &face : faces)
-      if (normal_of(face, n_places - 1) * passage.entered < opposite)
-        beyond =
-          std::min(beyond,
-                   closest_point(corners_of(face, n_places - 1), p).distance);
+    for (const std::size_t f :
+         tree.near({p, far * std::max(passage.depth, 0.)}))
+      if (normal_of(faces[f], n_places - 1) * passage.entered < opposite)
+        beyond = std::min(
+          beyond,
+          closest_point(corners_of(faces[f], n_places - 1), p).distance);
     return passage.depth + beyond;
   }
 
@@ -244,30 +249,56 @@ namespace conetact::pairing
     return found;
   }
 
-  /** Of a node that was inside at the start: it came in where that is nearest.
-   */
-  Passage
-  MovingBoundary::passage_from_inside(const Crossing &out,
-                                      const Places   &node) const
+  /** Of a node that is inside at the start: it may have come in there. */
+  unsigned int
+  MovingBoundary::nearest_entry(const Places &node) const
   {
-    constexpr unsigned int last    = n_places - 1;
-    double                 nearest = std::numeric_limits<double>::max();
-    Passage                found{{}, normal_of(faces[out.face], last), 0, 0};
-    for (const Face &face : faces)
-      if (face.may_be_entered)
+    double       nearest = std::numeric_limits<double>::max();
+    unsigned int entry   = 0;
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      if (faces[f].may_be_entered)
         if (const double distance =
-              closest_point(corners_of(face, 0), node[0]).distance;
+              closest_point(corners_of(faces[f], 0), node[0]).distance;
             distance < nearest)
           {
-            nearest       = distance;
-            found.entered = normal_of(face, last);
-            found.size    = face.size;
+            nearest = distance;
+            entry   = f;
           }
-    return found;
+    return entry;
+  }
+
+  Passage
+  MovingBoundary::passage_from_inside(const unsigned int entry,
+                                      const Crossing    &out) const
+  {
+    constexpr unsigned int last = n_places - 1;
+    return {normal_of(faces[entry], last),
+            normal_of(faces[out.face], last),
+            0,
+            faces[entry].size};
+  }
+
+  /** Whether a node that seems to be inside slides along a face, as one of a
+   * body that is flush with another. */
+  bool
+  MovingBoundary::slides_along(const Places &node,
+                               const double  from,
+                               const double  to) const
+  {
+    const Point<3> p = between(node, .5 * (from + to));
+    const double   depth =
+      skims * between(node, from).distance(between(node, to));
+    const auto near = tree.near({p, depth});
+    return std::any_of(near.begin(), near.end(), [&](const std::size_t f) {
+      return closest_point(corners_of(faces[f], .5 * (from + to)), p)
+               .distance <= depth;
+    });
   }
 
   std::vector<Passage>
-  MovingBoundary::passages(const BodyWay &way, const unsigned int number) const
+  MovingBoundary::passages(const BodyWay               &way,
+                           const unsigned int           number,
+                           std::optional<unsigned int> &inside_by) const
   {
     const Places          node = places_of(way, number);
     std::vector<Crossing> crossings;
@@ -279,8 +310,13 @@ namespace conetact::pairing
                 return one.when < other.when;
               });
     std::vector<Passage> found;
-    if (!crossings.empty() && !crossings[0].is_inwards)
-      found.push_back(passage_from_inside(crossings[0], node));
+    if (crossings.empty())
+      return found;
+    if (!crossings[0].is_inwards && !slides_along(node, 0, crossings[0].when))
+      found.push_back(
+        passage_from_inside(inside_by ? *inside_by : nearest_entry(node),
+                            crossings[0]));
+    inside_by.reset();
     const Crossing *in = nullptr;
     for (const Crossing &crossing : crossings)
       if (in == nullptr && crossing.is_inwards &&
@@ -288,11 +324,15 @@ namespace conetact::pairing
         in = &crossing;
       else if (in != nullptr && !crossing.is_inwards)
         {
-          found.push_back(passage(*in, &crossing, node));
+          if (!slides_along(node, in->when, crossing.when))
+            found.push_back(passage(*in, &crossing, node));
           in = nullptr;
         }
     if (in != nullptr)
-      found.push_back(passage(*in, nullptr, node));
+      {
+        found.push_back(passage(*in, nullptr, node));
+        inside_by = in->face;
+      }
     return found;
   }
 } // namespace conetact::pairing

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 
@@ -294,72 +295,101 @@ namespace conetact::pairing
   }
 
   std::vector<SlidingContacts::PairPassage>
-  SlidingContacts::passages(const std::vector<BodyWay> &ways) const
+  SlidingContacts::passages(const std::vector<BodyWay> &ways,
+                            Entries                    &inside) const
   {
     std::vector<PairPassage> found;
+    const auto               look = [&](const unsigned int         c,
+                          const unsigned int         body,
+                          const bodies::BoundaryIds &ids,
+                          const unsigned int         other,
+                          const bodies::BoundaryIds &entries) {
+      const MovingBoundary boundary(*structures[other], ways[other], entries);
+      for (const bodies::SurfaceNode &node :
+           structures[body]->surface(ids).nodes)
+        {
+          const std::array<unsigned int, 3> key = {{c, body, node.node}};
+          const auto                        then = inside.find(key);
+          std::optional<unsigned int>       by;
+          if (then != inside.end())
+            by = then->second;
+          for (const Passage &passage :
+               boundary.passages(ways[body], node.node, by))
+            found.push_back(
+              {passage, c, body, node.node, other, body == contacts[c].body});
+          inside.erase(key);
+          if (by)
+            inside[key] = *by;
+        }
+    };
     for (unsigned int c = 0; c < contacts.size(); ++c)
-      {
-        const Contact &contact = contacts[c];
-        if (!is_pair_that_slides(contact))
-          continue;
-        const auto look = [&](const unsigned int         body,
-                              const bodies::BoundaryIds &ids,
-                              const unsigned int         other,
-                              const bodies::BoundaryIds &entries) {
-          const MovingBoundary boundary(*structures[other],
-                                        ways[other],
-                                        entries);
-          for (const bodies::SurfaceNode &node :
-               structures[body]->surface(ids).nodes)
-            for (const Passage &passage :
-                 boundary.passages(ways[body], node.node))
-              found.push_back(
-                {passage, c, body, node.node, other, body == contact.body});
-        };
-        look(contact.body, contact.ids, contact.master, contact.master_ids);
-        look(contact.master, contact.master_ids, contact.body, contact.ids);
-      }
+      if (const Contact &pair = contacts[c]; is_pair_that_slides(pair))
+        {
+          look(c, pair.body, pair.ids, pair.master, pair.master_ids);
+          look(c, pair.master, pair.master_ids, pair.body, pair.ids);
+        }
     return found;
   }
 
-  std::optional<SlidingContacts::DeepNode>
+  SlidingContacts::DepthOfMasters
   SlidingContacts::master_in_slave(const Displacement &at,
                                    const double        depth) const
   {
-    for (unsigned int c = 0; c < contacts.size(); ++c)
+    DepthOfMasters all{{}, std::numeric_limits<double>::max()};
+    for (unsigned int c = 0; c < contacts.size() && !all.deep; ++c)
+      if (const Contact &contact = contacts[c];
+          contact.obstacle == nullptr && !contact.gap &&
+          contact.kind == ContactKind::contact &&
+          contact.body != contact.master)
+        {
+          const DepthOfMasters found = master_in_slave(c, at, depth);
+          all = {found.deep, std::min(all.clearance, found.clearance)};
+        }
+    return all;
+  }
+
+  SlidingContacts::DepthOfMasters
+  SlidingContacts::master_in_slave(const unsigned int  c,
+                                   const Displacement &at,
+                                   const double        depth) const
+  {
+    const Contact          &contact = contacts[c];
+    DepthOfMasters          found{{}, std::numeric_limits<double>::max()};
+    const bodies::Displaced slave(*structures[contact.body],
+                                  displacements(*structures[contact.body],
+                                                contact.body,
+                                                at));
+    const bodies::Surface   met = slave.surface(contact.ids);
+    if (met.two_sided || met.faces.empty())
+      return found;
+    const FaceNet            faces(slave, met);
+    std::unique_ptr<FaceNet> boundary; // made if it is needed
+    double                   smallest = faces.all()[0].size;
+    for (const FaceNet::Face &face : faces.all())
+      smallest = std::min(smallest, face.size);
+    for (const bodies::SurfaceNode &node :
+         structures[contact.master]->surface(contact.master_ids).nodes)
       {
-        const Contact &contact = contacts[c];
-        if (contact.obstacle != nullptr || contact.gap ||
-            contact.kind != ContactKind::contact ||
-            contact.body == contact.master)
-          continue;
-        const bodies::Displaced slave(*structures[contact.body],
-                                      displacements(*structures[contact.body],
-                                                    contact.body,
-                                                    at));
-        const bodies::Surface   met = slave.surface(contact.ids);
-        if (met.two_sided || met.faces.empty())
-          continue;
-        const FaceNet            faces(slave, met);
-        std::unique_ptr<FaceNet> boundary; // made if it is needed
-        for (const bodies::SurfaceNode &node :
-             structures[contact.master]->surface(contact.master_ids).nodes)
+        const Point<3>   p = node.position + at(contact.master, node.node);
+        FaceNet::Closest closest = faces.nearest(p);
+        const double     height  = (p - closest.point) * closest.normal;
+        double           side    = height < 0 ? -1 : 1;
+        if (height < -depth * faces.all()[closest.face].size)
           {
-            const Point<3> p = node.position + at(contact.master, node.node);
-            const FaceNet::Closest closest = faces.nearest(p);
-            const double           size    = faces.all()[closest.face].size;
-            if ((p - closest.point) * closest.normal > -depth * size)
-              continue;
             if (!boundary)
               boundary =
                 std::make_unique<FaceNet>(slave,
                                           slave.surface(slave.boundary_ids()));
-            if (const double inside = -boundary->signed_distance(p);
-                inside > depth)
-              return DeepNode{c, node.node, inside};
+            const double inside = -boundary->signed_distance(p);
+            if (inside > depth)
+              return {DeepNode{c, node.node, inside}, 0};
+            side    = inside > 0 ? -1 : 1;
+            closest = boundary->nearest(p);
           }
+        found.clearance =
+          std::min(found.clearance, depth * smallest + side * closest.distance);
       }
-    return {};
+    return found;
   }
 
   void

@@ -130,7 +130,7 @@ namespace conetact::solvers
     for (NodeSet &set : sets)
       set.ratio = std::min(set.ratio, largest_ratio);
     std::vector<NodeLaw> result =
-      linearized_laws(*relation, sets, point.p, point.d);
+      linearized_laws(*relation, sets, point.p, point.d, true);
     for (Index i = 0; i < relation->system().n_nodes(); ++i)
       {
         const double scale =

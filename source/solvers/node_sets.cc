@@ -63,11 +63,14 @@ namespace conetact::solvers
      * solution the reaction itself, cut back to the cone, takes the place of
      * one e: without this, a node that has to slip the other way spoils the
      * step (Hueber, Stadler, Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
+     * Across e there is no more of it than leaves 1 - T positive definite, if
+     * that is asked for.
      */
     SmallMatrix
     turning_part(const NodeSet     &set,
                  const double       limit,
-                 const SmallVector &reaction)
+                 const SmallVector &reaction,
+                 const bool         definite)
     {
       const SmallVector &e = set.direction;
       const Index        n = e.size();
@@ -81,6 +84,18 @@ namespace conetact::solvers
         {
           r      = reaction * (size / norm);
           cosine = e.dot(reaction) / norm;
+        }
+      if (definite)
+        {
+          const double along  = std::max(cosine, 0.) * size;
+          SmallVector  across = r - cosine * size * e;
+          const double rest   = 1 - set.ratio;
+          const double most   = std::sqrt(rest * (rest + set.ratio * along));
+          const double much   = set.ratio * across.norm();
+          if (much > most)
+            across *= most / much;
+          r      = along * e + across;
+          cosine = 0;
         }
       const double damping = cosine < 0 ? 1 / (1 - cosine * size) : 1.;
       return set.ratio *
@@ -117,7 +132,8 @@ namespace conetact::solvers
     law_of(const NodeSet     &set,
            const double       mu,
            const SmallVector &v,
-           const SmallVector &r)
+           const SmallVector &r,
+           const bool         definite)
     {
       const Index       nt   = v.size() - 1;
       const SmallMatrix zero = SmallMatrix::Zero(nt + 1, nt + 1);
@@ -131,7 +147,7 @@ namespace conetact::solvers
 
       // r_t = mu z_n e, with z_n and e linearised
       const double      zn = r(nt) - v(nt);
-      const SmallMatrix T  = turning_part(set, mu * zn, r.head(nt));
+      const SmallMatrix T  = turning_part(set, mu * zn, r.head(nt), definite);
       // With dz = dr - dv, A takes what belongs to dv and B the rest.
       law.A.topLeftCorner(nt, nt) = T;
       law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
@@ -248,7 +264,8 @@ namespace conetact::solvers
   linearized_laws(const LinearRelation &relation,
                   const NodeSets       &sets,
                   const VectorXd       &p,
-                  const VectorXd       &d)
+                  const VectorXd       &d,
+                  const bool            definite)
   {
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
@@ -260,7 +277,8 @@ namespace conetact::solvers
         const Law   law = law_of(sets[at(i)],
                                system.mu(i),
                                x.v.segment(first, dim),
-                               x.r.segment(first, dim));
+                               x.r.segment(first, dim),
+                               definite);
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;

@@ -4,6 +4,7 @@
 #include "conetact/verification/verification.h"
 
 #include "conetact/base/text.h"
+#include "conetact/contact/pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,17 @@ namespace conetact::verification
 
     constexpr double eps   = std::numeric_limits<double>::epsilon();
     constexpr double noise = 64 * eps; ///< of the largest force so far
+
+    /** The end of a sentence. */
+    std::string
+    loose_pieces(const bodies::Structure &structure)
+    {
+      const unsigned int n = contact::n_pieces(structure);
+      return n == 1 ? "" :
+                      ". The body is in " + std::to_string(n) +
+                        " pieces that are not joined: join them (their nodes "
+                        "must be the same), or add a Support";
+    }
 
     /** An error over its scale; where nothing acts, none is allowed, and what
      * is not a number never is. */
@@ -197,7 +209,8 @@ namespace conetact::verification
                 if (e > tolerance && out.why.empty())
                   out.why = "forces at a node of body '" + bodies.names[body] +
                             "' are out of balance by " + to_text(e) +
-                            " of the largest force on a node of it";
+                            " of the largest force on a node of it" +
+                            loose_pieces(*bodies.structures[body]);
               }
           }
       }

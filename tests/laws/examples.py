@@ -84,6 +84,7 @@ def bolt_preload(laws):
         bed, nut = (resultant(run, rows_of(run, contact, row["time"]))[0][1] for contact in ("bed", "under nut"))
         laws.check(f"{at}: the nut carries the stud", abs(abs(nut) - tension) / 3e4, 1e-9)
         laws.check(f"{at}: the ground has what the pull leaves", abs(bed - (tension - row["loads_f_y"])) / 3e4, 1e-9)
+    laws.check("stud: pull on the faces from the radius 17.2 on", abs(run.increments[-1]["loads_f_y"] / (2e4 * (25**2 - 17.2**2) / (25**2 - 17**2)) - 1), 1e-12)
     laws.demand("stud: the flange takes most of the pull", 0 < tension - 3e4 < .02 * run.increments[-1]["loads_f_y"])
 
 

@@ -1,13 +1,33 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Loads against each other and against integrals in closed form."""
+import csv
 import math
 
 from support.scenes import box, contact, floor, load, merge, support
 from support.vectors import cross
 
 
+def beam_between_nodes(laws):
+    """Probes inside the one member of a clamped beam; loads grow in time."""
+    length, e, inertia, q = 1000.0, 210e3, 800.0, .1
+    scene = {"Dimension": 2,
+             "Body beam": {"Kind": "frame", "Sections": "s",
+                           "Frame": {"Nodes": f"1: 0, 0 ; 2: {length}, 0 : 1", "Members": "1-2: s, group 7",
+                                     "Boundary ids": "1: x > -1"},
+                           "Section s": {"Young modulus": e, "Area": 100.0, "Moment of inertia": inertia}},
+             "Support ends": support(1, "clamped", body="beam"), "Load q": load("line load", f"0 ; -{q}*t", 7, body="beam"),
+             "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0, "Probes": "a: 500, 0 ; b: 130, 0 ; end: 1000, 0"}}
+    run = laws.run(scene, bounds=False)
+    with open(run.folder / "history.csv", newline="") as stream:
+        for row in csv.DictReader(stream):
+            for name, x in (("a", 500), ("b", 130), ("end", length)):
+                exact = -q * float(row["time"]) * (x * (length - x))**2 / (24 * e * inertia)
+                laws.check(f"beam: deflection at {x}, t = {row['time']}", abs(float(row[f"{name}_u_y"]) - exact), 1e-9)
+
+
 def loads(laws):
+    beam_between_nodes(laws)
     thickness, n, p = .5, 8, 6.0
     base = {"Dimension": 2, "Body block": box((n, 4), (2.0, 1.0)), "Obstacle floor": floor(2),
             "Contact bottom": contact(mu=.3), "Support left": support(0, "x"), "Output": {"VTU": 0}}

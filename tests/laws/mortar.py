@@ -4,7 +4,7 @@
 
 plane, space: a uniform pressure through joints; triangles: where one or both bodies are of
 triangles or tetrahedra; covered: turned blocks that cover a part of each other; held: supports take the ends of a joint; hertz: cylinder on
-cylinder; rings: shrink fits; many: 100 x 100 faces on as many.
+cylinder; rings: shrink fits; many: 100 x 100 faces on as many; apart: coarse balls that do not touch.
 """
 import itertools
 import math
@@ -233,3 +233,29 @@ def many(laws):
         done, _ = laws.start(scene, "--dry-run")
         laws.demand(f"100 x 100 faces turned by {turned:g} degrees, {pairing}: {time.monotonic() - begin:.1f} s {done.stderr}",
                     done.returncode == 0)
+
+
+def apart(laws):
+    """Balls of facets whose centres are more than two radii apart do not touch, however coarse they are."""
+    places = ((-.26997, .00379, 46.7), (.27, .1, 10.0), (.5, -.2, 75.0), (-.35, .45, 30.0), (.12, .61, 62.0), (.7, .3, 5.0))
+    for dim, kinematics in ((2, "small"), (3, "small"), (3, "finite sliding")):
+        for x, y, turn in places:
+            side = y if dim == 3 else 0.0
+            up = math.sqrt(2.01**2 - x**2 - side**2)
+            middle = (x, side, up)[:3] if dim == 3 else (x, up)
+            run = laws.run({"Dimension": dim, **{f"Body {name}": ball(dim, at, **more) for name, at, more in
+                                                 (("low", (0.0,) * dim, {}), ("up", middle, {"Rotation": (0, 0, 1, turn)} if dim == 3 else {}))},
+                            "Contact joint": joint("up", 0, "low", 0, **{"Friction coefficient": .2, "Kinematics": kinematics}),
+                            "Support low": support(5, "x, y, z"[:3 * dim - 2], body="low"),
+                            "Support up": support(5, "x, y, z"[:3 * dim - 2], body="up"),
+                            "Time": {"End": 1, "Increments": 1}, "Output": {"VTU": 0}})
+            laws.check(f"{dim}D, {kinematics}, coarse balls apart at {x:g}, {side:g}: force", run.largest("r_n"), 0)
+
+
+def ball(dim, middle, **more):
+    """Held at its outer end."""
+    axis, sign = "xyz"[dim - 1], "<" if middle[-1] == 0 else ">"
+    return {"Mesh": {"Generator": "hyper_ball", "Arguments": ", ".join("0" * dim) + " : 1 : false", "Global refinements": 2 if dim == 3 else 1,
+                     "Translation": middle, **more,
+                     "Boundary ids": f"6: {axis} {sign} {middle[-1]!r} ; 5: {axis} {sign} {middle[-1] + (-.5 if sign == '<' else .5)!r}"},
+            "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}}

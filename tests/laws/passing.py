@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies that meet others between the ends of an increment: they are met, or the scene is refused."""
+import itertools
 import re
 
 from support.logs import log_of
@@ -15,7 +16,9 @@ def passing(laws):
     small_bullets(laws)
     swings(laws)
     deep_punch(laws)
+    flush(laws)
     needles(laws)
+    pressed_between(laws)
     askew(laws)
 
 
@@ -57,10 +60,10 @@ def small_bullets(laws):
             scene = {"Dimension": 2, "Body plate": box((4, 1), (4.0, thickness), (-2.0, -thickness)), "Support base": support(2, "x, y", body="plate"),
                      "Body ball": box((2, 2), (.04, .04), (.03, 3.0)), "Support drive": support(3, "x, y", "0 ; -6*t", "ball"),
                      "Contact hit": pair("plate", 3, "ball", "0, 1, 2", Pairing=pairing), "Time": {"End": 1, "Increments": 1}, "Output": {"VTU": 0}}
-            for n in (1, 7):
+            for n in (1, 7, 23):
                 what = f"a small block through a plate of {thickness:g} in {n}, {pairing}"
                 met(laws, what, merge(scene, {"Time": {"Increments": n}}))
-                if pairing == "node to face" and n == 1:  # the only one that takes nodes of supports
+                if pairing == "node to face":  # the only one that takes nodes of supports
                     met(laws, f"{what}, top and bottom in contact",
                         merge(scene, {"Contact hit": {"Boundary ids": "3, 4"},
                                       "Body plate": {"Mesh": {"Boundary ids": f"4: y < {.01 - thickness!r} && x > -0.9"}},
@@ -95,23 +98,45 @@ def deep_punch(laws):
     laws.check(f"a punch pressed in by two cells, {force[0]:.5g}: as in eight increments", abs(force[0] / force[1] - 1), 1e-6)
 
 
+def flush(laws):
+    """A block whose bottom is level with another one's top slides onto it, whatever sides are in contact."""
+    for gap, n in itertools.product((0.0, 1e-9, 1e-6), (8, 40)):
+        run = laws.run({"Dimension": 2, "Body low": box((8, 6), (2.0, 1.0)), "Support low": support(2, "x, y", body="low"),
+                        "Body up": box((5, 4), (1.0, 1.0), (-1.5, 1 + gap)), "Support up": support(3, "x, y", "4*t ; 0", "up"),
+                        # mortar takes no nodes of supports
+                        "Contact joint": pair("up", "0, 1, 2", "low", "1, 0, 3", Pairing="node to face"),
+                        "Time": {"End": 1, "Increments": n}, "Output": {"VTU": 0}})
+        laws.check(f"a block flush with another to {gap:g} slides across it in {n}, force", run.largest("r_n"), 1e-9)
+
+
+def pressed_between(laws):
+    """What meets no node at all is warned of before it is deep."""
+    for radius, depth in ((1.0, .06), (2.0, .025)):
+        run = laws.run({"Dimension": 3, "Body block": box((4, 4, 2), (2.0, 2.0, 1.0), (-1.0, -1.0, -1.0)), "Support ground": support(4, "x, y, z"),
+                        "Obstacle ball": {"Shape": "sphere", "Center": (.25, .25, radius), "Radius": radius, "Displacement": f"0 ; 0 ; -{depth}*t"},
+                        "Contact top": {"Body": "block", "Boundary ids": 5, "Obstacle": "ball", **FAR},
+                        "Time": {"End": 1, "Increments": 1}, "Output": {"VTU": 0}})
+        laws.demand(f"a ball of {radius / .5:g} cells pressed between nodes: warned of",
+                    "in between its nodes" in log_of(run) and run.largest("r_n") == 0)
+
+
 def needles(laws):
     """What comes in between two nodes meets none: the log says so; what is as large as cells does not come in."""
     for kinematics in ("small", "finite sliding"):
-        for width, radius, warns in ((.05, .04, True), (.4, 2.0, False)):
+        for width, radius, beside, warns in ((.05, .04, 0, True), (.05, .04, .055, True), (.4, 2.0, 0, False)):
             plane = {"Dimension": 2, "Body block": box((10, 5), (2.0, 1.0), (-1.1, -1.0)), "Support ground": support(2, "x, y"),
-                     "Obstacle punch": {"Shape": "box", "Center": (0, .5), "Sizes": (width, 1.0), "Displacement": "0 ; -0.03*t"},
+                     "Obstacle punch": {"Shape": "box", "Center": (beside, .5), "Sizes": (width, 1.0), "Displacement": "0 ; -0.03*t"},
                      "Contact top": {"Body": "block", "Boundary ids": 3, "Obstacle": "punch", "Friction coefficient": 0,
                                      "Kinematics": kinematics},
                      "Time": {"End": 1, "Increments": 2}, "Output": {"VTU": 0}}
             ball = merge(plane, {"Dimension": 3, "Body block": box((5, 5, 3), (1.0, 1.0, .5), (-.5, -.5, -.5)),
                                  "Support ground": support(4, "x, y, z"), "Contact top": {"Boundary ids": 5},
-                                 "Obstacle punch": {"Shape": "sphere", "Center": (0, 0, radius), "Sizes": None, "Radius": radius,
+                                 "Obstacle punch": {"Shape": "sphere", "Center": (beside, 0, radius), "Sizes": None, "Radius": radius,
                                                     "Displacement": "0 ; 0 ; -0.03*t"}})
             for scene in (plane, ball):
                 run = laws.run(scene)
                 says = "in between its nodes" in log_of(run)
-                laws.demand(f"{scene['Dimension']}D, {kinematics}, a punch of {width if scene is plane else radius:g}: "
+                laws.demand(f"{scene['Dimension']}D, {kinematics}, a punch of {width if scene is plane else radius:g} at {beside:g}: "
                             f"{'warned of' if says else 'no warning'}, force {run.largest('r_n'):.3g}",
                             says == warns and (warns or run.largest("r_n") > 0))
     for pairing in ("mortar", "node to face"):
@@ -121,11 +146,12 @@ def needles(laws):
                      "Body pin": box((2, 4), (.1, .4), (.02, .001)), "Support pin": support(3, "x, y", "0 ; -0.1*t", body="pin"),
                      "Contact top": {**joint, "Pairing": pairing, "Kinematics": "small"}, "Time": {"End": 1, "Increments": 1},
                      "Output": {"VTU": 0}}
-            run = laws.run(scene)
-            force = abs(run.increments[-1]["top_f_y"])
-            says = re.search("warning: .*(in between nodes of the slave|no node)", log_of(run))
-            laws.demand(f"{pairing}, a pin of fine cells, {slave} as slave: {'warned of' if says else 'no warning'}, force {force:.3g}",
-                        bool(says) != (force > 0))
+            for n in (1, 24):  # once, or as it comes nearer
+                run = laws.run(merge(scene, {"Time": {"Increments": n}}))
+                force = abs(run.increments[-1]["top_f_y"])
+                says = re.search("warning: .*(in between nodes of the slave|no node)", log_of(run))
+                laws.demand(f"{pairing}, a pin of fine cells, {slave} as slave, {n} increments: "
+                            f"{'warned of' if says else 'no warning'}, force {force:.3g}", bool(says) != (force > 0))
 
 
 def askew(laws):

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (axisymmetric, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
+from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
                   hertz, initial_strain, iterative, kill, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, preload, processes, quadratic, refinement, restart, rolling,
                   round_pairs, sliding,
                   supports, threads, tie, transformations)
@@ -28,11 +28,12 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "kill": kill.kill,
             "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "gmsh": gmsh.gmsh,
             "orthotropic": orthotropic.orthotropy, "path": path.path, "iterative": iterative.iterative,
-            "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating, "restart": restart.restart, "sliding": sliding.sliding, "far-turns": far_turns.far_turns,
+            "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating, "restart": restart.restart,
+            "backends": backends.backends, "backends-shared": backends.backends_shared, "sliding": sliding.sliding, "far-turns": far_turns.far_turns,
             "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "passing": passing.passing, "rolling": rolling.rolling, "round-plane": round_pairs.plane, "round-orders": round_pairs.orders_of_plane, "round-space": round_pairs.space,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
-            "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "tie": tie.tie_family,
+            "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "mortar-apart": mortar.apart, "tie": tie.tie_family,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,

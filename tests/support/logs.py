@@ -32,17 +32,21 @@ def demand_work(laws, name, run, expected):
                 + (f"; found {differ}" if differ else ""), not differ)
 
 
-def dry_run(laws, scene):
+def dry_run(laws, scene, *arguments):
     """What is printed."""
     file = laws.folder / "dry.prm"
     write_scene(scene, file)
-    return subprocess.run([laws.program, file, "--dry-run"], cwd=laws.folder, capture_output=True, text=True,
-                          check=True).stdout
+    return subprocess.run([laws.program, file, "--dry-run", *arguments], cwd=laws.folder, capture_output=True,
+                          text=True, check=True).stdout
 
 
 def check_estimates(laws, name, text, run, *kinds):
     """Estimates of a dry run against what the run took."""
     for what in kinds:
         told, found = ESTIMATES[what]
-        ratio = float(re.search(told, text)[1]) / float(re.search(found, log_of(run))[1])
-        laws.check(f"{name}: {what} over that of the run, {ratio:.3g}", abs(math.log(ratio)), math.log(1.5))
+        check_ratio(laws, f"{name}: {what}", re.search(told, text)[1], re.search(found, log_of(run))[1])
+
+
+def check_ratio(laws, what, estimate, found):
+    ratio = float(estimate) / float(found)
+    laws.check(f"{what} over that of the run, {ratio:.3g}", abs(math.log(ratio)), math.log(1.5))

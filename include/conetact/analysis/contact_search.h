@@ -44,7 +44,7 @@ namespace conetact::analysis
     std::string
     passes_through(const Eigen::VectorXd &u,
                    const double           t,
-                   const bool             may_be_cut) const;
+                   const bool             may_be_cut);
     /** The same of bodies: whether a node has passed the faces that it met. */
     std::string
     loses_masters(const Eigen::VectorXd &u) const;
@@ -54,7 +54,7 @@ namespace conetact::analysis
      * nodes at displacements u and time t, a sentence; empty: none has.
      */
     std::string
-    comes_between(const Eigen::VectorXd &u, const double t) const;
+    comes_between(const Eigen::VectorXd &u, const double t);
     /**
      * Whether an obstacle presses on a node along a direction that its body
      * does not face, a sentence; empty: nowhere.
@@ -124,7 +124,7 @@ namespace conetact::analysis
     std::string
     body_passes(const Ways            &ways,
                 const Eigen::VectorXd &u,
-                const bool             may_be_cut) const;
+                const bool             may_be_cut);
     /** A face, or a part of it, whose corners may all touch an obstacle. */
     struct ObstacleFace
     {
@@ -133,6 +133,17 @@ namespace conetact::analysis
     };
     void
     find_obstacle_faces();
+    /** At time t, of the points of a face of this size. */
+    double
+    lowest_gap(const ObstacleFace                           &face,
+               const pairing::SlidingContacts::Displacement &at,
+               const double                                  size,
+               const double                                  t) const;
+    using Places = std::vector<Tensor<1, 3>>; ///< of all nodes of all bodies
+    double
+    approach(const Places &from, const Places &to) const;
+    std::string
+    master_comes_between(const Eigen::VectorXd &u, const double deep);
     Nodes
     find_there(const Eigen::VectorXd &u, const double t) const;
     Nodes
@@ -144,7 +155,11 @@ namespace conetact::analysis
     double                            start_t = 0;
     std::vector<pairing::RigidMotion> frames; ///< of bodies, then
     Nodes                             start_nodes;
+    /// nodes in other bodies, then and at the end that was looked at last
+    pairing::SlidingContacts::Entries start_inside, inside;
     std::vector<ObstacleFace>         obstacle_faces;
+    Places clear_at;      ///< displacements where masters were looked for last
+    double clearance = 0; ///< so far none was too deep in a slave [length]
   };
 } // namespace conetact::analysis
 

@@ -17,6 +17,8 @@ namespace conetact::analysis
     double                   stiffness_bytes = 0; ///< condensed, dense
     double                   memory_bytes    = 0; ///< of the process
     double seconds = 0; ///< on this machine, within a factor 2
+    /** The same of each other one, where many share the work. */
+    double memory_of_others = 0, seconds_of_others = 0;
   };
 
   /**
@@ -29,11 +31,12 @@ namespace conetact::analysis
                 const std::size_t            n_increments,
                 const std::size_t            n_drawings);
 
-  /** The same of a model that is solved iteratively. */
+  /** The same of a model that is solved iteratively by some processes. */
   Cost
   estimate_iterative_cost(const contact::ContactModel &model,
                           const std::size_t            n_increments,
-                          const std::size_t            n_drawings);
+                          const std::size_t            n_drawings,
+                          const int                    n_processes = 1);
 
   /** What a scene that leaves the backend open is solved by, and why. */
   struct BackendChoice

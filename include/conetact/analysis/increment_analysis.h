@@ -89,7 +89,7 @@ namespace conetact::analysis
     /** Why the contacts that were found cannot be those; empty: they can. */
     std::string
     passes_through(const output::IncrementRecord &record,
-                   const Eigen::VectorXd         &u) const;
+                   const Eigen::VectorXd         &u);
     /** They are taken, and said. */
     void
     say_unsettled(const output::IncrementRecord &record,

@@ -59,6 +59,11 @@ namespace conetact::backends
     {
       return Eigen::Map<Block>(value.data() + k * block_size);
     }
+    Eigen::Map<Block>
+    block(const std::size_t, const std::size_t k)
+    {
+      return block(k);
+    }
 
     /**
      * Rows of the same numbers keep them once, such as those of all nodes

@@ -63,6 +63,7 @@ namespace conetact::backends
     /** Rows of a node that stay: y_u += S x_u + Q y_k. */
     struct NodeRows
     {
+      std::size_t      node;         ///< among contact nodes
       std::vector<int> stays, known; ///< places
       SmallMatrix      S, Q;
     };
@@ -92,22 +93,21 @@ namespace conetact::backends
     make_smoother();
     void
     make_levels(const Eigen::MatrixXd &modes);
-    struct Columns;
-    /** Of the matrix with all contact nodes held; columns are those of all. */
-    void
-    held_row(const Columns &columns, const int i, SparseRow &row) const;
+    /** Of a system of few unknowns, with all contact nodes held. */
+    Eigen::MatrixXd
+    held_matrix() const;
     FloatBlock
     inverse_block(const int i, const Array &free, const FloatBlock &S) const;
     System
     system_of(const std::vector<NodeLaw> &laws, const Array &f) const;
     void
-    add_node(const std::vector<int> &node,
-             const NodeLaw          &law,
-             const Array            &y,
-             System                 &system) const;
-    /** The blocks of the smoother where a law has changed them. */
+    add_node(const std::size_t i,
+             const NodeLaw    &law,
+             const Array      &y,
+             System           &system) const;
+    /** Smoother and coarse levels become those of the laws. */
     void
-    set_blocks(System &system) const;
+    set_states(System &system) const;
     /** Turns K x (both over a unit of stiffness) into rows of the laws. */
     template <typename Vector>
     void
@@ -117,11 +117,13 @@ namespace conetact::backends
              Vector       &y) const;
     Array
     multiply(const System &system, const Array &x) const;
-    FloatVector
-    precondition(const System &system, const FloatVector &r) const;
+    void
+    precondition(const System      &system,
+                 const FloatVector &b,
+                 FloatVector       &result) const;
     /**
-     * Takes away from w what is along V, whose parts are `along`. Returns the
-     * norm of what is left.
+     * Takes away from w what is along the first vectors of V, whose parts are
+     * `along`. Returns the norm of what is left.
      */
     double
     orthogonalize(const std::vector<FloatVector> &V,
@@ -136,8 +138,9 @@ namespace conetact::backends
     refine(const System &system, const double precision) const;
 
     const Communicator                      processes;
-    const std::vector<int>                  first; ///< places of processes
-    const int                               n;     ///< own places
+    const std::vector<int>                  first;      ///< places of processes
+    std::vector<int>                        first_node; ///< their nodes
+    const int                               n;          ///< own places
     const int                               n_nodes;
     const Array                             exists; ///< 1 or 0 [-]
     const std::vector<std::vector<int>>     contact;
@@ -148,6 +151,14 @@ namespace conetact::backends
     float                                   largest = 1; ///< eigenvalue of D A
     std::unique_ptr<CoarseLevels<block, 3 * (block - 1)>> levels;
     Eigen::LDLT<Eigen::MatrixXd>                          whole; ///< of few
+    /** Memory for solve(): to ask for it each time takes longer than sums. */
+    struct Vectors
+    {
+      ChebyshevVectors         smoothing;
+      FloatVector              r, coarse, w;
+      std::vector<FloatVector> V, Z; ///< of GMRES
+    };
+    mutable Vectors vectors;
   };
 
   extern template class BlockSystem<2>;

@@ -50,18 +50,19 @@ namespace conetact::backends
     {
       if (processes.size() == 1)
         {
-          own = std::move(rows);
+          own           = std::move(rows);
+          n_own_columns = first.back();
           return;
         }
-      const int begin = first[static_cast<std::size_t>(processes.rank())],
-                end   = first[static_cast<std::size_t>(processes.rank()) + 1];
-      std::vector<int> needed;
+      begin         = first[static_cast<std::size_t>(processes.rank())];
+      const int end = first[static_cast<std::size_t>(processes.rank()) + 1];
+      n_own_columns = end - begin;
       for (const int j : rows.column)
         if (j < begin || j >= end)
           needed.push_back(j);
       std::sort(needed.begin(), needed.end());
       needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-      split(rows, begin, end, needed);
+      split(rows, end);
       halo = Halo<n_columns, Number>(
         std::make_shared<const HaloPlan>(needed, first, processes));
     }
@@ -74,6 +75,12 @@ namespace conetact::backends
       far.share_equal_rows();
     }
 
+    /** Not of a process that is alone. */
+    const HaloPlan &
+    halo_plan() const
+    {
+      return *halo.its_plan();
+    }
     /** Of own rows and columns. */
     const Matrix &
     own_part() const
@@ -97,9 +104,12 @@ namespace conetact::backends
     cast() const
     {
       DistributedMatrix<n_rows, n_columns, Other> result;
-      result.own  = own.template cast<Other>();
-      result.far  = far.template cast<Other>();
-      result.edge = edge;
+      result.own           = own.template cast<Other>();
+      result.far           = far.template cast<Other>();
+      result.edge          = edge;
+      result.begin         = begin;
+      result.n_own_columns = n_own_columns;
+      result.needed        = needed;
       if (halo.its_plan() != nullptr)
         result.halo = Halo<n_columns, Other>(halo.its_plan());
       return result;
@@ -122,16 +132,23 @@ namespace conetact::backends
     void
     for_row(const std::size_t i, const F &f) const
     {
-      for (std::size_t k = own.start[i]; k < own.start[i + 1]; ++k)
-        f(own.column[k], own.block(i, k));
-      const auto it =
-        std::lower_bound(edge.begin(), edge.end(), static_cast<int>(i));
-      if (it == edge.end() || *it != static_cast<int>(i))
-        return;
-      const auto        e     = static_cast<std::size_t>(it - edge.begin());
-      const std::size_t n_own = own.n_block_rows();
-      for (std::size_t k = far.start[e]; k < far.start[e + 1]; ++k)
-        f(static_cast<int>(n_own) + far.column[k], far.block(e, k));
+      for_row_of(*this, i, f);
+    }
+    /** The same with blocks that f may change, while no rows share them. */
+    template <typename F>
+    void
+    for_row(const std::size_t i, const F &f)
+    {
+      for_row_of(*this, i, f);
+    }
+
+    /** Of a column that for_row() names, among those of all processes. */
+    int
+    number_of_column(const int column) const
+    {
+      return column < n_own_columns ?
+               begin + column :
+               needed[static_cast<std::size_t>(column - n_own_columns)];
     }
 
     /** Numbers of the own columns, n_columns for each block, and behind them
@@ -156,11 +173,24 @@ namespace conetact::backends
     template <int, int, typename>
     friend class TransposedMatrix;
 
+    template <typename Self, typename F>
+    static void
+    for_row_of(Self &self, const std::size_t i, const F &f)
+    {
+      for (std::size_t k = self.own.start[i]; k < self.own.start[i + 1]; ++k)
+        f(self.own.column[k], self.own.block(i, k));
+      const std::vector<int> &edge = self.edge;
+      const auto              it =
+        std::lower_bound(edge.begin(), edge.end(), static_cast<int>(i));
+      if (it == edge.end() || *it != static_cast<int>(i))
+        return;
+      const auto e = static_cast<std::size_t>(it - edge.begin());
+      for (std::size_t k = self.far.start[e]; k < self.far.start[e + 1]; ++k)
+        f(self.n_own_columns + self.far.column[k], self.far.block(e, k));
+    }
+
     void
-    split(const Matrix           &rows,
-          const int               begin,
-          const int               end,
-          const std::vector<int> &needed)
+    split(const Matrix &rows, const int end)
     {
       const auto is_own = [&](const int j) { return j >= begin && j < end; };
       for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
@@ -197,6 +227,8 @@ namespace conetact::backends
     Matrix           own;
     Matrix           far;  ///< of rows `edge` and columns of others
     std::vector<int> edge; ///< rows that see others
+    int              begin = 0, n_own_columns = 0;
+    std::vector<int> needed; ///< columns of others
     // of a product, not of the matrix
     mutable Halo<n_columns, Number> halo;
     mutable std::vector<Number>     buffer;

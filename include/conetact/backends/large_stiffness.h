@@ -34,18 +34,23 @@ namespace conetact::backends
    * slipping and open nodes have rows
    * @f$(K\,\delta u)_i + S_i\,\delta u_i + q_i (K\,\delta u)_n = h_i@f$.
    *
-   * The preconditioner is one cycle of multigrid in single precision. Its
-   * coarse levels are made once, with all contact nodes held: they are too
-   * stiff where nodes slip or open, which costs a few iterations, where a new
-   * hierarchy would cost thirty. The finest level is that of the step: its
-   * smoother, Chebyshev's method on the blocks of nodes, leaves out what is
-   * held and knows S. Nodes have `dim` unknowns at most, 2 or 3.
+   * The preconditioner is one cycle of multigrid in single precision. Maps
+   * between its levels are made once, as if nothing touched; what the state of
+   * contacts changes of the matrix is projected to all levels in each step, at
+   * the cost of a surface (ContactChange), so that iterations depend neither on
+   * the state nor on the mesh. Its smoother, Chebyshev's method on the blocks
+   * of nodes, leaves out what is held and knows S. Nodes have `dim` unknowns at
+   * most, 2 or 3.
    *
    * In a run of many processes each has the rows of its nodes, as long as that
    * is worth a process. What is given is empty then.
    */
   std::shared_ptr<const solvers::LargeSystem>
   make_large_system(LargeStiffness &&given, const unsigned int dim);
+
+  /** Processes of this run that share a system of so many unknowns. */
+  int
+  useful_processes(const Eigen::Index n_unknowns);
 
   /** What a process but the first has of such systems. */
   class SystemParts

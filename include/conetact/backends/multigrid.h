@@ -4,7 +4,7 @@
 #ifndef conetact_backends_multigrid_h
 #define conetact_backends_multigrid_h
 
-#include "conetact/backends/distributed_matrix.h"
+#include "conetact/backends/contact_change.h"
 #include "conetact/backends/smoothed_aggregation.h"
 
 #include <Eigen/Cholesky>
@@ -15,6 +15,12 @@ namespace conetact::backends
 {
   using FloatVector = Eigen::VectorXf;
 
+  /** What Chebyshev's method needs, kept from one time to the next. */
+  struct ChebyshevVectors
+  {
+    FloatVector d, z, change;
+  };
+
   /**
    * Two steps of Chebyshev's method for A x = b, preconditioned by D, for
    * eigenvalues of D A up to `largest`. `multiply(x, y)` is y = A x,
@@ -24,11 +30,17 @@ namespace conetact::backends
   class Chebyshev
   {
   public:
-    Chebyshev(const Multiply &m, const Scale &s, const float largest)
+    Chebyshev(const Multiply   &m,
+              const Scale      &s,
+              const float       largest,
+              ChebyshevVectors &vectors)
       : multiply(m)
       , scale(s)
       , theta((1 + 1 / range) * largest / 2)
       , delta((1 - 1 / range) * largest / 2)
+      , d(vectors.d)
+      , z(vectors.z)
+      , change(vectors.change)
     {}
 
     /** From x = 0; r is the residual at the end, b at the beginning. */
@@ -72,7 +84,7 @@ namespace conetact::backends
     const Multiply        &multiply;
     const Scale           &scale;
     const float            theta, delta;
-    FloatVector            d, z, change;
+    FloatVector           &d, &z, &change;
   };
 
   /** Euclidean, of a vector of which each process has a part. */
@@ -137,14 +149,19 @@ namespace conetact::backends
   class CoarseLevels
   {
   public:
-    CoarseLevels(const SmoothedAggregation &levels,
-                 const Communicator        &processes);
+    CoarseLevels(const LevelAbove<fine> &finest, const Communicator &processes);
 
-    bool
-    empty() const
-    {
-      return below.empty();
-    }
+    /**
+     * `nodes`: the contact nodes of this process, ascending, by their rows in
+     * A, the finest matrix, whose rows of processes begin at `first`.
+     */
+    void
+    follow(const DistributedMatrix<fine, fine, float> &A,
+           const std::vector<int>                     &nodes,
+           const std::vector<int>                     &first);
+    /** Makes levels those of the present states of these nodes. */
+    void
+    set_states(const std::vector<NodeState<fine>> &states);
     /** x = P (cycle of the levels below) P^T r. */
     void
     correct(const FloatVector &r, FloatVector &x);
@@ -155,20 +172,31 @@ namespace conetact::backends
       DistributedMatrix<coarse, coarse, float>          A;
       std::vector<Eigen::Matrix<float, coarse, coarse>> D;
       float                                             largest = 1;
+      int                                               begin = 0; ///< own rows
+      /// those that states change
+      std::vector<std::vector<Eigen::Matrix<float, coarse, coarse>>> free_rows;
       /// from and to the next one
       DistributedMatrix<coarse, coarse, float> P;
       TransposedMatrix<coarse, coarse, float>  R;
       FloatVector                              b, r, x, c;
+      ChebyshevVectors                         smoothing;
       bool is_whole = false, is_first_whole = false;
     };
     void
     cycle(const std::size_t level);
-    void
-    make_level(const SmoothedAggregation &levels, const int l);
-    /** The map between a level and the one above it, from own rows. */
+    /** Puts a level below all others; of its rows remains what this process
+     * has of the level. Whether there should be none below it. */
     template <int size>
-    DistributedMatrix<size, coarse, float>
-    prolongator(const SmoothedAggregation &levels, const int l) const;
+    bool
+    add_level(CoarseLevel<size, coarse>             &&next,
+              DistributedMatrix<size, coarse, float> &P,
+              TransposedMatrix<coarse, size, float>  &R,
+              LevelRows<coarse>                      &rows);
+    void
+    make_smoother(Level                                           &level,
+                  const DistributedMatrix<coarse, coarse, double> &A);
+    void
+    change_rows(Level &level, const SomeRows<coarse, coarse> &change);
     /** Of those that share a level. */
     Communicator
     sharers(const Level &level) const
@@ -184,6 +212,8 @@ namespace conetact::backends
     DistributedMatrix<fine, coarse, float> P;
     TransposedMatrix<coarse, fine, float>  R;
     std::vector<Level>                     below;
+    ContactChange<fine, coarse>            contact;
+    Eigen::MatrixXd                        coarsest_matrix; ///< without states
     Eigen::LDLT<Eigen::MatrixXd>           coarsest;
   };
 

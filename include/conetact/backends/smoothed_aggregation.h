@@ -4,73 +4,64 @@
 #ifndef conetact_backends_smoothed_aggregation_h
 #define conetact_backends_smoothed_aggregation_h
 
-#include "conetact/base/communicator.h"
+#include "conetact/backends/distributed_matrix.h"
 
 #include <Eigen/Dense>
 
-#include <functional>
-#include <memory>
 #include <vector>
 
 namespace conetact::backends
 {
-  /** Entries of a row of a sparse matrix. */
-  struct SparseRow
+  /** What a process has of a level; columns are those of all processes. */
+  template <int size>
+  struct LevelRows
   {
-    std::vector<int>    columns;
-    std::vector<double> values;
+    BlockMatrix<size, size, double> A;
+    Eigen::MatrixXd                 modes;
+    std::vector<int> first; ///< process p has nodes first[p], first[p] + 1, ...
+  };
+
+  /** A coarse level and the map from it to the level above it. */
+  template <int size, int coarse>
+  struct CoarseLevel
+  {
+    LevelRows<coarse>                rows;
+    BlockMatrix<size, coarse, float> P;
+  };
+
+  /** A level as aggregation sees it. */
+  template <int size>
+  struct LevelAbove
+  {
+    using Block = Eigen::Matrix<float, size, size>;
+
+    const DistributedMatrix<size, size, double> &A;
+    double                                       unit; ///< A over it is meant
+    const std::vector<Block>                    &D; ///< inverse of its blocks
+    float                                        largest; ///< eigenvalue of D A
+    const Eigen::MatrixXd                       &modes;
   };
 
   /**
-   * Coarse levels of a symmetric positive definite matrix by Trilinos' ML:
-   * nodes are put together to aggregates, whose motions are those of the
-   * `modes` (rigid ones), smoothed by one step of Jacobi's method (Vanek,
-   * Mandel, Brezina, Computing 56 (1996) 179-196). Level 0 is the matrix
-   * itself. An aggregate has as many unknowns, one behind the other, as there
-   * are modes.
-   *
-   * Each process has rows of all levels, and makes aggregates of its own nodes.
+   * Smoothed aggregation (Vanek, Mandel, Brezina, Computing 56 (1996) 179-196)
+   * for a symmetric matrix with `size` unknowns a node: nodes are put together
+   * to aggregates, whose motions are those of the modes (rigid ones), smoothed
+   * by one step of Jacobi's method with blocks. An aggregate is a node with as
+   * many unknowns as there are modes; the matrix of aggregates is P^T A P. Each
+   * process makes aggregates of its own nodes.
    */
-  class SmoothedAggregation
-  {
-  public:
-    /**
-     * Process p has rows first[p], ..., first[p+1]-1 of the matrix, with
-     * `block` unknowns a node; `row_of` counts its own rows and the columns of
-     * all. Entries that are zero join nodes, too. `modes` has a column for
-     * each, and the rows of this process.
-     */
-    SmoothedAggregation(
-      const std::vector<int>                                &first,
-      const int                                              block,
-      const std::function<void(const int row, SparseRow &)> &row_of,
-      const Eigen::MatrixXd                                 &modes,
-      const Communicator                                    &processes);
-    ~SmoothedAggregation();
-    SmoothedAggregation(const SmoothedAggregation &) = delete;
-    SmoothedAggregation &
-    operator=(const SmoothedAggregation &) = delete;
+  template <int size, int coarse>
+  CoarseLevel<size, coarse>
+  aggregate(const LevelAbove<size> &above, const Communicator &processes);
 
-    /** With the finest. */
-    int
-    n_levels() const;
-    /** Unknowns of a level: process p has first[p], ..., first[p+1]-1. */
-    const std::vector<int> &
-    first(const int level) const;
-    /** Those of this process. */
-    int
-    size(const int level) const;
-    /** Of the matrix of a level, but the finest; rows as `row_of` counts. */
-    void
-    matrix_row(const int level, const int row, SparseRow &result) const;
-    /** Of the map from a level to the one above it, which is finer. */
-    void
-    prolongator_row(const int level, const int row, SparseRow &result) const;
-
-  private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation;
-  };
+  extern template CoarseLevel<2, 3>
+  aggregate(const LevelAbove<2> &, const Communicator &);
+  extern template CoarseLevel<3, 3>
+  aggregate(const LevelAbove<3> &, const Communicator &);
+  extern template CoarseLevel<3, 6>
+  aggregate(const LevelAbove<3> &, const Communicator &);
+  extern template CoarseLevel<6, 6>
+  aggregate(const LevelAbove<6> &, const Communicator &);
 } // namespace conetact::backends
 
 #endif

@@ -26,7 +26,8 @@ namespace conetact::contact
     /** Arguments must outlive the object. */
     IterativeBackend(const ElasticSystem &elastic,
                      const NodeRules     &supports,
-                     const ContactPoints &points);
+                     const ContactPoints &points,
+                     const RigidMotions  &motions);
 
     /** Why a scene cannot be solved so, as the end of a sentence; empty: it
      * can. */
@@ -34,6 +35,11 @@ namespace conetact::contact
     obstacle(const Bodies        &bodies,
              const ContactPoints &points,
              const RigidMotions  &motions);
+
+    /** Of a load on all unknowns against each of the motions that nothing
+     * resists. */
+    Eigen::VectorXd
+    resultants(const Eigen::VectorXd &load) const;
 
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
@@ -59,6 +65,7 @@ namespace conetact::contact
 
   private:
     const ElasticSystem &elastic;
+    const RigidMotions  &motions;
     const Coordinates    coordinates;
   };
 } // namespace conetact::contact

@@ -20,8 +20,7 @@ namespace conetact::contact
    * motions as the load of a problem.
    */
   Eigen::VectorXd
-  resultants_of(const solvers::ContactProblem &problem,
-                const ContactModel            &model);
+  resultants_of(const solvers::ContactProblem &problem, ContactModel &model);
 
   /**
    * What happens physically where no equilibrium exists: "body 'block' slides

@@ -6,6 +6,7 @@
 
 #include "conetact/pairing/face_net.h"
 
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -21,7 +22,9 @@ namespace conetact::pairing
     double       whole = 0; ///< area of the faces' shares, about [length^2]
     double       area  = 0; ///< D_j, of what is covered [length^2]
     double       size  = 0; ///< longest edge of the faces that it meets
-    double       least = 0; ///< part of `whole` that a row must have to stand
+    /** The smallest gap of points that see the master [length]. */
+    double lowest = std::numeric_limits<double>::max();
+    double least  = 0; ///< part of `whole` that a row must have to stand
     /** @f$\int \psi_j N_k@f$ of slave and of master nodes [length^2]. */
     std::map<unsigned int, double> slaves, masters;
     std::set<std::size_t>          neighbours; ///< rows of the same faces

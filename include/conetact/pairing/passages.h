@@ -8,6 +8,7 @@
 #include "conetact/pairing/body_way.h"
 #include "conetact/pairing/face_tree.h"
 
+#include <optional>
 #include <vector>
 
 namespace conetact::pairing
@@ -19,7 +20,8 @@ namespace conetact::pairing
     Tensor<1, 3> left;    ///< the same where it came out; 0: it did not
     double depth; ///< the largest, or if it is inside that at the end [length]
     double size;  ///< longest edge of the face that was entered
-    /** If it is inside at the end: of the body there, across that face. */
+    /** If it is inside at the end: of the body there, across that face; of a
+     * body much thicker than deep, any such number. */
     double thickness = 0;
 
     bool
@@ -41,9 +43,15 @@ namespace conetact::pairing
                    const BodyWay             &way,
                    const bodies::BoundaryIds &entries);
 
-    /** Of a node of another body, one after the other. */
+    /**
+     * Of a node of another body, one after the other. `inside_by`: the number
+     * of the face by which it came to where it is inside, at the start and then
+     * at the end; none: it is outside, or nobody knows.
+     */
     std::vector<Passage>
-    passages(const BodyWay &way, const unsigned int node) const;
+    passages(const BodyWay               &way,
+             const unsigned int           node,
+             std::optional<unsigned int> &inside_by) const;
 
   private:
     static constexpr unsigned int n_places = 9; ///< with both ends
@@ -91,8 +99,12 @@ namespace conetact::pairing
     find_crossings(const unsigned int     face,
                    const Places          &node,
                    std::vector<Crossing> &crossings) const;
+    bool
+    slides_along(const Places &node, const double from, const double to) const;
+    unsigned int
+    nearest_entry(const Places &node) const;
     Passage
-    passage_from_inside(const Crossing &out, const Places &node) const;
+    passage_from_inside(const unsigned int entry, const Crossing &out) const;
     double
     thickness_at_end(const Passage &passage, const Point<3> &p) const;
     double

@@ -8,7 +8,9 @@
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/passages.h"
 
+#include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -70,9 +72,13 @@ namespace conetact::pairing
       unsigned int other;               ///< body
       bool         is_slave;            ///< the node is on the slave's side
     };
-    /** Of all pairs that slide, on the ways of their bodies. */
+    /** By which face of the other body a node of one came in: contact, body,
+     * node. */
+    using Entries = std::map<std::array<unsigned int, 3>, unsigned int>;
+    /** Of all pairs that slide, on the ways of their bodies. `inside`: what is
+     * in another body at the start, and then at the end. */
     std::vector<PairPassage>
-    passages(const std::vector<BodyWay> &ways) const;
+    passages(const std::vector<BodyWay> &ways, Entries &inside) const;
 
     /** A node of a master that stands in the slave body. */
     struct DeepNode
@@ -80,8 +86,14 @@ namespace conetact::pairing
       unsigned int contact, node; ///< numbers
       double       depth;         ///< over the size of the slave's face
     };
-    /** The first one that is deeper than a part of a face; none: nothing. */
-    std::optional<DeepNode>
+    struct DepthOfMasters
+    {
+      std::optional<DeepNode> deep; ///< the first one that is too deep
+      /// none is before bodies have moved so far to each other [length]
+      double clearance;
+    };
+    /** Whether one is deeper than a part of a face. */
+    DepthOfMasters
     master_in_slave(const Displacement &at, const double depth) const;
 
     /** Frames of these normals, gaps of the linearised contact. */
@@ -91,6 +103,10 @@ namespace conetact::pairing
   private:
     using Structures = std::vector<const bodies::Structure *>;
 
+    DepthOfMasters
+    master_in_slave(const unsigned int  contact,
+                    const Displacement &at,
+                    const double        depth) const;
     void
     find_pairs(const Displacement &at, std::vector<ContactNode> &nodes) const;
     void

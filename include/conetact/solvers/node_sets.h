@@ -42,12 +42,17 @@ namespace conetact::solvers
                  const Eigen::VectorXd &d,
                  std::vector<NodeLaw>  &laws);
 
-  /** Laws of all nodes, then of all motions. */
+  /**
+   * Laws of all nodes, then of all motions. `definite`: what turns slips far
+   * from the solution leaves linear systems positive definite, but for the
+   * coupling with normal forces, as iterations for them want it.
+   */
   std::vector<NodeLaw>
   linearized_laws(const LinearRelation  &relation,
                   const NodeSets        &sets,
                   const Eigen::VectorXd &p,
-                  const Eigen::VectorXd &d);
+                  const Eigen::VectorXd &d,
+                  const bool             definite = false);
 
   /** Norm of r - P(z) and of the imbalance, over the scale of forces. */
   double

@@ -18,6 +18,7 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 #include <tuple>
 
@@ -295,6 +296,50 @@ namespace conetact::bodies
       return (version >= 2 && version < 3) || version == 4.1;
     }
 
+    /** GridIn prints what it finds wrong in files of Abaqus. */
+    class SilentErrors
+    {
+    public:
+      SilentErrors()
+        : buffer(std::cerr.rdbuf(nullptr))
+      {}
+      SilentErrors(const SilentErrors &) = delete;
+      SilentErrors &
+      operator=(const SilentErrors &) = delete;
+      ~SilentErrors()
+      {
+        std::cerr.rdbuf(buffer);
+      }
+
+    private:
+      std::streambuf *buffer;
+    };
+
+    /** Grids of version 2.0 are written alike. */
+    std::string
+    vtk_of_version_3(std::istream &stream)
+    {
+      std::ostringstream contents;
+      contents << stream.rdbuf();
+      std::string       text = contents.str();
+      const std::string head = "# vtk DataFile Version ";
+      if (text.rfind(head + "2.0", 0) == 0)
+        text[head.size()] = '3';
+      return text;
+    }
+
+    /** In brackets, unless it tells users nothing. */
+    std::string
+    remark_of(const std::exception &error)
+    {
+      const std::string message = message_of(error);
+      for (const char *empty :
+           {"currently not implemented", "error message printed above"})
+        if (message.find(empty) != message.npos)
+          return "";
+      return " (" + message + ")";
+    }
+
     template <int dim>
     void
     read(Triangulation<dim>   &mesh,
@@ -325,7 +370,14 @@ namespace conetact::bodies
                                             "one, or remove Group.");
       try
         {
-          GridIn<dim>(mesh).read(stream, format);
+          const SilentErrors silent;
+          if (format == GridIn<dim>::vtk)
+            {
+              std::istringstream contents(vtk_of_version_3(stream));
+              GridIn<dim>(mesh).read(contents, format);
+            }
+          else
+            GridIn<dim>(mesh).read(stream, format);
         }
       catch (const std::exception &error)
         {
@@ -333,12 +385,43 @@ namespace conetact::bodies
             where + "'" + parameters.file.string() +
             "' cannot be read as a mesh of " + cell_name<dim>(false) + " or " +
             cell_name<dim>(true) + ". Check that it is whole and " +
-            "of dimension " + std::to_string(dim) + ". (" + message_of(error) +
-            ")");
+            "of dimension " + std::to_string(dim) +
+            (format == GridIn<dim>::msh ?
+               "" :
+               ", or write it as .msh (Gmsh writes other formats in ways "
+               "that are not read)") +
+            "." + remark_of(error));
         }
     }
 
-
+    /** At a face, an edge in 2D, at most two cells meet. */
+    template <int dim>
+    void
+    check_shared_faces(const Triangulation<dim> &mesh,
+                       const MeshParameters     &parameters)
+    {
+      std::vector<unsigned int> n_cells(mesh.n_raw_faces(), 0);
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          ++n_cells[face->index()];
+      for (const auto &face : mesh.active_face_iterators())
+        if (n_cells[face->index()] > 2)
+          {
+            dealii::Tensor<1, 3> place;
+            for (unsigned int d = 0; d < dim; ++d)
+              place[d] = face->center()[d];
+            throw InputError(
+              parameters.where + "File: in '" + parameters.file.string() +
+              "' " + std::to_string(n_cells[face->index()]) +
+              " cells share the " + (dim == 2 ? "edge" : "face") + " at " +
+              to_text(place) +
+              ", but at most two can. Cells overlap or do not fit each " +
+              "other: mesh it again" +
+              (dim == 2 ? "." :
+                          " (in Gmsh 'Mesh.SubdivisionAlgorithm = 2;' "
+                          "without 'Mesh.RecombineAll')."));
+          }
+    }
 
     /** Each quadrilateral into 8 triangles, each hexahedron 24 tetrahedra. */
     template <int dim>
@@ -405,8 +488,10 @@ namespace conetact::bodies
           ", but Element is for " + cell_name<dim>(false) +
           ". Set Element = P1" + (dim == 2 ? ", P2" : "") +
           " or automatic, or use a mesh of " + cell_name<dim>(false) +
-          " (in Gmsh: 'Mesh.RecombineAll = 1; " +
-          "Mesh.SubdivisionAlgorithm = " + std::to_string(dim - 1) + ";').");
+          " (in Gmsh: '" +
+          (dim == 2 ? "Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = 1;" :
+                      "Mesh.SubdivisionAlgorithm = 2;") +
+          "').");
       if (hypercubes && parameters.cells == Cells::simplices)
         mesh = divide_into_simplices(*mesh, parameters);
     }
@@ -420,7 +505,10 @@ namespace conetact::bodies
     if (parameters.file.empty())
       generate(*mesh, parameters);
     else
-      read(*mesh, parameters, groups);
+      {
+        read(*mesh, parameters, groups);
+        check_shared_faces(*mesh, parameters);
+      }
     settle_cells(mesh, parameters);
     return mesh;
   }

@@ -47,9 +47,12 @@ namespace conetact::bodies
         "hexahedra or of tetrahedra (3D), relative to the scene's folder. Known by extension: Gmsh (.msh, "
         "versions 2 and 4.1, text or binary, 1 and 4.0 as text; physical "
         "groups of lines or surfaces become boundary ids, and their names "
-        "stand for them in all entries: 'Boundary ids = floor'), .vtk, .vtu, "
-        ".unv, .inp (Abaqus and UCD), .ucd, .xda, .dbmesh, Tecplot's .dat. "
-        "[length]");
+        "stand for them in all entries: 'Boundary ids = floor'), .vtk (legacy "
+        "text of versions 2.0 and 3.0, cells and their faces only), .vtu (with "
+        "the mesh that deal.II stores in it), .unv (as Salome writes it), "
+        ".inp (of Abaqus as Cubit writes it, or of UCD), .ucd, .xda, .dbmesh, "
+        "Tecplot's .dat. Gmsh's own .vtk, .unv and .inp are not read: write "
+        ".msh. [length]");
       prm.declare_entry(
         "Group",
         "",

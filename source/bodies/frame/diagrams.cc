@@ -5,6 +5,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <cmath>
+
 namespace conetact::bodies
 {
   namespace
@@ -116,7 +118,68 @@ namespace conetact::bodies
         }
       return result;
     }
+
+    /** Of the loads before x, times their distance from x to a power. */
+    Vector3
+    load_moment(const Member      &member,
+                const MemberLoad  &load,
+                const double       x,
+                const unsigned int power)
+    {
+      // Exact for the third power times loads of degree 6.
+      static const dealii::QGauss<1> gauss(5);
+      Vector3                        sum = Vector3::Zero();
+      for (const VectorField &q : load.per_length)
+        for (unsigned int g = 0; g < gauss.size(); ++g)
+          {
+            const double before = gauss.point(g)[0] * x;
+            sum += gauss.weight(g) * x * std::pow(x - before, power) *
+                   local(member, q(member.point(before / member.length())));
+          }
+      for (const auto &[s, p] : load.points)
+        if (s * member.length() < x)
+          sum += std::pow(x - s * member.length(), power) * local(member, p);
+      return sum;
+    }
+
+    /** Of a member whose start neither moves nor turns, in local axes. */
+    Vector3
+    free_deflection(const Member         &member,
+                    const Member::Vector &ends,
+                    const MemberLoad     &load,
+                    const double          x)
+    {
+      const FrameSection &section = member.section();
+      const double        e       = section.young_modulus;
+      const double        n_x =
+        ends[0] * x + load_moment(member, load, x, 1)[0]; // integral of -N
+      Vector3 u(load.initial_strain * x - n_x / (e * section.area), 0, 0);
+      if (!member.bends())
+        return u;
+      const Vector3 cubes =
+        (ends.segment<3>(0) * x * x * x + load_moment(member, load, x, 3)) / 6;
+      u[1] = (cubes[1] - ends[5] * x * x / 2) / (e * section.inertia_z);
+      if (section.inertia_y > 0)
+        u[2] = (cubes[2] + ends[4] * x * x / 2) / (e * section.inertia_y);
+      return u;
+    }
   } // namespace
+
+  Tensor<1, 3>
+  member_deflection(const Member     &member,
+                    const MemberLoad &load,
+                    const double      place)
+  {
+    const Member::Vector ends = member.end_forces(Member::Vector::Zero(), load);
+    const auto           at   = [&](const double s) {
+      return free_deflection(member, ends, load, s * member.length());
+    };
+    const Vector3 u = at(place) - place * at(1); // the start of a hinge turns
+    Tensor<1, 3>  sum;
+    for (unsigned int a = 0; a < 3; ++a)
+      sum += u[a] * member.axis(a);
+    return sum;
+  }
 
   std::vector<MemberSection>
   member_sections(const Member         &member,

@@ -4,6 +4,7 @@
 #include "conetact/bodies/frame/frame.h"
 
 #include "conetact/bodies/element_forces.h"
+#include "conetact/bodies/frame/diagrams.h"
 #include "conetact/bodies/frame/graphics.h"
 
 #include <Eigen/Eigenvalues>
@@ -239,6 +240,21 @@ namespace conetact::bodies
   }
 
 
+
+  Tensor<1, 3>
+  Frame::deflection_between_nodes(const Point<3> &point,
+                                  const Actions  &actions) const
+  {
+    std::vector<MemberLoad> at(members.size());
+    if (node_at(point) == n_nodes())
+      add_point(point, Tensor<1, 3>(), at);
+    for (std::size_t m = 0; m < members.size(); ++m)
+      if (!at[m].points.empty())
+        return member_deflection(members[m],
+                                 member_loads(actions)[m],
+                                 at[m].points[0].first);
+    return {};
+  }
 
   VtuGrid
   Frame::drawing(const Eigen::VectorXd &u,

@@ -72,7 +72,7 @@ namespace conetact::bodies
         "'1: abs(y) < 1e-6': a node (x, y, z in the scene's coordinates) that "
         "satisfies it gets the id besides those it has. Nodes without any "
         "have id 0. A member has the ids that both its nodes have, and its "
-        "groups. [-]");
+        "groups; nodes that divide it have the ids of both its ends. [-]");
     }
 
     void
@@ -144,6 +144,20 @@ namespace conetact::bodies
         }
     }
 
+    /** Id 0 for nodes without any, and for members between two of them. */
+    void
+    tag_the_rest(FrameModel &model)
+    {
+      const auto rest = [&](const unsigned int node) {
+        return model.nodes[node].ids.count(0) > 0;
+      };
+      for (FrameNode &node : model.nodes)
+        if (node.between ?
+              rest((*node.between)[0]) && rest((*node.between)[1]) :
+              node.ids.empty())
+          node.ids.insert(0);
+    }
+
     void
     tag(const std::vector<BoundaryTag> &tags,
         const std::string              &where,
@@ -164,9 +178,7 @@ namespace conetact::bodies
                              "). Check the condition against the nodes' "
                              "coordinates.");
         }
-      for (FrameNode &node : model.nodes)
-        if (node.ids.empty())
-          node.ids.insert(0);
+      tag_the_rest(model);
     }
 
     void

@@ -207,6 +207,7 @@ namespace conetact::bodies
             node.position  = Point<3>((1 - s) * model.nodes[ends[0]].position +
                                      s * model.nodes[ends[1]].position);
             node.ids       = common;
+            node.between   = ends;
             piece.nodes[1] = static_cast<unsigned int>(model.nodes.size());
             model.nodes.push_back(node);
           }

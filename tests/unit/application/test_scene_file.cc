@@ -39,6 +39,9 @@ TEST(SceneFile, LineEndsAndEncodings)
   EXPECT_EQ(text_of("# \xfc\n"), "# \xc3\xbc\n");     // Latin-1
   EXPECT_EQ(text_of("# \xc3\xbc\n"), "# \xc3\xbc\n"); // UTF-8
   EXPECT_EQ(text_of("# \xc3\n"), "# \xc3\x83\n");     // Latin-1 again
+  EXPECT_EQ(text_of("set\xc2\xa0"
+                    "End = 2\n"),
+            "set End = 2\n"); // no break
   EXPECT_EQ(text_of(""), "");
   EXPECT_NE(test::sentence_of([] {
               text_of(std::string("a\0b", 3));

@@ -23,7 +23,11 @@ TEST(Numbers, MayBeExpressions)
   EXPECT_TRUE(test::starts(refused(" "), "Entry: a number is missing."));
   EXPECT_TRUE(test::starts(refused("nan"), "Entry: 'nan' is not a finite"));
   EXPECT_TRUE(test::starts(refused("1/0"), "Entry: '1/0' is not finite"));
-  EXPECT_TRUE(test::starts(refused("x"), "Entry: 'x' depends on position"));
+  for (const std::string text : {"x", "210e3*x", "3*t"})
+    EXPECT_TRUE(
+      test::starts(refused(text), "Entry: '" + text + "' depends on position"));
+  EXPECT_NE(refused("210e3 N/mm^2").find("has 'N/mm^2' behind"),
+            std::string::npos);
 }
 
 

@@ -81,6 +81,14 @@ namespace
                            frame.member_loads(actions)[member],
                            8)[static_cast<std::size_t>(8 * place + .5)];
   }
+
+  /** From the origin along x, with its ends tagged 4. */
+  std::unique_ptr<Frame>
+  one_member(const std::string &more = "")
+  {
+    return make_frame(
+      2, "Nodes = 1: 0, 0 : 4 ; 2: 4, 0 : 4|Members = 1-2: s" + more, beam);
+  }
 } // namespace
 
 TEST(Frame, RigidMotionsMeetNoForce)
@@ -183,10 +191,7 @@ TEST(Frame, OrientationTurnsTheSection)
 
 TEST(Frame, FixedEndForces)
 {
-  const auto    frame = make_frame(2,
-                                "Nodes = 1: 0, 0 : 4 ; 2: 4, 0 : 4|"
-                                   "Members = 1-2: s",
-                                beam);
+  const auto    frame = one_member();
   const Actions load = {{Action::Kind::line_load, {4}, {}, uniform(0, -6), {}}};
   Eigen::VectorXd f  = no_forces(*frame);
   ASSERT_TRUE(frame->add_line_load({4}, uniform(0, -6), f));
@@ -215,6 +220,61 @@ TEST(Frame, FixedEndForces)
               2 * 8. * 1 * 9 / 64,
               1e-12); // 2 P a^2 b^2/L^3
   EXPECT_FALSE(frame->add_point_force({1, .1, 0}, p, g));
+}
+
+TEST(Frame, DeflectionsBetweenNodesAreExact)
+{
+  const auto    frame = one_member();
+  const Actions line = {{Action::Kind::line_load, {4}, {}, uniform(3, -6), {}}};
+  const auto    at = [&](const Frame &f, const double x, const Actions &load) {
+    return f.deflection_between_nodes({x, 0, 0}, load);
+  };
+  for (const double x : {0., .3, 1., 2., 3.7, 4.})
+    {
+      EXPECT_NEAR(at(*frame, x, line)[1],
+                  -6 * pow(x * (L - x), 2) / (24 * E * I),
+                  1e-15);
+      EXPECT_NEAR(at(*frame, x, line)[0], 3 * x * (L - x) / (2 * E * A), 1e-15);
+    }
+  const Actions point = {
+    {Action::Kind::point_force, {}, {1, 0, 0}, uniform(0, -8), {}}};
+  EXPECT_NEAR(at(*frame, 1, point)[1], -8. * 27 / (3 * E * I * 64), 1e-15);
+  EXPECT_EQ(at(*frame, 2, {})[1], 0);
+  EXPECT_EQ(frame->deflection_between_nodes({2, 1, 0}, line).norm(), 0);
+
+  const auto hinged = one_member(", hinges");
+  EXPECT_EQ(at(*hinged, 2, line)[1], 0); // a bar
+  const auto propped = one_member(", hinge start");
+  EXPECT_NEAR(at(*propped, 1, line)[1],
+              -6 * (pow(L, 3) - 3 * L + 2) / (48 * E * I),
+              1e-15);
+}
+
+TEST(Frame, DeflectionsAreThoseOfPictures)
+{
+  const auto all = frames();
+  for (const unsigned int f : {1u, 2u})
+    {
+      const Actions load = {
+        {Action::Kind::body_force, {}, {}, uniform(2, -3, f == 2 ? 4 : 0), {}},
+        {Action::Kind::initial_strain, {}, {}, {}, [](const Point<3> &) {
+           InitialStrain strain;
+           strain.temperature = 5;
+           return strain;
+         }}};
+      const Eigen::VectorXd u = no_forces(*all[f]);
+      for (unsigned int m = 0; m < all[f]->all_members().size(); ++m)
+        for (const double place : {.25, .5, .75})
+          {
+            const Point<3> p = all[f]->all_members()[m].point(place);
+            if (f == 1 && (m == 0 || m == 5))
+              continue; // the beam a-b and the bar b-a are in one place
+            const auto found = all[f]->deflection_between_nodes(p, load);
+            const auto drawn = cut(*all[f], u, load, m, place).displacement;
+            for (unsigned int c = 0; c < 3; ++c)
+              EXPECT_NEAR(found[c], drawn[c], 1e-13) << f << ' ' << m;
+          }
+    }
 }
 
 TEST(Frame, LinearLineLoadIsExact)
@@ -376,6 +436,28 @@ TEST(Frame, SurfacesAndTheirLoads)
     make_frame(2, "Nodes = 1: 0, 0 : 7 ; 2: 0, 4|Members = 1-2: s", beam);
   EXPECT_NEAR(foot->surface({7}).nodes.at(0).area, 2 * 2, 1e-14);
   EXPECT_FALSE(foot->add_line_load({7}, uniform(1, 0), f));
+}
+
+TEST(Frame, DividedMembersAreLoadedWholeOrNot)
+{
+  const auto loaded = [](const std::string &ids) {
+    const auto frame =
+      make_frame(2,
+                 "Nodes = 1: 0, 0 ; 2: 4, 0 ; 3: 8, 0|"
+                 "Members = 1-2-3: s, elements 4|Boundary ids = " +
+                   ids,
+                 beam);
+    Eigen::VectorXd f = no_forces(*frame);
+    frame->add_line_load({0}, uniform(0, -1), f);
+    double sum = 0;
+    for (unsigned int i = 0; i < frame->n_nodes(); ++i)
+      sum += f[frame->n_components() * i + 1];
+    return sum;
+  };
+  EXPECT_NEAR(loaded("1: x < 1"), -4, 1e-13);
+  EXPECT_NEAR(loaded("1: x < 1 ; 2: x > 7"), 0, 0);
+  EXPECT_NEAR(loaded("1: x < 1 ; 2: abs(x - 4) < .1 ; 3: x > 7"), 0, 0);
+  EXPECT_NEAR(loaded("1: abs(x - 6) < .1"), -8, 1e-13);
 }
 
 TEST(Frame, TemperatureWithoutForce)

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/contact/pieces.h"
+
 #include <gtest/gtest.h>
 
 #include "body_fixture.h"
@@ -395,4 +397,88 @@ TEST(MeshInput, FilesAreChecked)
                         replaced(gmsh_2, "6 1 1 0", "6 1.9 0.05 0")),
                  "Mesh/File",
                  "distorted");
+}
+
+TEST(MeshInput, PiecesThatNoElementJoinsAreCounted)
+{
+  EXPECT_EQ(contact::n_pieces(
+              *make_body(2, "File = " + write_file("one.msh", gmsh_2))),
+            1);
+  // nodes of the right square beside those of the left one
+  std::string two = gmsh_2;
+  two.replace(two.find("Nodes\n7"), 7, "Nodes\n8");
+  two.replace(two.find("9 7 7 0"), 7, "9 1 0 0\n10 1 1 0");
+  two.replace(two.find("1 1 5 2 3 6"), 11, "1 1 9 2 3 10");
+  EXPECT_EQ(contact::n_pieces(
+              *make_body(2, "File = " + write_file("two.msh", two))),
+            2);
+  EXPECT_EQ(contact::n_pieces(
+              *make_body(2,
+                         square + "|Global refinements = 1|"
+                                  "Refinement boxes = 0, 0 : .5, .5 : 1")),
+            1);
+}
+
+TEST(MeshInput, VtkOfBothVersionsIsRead)
+{
+  const std::string grid = "\nsquare\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+                           "POINTS 4 double\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  for (const std::string version : {"2.0", "3.0"})
+    {
+      const std::string head = "# vtk DataFile Version " + version + grid;
+      const auto        body =
+        make_body(2,
+                  "File = " + write_file("square.vtk",
+                                         head + "CELLS 1 5\n4 0 1 2 3\n"
+                                                "CELL_TYPES 1\n9\n"));
+      EXPECT_EQ(body->n_nodes(), 4);
+      // Gmsh adds cells of its points
+      const std::string sentence =
+        refusal(2,
+                "File = " + write_file("points.vtk",
+                                       head + "CELLS 2 7\n1 0\n4 0 1 2 3\n"
+                                              "CELL_TYPES 2\n1\n9\n"));
+      expect_refusal(sentence, "Mesh/File", "or write it as .msh");
+      EXPECT_EQ(sentence.find("deal.II"), sentence.npos) << sentence;
+    }
+}
+
+TEST(MeshInput, AbaqusFilesOfGmshAreRefusedInASentence)
+{
+  testing::internal::CaptureStderr();
+  expect_refusal(
+    refusal(2,
+            "File = " +
+              write_file("lines.inp",
+                         "*Heading\n a\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n"
+                         "3, 1, 1, 0\n4, 0, 1, 0\n"
+                         "******* E L E M E N T S *************\n"
+                         "*ELEMENT, type=T3D2, ELSET=Line1\n1, 1, 2\n"
+                         "*ELEMENT, type=CPS4, ELSET=Surface1\n"
+                         "2, 1, 2, 3, 4\n")),
+    "Mesh/File",
+    "or write it as .msh");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(MeshInput, AnEdgeOfThreeCellsIsRefused)
+{
+  // a third square on the edge from (1, 0) to (1, 1)
+  std::string gmsh = gmsh_2;
+  gmsh.replace(gmsh.find("9 7 7 0"), 7, "9 2 .5 0");
+  gmsh.replace(gmsh.find("Elements\n4"), 10, "Elements\n5");
+  gmsh.replace(gmsh.find("$EndElements"), 0, "5 3 2 1 1 5 9 3 6\n");
+  const std::string ucd = "7 3 0 0 0\n1 0 0 0\n2 2 0 0\n3 2 1 0\n4 0 1 0\n"
+                          "5 1 0 0\n6 1 1 0\n7 2 .5 0\n1 1 quad 1 5 6 4\n"
+                          "2 1 quad 5 2 3 6\n3 1 quad 5 7 3 6\n";
+  for (const auto &[name, text] :
+       {std::pair("three.msh", gmsh), std::pair("three.ucd", ucd)})
+    {
+      const std::string sentence =
+        refusal(2, "File = " + write_file(name, text));
+      expect_refusal(sentence, "Mesh/File", name);
+      expect_refusal(sentence,
+                     "Mesh/File",
+                     "3 cells share the edge at (1, 0.5, 0)");
+    }
 }

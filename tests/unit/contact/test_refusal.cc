@@ -14,7 +14,7 @@ namespace
    * A body that stands on y = 0 from x = 0 to 2 and weighs 10, pushed by
    * `push` to the right at its point (1, 1).
    */
-  class Pushed : public testing::TestWithParam<bool>
+  class Pushed : public testing::TestWithParam<std::string>
   {
   protected:
     std::string
@@ -22,12 +22,14 @@ namespace
     {
       const std::string friction =
         "|Friction coefficient = " + std::to_string(mu);
-      scene = test::make_scene(GetParam() ?
+      scene = test::make_scene(GetParam() == "frame" ?
                                  test::triangle_on_floor("", "", friction) :
                                  block(friction));
       model =
         std::make_unique<ContactModel>(scene->bodies, std::vector<double>{1});
-      EXPECT_EQ(model->is_dual(), !GetParam());
+      if (GetParam() == "iterative")
+        model->solve_iteratively();
+      EXPECT_EQ(model->is_dual(), GetParam() == "rows");
       const solvers::ExistenceCheck check = make_existence_check(*model);
       const solvers::Existence      result =
         check.check(resultants(push), resultants(0));
@@ -73,8 +75,10 @@ namespace
   };
 } // namespace
 
-// frames have a stiffness with motions, continua rows with balances
-INSTANTIATE_TEST_SUITE_P(FramesAndContinua, Pushed, testing::Bool());
+// a stiffness with motions, rows of a continuum with balances, all its unknowns
+INSTANTIATE_TEST_SUITE_P(FramesAndContinua,
+                         Pushed,
+                         testing::Values("frame", "rows", "iterative"));
 
 
 

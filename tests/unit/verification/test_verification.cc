@@ -3,15 +3,13 @@
 
 // Faults that are planted into right results are found, right ones accepted.
 
-#include "conetact/application/scene.h"
 #include "conetact/contact/contact_model.h"
 #include "conetact/solvers/solver_table.h"
 #include "conetact/verification/verification.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include "scene_fixture.h"
 
 using namespace conetact;
 using namespace conetact::application;
@@ -29,7 +27,7 @@ namespace
   {
   public:
     explicit Solved(const std::string &text)
-      : scene(make(text))
+      : scene(test::make_scene(text))
       , model(scene->bodies, scene->times)
       , verification(model.bodies,
                      model.elastic,
@@ -76,19 +74,6 @@ namespace
     Verification           verification;
 
   private:
-    static std::unique_ptr<Scene>
-    make(const std::string &text)
-    {
-      const auto file =
-        std::filesystem::temp_directory_path() / "conetact-verification.prm";
-      std::ofstream(file) << text;
-      CommandLine line;
-      line.scene   = file;
-      auto created = std::make_unique<Scene>(line);
-      created->build();
-      return created;
-    }
-
     void
     set_stiffness()
     {

@@ -35,6 +35,15 @@ namespace conetact::bodies
                   const Member::Vector &deformation,
                   const MemberLoad     &load,
                   const unsigned int    n);
+
+  /**
+   * What a load adds to the displacement at a place (0 to 1) while the ends
+   * stay, in global axes: the exact integral of the same equations.
+   */
+  Tensor<1, 3>
+  member_deflection(const Member     &member,
+                    const MemberLoad &load,
+                    const double      place);
 } // namespace conetact::bodies
 
 #endif

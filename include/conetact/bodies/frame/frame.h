@@ -102,6 +102,14 @@ namespace conetact::bodies
     std::string
     description() const override;
 
+    /**
+     * What actions add to the displacement of a point of a member whose nodes
+     * stay; nothing elsewhere. What nodes do is in the shape functions.
+     */
+    Tensor<1, 3>
+    deflection_between_nodes(const Point<3> &point,
+                             const Actions  &actions) const;
+
     const std::vector<Member> &
     all_members() const
     {

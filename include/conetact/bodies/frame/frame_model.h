@@ -7,6 +7,7 @@
 #include "conetact/bodies/structure.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ namespace conetact::bodies
     BoundaryIds  ids;
     double       area = 0; ///< tributary; 0: from the members [length^2]
     Tensor<1, 3> normal;   ///< if `area` is given
+    /** Ends of the member that it divides, nodes before it. */
+    std::optional<std::array<unsigned int, 2>> between;
   };
 
   struct FrameMember

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Shipped scenes by both backends, and by one to four processes: the same tables, or the same sentences."""
+import re
+
+from laws.processes import ITERATIVE, ours
+from support.scenes import SHIPPED, box, contact, floor, joint, load, support
+
+# what the iterative backend says of scenes that are not for it
+PATH, FRAME = "does not go with Solver, Method = load path, which needs the matrix", "is a frame"
+FLOATS, TIED = "solves bodies that supports or friction hold", "knows no ties"
+REFUSED = {"bar-pull-release": PATH, "beam-three-supports": FRAME, "block-in-groove": PATH, "bolt-joint": TIED,
+           "bolt-preload": "'preload cut' is free", "cylinder-on-plane": FLOATS, "disc-brake": "not those that slide far",
+           "o-ring": FLOATS, "pushed-block": PATH, "pushed-block-3d": PATH, "retaining-wall": PATH, "sheet-pile": FRAME}
+
+# worth several processes, also more than there are cores: how many, and what makes meshes finer, histories shorter
+SHARED = {"ball-on-plane": ((3,), ()),
+          "block-press-shear": ((2, 3, 4), ("Time/Times=1, 4, 11",)),
+          "floating-block": ((2, 3), ("Body block/Mesh/Arguments=140, 70 : 0, 0 : 2, 1 : true",)),
+          "inclined-obstacle": ((4,), ("Body block/Mesh/Arguments=90, 90 : 0, 0 : 80, 80 : true", "Time/Times=1, 12")),
+          "shrink-fit": ((3,), ("Body inner/Mesh/Global refinements=5", "Body outer/Mesh/Global refinements=5")),
+          "sphere-on-layer": ((2, 4), ("Time/Times=1, 4, 6",))}
+
+
+def changed(*changes):
+    return [word for change in ("Output/VTU=0", *changes) for word in ("-s", change)]
+
+
+def sums(laws, what, a, b, bound=1e-8):
+    """Forces, moments and energies of increments; moments over the largest force at the furthest node."""
+    force = max(abs(row[name]) for row in a.increments for name in row if re.search("_f_[xyz]$", name))
+    arm = max(abs(row[axis]) for row in a.rows for axis in "xyz")
+    energy = max(abs(row["external_work"]) + abs(row["strain_energy"]) for row in a.increments)
+    worst = 0.0
+    for pattern, size in (("_f_[xyz]$", force), ("_m_[xyz]$", force * arm), ("energy$|work|dissipation$", energy)):
+        for row, other in zip(a.increments, b.increments):
+            worst = max([worst, *(abs(row[name] - other[name]) / size for name in row if re.search(pattern, name))])
+    laws.check(f"{what}: sums and energies", worst if len(a.increments) == len(b.increments) else 1, bound)
+
+
+def same(laws, what, a, b):
+    laws.same(what, a, b, 1e-8)
+    sums(laws, what, a, b)
+
+
+def shipped(laws):
+    """Each scene by both backends."""
+    for file in sorted(SHIPPED.glob("*.prm")):
+        if file.stem in REFUSED:
+            done, folder = laws.start(file, *ITERATIVE)
+            laws.demand(f"{file.stem}: {REFUSED[file.stem]}", done.returncode == 1 and not folder.exists()
+                        and len(ours(done.stderr)) == 1 and REFUSED[file.stem] in done.stderr)
+        else:
+            same(laws, file.stem, *(laws.run(file, *changed(f"Solver/Backend={name}")) for name in ("condensed", "iterative")))
+
+
+def shared(laws):
+    """Those that are worth it by several processes."""
+    for name, (numbers, changes) in SHARED.items():
+        scene, arguments = SHIPPED / f"{name}.prm", changed("Solver/Backend=iterative", *changes)
+        one = laws.run(scene, *arguments)
+        for n in numbers:
+            same(laws, f"{name}, {n} processes", one, laws.run(scene, *arguments, "--processes", str(n)))
+
+
+def ways(dim, mu, push, pair=False):
+    """A block that only friction holds, on a floor or on another block; pushed in its middle by so much of its weight."""
+    low, high, n = (2, 3, 10) if dim == 2 else (4, 5, 5)
+    sides = dim - 1
+    block = {"Body block": box((n,) * dim, (1.0,) * dim),
+             "Load weight": load("body force", " ; ".join(["0"] * sides + ["-min(t, 1)"])),
+             "Load push": load("body force", " ; ".join([f"{push}*max(t - 1, 0)"] + ["0"] * sides)),
+             "Dimension": dim, "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
+    if pair:
+        return {**block, "Body base": box((7,) * sides + (3,), (1.4,) * sides + (.6,), (-.2,) * sides + (-.6,)),
+                "Contact joint": joint("block", low, "base", high, **{"Friction coefficient": mu}),
+                "Support ground": support(low, "x, y, z"[:3 * dim - 2], body="base")}
+    return {**block, "Obstacle floor": floor(dim), "Contact bottom": contact(ids=low, mu=mu)}
+
+
+def refusals(laws):
+    """Loads beyond what contacts carry, and motions beyond what scenes are for: the sentence and the increments before it."""
+    by_two = (("condensed", ()), ("iterative", ()), ("iterative", ("--processes", "2")))
+    beyond = [(f"{dim}D, {'pair' if pair else 'floor'}, {what}", ways(dim, mu, push, pair), ())
+              for dim in (2, 3) for pair in (False, True) for what, mu, push in (("slides", .3, .4), ("tips", 2, 1.25))]
+    beyond += [("floating-block, slides", SHIPPED / "floating-block.prm", ("Load push/Value=0.6*t",)),
+               ("floating-block, lifts off", SHIPPED / "floating-block.prm", ("Load weight/Value=-0.1*t", "Load push/Value=0*t")),
+               ("stacked-blocks, too far", SHIPPED / "stacked-blocks.prm",
+                ("Contact joint 1/Friction coefficient=0.01", "Support top/Displacement=0.4*max(t - 1, 0) ; -0.01*min(t, 1)")),
+               ("sphere-on-layer, curved", SHIPPED / "sphere-on-layer.prm",
+                ("Obstacle sphere/Displacement=2*t ; 0 ; -0.2*t", "Body layer/Mesh/Arguments=20, 20, 3 : -20, -20, -4 : 20, 20, 0 : true"))]
+    for what, scene, changes in beyond:
+        ends = [laws.start(scene, *changed(f"Solver/Backend={name}", *changes), *more)
+                for name, more in by_two[:2 if isinstance(scene, dict) else 3]]
+        said = {re.sub(r"node at \(.*?\)", "node", "".join(ours(done.stderr))) for done, _ in ends}  # nodes may be alike
+        written = {len((folder / "increments.csv").read_text().splitlines()) for _, folder in ends}
+        laws.demand(f"{what}: {'; '.join(sorted(said)).strip()}", len(said) == 1 and len(written) == 1
+                    and all(done.returncode == 2 and len(ours(done.stderr)) == 1 for done, _ in ends))
+
+
+def backends(laws):
+    shipped(laws)
+    refusals(laws)
+
+
+def backends_shared(laws):
+    shared(laws)
