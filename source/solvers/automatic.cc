@@ -351,6 +351,19 @@ namespace conetact::solvers
 
 
 
+  bool
+  Automatic::solve_again(const ContactProblem &problem,
+                         ContactState         &state,
+                         SolverReport         &report)
+  {
+    SolverReport again = solve_whole(problem, state, true);
+    add_work(again, report);
+    report = std::move(again);
+    return report.converged;
+  }
+
+
+
   SolverReport
   Automatic::solve_in_parts(const ContactProblem &problem, ContactState &state)
   {
@@ -381,10 +394,13 @@ namespace conetact::solvers
   SolverReport
   Automatic::solve(const ContactProblem &problem, ContactState &state)
   {
-    // Of redundant contacts the best that was found is of use to the caller.
+    // Of redundant contacts the best that was found is a start for others, and
+    // of use to the caller.
     ContactState estimate = state;
     SolverReport first;
-    if (options.may_be_rigid && is_sparse_compliance(*problem.system))
+    const bool   redundant =
+      options.may_be_rigid && is_sparse_compliance(*problem.system);
+    if (redundant)
       first = make_redundant_contacts(options)->solve(problem, estimate);
     if (first.converged || (options.stop && options.stop()))
       {
@@ -395,6 +411,9 @@ namespace conetact::solvers
     ContactState shortest = state;
     SolverReport report   = solve_whole(problem, state, true);
     add_work(report, first);
+    if (redundant && !report.converged)
+      if (ContactState trial = estimate; solve_again(problem, trial, report))
+        state = trial;
     // Where nothing presses, any motion that opens all contacts is a solution;
     // the shortest is what is promised.
     if (report.converged && presses_nothing(problem, state) &&
@@ -404,7 +423,8 @@ namespace conetact::solvers
       return report;
     if (options.max_substeps < 2)
       {
-        state = estimate;
+        state           = estimate;
+        report.residual = contact_residual(problem, state);
         return report;
       }
     SolverReport parts = solve_in_parts(problem, state);

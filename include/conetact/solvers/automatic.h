@@ -41,6 +41,12 @@ namespace conetact::solvers
                 ContactState         &state,
                 const bool            thorough);
 
+    /** The same from another start; true if it is solved. */
+    bool
+    solve_again(const ContactProblem &problem,
+                ContactState         &state,
+                SolverReport         &report);
+
     /** Active set from an estimate of the end of the increment. */
     bool
     polish(const ContactProblem &problem,
