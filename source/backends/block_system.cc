@@ -69,7 +69,6 @@ namespace conetact::backends
     for (const int i : first)
       first_node.push_back(i / block);
     K = {std::move(given.K), first_node, processes};
-    K.share_equal_rows();
     find_scale();
     make_smoother();
     make_levels(given.modes);

@@ -39,8 +39,7 @@ namespace conetact::backends
       std::vector<int> first; ///< of each process, and behind the last one
     };
 
-    /** Nodes of each process: the number of entries of their rows is its work.
-     */
+    /** Nodes of each process: what elements bring to their rows is its work. */
     std::vector<int>
     parts_of_nodes(const LargeStiffness            &given,
                    const std::vector<unsigned int> &nodes,
@@ -52,11 +51,12 @@ namespace conetact::backends
       std::vector<WeighedNode> weighed;
       for (const unsigned int i : nodes)
         weighed.push_back({given.position(i), 0});
-      for (Index q = 0; q < given.upper.cols(); ++q)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(given.upper, q); it;
-             ++it)
-          for (const Index k : {q, it.row()})
-            weighed[at(node[at(k)])].weight += 1;
+      given.for_each_element(
+        [&](const std::vector<Index> &unknowns, const double *) {
+          for (const Index q : unknowns)
+            weighed[at(node[at(q)])].weight +=
+              static_cast<double>(unknowns.size());
+        });
       return partition(weighed, n_parts);
     }
 
@@ -96,7 +96,7 @@ namespace conetact::backends
     {
     public:
       FirstPart(LargeStiffness &given, const unsigned int dim)
-        : n_parts(useful_processes(given.upper.cols()))
+        : n_parts(useful_processes(static_cast<Index>(given.node_of.size())))
         , number(n_parts > 1 ? ++n_made : 0)
         , places(find_places(given, static_cast<int>(dim), n_parts))
       {
@@ -157,7 +157,7 @@ namespace conetact::backends
       to_whole(LargeStiffness &given) const
       {
         WholeSystem whole;
-        whole.upper.swap(given.upper);
+        whole.for_each_element = std::move(given.for_each_element);
         whole.places = places.of;
         whole.first  = places.first;
         whole.modes.resize(places.first.back(), given.modes.cols());

@@ -179,52 +179,13 @@ namespace conetact::backends
                       });
     }
 
-    /** Columns of a row in the order in which they come, and their blocks. */
-    template <int n_rows, int n_columns>
-    struct GrowingRow
-    {
-      using Block = Eigen::Matrix<double, n_rows, n_columns>;
-      std::vector<int>   column;
-      std::vector<Block> block;
-
-      Block &
-      operator[](const int j)
-      {
-        const auto it = std::find(column.begin(), column.end(), j);
-        if (it != column.end())
-          return block[static_cast<std::size_t>(it - column.begin())];
-        column.push_back(j);
-        block.push_back(Block::Zero());
-        return block.back();
-      }
-      void
-      clear()
-      {
-        column.clear();
-        block.clear();
-      }
-    };
-
     /** Makes it the next row of a matrix. */
     template <int n_rows, int n_columns, typename Number>
     void
     append(const GrowingRow<n_rows, n_columns>    &row,
            BlockMatrix<n_rows, n_columns, Number> &A)
     {
-      std::vector<std::size_t> order(row.column.size());
-      std::iota(order.begin(), order.end(), 0);
-      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-        return row.column[a] < row.column[b];
-      });
-      for (const std::size_t k : order)
-        {
-          A.column.push_back(row.column[k]);
-          const Eigen::Matrix<Number, n_rows, n_columns> block =
-            row.block[k].template cast<Number>();
-          A.value.insert(A.value.end(),
-                         block.data(),
-                         block.data() + block.size());
-        }
+      row.append_to(A.column, A.value);
       A.start.push_back(A.column.size());
     }
 

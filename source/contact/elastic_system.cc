@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace conetact::contact
 {
@@ -420,45 +421,53 @@ namespace conetact::contact
     return all;
   }
 
+  void
+  for_each_element(const ElasticSystem   &system,
+                   const LinearMap       &coordinates,
+                   const UnknownsVisitor &visit)
+  {
+    ElementReduction          reduction(coordinates);
+    ReducedElement            element;
+    std::vector<Eigen::Index> unknowns;
+    system.for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        // Most elements have no special node: these go on as they are, without
+        // C^T k C.
+        if (!is_plain(dofs, coordinates))
+          {
+            reduction.reduce(dofs, matrix, element);
+            visit(element.unknowns, element.matrix.data());
+            return;
+          }
+        unknowns.resize(dofs.size());
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+          unknowns[i] = coordinates.row(dofs[i]).first->unknown;
+        visit(unknowns, matrix);
+      });
+  }
+
   Eigen::SparseMatrix<double>
   assemble(const ElasticSystem &system, const LinearMap &coordinates)
   {
     Eigen::SparseMatrix<double> upper =
       upper_pattern(connect(system, coordinates), coordinates.n_unknowns());
-
-    ElementReduction          reduction(coordinates);
-    ReducedElement            element;
-    std::vector<Eigen::Index> unknowns, order;
-    system.for_each_element(
-      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        // Most elements have no special node: these are scattered as they are,
-        // without C^T k C.
-        const bool plain = is_plain(dofs, coordinates);
-        if (plain)
-          {
-            unknowns.resize(dofs.size());
-            for (std::size_t i = 0; i < dofs.size(); ++i)
-              unknowns[i] = coordinates.row(dofs[i]).first->unknown;
-          }
-        else
-          {
-            reduction.reduce(dofs, matrix, element);
-            unknowns = element.unknowns;
-          }
+    std::vector<Eigen::Index> order, sorted;
+    for_each_element(
+      system,
+      coordinates,
+      [&](const std::vector<Eigen::Index> &unknowns, const double *matrix) {
         order.resize(unknowns.size());
-        for (std::size_t i = 0; i < order.size(); ++i)
-          order[i] = static_cast<Eigen::Index>(i);
-        if (plain)
-          {
-            std::sort(order.begin(),
-                      order.end(),
-                      [&](const auto a, const auto b) {
-                        return unknowns[static_cast<std::size_t>(a)] <
-                               unknowns[static_cast<std::size_t>(b)];
-                      });
-            std::sort(unknowns.begin(), unknowns.end());
-          }
-        scatter(unknowns, order, plain ? matrix : element.matrix.data(), upper);
+        std::iota(order.begin(), order.end(), 0);
+        const auto unknown = [&](const Eigen::Index i) {
+          return unknowns[static_cast<std::size_t>(i)];
+        };
+        std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+          return unknown(a) < unknown(b);
+        });
+        sorted.clear();
+        for (const Eigen::Index i : order)
+          sorted.push_back(unknown(i));
+        scatter(sorted, order, matrix, upper);
       });
     return upper;
   }

@@ -128,7 +128,9 @@ namespace conetact::contact
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
-    given.upper    = assemble(elastic, coordinates);
+    given.for_each_element = [&](const UnknownsVisitor &visit) {
+      for_each_element(elastic, coordinates, visit);
+    };
     given.node_of  = coordinates.node_of_unknowns();
     given.modes    = rigid_modes(elastic.bodies, coordinates);
     given.contact  = points.layout();

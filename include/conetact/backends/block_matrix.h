@@ -9,12 +9,44 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 namespace conetact::backends
 {
+  /** Rows of numbers, each of which is kept once. */
+  template <typename Number>
+  class EqualRows
+  {
+  public:
+    /** Where these numbers are among `all`, at the end of which they go if they
+     * are not there yet. */
+    std::size_t
+    place(const Number        *row,
+          const std::size_t    length,
+          std::vector<Number> &all)
+    {
+      const std::size_t      n_bytes = length * sizeof(Number);
+      const std::string_view bytes(reinterpret_cast<const char *>(row),
+                                   n_bytes);
+      const std::size_t      hash  = std::hash<std::string_view>()(bytes);
+      const auto [begin, end]      = known.equal_range(hash);
+      for (auto it = begin; it != end; ++it)
+        if (it->second + length <= all.size() &&
+            std::memcmp(all.data() + it->second, row, n_bytes) == 0)
+          return it->second;
+      const std::size_t at_end = all.size();
+      all.insert(all.end(), row, row + length);
+      known.emplace(hash, at_end);
+      return at_end;
+    }
+
+  private:
+    std::unordered_multimap<std::size_t, std::size_t> known; ///< places by hash
+  };
+
   /**
    * A sparse matrix of small dense blocks, row by row, such as the stiffness
    * of a mesh, whose nodes have n_rows unknowns each. An index for a whole
@@ -65,39 +97,6 @@ namespace conetact::backends
       return block(k);
     }
 
-    /**
-     * Rows of the same numbers keep them once, such as those of all nodes
-     * inside a regular mesh: then they are read from the cache.
-     */
-    void
-    share_equal_rows()
-    {
-      std::unordered_map<std::string_view, std::size_t> places;
-      std::vector<Number>                               once;
-      std::vector<std::size_t>                          firsts, unique_rows;
-      std::size_t                                       size = 0;
-      for (std::size_t i = 0; i < n_block_rows(); ++i)
-        {
-          const std::size_t length = (start[i + 1] - start[i]) * block_size;
-          const std::string_view bytes(reinterpret_cast<const char *>(row(i)),
-                                       length * sizeof(Number));
-          const auto [known, is_new] = places.emplace(bytes, size);
-          firsts.push_back(known->second);
-          if (!is_new)
-            continue;
-          unique_rows.push_back(i);
-          size += length;
-        }
-      once.reserve(size + lanes);
-      for (const std::size_t i : unique_rows)
-        once.insert(once.end(),
-                    row(i),
-                    row(i) + (start[i + 1] - start[i]) * block_size);
-      once.resize(size + lanes, Number(0));
-      value.swap(once);
-      first.swap(firsts);
-    }
-
     /** y = A x. */
     void
     multiply(const Number *x, Number *y) const
@@ -145,6 +144,13 @@ namespace conetact::backends
       return result;
     }
 
+    /** Whether rows of the same numbers keep them once. */
+    bool
+    shares_rows() const
+    {
+      return !first.empty();
+    }
+
     template <typename Other>
     BlockMatrix<n_rows, n_columns, Other>
     cast() const
@@ -160,6 +166,8 @@ namespace conetact::backends
   private:
     template <int, int, typename>
     friend class BlockMatrix;
+    template <int, int, typename>
+    friend class RowByRow;
 
     const Number *
     row(const std::size_t i) const
@@ -169,6 +177,123 @@ namespace conetact::backends
 
     std::vector<std::size_t> first; ///< number of each row, if rows share them
     static constexpr int     lanes = (n_rows + 3) / 4 * 4;
+  };
+
+  /** Columns of a row in the order in which they come, and their blocks. */
+  template <int n_rows, int n_columns>
+  struct GrowingRow
+  {
+    using Block = Eigen::Matrix<double, n_rows, n_columns>;
+    std::vector<int>   column;
+    std::vector<Block> block;
+
+    /** Number of the block of a column, which is there then. */
+    std::size_t
+    find(const int j)
+    {
+      const auto k = static_cast<std::size_t>(
+        std::find(column.begin(), column.end(), j) - column.begin());
+      if (k == column.size())
+        {
+          column.push_back(j);
+          block.push_back(Block::Zero());
+        }
+      return k;
+    }
+    Block &
+    operator[](const int j)
+    {
+      return block[find(j)];
+    }
+    void
+    clear()
+    {
+      column.clear();
+      block.clear();
+    }
+    /** Appends them in ascending order; blocks column by column. */
+    template <typename Number>
+    void
+    append_to(std::vector<int> &columns, std::vector<Number> &numbers) const
+    {
+      std::vector<std::size_t> order(column.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return column[a] < column[b];
+      });
+      for (const std::size_t k : order)
+        {
+          columns.push_back(column[k]);
+          const Eigen::Matrix<Number, n_rows, n_columns> cast =
+            block[k].template cast<Number>();
+          numbers.insert(numbers.end(), cast.data(), cast.data() + cast.size());
+        }
+    }
+  };
+
+  /**
+   * Puts a matrix together row by row. Where rows share their numbers those of
+   * the same numbers keep them once, such as all nodes inside a regular mesh:
+   * they are read from the cache.
+   */
+  template <int n_rows, int n_columns, typename Number>
+  class RowByRow
+  {
+  public:
+    using Matrix = BlockMatrix<n_rows, n_columns, Number>;
+
+    explicit RowByRow(const bool are_shared)
+      : share(are_shared)
+    {}
+
+    /** Columns ascend, as many as there are blocks; `numbers` are these. */
+    void
+    append(const int                 *columns,
+           const std::size_t          n,
+           const std::vector<Number> &numbers)
+    {
+      if (share)
+        A.first.push_back(rows.place(numbers.data(), numbers.size(), A.value));
+      else
+        A.value.insert(A.value.end(), numbers.begin(), numbers.end());
+      A.column.insert(A.column.end(), columns, columns + n);
+      A.start.push_back(A.column.size());
+    }
+
+    Matrix
+    finish()
+    {
+      A.value.resize(A.value.size() + Matrix::lanes, Number(0));
+      rows = {};
+      return std::move(A);
+    }
+
+    /** The same of rows that share numbers and came in another order: k-th was
+     * number[k]. */
+    Matrix
+    finish(const std::vector<int> &number)
+    {
+      std::vector<std::size_t> from(number.size());
+      for (std::size_t k = 0; k < number.size(); ++k)
+        from[static_cast<std::size_t>(number[k])] = k;
+      Matrix sorted;
+      sorted.column.reserve(A.column.size());
+      for (const std::size_t k : from)
+        {
+          sorted.first.push_back(A.first[k]);
+          for (std::size_t l = A.start[k]; l < A.start[k + 1]; ++l)
+            sorted.column.push_back(A.column[l]);
+          sorted.start.push_back(sorted.column.size());
+        }
+      sorted.value.swap(A.value);
+      A = std::move(sorted);
+      return finish();
+    }
+
+  private:
+    const bool        share;
+    Matrix            A;
+    EqualRows<Number> rows;
   };
 } // namespace conetact::backends
 

@@ -67,14 +67,6 @@ namespace conetact::backends
         std::make_shared<const HaloPlan>(needed, first, processes));
     }
 
-    /** BlockMatrix::share_equal_rows() */
-    void
-    share_equal_rows()
-    {
-      own.share_equal_rows();
-      far.share_equal_rows();
-    }
-
     /** Not of a process that is alone. */
     const HaloPlan &
     halo_plan() const
@@ -189,39 +181,48 @@ namespace conetact::backends
         f(self.n_own_columns + self.far.column[k], self.far.block(e, k));
     }
 
+    /** Parts of rows that share their numbers share theirs. */
     void
     split(const Matrix &rows, const int end)
     {
-      const auto is_own = [&](const int j) { return j >= begin && j < end; };
+      RowByRow<n_rows, n_columns, Number> own_rows(rows.shares_rows()),
+        far_rows(rows.shares_rows());
+      std::vector<int>    own_columns, far_columns;
+      std::vector<Number> own_numbers, far_numbers;
       for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
         {
-          std::size_t n = 0;
+          own_columns.clear();
+          far_columns.clear();
+          own_numbers.clear();
+          far_numbers.clear();
           for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k)
-            n += is_own(rows.column[k]);
-          own.start.push_back(own.start.back() + n);
-          const std::size_t others = rows.start[i + 1] - rows.start[i] - n;
-          if (others == 0)
+            {
+              const int  j      = rows.column[k];
+              const bool is_own = j >= begin && j < end;
+              const auto block  = rows.block(i, k);
+              (is_own ? own_columns : far_columns)
+                .push_back(is_own ? j - begin : place_of(j));
+              auto &numbers = is_own ? own_numbers : far_numbers;
+              numbers.insert(numbers.end(),
+                             block.data(),
+                             block.data() + block.size());
+            }
+          own_rows.append(own_columns.data(), own_columns.size(), own_numbers);
+          if (far_columns.empty())
             continue;
           edge.push_back(static_cast<int>(i));
-          far.start.push_back(far.start.back() + others);
+          far_rows.append(far_columns.data(), far_columns.size(), far_numbers);
         }
-      own.allocate();
-      far.allocate();
-      std::size_t next = 0, next_far = 0;
-      for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
-        for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k)
-          if (const int j = rows.column[k]; is_own(j))
-            {
-              own.column[next]  = j - begin;
-              own.block(next++) = rows.block(i, k);
-            }
-          else
-            {
-              far.column[next_far] = static_cast<int>(
-                std::lower_bound(needed.begin(), needed.end(), j) -
-                needed.begin());
-              far.block(next_far++) = rows.block(i, k);
-            }
+      own = own_rows.finish();
+      far = far_rows.finish();
+    }
+
+    /** Of a column of others. */
+    int
+    place_of(const int j) const
+    {
+      return static_cast<int>(
+        std::lower_bound(needed.begin(), needed.end(), j) - needed.begin());
     }
 
     Matrix           own;

@@ -19,10 +19,10 @@ namespace conetact::backends
   /** What a LargeSystem is made of. */
   struct LargeStiffness
   {
-    Eigen::SparseMatrix<double> upper;   ///< triangle of K, column major
-    std::vector<unsigned int>   node_of; ///< of each unknown, any numbers
-    Eigen::MatrixXd             modes;   ///< rigid motions, a column for each
-    solvers::ContactSystem      contact; ///< layout of the last unknowns
+    Elements                  for_each_element; ///< of K
+    std::vector<unsigned int> node_of; ///< of each unknown, any numbers
+    Eigen::MatrixXd           modes;   ///< rigid motions, a column for each
+    solvers::ContactSystem    contact; ///< layout of the last unknowns
     /** Of a node, to share nodes among processes. */
     std::function<std::array<double, 3>(const unsigned int node)> position;
   };

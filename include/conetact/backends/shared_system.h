@@ -7,17 +7,24 @@
 #include "conetact/base/communicator.h"
 #include "conetact/solvers/large_system.h"
 
-#include <Eigen/SparseCore>
-
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace conetact::backends
 {
+  /**
+   * Calls back with all elements of a stiffness: the unknowns of each, which
+   * are as many as its matrix has rows [force/length].
+   */
+  using Elements = std::function<void(
+    const std::function<void(const std::vector<Eigen::Index> &unknowns,
+                             const double                    *matrix)> &visit)>;
+
   /** What the first process has of a system before others get their shares. */
   struct WholeSystem
   {
-    Eigen::SparseMatrix<double> upper; ///< triangle of K, column major
+    Elements for_each_element; ///< of K
     /** Of each unknown, node by node; process p has those from first[p] on. */
     std::vector<int> places;
     std::vector<int> first;
@@ -47,8 +54,7 @@ namespace conetact::backends
           const double                         precision) const = 0;
   };
 
-  /** The other processes give nothing: an empty system. What is not needed any
-   * more is taken from it. */
+  /** The other processes give nothing: an empty system. */
   std::unique_ptr<SharedSystem>
   share_system(WholeSystem       &&whole,
                const unsigned int  dim,

@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <functional>
 #include <vector>
 
 namespace conetact::contact
@@ -75,6 +76,20 @@ namespace conetact::contact
     std::vector<Eigen::Index> dof_offset;
     std::vector<Spring>       springs;
   };
+
+  /**
+   * Gets the unknowns of an element, each once, and its part of
+   * @f$ C^T K C @f$, row by row [force/length].
+   */
+  using UnknownsVisitor =
+    std::function<void(const std::vector<Eigen::Index> &unknowns,
+                       const double                    *matrix)>;
+
+  /** All elements of the system in the unknowns of `coordinates`. */
+  void
+  for_each_element(const ElasticSystem   &system,
+                   const LinearMap       &coordinates,
+                   const UnknownsVisitor &visit);
 
   /**
    * Upper triangle of @f$ C^T K C @f$, the stiffness in the unknowns of
