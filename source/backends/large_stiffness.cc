@@ -158,8 +158,8 @@ namespace conetact::backends
       {
         WholeSystem whole;
         whole.for_each_element = std::move(given.for_each_element);
-        whole.places = places.of;
-        whole.first  = places.first;
+        whole.places           = places.of;
+        whole.first            = places.first;
         whole.modes.resize(places.first.back(), given.modes.cols());
         for (Index j = 0; j < given.modes.cols(); ++j)
           whole.modes.col(j) = scatter(given.modes.col(j));

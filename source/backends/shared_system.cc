@@ -33,11 +33,12 @@ namespace conetact::backends
         , left(at(n_nodes), 0)
         , place(at(n_nodes), none)
       {
-        for_each_element([&](const std::vector<Index> &unknowns, const double *) {
-          find_nodes(unknowns);
-          for (const int i : nodes)
-            ++left[at(i)];
-        });
+        for_each_element(
+          [&](const std::vector<Index> &unknowns, const double *) {
+            find_nodes(unknowns);
+            for (const int i : nodes)
+              ++left[at(i)];
+          });
       }
 
       /** Calls take(node, row) for what is complete. */
@@ -60,7 +61,8 @@ namespace conetact::backends
           {
             Row &row = rows[at(place[at(nodes[own[a].node])])];
             for (std::size_t b = 0; b < n; ++b)
-              // one triangle of it, so that the sum is symmetric to the last bit
+              // one triangle of it, so that the sum is symmetric to the last
+              // bit
               row.block[blocks[own[a].node * nodes.size() + own[b].node]](
                 own[a].component, own[b].component) +=
                 matrix[std::max(a, b) * n + std::min(a, b)];
@@ -144,9 +146,10 @@ namespace conetact::backends
       std::vector<Row>        rows;
       std::vector<int>        unused; ///< of them
       // of an element
-      std::vector<int>         nodes;
-      std::vector<Place>       own;
-      std::vector<std::size_t> blocks; ///< of rows, a row of places for each node
+      std::vector<int>   nodes;
+      std::vector<Place> own;
+      std::vector<std::size_t>
+        blocks; ///< of rows, a row of places for each node
     };
 
     /** Rows on their way to the process that has them. */
@@ -203,7 +206,8 @@ namespace conetact::backends
         return true;
       }
       void
-      unpack(RowByRow<block, block, double> &matrix, std::vector<int> &rows) const
+      unpack(RowByRow<block, block, double> &matrix,
+             std::vector<int>               &rows) const
       {
         std::vector<double> its_numbers;
         std::size_t         k = 0;
@@ -245,9 +249,8 @@ namespace conetact::backends
         columns.clear();
         numbers.clear();
         row.append_to(columns, numbers);
-        const auto p =
-          std::upper_bound(first.begin(), first.end(), i * block) -
-          first.begin() - 1;
+        const auto p = std::upper_bound(first.begin(), first.end(), i * block) -
+                       first.begin() - 1;
         const int number = i - first[at(p)] / block;
         if (p == 0)
           {
@@ -393,8 +396,8 @@ namespace conetact::backends
         share.contact   = std::move(contact.places);
         share.exists    = deal_places(whole.places);
         share.modes     = deal_modes(std::move(whole.modes));
-        share.K       = make_rows<block>(whole, first, processes);
-        system  = std::make_unique<const BlockSystem<block>>(std::move(share));
+        share.K         = make_rows<block>(whole, first, processes);
+        system = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
 
       Array

@@ -24,15 +24,13 @@ namespace conetact::backends
     /** Where these numbers are among `all`, at the end of which they go if they
      * are not there yet. */
     std::size_t
-    place(const Number        *row,
-          const std::size_t    length,
-          std::vector<Number> &all)
+    place(const Number *row, const std::size_t length, std::vector<Number> &all)
     {
       const std::size_t      n_bytes = length * sizeof(Number);
       const std::string_view bytes(reinterpret_cast<const char *>(row),
                                    n_bytes);
-      const std::size_t      hash  = std::hash<std::string_view>()(bytes);
-      const auto [begin, end]      = known.equal_range(hash);
+      const std::size_t      hash = std::hash<std::string_view>()(bytes);
+      const auto [begin, end]     = known.equal_range(hash);
       for (auto it = begin; it != end; ++it)
         if (it->second + length <= all.size() &&
             std::memcmp(all.data() + it->second, row, n_bytes) == 0)
