@@ -189,12 +189,23 @@ namespace conetact::backends
       A.start.push_back(A.column.size());
     }
 
-    /** A few more numbers than blocks have: columns are read in fours. */
+    /** Columns are read in fours: so many numbers more than blocks have. */
+    constexpr std::size_t spare = 8;
+
+    /** Room for so many blocks. */
     template <typename Matrix>
     void
-    finish(Matrix &A)
+    reserve(const std::size_t n, Matrix &A)
     {
-      A.value.resize(A.value.size() + 8);
+      A.column.reserve(n);
+      A.value.reserve(n * A.block_size + spare);
+    }
+
+    void
+    add_once(const int i, std::vector<int> &list)
+    {
+      if (std::find(list.begin(), list.end(), i) == list.end())
+        list.push_back(i);
     }
 
     /** Modes of each aggregate, orthogonal; and what they are made of. */
@@ -240,6 +251,25 @@ namespace conetact::backends
       return T;
     }
 
+    /** Of A T, where T has a block in each row. */
+    template <int size, int coarse>
+    std::size_t
+    n_blocks_of_product(const DistributedMatrix<size, size, double> &A,
+                        const BlockMatrix<size, coarse, float>      &T)
+    {
+      std::size_t      n = 0;
+      std::vector<int> columns;
+      for (std::size_t i = 0; i < A.own_part().n_block_rows(); ++i)
+        {
+          columns.clear();
+          A.for_row(i, [&](const int j, const auto &) {
+            add_once(T.column[at(j)], columns);
+          });
+          n += columns.size();
+        }
+      return n;
+    }
+
     /** One step of Jacobi's method: T - omega D A T. */
     template <int size, int coarse>
     BlockMatrix<size, coarse, float>
@@ -251,7 +281,8 @@ namespace conetact::backends
       const double omega =
         4. / 3 / static_cast<double>(above.largest) / above.unit;
       BlockMatrix<size, coarse, float> P;
-      GrowingRow<size, coarse>         row;
+      reserve(n_blocks_of_product(above.A, T), P);
+      GrowingRow<size, coarse> row;
       for (std::size_t i = 0; i < above.A.own_part().n_block_rows(); ++i)
         {
           row.clear();
@@ -269,77 +300,216 @@ namespace conetact::backends
       return P;
     }
 
-    /** Own rows of P^T A P; those of aggregates of others are sent to them. */
+    /**
+     * Rows of P^T A P: those of own aggregates, and behind them those of others
+     * to which own rows of A add.
+     */
+    template <int size, int coarse>
+    class Projection
+    {
+    public:
+      using Sums = BlockMatrix<coarse, coarse, double>;
+
+      /** P has the rows of others that A needs. */
+      Projection(const LevelAbove<size>                 &level_above,
+                 const BlockMatrix<size, coarse, float> &prolongator,
+                 const std::vector<int>                 &first_aggregates,
+                 const Communicator                     &all)
+        : above(level_above)
+        , P(prolongator)
+        , first(first_aggregates)
+        , processes(all)
+        , begin(first[at(processes.rank())])
+        , n_own(first[at(processes.rank()) + 1] - begin)
+      {}
+
+      /** Own rows, with what other processes add to them. */
+      Sums
+      rows()
+      {
+        find_columns();
+        allocate();
+        add_all();
+        if (processes.size() > 1)
+          exchange_rows();
+        return std::move(sums);
+      }
+
+    private:
+      /** Row of an aggregate. */
+      std::size_t
+      place(const int a) const
+      {
+        if (a >= begin && a < begin + n_own)
+          return at(a - begin);
+        return at(n_own) + static_cast<std::size_t>(
+                             std::lower_bound(others.begin(), others.end(), a) -
+                             others.begin());
+      }
+      int
+      n_rows() const
+      {
+        return static_cast<int>(above.A.own_part().n_block_rows());
+      }
+      int
+      owner(const int a) const
+      {
+        return static_cast<int>(
+          std::upper_bound(first.begin(), first.end(), a) - first.begin() - 1);
+      }
+
+      void
+      find_columns()
+      {
+        for (std::size_t k = 0; k < P.start[at(n_rows())]; ++k)
+          if (const int a = P.column[k]; a < begin || a >= begin + n_own)
+            others.push_back(a);
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        columns.resize(at(n_own) + others.size());
+        std::vector<int> of_row;
+        for (int i = 0; i < n_rows(); ++i)
+          {
+            of_row.clear();
+            above.A.for_row(at(i), [&](const int j, const auto &) {
+              for (std::size_t k = P.start[at(j)]; k < P.start[at(j) + 1]; ++k)
+                add_once(P.column[k], of_row);
+            });
+            for (std::size_t k = P.start[at(i)]; k < P.start[at(i) + 1]; ++k)
+              for (const int b : of_row)
+                add_once(b, columns[place(P.column[k])]);
+          }
+        if (processes.size() > 1)
+          exchange_columns();
+      }
+      /** Of own aggregates, from those who add to their rows. */
+      void
+      exchange_columns()
+      {
+        std::vector<std::vector<int>> lists(at(processes.size()));
+        for (const int a : others)
+          {
+            const std::vector<int> &row = columns[place(a)];
+            pack<double>(
+              a, row.data(), row.size(), nullptr, 0, lists[at(owner(a))]);
+          }
+        for (const std::vector<int> &list : processes.exchange(lists))
+          unpack<double>(list,
+                         0,
+                         [&](const int         a,
+                             const int        *its_columns,
+                             const std::size_t n,
+                             const double *) {
+                           for (std::size_t k = 0; k < n; ++k)
+                             add_once(its_columns[k], columns[place(a)]);
+                         });
+      }
+      void
+      allocate()
+      {
+        for (std::vector<int> &row : columns)
+          {
+            std::sort(row.begin(), row.end());
+            sums.start.push_back(sums.start.back() + row.size());
+          }
+        sums.allocate();
+        std::size_t k = 0;
+        for (const std::vector<int> &row : columns)
+          for (const int column : row)
+            sums.column[k++] = column;
+        columns = {};
+      }
+      auto
+      block(const std::size_t row, const int column)
+      {
+        const auto from =
+          sums.column.begin() + static_cast<std::ptrdiff_t>(sums.start[row]);
+        const auto to = sums.column.begin() +
+                        static_cast<std::ptrdiff_t>(sums.start[row + 1]);
+        return sums.block(static_cast<std::size_t>(
+          std::lower_bound(from, to, column) - sums.column.begin()));
+      }
+
+      void
+      add_all()
+      {
+        GrowingRow<size, coarse> AP;
+        for (int i = 0; i < n_rows(); ++i)
+          {
+            AP.clear();
+            above.A.for_row(at(i), [&](const int j, const auto &a) {
+              for (std::size_t k = P.start[at(j)]; k < P.start[at(j) + 1]; ++k)
+                AP[P.column[k]].noalias() +=
+                  a * P.block(at(j), k).template cast<double>();
+            });
+            for (std::size_t k = P.start[at(i)]; k < P.start[at(i) + 1]; ++k)
+              {
+                const std::size_t row = place(P.column[k]);
+                const Eigen::Matrix<double, size, coarse> p =
+                  P.block(at(i), k).template cast<double>() / above.unit;
+                for (std::size_t l = 0; l < AP.column.size(); ++l)
+                  block(row, AP.column[l]).noalias() +=
+                    p.transpose() * AP.block[l];
+              }
+          }
+      }
+      /** Rows of others are sent to them, and go. */
+      void
+      exchange_rows()
+      {
+        std::vector<std::vector<int>> lists(at(processes.size()));
+        for (const int a : others)
+          {
+            const std::size_t row = place(a), from = sums.start[row],
+                              n = sums.start[row + 1] - from;
+            pack(a,
+                 sums.column.data() + from,
+                 n,
+                 sums.block(from).data(),
+                 n * sums.block_size,
+                 lists[at(owner(a))]);
+          }
+        sums.start.resize(at(n_own) + 1);
+        sums.column.resize(sums.start.back());
+        sums.value.resize(sums.start.back() * sums.block_size + spare);
+        for (const std::vector<int> &list : processes.exchange(lists))
+          unpack<double>(list,
+                         sums.block_size,
+                         [&](const int         a,
+                             const int        *its_columns,
+                             const std::size_t n,
+                             const double     *values) {
+                           for (std::size_t k = 0; k < n; ++k)
+                             block(place(a), its_columns[k]) +=
+                               Eigen::Map<const typename Sums::Block>(
+                                 values + k * sums.block_size);
+                         });
+      }
+
+      const LevelAbove<size>                 &above;
+      const BlockMatrix<size, coarse, float> &P;
+      const std::vector<int>       &first; ///< aggregates of processes
+      const Communicator           &processes;
+      const int                     begin, n_own;
+      std::vector<int>              others;  ///< aggregates, ascending
+      std::vector<std::vector<int>> columns; ///< of each row
+      Sums                          sums;
+    };
+
+    /** Own rows of P^T A P. */
     template <int size, int coarse>
     BlockMatrix<coarse, coarse, double>
-    project(const LevelAbove<size>          &above,
-            BlockMatrix<size, coarse, float> P,
-            const std::vector<int>          &first,
-            const Communicator              &processes)
+    project(const LevelAbove<size>           &above,
+            const std::vector<int>           &first,
+            const Communicator               &processes,
+            BlockMatrix<size, coarse, float> &P)
     {
-      using Map         = Eigen::Matrix<double, size, coarse>;
-      const auto &A     = above.A;
-      const int   n     = static_cast<int>(A.own_part().n_block_rows());
-      const int   begin = first[at(processes.rank())],
-                end     = first[at(processes.rank()) + 1];
-      append_rows_of_others(A, processes, P);
-      std::vector<GrowingRow<coarse, coarse>>   own(at(end - begin));
-      std::map<int, GrowingRow<coarse, coarse>> others;
-      GrowingRow<size, coarse>                  AP;
-      for (int i = 0; i < n; ++i)
-        {
-          AP.clear();
-          A.for_row(at(i), [&](const int j, const auto &a) {
-            for (std::size_t k = P.start[at(j)]; k < P.start[at(j) + 1]; ++k)
-              AP[P.column[k]].noalias() +=
-                a * P.block(k).template cast<double>();
-          });
-          for (std::size_t k = P.start[at(i)]; k < P.start[at(i) + 1]; ++k)
-            {
-              const int a = P.column[k];
-              auto     &row =
-                a >= begin && a < end ? own[at(a - begin)] : others[a];
-              const Map p = P.block(k).template cast<double>() / above.unit;
-              for (std::size_t l = 0; l < AP.column.size(); ++l)
-                row[AP.column[l]].noalias() += p.transpose() * AP.block[l];
-            }
-        }
-      if (processes.size() > 1)
-        {
-          std::vector<std::vector<int>> lists(at(processes.size()));
-          for (const auto &[a, row] : others)
-            {
-              const auto owner =
-                std::upper_bound(first.begin(), first.end(), a) -
-                first.begin() - 1;
-              pack(a,
-                   row.column.data(),
-                   row.column.size(),
-                   row.block.data()->data(),
-                   row.column.size() * coarse * coarse,
-                   lists[static_cast<std::size_t>(owner)]);
-            }
-          for (const std::vector<int> &list : processes.exchange(lists))
-            unpack<double>(
-              list,
-              coarse * coarse,
-              [&](const int         a,
-                  const int        *columns,
-                  const std::size_t n_columns,
-                  const double     *values) {
-                for (std::size_t k = 0; k < n_columns; ++k)
-                  own[at(a - begin)][columns[k]] +=
-                    Eigen::Map<const Eigen::Matrix<double, coarse, coarse>>(
-                      values + k * coarse * coarse);
-              });
-        }
-      BlockMatrix<coarse, coarse, double> result;
-      for (auto &row : own)
-        {
-          append(row, result);
-          row = {};
-        }
-      finish(result);
+      const std::size_t n_own = P.n_block_rows();
+      append_rows_of_others(above.A, processes, P);
+      auto result = Projection<size, coarse>(above, P, first, processes).rows();
+      P.start.resize(n_own + 1);
+      P.column.resize(P.start.back());
+      P.value.resize(P.start.back() * P.block_size + spare);
       return result;
     }
   } // namespace
@@ -362,8 +532,8 @@ namespace conetact::backends
                                      above.modes,
                                      level.rows.modes),
       processes);
-    level.rows.A = project(above, level.P, level.rows.first, processes);
-    finish(level.P);
+    level.rows.A = project(above, level.rows.first, processes, level.P);
+
     return level;
   }
 
