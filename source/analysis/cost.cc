@@ -66,12 +66,16 @@ namespace conetact::analysis
     // increment) and bytes, in the plane and in space; from blocks of
     // 32^3 and 64^3 cells (space), 50^2 (plane). What processes share, what the
     // first one has besides, and what each other has anyway: from 64^3 and
-    // 100^3 cells, 200^2 and 400^2, by one to three processes.
+    // 150^3 cells and 400^2, by one and two processes.
     constexpr double setup_of_unknown[]     = {8e-6, 5e-6};
     constexpr double increment_of_unknown[] = {4e-5, 4e-6};
-    constexpr double shared_bytes[]         = {1450, 1390};
-    constexpr double bytes_of_first[]       = {50, 850};
+    constexpr double shared_bytes[]         = {350, 740};
+    constexpr double bytes_of_first[]       = {400, 240};
     constexpr double bytes_of_others        = 1.7e8;
+
+    // Iterations grow with the contrast of strains from here on: 3 times as
+    // many at nu = 0.49, 15 at 0.499, 200 at 0.4999.
+    constexpr double usual_contrast = 36;
 
     // Unknowns in space below which nothing is worth a forecast, and above
     // which none is needed.
@@ -89,6 +93,15 @@ namespace conetact::analysis
       return static_cast<double>(model.coordinates.n_dofs()) *
              (check_of_dof * n_increments +
               drawing_of_dof * static_cast<double>(n_drawings));
+    }
+    /** How many times more iterations than usual bodies take. */
+    double
+    many_iterations(const contact::ContactModel &model)
+    {
+      double contrast = 1;
+      for (const bodies::Structure *body : model.bodies.structures)
+        contrast = std::max(contrast, body->contrast_of_strains());
+      return std::max(1., contrast / usual_contrast);
     }
   } // namespace
 
@@ -134,7 +147,8 @@ namespace conetact::analysis
     const auto        increments = static_cast<double>(n_increments);
     const double      share      = n / n_processes;
     const double      solution =
-      share * (setup_of_unknown[d] + increment_of_unknown[d] * increments);
+      share * (setup_of_unknown[d] +
+               increment_of_unknown[d] * increments * many_iterations(model));
     Cost cost;
     cost.memory_bytes =
       peak_memory() + bytes_of_first[d] * n + shared_bytes[d] * share;
@@ -164,7 +178,9 @@ namespace conetact::analysis
       return {false, "bodies are condensed one by one"};
     if (n < small_body)
       return {false, "the mesh is small"};
-    if (n > huge_body)
+    constexpr double slow    = 2; // times the usual iterations
+    const bool       is_slow = many_iterations(model) > slow;
+    if (n > huge_body && !is_slow)
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
     const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
@@ -177,7 +193,8 @@ namespace conetact::analysis
     constexpr double much_faster = 3;
     return {condensed.memory_bytes > machine_memory() ||
               condensed.seconds > much_faster * other.seconds,
-            "condensed " + text(condensed) + ", iterative " + text(other)};
+            "condensed " + text(condensed) + ", iterative " + text(other) +
+              (is_slow ? ", as a body is nearly incompressible" : "")};
   }
 
 

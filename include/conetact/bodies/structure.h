@@ -311,6 +311,17 @@ namespace conetact::bodies
                    const double                 time,
                    const std::filesystem::path &file) const;
 
+    /**
+     * Of its elasticity: how many times the strain that it resists most is
+     * harder than the one it resists least. 3 at nu = 0.3, 75 at 0.49,
+     * infinite where volumes stay.
+     */
+    virtual double
+    contrast_of_strains() const
+    {
+      return 1;
+    }
+
     /** What a user must know of its results, a sentence; empty: nothing. */
     virtual std::string
     caution() const

@@ -487,6 +487,18 @@ namespace conetact::bodies
   }
 
   template <int dim>
+  double
+  Continuum<dim>::contrast_of_strains() const
+  {
+    double largest = 1;
+    for (const Phase<dim> &phase : phases)
+      largest = std::max(largest, phase.material.contrast_of_strains());
+    return largest;
+  }
+
+
+
+  template <int dim>
   std::string
   Continuum<dim>::caution() const
   {

@@ -9,9 +9,11 @@
 #include "conetact/bodies/placement.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact::bodies
 {
@@ -239,6 +241,21 @@ namespace conetact::bodies
     // G, not 2 G, for the engineers' shear strains.
     c.diagonal().tail(2 * dim - 3).setConstant(shear);
     return c;
+  }
+
+  double
+  ElasticMaterial::contrast_of_strains() const
+  {
+    // Shear strains as a tensor has them, twice, not the engineers'.
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(6);
+    scale.tail(3).setConstant(std::sqrt(2.));
+    const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() *
+                                                       elasticity(3) *
+                                                       scale.asDiagonal(),
+                                                     Eigen::EigenvaluesOnly)
+        .eigenvalues();
+    return values.maxCoeff() / values.minCoeff();
   }
 
   /* Along z, too: in plane strain it presses against what holds the body

@@ -105,6 +105,9 @@ namespace conetact::bodies
     drawing(const Eigen::VectorXd &u,
             const Eigen::VectorXd &w,
             const Actions         &actions) const override;
+    /** Of the worst of its materials. */
+    double
+    contrast_of_strains() const override;
     /** Of triangles and tetrahedra: they lock. */
     std::string
     caution() const override;

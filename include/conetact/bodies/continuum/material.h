@@ -72,6 +72,10 @@ namespace conetact::bodies
     Eigen::MatrixXd
     elasticity(const unsigned int dim) const;
 
+    /** Structure::contrast_of_strains() */
+    double
+    contrast_of_strains() const;
+
     /** The largest modulus [force/length^2]. */
     double
     stiffness() const
