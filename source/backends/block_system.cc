@@ -94,7 +94,7 @@ namespace conetact::backends
   BlockSystem<block>::multiply(const Array &x) const
   {
     Array y(n);
-    K.multiply(x.data(), y.data());
+    K.multiply(x.data(), y.data(), runs_of_K);
     return y;
   }
 
@@ -125,6 +125,8 @@ namespace conetact::backends
     scale = sum > 0 ? std::exp2(std::round(std::log2(sum / n_unknowns))) : 1.;
     A     = K.template cast<float>();
     A.for_all_numbers([&](float &a) { a = static_cast<float>(a / scale); });
+    runs_of_K = RowRuns<block, double>(K.own_part());
+    runs_of_A = RowRuns<block, float>(A.own_part());
   }
 
 
@@ -140,7 +142,7 @@ namespace conetact::backends
       D[at(i)] = inverse_block(i, exists, FloatBlock::Zero());
     largest = largest_eigenvalue(
       [&](const FloatVector &x, FloatVector &y) {
-        A.multiply(x.data(), y.data());
+        A.multiply(x.data(), y.data(), runs_of_A);
       },
       [&](const FloatVector &x, FloatVector &y) {
         multiply_blocks<block>(D, x, y);
@@ -367,7 +369,7 @@ namespace conetact::backends
                                    FloatVector       &result) const
   {
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {
-      A.multiply(x.data(), y.data());
+      A.multiply(x.data(), y.data(), runs_of_A);
       for (const NodeRows &rows : system.rows)
         for (std::size_t k = 0; k < rows.stays.size(); ++k)
           for (std::size_t l = 0; l < rows.stays.size(); ++l)
@@ -471,7 +473,7 @@ namespace conetact::backends
       {
         FloatVector &z = next(Z, k);
         precondition(system, V[at(k)], z);
-        A.multiply(z.data(), w.data());
+        A.multiply(z.data(), w.data(), runs_of_A);
         add_laws(system, scale, z, w);
         H(k + 1, k) = orthogonalize(V, w, H.col(k).head(k + 1));
         if (!std::isfinite(H(k + 1, k)))

@@ -99,8 +99,17 @@ namespace conetact::backends
     void
     multiply(const Number *x, Number *y) const
     {
+      multiply(0, n_block_rows(), x, y);
+    }
+    /** Rows begin, ..., end - 1 of it. */
+    void
+    multiply(const std::size_t begin,
+             const std::size_t end,
+             const Number     *x,
+             Number           *y) const
+    {
       using Lanes = Eigen::Array<Number, lanes, 1>;
-      for (std::size_t i = 0; i + 1 < start.size(); ++i)
+      for (std::size_t i = begin; i < end; ++i)
         {
           // a sum for each column of blocks: none waits for another
           Lanes sum[n_columns];

@@ -5,6 +5,7 @@
 #define conetact_backends_block_system_h
 
 #include "conetact/backends/multigrid.h"
+#include "conetact/backends/row_runs.h"
 #include "conetact/solvers/large_system.h"
 
 #include <cmath>
@@ -147,6 +148,8 @@ namespace conetact::backends
     DistributedMatrix<block, block, double> K;
     double                                  scale = 1; ///< a power of two
     DistributedMatrix<block, block, float>  A;         ///< K over it
+    RowRuns<block, double>                  runs_of_K;
+    RowRuns<block, float>                   runs_of_A;
     std::vector<FloatBlock>                 D;
     float                                   largest = 1; ///< eigenvalue of D A
     std::unique_ptr<CoarseLevels<block, 3 * (block - 1)>> levels;

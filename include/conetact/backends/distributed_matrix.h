@@ -84,10 +84,19 @@ namespace conetact::backends
     void
     multiply(const Number *x, Number *y) const
     {
+      multiply(x, y, [&](const Number *in, Number *out) {
+        own.multiply(in, out);
+      });
+    }
+    /** The same with another product of the own part. */
+    template <typename Product>
+    void
+    multiply(const Number *x, Number *y, const Product &product_of_own) const
+    {
       if (halo.its_plan() == nullptr)
-        return own.multiply(x, y);
+        return product_of_own(x, y);
       halo.start(x);
-      own.multiply(x, y);
+      product_of_own(x, y);
       add_rows(far, edge, halo.finish(), buffer, y);
     }
 
