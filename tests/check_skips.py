@@ -208,6 +208,18 @@ def estimated_of_processes(laws):
                 check_ratio(laws, f"{dim}D, {n} processes: memory of another", other, memory.split()[0])
 
 
+def chosen(laws):
+    """What is nearly incompressible is condensed."""
+    seconds = []
+    for nu in (.3, .4999):
+        scene = scenes.with_element(scenes.press_and_shear(3, cells=(28, 28, 28)), "Q1 B-bar")
+        text = dry_run(laws, scenes.merge(scene, {"Body block": {"Material": {"Poisson ratio": nu}}}))
+        line = re.search("backend: .*", text)[0]
+        seconds.append(float(re.search(r"iterative (\S+) s", line)[1]))
+    laws.demand(f"nu = {nu}: {line}", line.startswith("backend: condensed") and line.endswith("nearly incompressible"))
+    laws.demand("the iterative backend would take far longer", seconds[1] > 20 * seconds[0])
+
+
 def failed(laws):
     """A run without an equilibrium says what it did, too."""
     done, folder = laws.start(scenes.SHIPPED / "floating-block.prm", "-s", "Contact bottom/Friction coefficient=0.01")
@@ -227,7 +239,7 @@ def frictionless(laws):
 
 
 CHECKS = (factor_once, carried, loads_once, tables_once, drawn_only, paused, no_contact, at_rest, congruent, used_again,
-          estimated, estimated_of_processes, failed, frictionless)
+          estimated, estimated_of_processes, chosen, failed, frictionless)
 
 if __name__ == "__main__":
     if len(sys.argv) != 2:

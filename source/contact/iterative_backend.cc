@@ -67,43 +67,6 @@ namespace conetact::contact
                          });
     }
 
-    /** The mean over its dofs of what elements add to the diagonal of K. */
-    double
-    hardness(const bodies::Structure &body)
-    {
-      double      sum = 0;
-      std::size_t n   = 0;
-      body.for_each_element(
-        [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-          for (std::size_t i = 0; i < dofs.size(); ++i)
-            sum += matrix[i * dofs.size() + i];
-          n += dofs.size();
-        });
-      return n == 0 ? 0. : sum / static_cast<double>(n);
-    }
-
-    /**
-     * Slaves move relative to their masters: a hard one makes rows of soft
-     * nodes hard, and iterations grow with the contrast.
-     */
-    std::string
-    has_hard_slave(const Bodies &bodies, const ContactPoints &points)
-    {
-      constexpr double much = 300;
-      using Pair            = std::pair<unsigned int, unsigned int>;
-      std::set<Pair> pairs;
-      for (const ContactPoint &point : points)
-        if (!point.node->masters.empty())
-          pairs.insert({point.node->body, point.node->master});
-      for (const auto &[slave, master] : pairs)
-        if (hardness(*bodies.structures[slave]) >
-            much * hardness(*bodies.structures[master]))
-          return "wants the softer of two bodies as Body of a contact, and " +
-                 bodies.called(slave) + " is more than 300 times as hard as " +
-                 bodies.called(master) + ": exchange Body and Master body";
-      return "";
-    }
-
     /** Whether nodes with unknowns of their own contacts are masters, too. */
     bool
     masters_are_slaves(const ContactPoints &points)
@@ -151,7 +114,7 @@ namespace conetact::contact
     if (masters_are_slaves(points))
       return "wants nodes of one body to face those of another, but not both "
              "each other";
-    return has_hard_slave(bodies, points);
+    return "";
   }
 
   IterativeBackend::IterativeBackend(const ElasticSystem &e,

@@ -45,6 +45,25 @@ namespace conetact::test
                     1e-13);
         }
     EXPECT_EQ(turned_one.stiffness(), 5);
+    EXPECT_NEAR(turned_one.contrast_of_strains(),
+                plain.contrast_of_strains(),
+                1e-12);
+  }
+
+  TEST(Isotropy, ContrastOfStrains)
+  {
+    // of 3 K and 2 G
+    for (const double nu : {0., .1, .3, .49, .4999, -.5})
+      {
+        ElasticMaterial material;
+        material.poisson_ratio = nu;
+        material.young_modulus = 2e5;
+        const double ratio     = (1 + nu) / (1 - 2 * nu);
+        EXPECT_NEAR(material.contrast_of_strains() / std::max(ratio, 1 / ratio),
+                    1,
+                    1e-10)
+          << nu;
+      }
   }
 
   TEST(Orthotropy, AxesTurn)
