@@ -17,7 +17,7 @@ namespace conetact::backends
     constexpr int few = 4000;
 
     /** Unknowns of a level that needs none below it. */
-    constexpr int few_enough = 600;
+    constexpr int few_enough = 240;
 
     /** What a level must gain, or there is none below it. */
     constexpr double least_gain = .8;
