@@ -205,7 +205,7 @@ def draw(rows, file):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
     figure, axes = plt.subplots(1, 2, figsize=(9.5, 4.2), constrained_layout=True)
-    programs = list(dict.fromkeys(row[1] for row in rows))
+    programs = sorted(dict.fromkeys(row[1] for row in rows), key=lambda name: not name.startswith("Conetact"))
     for axis, scene in zip(axes, (HERTZ_SCENE, BLOCK)):
         for program in programs:
             points = [(float(row[3]), float(row[4])) for row in rows if row[:2] == (scene, program)]
