@@ -60,6 +60,29 @@ namespace conetact::backends
       return partition(weighed, n_parts);
     }
 
+    /** Nodes of each part in an order that serves products. */
+    std::vector<std::vector<int>>
+    sort_nodes(const LargeStiffness            &given,
+               const std::vector<unsigned int> &nodes,
+               const std::vector<int>          &part,
+               const int                        n_parts)
+    {
+      std::vector<std::vector<int>> sorted(at(n_parts));
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        sorted[at(part[i])].push_back(static_cast<int>(i));
+      for (std::vector<int> &own : sorted)
+        {
+          std::vector<std::array<double, 3>> positions;
+          for (const int i : own)
+            positions.push_back(given.position(nodes[at(i)]));
+          std::vector<int> order = order_of_lines(positions);
+          for (int &k : order)
+            k = own[at(k)];
+          own = std::move(order);
+        }
+      return sorted;
+    }
+
     Places
     find_places(const LargeStiffness &given, const int block, const int n_parts)
     {
@@ -72,20 +95,20 @@ namespace conetact::backends
           std::lower_bound(nodes.begin(), nodes.end(), number) -
           nodes.begin()));
 
-      const std::vector<int> part = parts_of_nodes(given, nodes, node, n_parts);
-      Places                 places;
-      places.first.assign(at(n_parts) + 1, 0);
-      for (const int p : part)
-        places.first[at(p) + 1] += block;
-      std::partial_sum(places.first.begin(),
-                       places.first.end(),
-                       places.first.begin());
-      std::vector<int> next_of_part = places.first, next;
-      for (const int p : part)
+      const auto       part = parts_of_nodes(given, nodes, node, n_parts);
+      Places           places;
+      std::vector<int> next(nodes.size()); // place of each node
+      int              n = 0;
+      for (const auto &own : sort_nodes(given, nodes, part, n_parts))
         {
-          next.push_back(next_of_part[at(p)]);
-          next_of_part[at(p)] += block;
+          places.first.push_back(n);
+          for (const int i : own)
+            {
+              next[at(i)] = n;
+              n += block;
+            }
         }
+      places.first.push_back(n);
       for (const int i : node)
         places.of.push_back(next[at(i)]++);
       return places;

@@ -4,13 +4,52 @@
 #include "conetact/backends/partition.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace conetact::backends
 {
   namespace
   {
     using Number = std::vector<int>::iterator;
+    using Point  = std::array<double, 3>;
+
+    struct Box
+    {
+      Point low, high;
+
+      explicit Box(const Point &p)
+        : low(p)
+        , high(p)
+      {}
+      void
+      add(const Point &p)
+      {
+        for (std::size_t k = 0; k < 3; ++k)
+          {
+            low[k]  = std::min(low[k], p[k]);
+            high[k] = std::max(high[k], p[k]);
+          }
+      }
+      double
+      side(const std::size_t axis) const
+      {
+        return high[axis] - low[axis];
+      }
+      /** The longest first. */
+      std::array<std::size_t, 3>
+      axes() const
+      {
+        std::array<std::size_t, 3> axes = {{0, 1, 2}};
+        std::stable_sort(axes.begin(),
+                         axes.end(),
+                         [&](const std::size_t a, const std::size_t b) {
+                           return side(a) > side(b);
+                         });
+        return axes;
+      }
+    };
 
     class Bisection
     {
@@ -50,19 +89,10 @@ namespace conetact::backends
       void
       order(const Number begin, const Number end) const
       {
-        std::array<double, 3> low = node(*begin).position, high = low;
+        Box box(node(*begin).position);
         for (Number i = begin; i != end; ++i)
-          for (std::size_t k = 0; k < 3; ++k)
-            {
-              low[k]  = std::min(low[k], node(*i).position[k]);
-              high[k] = std::max(high[k], node(*i).position[k]);
-            }
-        std::array<std::size_t, 3> axes = {{0, 1, 2}};
-        std::stable_sort(axes.begin(),
-                         axes.end(),
-                         [&](const std::size_t a, const std::size_t b) {
-                           return high[a] - low[a] > high[b] - low[b];
-                         });
+          box.add(node(*i).position);
+        const auto axes = box.axes();
         std::sort(begin, end, [&](const int i, const int j) {
           for (const std::size_t k : axes)
             if (node(i).position[k] != node(j).position[k])
@@ -104,5 +134,47 @@ namespace conetact::backends
     if (!nodes.empty())
       Bisection(nodes, part).cut(order.begin(), order.end(), 0, n_parts);
     return part;
+  }
+
+
+
+  /* Lines along the longest side; those of planes through it and the shortest
+     one follow each other, so that neighbours are near. */
+  std::vector<int>
+  order_of_lines(const std::vector<Point> &positions)
+  {
+    std::vector<int> order(positions.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (positions.empty())
+      return order;
+    Box box(positions.front());
+    for (const Point &p : positions)
+      box.add(p);
+    const auto [along, plane, line] = box.axes();
+    const double same = 1e-6 * box.side(along); // but for rounding
+    struct Place
+    {
+      double plane, line, along;
+    };
+    std::vector<Place> places;
+    for (const Point &p : positions)
+      places.push_back({std::round((p[plane] - box.low[plane]) / same),
+                        std::round((p[line] - box.low[line]) / same),
+                        p[along]});
+    const auto place = [&](const int i) -> const Place & {
+      return places[static_cast<std::size_t>(i)];
+    };
+    std::vector<int> lines = order;
+    std::sort(lines.begin(), lines.end(), [&](const int i, const int j) {
+      const Place &a = place(i), &b = place(j);
+      return std::tie(a.plane, a.line, a.along, i) <
+             std::tie(b.plane, b.line, b.along, j);
+    });
+    std::size_t n_followers = 0;
+    for (std::size_t k = 1; k < lines.size(); ++k)
+      if (place(lines[k]).plane == place(lines[k - 1]).plane &&
+          place(lines[k]).line == place(lines[k - 1]).line)
+        ++n_followers;
+    return 2 * n_followers > lines.size() ? lines : order;
   }
 } // namespace conetact::backends

@@ -4,6 +4,7 @@
 #include "conetact/backends/row_runs.h"
 
 #include <map>
+#include <unordered_map>
 
 namespace conetact::backends
 {
@@ -20,7 +21,7 @@ namespace conetact::backends
       static constexpr std::size_t width = 64 / sizeof(Number);
     };
 
-    /** Rows that share a table of diagonals: fewer are not worth one. */
+    /** Rows that are alike: fewer are not worth a table of diagonals. */
     constexpr std::size_t least_rows = 256;
 
     /**
@@ -33,7 +34,7 @@ namespace conetact::backends
     template <int block, typename Number, int n_strips>
     [[gnu::always_inline]] inline void
     multiply_strips(const Number     *diagonals,
-                    const int        *columns,
+                    const int        *shifts,
                     const std::size_t n_columns,
                     const Number     *x,
                     Number           *y)
@@ -45,7 +46,7 @@ namespace conetact::backends
       for (std::size_t k = 0; k < n_columns; ++k)
         {
           const Number *in =
-            x + static_cast<std::ptrdiff_t>(columns[k]) * block - (block - 1);
+            x + static_cast<std::ptrdiff_t>(shifts[k]) * block - (block - 1);
           for (int d = 0; d < 2 * block - 1; ++d, ++in)
             for (int v = 0; v < block; ++v, diagonals += width)
               {
@@ -65,7 +66,7 @@ namespace conetact::backends
     template <int block, typename Number, int most_strips>
     [[gnu::always_inline]] inline void
     multiply_run(const Number     *diagonals,
-                 const int        *columns,
+                 const int        *shifts,
                  const std::size_t n_columns,
                  const std::size_t n,
                  const Number     *x,
@@ -78,19 +79,19 @@ namespace conetact::backends
         {
           const std::size_t at = std::min(row, n - many);
           multiply_strips<block, Number, most_strips>(
-            diagonals, columns, n_columns, x + at * block, y + at * block);
+            diagonals, shifts, n_columns, x + at * block, y + at * block);
         }
       for (; row < n; row += width)
         {
           const std::size_t at = std::min(row, n - width);
           multiply_strips<block, Number, 1>(
-            diagonals, columns, n_columns, x + at * block, y + at * block);
+            diagonals, shifts, n_columns, x + at * block, y + at * block);
         }
     }
 
     template <typename Number>
     using Multiply = void(const Number     *diagonals,
-                          const int        *columns,
+                          const int        *shifts,
                           const std::size_t n_columns,
                           const std::size_t n,
                           const Number     *x,
@@ -101,36 +102,36 @@ namespace conetact::backends
     template <int block, typename Number>
     void
     multiply_plain(const Number     *diagonals,
-                   const int        *columns,
+                   const int        *shifts,
                    const std::size_t n_columns,
                    const std::size_t n,
                    const Number     *x,
                    Number           *y)
     {
-      multiply_run<block, Number, 1>(diagonals, columns, n_columns, n, x, y);
+      multiply_run<block, Number, 1>(diagonals, shifts, n_columns, n, x, y);
     }
 #ifdef __x86_64__
     template <int block, typename Number>
     [[gnu::target("avx2,fma")]] void
     multiply_avx2(const Number     *diagonals,
-                  const int        *columns,
+                  const int        *shifts,
                   const std::size_t n_columns,
                   const std::size_t n,
                   const Number     *x,
                   Number           *y)
     {
-      multiply_run<block, Number, 1>(diagonals, columns, n_columns, n, x, y);
+      multiply_run<block, Number, 1>(diagonals, shifts, n_columns, n, x, y);
     }
     template <int block, typename Number>
     [[gnu::target("avx512f")]] void
     multiply_avx512(const Number     *diagonals,
-                    const int        *columns,
+                    const int        *shifts,
                     const std::size_t n_columns,
                     const std::size_t n,
                     const Number     *x,
                     Number           *y)
     {
-      multiply_run<block, Number, 2>(diagonals, columns, n_columns, n, x, y);
+      multiply_run<block, Number, 2>(diagonals, shifts, n_columns, n, x, y);
     }
 #endif
 
@@ -151,32 +152,32 @@ namespace conetact::backends
 
 
   template <int block, typename Number>
+  bool
+  RowRuns<block, Number>::Run::is_wide() const
+  {
+    return n >= Wide<Number>::width;
+  }
+
+
+
+  template <int block, typename Number>
   RowRuns<block, Number>::RowRuns(const Matrix &matrix)
     : A(&matrix)
   {
     if (!matrix.shares_rows())
       return;
     find_runs();
-    std::map<const Number *, std::size_t> rows;
-    const auto                            numbers = [&](const Run &run) {
-      return matrix.block(run.begin, matrix.start[run.begin]).data();
-    };
-    for (const Run &run : runs)
-      rows[numbers(run)] += run.n;
-    runs.erase(std::remove_if(runs.begin(),
-                              runs.end(),
-                              [&](const Run &run) {
-                                return rows[numbers(run)] < least_rows;
-                              }),
-               runs.end());
-    std::map<const Number *, std::size_t> tables;
+    drop_rare_kinds();
+    std::map<Kind, std::size_t> tables;
     for (Run &run : runs)
       {
+        if (!run.is_wide())
+          continue;
         const auto [table, is_new] =
-          tables.emplace(numbers(run), diagonals.size());
+          tables.emplace(Kind{run.numbers, run.shifts}, diagonals.size());
         if (is_new)
           append_diagonals(run.begin);
-        run.numbers = table->second;
+        run.diagonals = table->second;
       }
   }
 
@@ -188,42 +189,91 @@ namespace conetact::backends
   {
     std::size_t n = 0;
     for (const Run &run : runs)
-      n += run.n;
+      if (run.is_wide())
+        n += run.n;
     return n;
   }
 
 
 
-  /* What is read beside the columns of a run are numbers of x, too. */
+  template <int block, typename Number>
+  const Number *
+  RowRuns<block, Number>::numbers_of(const std::size_t row) const
+  {
+    return A->block(row, A->start[row]).data();
+  }
+
+
+
+  /* Rows whose numbers many have. What is read beside their columns are numbers
+     of x, too. */
+  template <int block, typename Number>
+  std::vector<bool>
+  RowRuns<block, Number>::find_shared() const
+  {
+    const std::size_t                               n = A->n_block_rows();
+    std::unordered_map<const Number *, std::size_t> rows;
+    for (std::size_t i = 0; i < n; ++i)
+      ++rows[numbers_of(i)];
+    const int         last = A->column.empty() ?
+                               0 :
+                               *std::max_element(A->column.begin(), A->column.end());
+    std::vector<bool> is_shared(n);
+    for (std::size_t i = 0; i < n; ++i)
+      is_shared[i] = A->start[i] < A->start[i + 1] &&
+                     A->column[A->start[i]] > 0 &&
+                     A->column[A->start[i + 1] - 1] < last &&
+                     rows[numbers_of(i)] >= least_rows;
+    return is_shared;
+  }
+
+
+
   template <int block, typename Number>
   void
   RowRuns<block, Number>::find_runs()
   {
-    const std::size_t n = A->n_block_rows();
-    if (n == 0 || A->column.empty())
-      return;
-    const int  last    = *std::max_element(A->column.begin(), A->column.end());
-    const auto goes_on = [&](const std::size_t i) {
-      const std::size_t length = A->start[i + 1] - A->start[i];
-      if (A->start[i + 2] - A->start[i + 1] != length || length == 0 ||
-          A->block(i, A->start[i]).data() !=
-            A->block(i + 1, A->start[i + 1]).data())
-        return false;
-      for (std::size_t k = A->start[i]; k < A->start[i + 1]; ++k)
-        if (A->column[k + length] != A->column[k] + 1)
-          return false;
-      return A->column[A->start[i + 2] - 1] < last;
-    };
-    for (std::size_t i = 0; i < n;)
+    const std::vector<bool> is_shared = find_shared();
+    EqualRows<int>          known;
+    std::vector<int>        own;
+    for (std::size_t i = 0; i < is_shared.size(); ++i)
       {
-        std::size_t end = i + 1;
-        if (A->start[i] < A->start[end] && A->column[A->start[i]] > 0)
-          while (end < n && goes_on(end - 1))
-            ++end;
-        if (end - i >= Wide<Number>::width)
-          runs.push_back({i, end - i, 0});
-        i = end;
+        if (!is_shared[i])
+          continue;
+        own.clear();
+        for (std::size_t k = A->start[i]; k < A->start[i + 1]; ++k)
+          own.push_back(A->column[k] - static_cast<int>(i));
+        const Run run = {i,
+                         1,
+                         own.size(),
+                         numbers_of(i),
+                         known.place(own.data(), own.size(), shifts),
+                         0};
+        if (!runs.empty() && runs.back().begin + runs.back().n == i &&
+            runs.back().numbers == run.numbers &&
+            runs.back().shifts == run.shifts)
+          ++runs.back().n;
+        else
+          runs.push_back(run);
       }
+  }
+
+
+
+  template <int block, typename Number>
+  void
+  RowRuns<block, Number>::drop_rare_kinds()
+  {
+    std::map<Kind, std::size_t> rows;
+    for (const Run &run : runs)
+      rows[{run.numbers, run.shifts}] += run.n;
+    runs.erase(
+      std::remove_if(runs.begin(),
+                     runs.end(),
+                     [&](const Run &run) {
+                       return rows[{run.numbers, run.shifts}] < least_rows;
+                     }),
+      runs.end());
   }
 
 
@@ -254,14 +304,22 @@ namespace conetact::backends
     for (const Run &run : runs)
       {
         A->multiply(done, run.begin, x, y);
-        const std::size_t first = A->start[run.begin];
-        multiply(diagonals.data() + run.numbers,
-                 A->column.data() + first,
-                 A->start[run.begin + 1] - first,
-                 run.n,
-                 x,
-                 y + run.begin * block);
-        done = run.begin + run.n;
+        done                     = run.begin + run.n;
+        const int *const columns = shifts.data() + run.shifts;
+        if (run.is_wide())
+          multiply(diagonals.data() + run.diagonals,
+                   columns,
+                   run.n_columns,
+                   run.n,
+                   x + run.begin * block,
+                   y + run.begin * block);
+        else
+          for (std::size_t i = run.begin; i < done; ++i)
+            Matrix::multiply_row(run.numbers,
+                                 columns,
+                                 run.n_columns,
+                                 x + i * block,
+                                 y + i * block);
       }
     A->multiply(done, A->n_block_rows(), x, y);
   }

@@ -108,26 +108,38 @@ namespace conetact::backends
              const Number     *x,
              Number           *y) const
     {
-      using Lanes = Eigen::Array<Number, lanes, 1>;
       for (std::size_t i = begin; i < end; ++i)
+        multiply_row(row(i),
+                     column.data() + start[i],
+                     start[i + 1] - start[i],
+                     x,
+                     y + i * n_rows);
+    }
+    /** Blocks `a` one behind the other, each times the block of x at `columns`:
+     * one of y. */
+    static void
+    multiply_row(const Number     *a,
+                 const int        *columns,
+                 const std::size_t n,
+                 const Number     *x,
+                 Number           *y)
+    {
+      using Lanes = Eigen::Array<Number, lanes, 1>;
+      // a sum for each column of blocks: none waits for another
+      Lanes sum[n_columns];
+      for (Lanes &s : sum)
+        s.setZero();
+      for (std::size_t k = 0; k < n; ++k)
         {
-          // a sum for each column of blocks: none waits for another
-          Lanes sum[n_columns];
-          for (Lanes &s : sum)
-            s.setZero();
-          const Number *a = row(i);
-          for (std::size_t k = start[i]; k < start[i + 1]; ++k)
-            {
-              const Number *const in =
-                x + static_cast<std::size_t>(column[k]) * n_columns;
-              for (int c = 0; c < n_columns; ++c, a += n_rows)
-                sum[c] += Eigen::Map<const Lanes>(a) * in[c];
-            }
-          for (int c = 1; c < n_columns; ++c)
-            sum[0] += sum[c];
-          for (int r = 0; r < n_rows; ++r)
-            y[i * n_rows + static_cast<std::size_t>(r)] = sum[0][r];
+          const Number *const in =
+            x + static_cast<std::ptrdiff_t>(columns[k]) * n_columns;
+          for (int c = 0; c < n_columns; ++c, a += n_rows)
+            sum[c] += Eigen::Map<const Lanes>(a) * in[c];
         }
+      for (int c = 1; c < n_columns; ++c)
+        sum[0] += sum[c];
+      for (int r = 0; r < n_rows; ++r)
+        y[r] = sum[0][r];
     }
 
     BlockMatrix<n_columns, n_rows, Number>

@@ -24,6 +24,14 @@ namespace conetact::backends
    */
   std::vector<int>
   partition(const std::vector<WeighedNode> &nodes, const int n_parts);
+
+  /**
+   * Numbers of nodes in the order of the lines of a regular mesh along the
+   * axes, of which the longest come first: rows of a matrix make runs then
+   * (RowRuns). Where most nodes have no line in common, they keep their order.
+   */
+  std::vector<int>
+  order_of_lines(const std::vector<std::array<double, 3>> &positions);
 } // namespace conetact::backends
 
 #endif

@@ -11,11 +11,11 @@
 namespace conetact::backends
 {
   /**
-   * The product of a matrix in which many rows follow each other with the same
-   * numbers and with columns that go on by one from row to row, as those of the
-   * nodes along a line of a regular mesh do. All rows of such a run are
-   * multiplied at once, in vectors of the width that the processor has; other
-   * rows as BlockMatrix does it.
+   * The product of a matrix in which many rows have the same numbers in the
+   * same columns as counted from their own, as those of the nodes of a regular
+   * mesh do. Numbers and columns of such rows are read from the cache; where
+   * they follow each other in a run they are multiplied at once, in vectors of
+   * the width that the processor has. Other rows as BlockMatrix does it.
    */
   template <int block, typename Number>
   class RowRuns
@@ -39,16 +39,28 @@ namespace conetact::backends
     /** Rows begin, begin + 1, ... */
     struct Run
     {
-      std::size_t begin, n;
-      std::size_t numbers; ///< where they begin in `diagonals`
+      std::size_t   begin, n, n_columns;
+      const Number *numbers;   ///< of A
+      std::size_t   shifts;    ///< where they begin in `shifts`
+      std::size_t   diagonals; ///< where they begin in `diagonals`
+      bool
+      is_wide() const;
     };
+    using Kind = std::pair<const Number *, std::size_t>;
+    const Number *
+    numbers_of(const std::size_t row) const;
+    std::vector<bool>
+    find_shared() const;
     void
     find_runs();
+    void
+    drop_rare_kinds();
     void
     append_diagonals(const std::size_t row);
 
     const Matrix       *A = nullptr;
-    std::vector<Run>    runs; ///< ascending
+    std::vector<Run>    runs;   ///< ascending
+    std::vector<int>    shifts; ///< columns of a row less the row
     std::vector<Number> diagonals;
   };
 

@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 namespace
 {
+  using conetact::backends::order_of_lines;
   using conetact::backends::partition;
   using conetact::backends::WeighedNode;
 
@@ -70,4 +72,47 @@ TEST(Partition, LeavesNoPartEmpty)
   const std::vector<double> sums = weights(nodes, partition(nodes, 5), 5);
   EXPECT_GT(*std::min_element(sums.begin(), sums.end()), 0.);
   EXPECT_TRUE(partition({}, 3).empty());
+}
+
+
+
+TEST(Partition, OrdersNodesByLines)
+{
+  // along y, the longest side; coordinates as rounding leaves them
+  const auto                         nodes = grid(4, 20, 7);
+  std::vector<std::array<double, 3>> shuffled;
+  for (const WeighedNode &node : nodes)
+    {
+      shuffled.push_back(node.position);
+      for (double &x : shuffled.back())
+        x = (x / 3. + .1) * 3. - .3;
+    }
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937(1));
+  const std::vector<int> order = order_of_lines(shuffled);
+  const auto             at    = [&](const std::size_t i) {
+    return shuffled[static_cast<std::size_t>(order[i])];
+  };
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    EXPECT_NEAR(at(i)[1], static_cast<double>(i % 20), 1e-9);
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+    if (i % 20 > 0)
+      {
+        EXPECT_NEAR(at(i)[0], at(i - 1)[0], 1e-9);
+        EXPECT_NEAR(at(i)[2], at(i - 1)[2], 1e-9);
+      }
+}
+
+
+
+TEST(Partition, KeepsTheOrderOfNodesWithoutLines)
+{
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> number(0., 1.);
+  std::vector<std::array<double, 3>>     positions;
+  for (int i = 0; i < 100; ++i)
+    positions.push_back({{number(random), number(random), number(random)}});
+  const std::vector<int> order = order_of_lines(positions);
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+  EXPECT_EQ(order_of_lines({{{1., 2., 3.}}, {{1., 2., 3.}}}).size(), 2u);
+  EXPECT_TRUE(order_of_lines({}).empty());
 }

@@ -78,6 +78,9 @@ namespace
     for (const int length : {17, 18, 19, 33, 34, 35, 47, 50, 51, 66, 100})
       expect_same_product<block, Number>(
         length, 40, true, length - 2 >= 64 / int(sizeof(Number)));
+    // runs shorter than a vector, and rows by themselves at the ends of lines
+    expect_same_product<block, Number>(6, 100, true, false);
+    expect_same_product<block, Number>(18, 300, true, true);
     expect_same_product<block, Number>(50, 40, false, false);
     expect_same_product<block, Number>(50, 5, true, false); // too few rows
   }
