@@ -21,131 +21,158 @@ namespace conetact::backends
       static constexpr std::size_t width = 64 / sizeof(Number);
     };
 
-    /** Rows that are alike: fewer are not worth a table of diagonals. */
+    /** Rows that are alike: fewer are not worth a place in the cache. */
     constexpr std::size_t least_rows = 256;
 
-    /**
-     * A strip of `block` vectors, that is `width` rows, and `n_strips` of them
-     * one behind the other. In a block a_rc = a(r, c), an unknown r of y gets
-     * those of x at a distance d = c - r, so that a block is 2 block - 1
-     * diagonals, each of which repeats itself after `block` unknowns:
-     * y_l += sum_d D_d(l) x_(l+d).
-     */
+    /** Rows of a matrix that are alike, and the vector that it multiplies:
+     * first components of all blocks, then the second ones, and so on. */
+    template <typename Number>
+    struct Alike
+    {
+      const Number *numbers;
+      const int    *shifts;
+      std::size_t   n_columns;
+      const Number *parts;
+      std::size_t   n_parts; ///< length of each of them
+    };
+
+    /** A strip of `width` rows, and `n_strips` of them one behind the other,
+     * beginning with `row`. */
     template <int block, typename Number, int n_strips>
     [[gnu::always_inline]] inline void
-    multiply_strips(const Number     *diagonals,
-                    const int        *shifts,
-                    const std::size_t n_columns,
-                    const Number     *x,
-                    Number           *y)
+    multiply_strips(const Alike<Number> &rows, const std::size_t row, Number *y)
     {
       using Vector                = typename Wide<Number>::Vector;
       using Anywhere              = typename Wide<Number>::Anywhere;
       constexpr std::size_t width = Wide<Number>::width;
-      Vector                sum[n_strips][block] = {};
-      for (std::size_t k = 0; k < n_columns; ++k)
+      Vector                sum[block][n_strips] = {};
+      const Number         *a                    = rows.numbers;
+      for (std::size_t k = 0; k < rows.n_columns; ++k)
         {
-          const Number *in =
-            x + static_cast<std::ptrdiff_t>(shifts[k]) * block - (block - 1);
-          for (int d = 0; d < 2 * block - 1; ++d, ++in)
-            for (int v = 0; v < block; ++v, diagonals += width)
-              {
-                const Vector D = *reinterpret_cast<const Anywhere *>(diagonals);
-                for (int s = 0; s < n_strips; ++s)
-                  sum[s][v] += D * *reinterpret_cast<const Anywhere *>(
-                                     in + (s * block + v) * width);
-              }
+          const Number *in = rows.parts + row + rows.shifts[k];
+          for (int c = 0; c < block; ++c, in += rows.n_parts)
+            for (int r = 0; r < block; ++r, ++a)
+              for (int s = 0; s < n_strips; ++s)
+                sum[r][s] +=
+                  *a * *reinterpret_cast<const Anywhere *>(in + s * width);
         }
-      for (int s = 0; s < n_strips; ++s)
-        for (int v = 0; v < block; ++v)
-          *reinterpret_cast<Anywhere *>(y + (s * block + v) * width) =
-            sum[s][v];
+      alignas(64) Number out[block][n_strips * width];
+      for (int r = 0; r < block; ++r)
+        for (int s = 0; s < n_strips; ++s)
+          *reinterpret_cast<Anywhere *>(out[r] + s * width) = sum[r][s];
+      y += row * block;
+      for (std::size_t l = 0; l < n_strips * width; ++l)
+        for (int r = 0; r < block; ++r)
+          *y++ = out[r][l];
     }
 
     /** n >= width rows: the last strips overlap. */
     template <int block, typename Number, int most_strips>
     [[gnu::always_inline]] inline void
-    multiply_run(const Number     *diagonals,
-                 const int        *shifts,
-                 const std::size_t n_columns,
-                 const std::size_t n,
-                 const Number     *x,
-                 Number           *y)
+    multiply_run(const Alike<Number> &rows,
+                 const std::size_t    begin,
+                 const std::size_t    n,
+                 Number              *y)
     {
       constexpr std::size_t width = Wide<Number>::width;
       constexpr std::size_t many  = most_strips * width;
       std::size_t           row   = 0;
       for (; n >= many && row < n; row += many)
-        {
-          const std::size_t at = std::min(row, n - many);
-          multiply_strips<block, Number, most_strips>(
-            diagonals, shifts, n_columns, x + at * block, y + at * block);
-        }
+        multiply_strips<block, Number, most_strips>(
+          rows, begin + std::min(row, n - many), y);
       for (; row < n; row += width)
-        {
-          const std::size_t at = std::min(row, n - width);
-          multiply_strips<block, Number, 1>(
-            diagonals, shifts, n_columns, x + at * block, y + at * block);
-        }
+        multiply_strips<block, Number, 1>(rows,
+                                          begin + std::min(row, n - width),
+                                          y);
+    }
+
+    template <int block, typename Number>
+    [[gnu::always_inline]] inline void
+    take_apart(const Number *x, const std::size_t n, Number *parts)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        for (int c = 0; c < block; ++c)
+          parts[static_cast<std::size_t>(c) * n + i] = *x++;
     }
 
     template <typename Number>
-    using Multiply = void(const Number     *diagonals,
-                          const int        *shifts,
-                          const std::size_t n_columns,
-                          const std::size_t n,
-                          const Number     *x,
-                          Number           *y);
+    struct Kernels
+    {
+      void (*multiply)(const Alike<Number> &rows,
+                       const std::size_t    begin,
+                       const std::size_t    n,
+                       Number              *y);
+      void (*take_apart)(const Number *x, const std::size_t n, Number *parts);
+    };
 
     // The same for processors that differ in the width of their vectors and in
     // how many of them they have.
     template <int block, typename Number>
-    void
-    multiply_plain(const Number     *diagonals,
-                   const int        *shifts,
-                   const std::size_t n_columns,
-                   const std::size_t n,
-                   const Number     *x,
-                   Number           *y)
+    struct Plain
     {
-      multiply_run<block, Number, 1>(diagonals, shifts, n_columns, n, x, y);
-    }
+      static void
+      multiply(const Alike<Number> &rows,
+               const std::size_t    begin,
+               const std::size_t    n,
+               Number              *y)
+      {
+        multiply_run<block, Number, 1>(rows, begin, n, y);
+      }
+      static void
+      split(const Number *x, const std::size_t n, Number *parts)
+      {
+        take_apart<block>(x, n, parts);
+      }
+    };
 #ifdef __x86_64__
     template <int block, typename Number>
-    [[gnu::target("avx2,fma")]] void
-    multiply_avx2(const Number     *diagonals,
-                  const int        *shifts,
-                  const std::size_t n_columns,
-                  const std::size_t n,
-                  const Number     *x,
-                  Number           *y)
+    struct Avx2
     {
-      multiply_run<block, Number, 1>(diagonals, shifts, n_columns, n, x, y);
-    }
+      [[gnu::target("avx2,fma")]] static void
+      multiply(const Alike<Number> &rows,
+               const std::size_t    begin,
+               const std::size_t    n,
+               Number              *y)
+      {
+        multiply_run<block, Number, 1>(rows, begin, n, y);
+      }
+      [[gnu::target("avx2,fma")]] static void
+      split(const Number *x, const std::size_t n, Number *parts)
+      {
+        take_apart<block>(x, n, parts);
+      }
+    };
     template <int block, typename Number>
-    [[gnu::target("avx512f")]] void
-    multiply_avx512(const Number     *diagonals,
-                    const int        *shifts,
-                    const std::size_t n_columns,
-                    const std::size_t n,
-                    const Number     *x,
-                    Number           *y)
+    struct Avx512
     {
-      multiply_run<block, Number, 2>(diagonals, shifts, n_columns, n, x, y);
-    }
+      [[gnu::target("avx512f,prefer-vector-width=512")]] static void
+      multiply(const Alike<Number> &rows,
+               const std::size_t    begin,
+               const std::size_t    n,
+               Number              *y)
+      {
+        multiply_run<block, Number, 2>(rows, begin, n, y);
+      }
+      [[gnu::target("avx512f,prefer-vector-width=512")]] static void
+      split(const Number *x, const std::size_t n, Number *parts)
+      {
+        take_apart<block>(x, n, parts);
+      }
+    };
 #endif
 
     template <int block, typename Number>
-    Multiply<Number> *
-    choose_multiply()
+    Kernels<Number>
+    choose_kernels()
     {
 #ifdef __x86_64__
       if (__builtin_cpu_supports("avx512f"))
-        return &multiply_avx512<block, Number>;
+        return {&Avx512<block, Number>::multiply,
+                &Avx512<block, Number>::split};
       if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return &multiply_avx2<block, Number>;
+        return {&Avx2<block, Number>::multiply, &Avx2<block, Number>::split};
 #endif
-      return &multiply_plain<block, Number>;
+      return {&Plain<block, Number>::multiply, &Plain<block, Number>::split};
     }
   } // namespace
 
@@ -168,17 +195,10 @@ namespace conetact::backends
       return;
     find_runs();
     drop_rare_kinds();
-    std::map<Kind, std::size_t> tables;
-    for (Run &run : runs)
-      {
-        if (!run.is_wide())
-          continue;
-        const auto [table, is_new] =
-          tables.emplace(Kind{run.numbers, run.shifts}, diagonals.size());
-        if (is_new)
-          append_diagonals(run.begin);
-        run.diagonals = table->second;
-      }
+    if (!runs.empty())
+      n_parts = static_cast<std::size_t>(
+                  *std::max_element(A->column.begin(), A->column.end())) +
+                1;
   }
 
 
@@ -205,8 +225,7 @@ namespace conetact::backends
 
 
 
-  /* Rows whose numbers many have. What is read beside their columns are numbers
-     of x, too. */
+  /* Rows whose numbers many have. */
   template <int block, typename Number>
   std::vector<bool>
   RowRuns<block, Number>::find_shared() const
@@ -247,8 +266,7 @@ namespace conetact::backends
                          1,
                          own.size(),
                          numbers_of(i),
-                         known.place(own.data(), own.size(), shifts),
-                         0};
+                         known.place(own.data(), own.size(), shifts)};
         if (!runs.empty() && runs.back().begin + runs.back().n == i &&
             runs.back().numbers == run.numbers &&
             runs.back().shifts == run.shifts)
@@ -280,39 +298,23 @@ namespace conetact::backends
 
   template <int block, typename Number>
   void
-  RowRuns<block, Number>::append_diagonals(const std::size_t row)
-  {
-    constexpr int width = static_cast<int>(Wide<Number>::width);
-    for (std::size_t k = A->start[row]; k < A->start[row + 1]; ++k)
-      for (int d = 1 - block; d < block; ++d)
-        for (int l = 0; l < block * width; ++l)
-          {
-            const int r = l % block, c = r + d;
-            diagonals.push_back(c >= 0 && c < block ? A->block(row, k)(r, c) :
-                                                      Number(0));
-          }
-  }
-
-
-
-  template <int block, typename Number>
-  void
   RowRuns<block, Number>::operator()(const Number *x, Number *y) const
   {
-    static Multiply<Number> *const multiply = choose_multiply<block, Number>();
-    std::size_t                    done     = 0;
+    static const Kernels<Number> kernels = choose_kernels<block, Number>();
+    parts.resize(n_parts * block);
+    kernels.take_apart(x, n_parts, parts.data());
+    std::size_t done = 0;
     for (const Run &run : runs)
       {
         A->multiply(done, run.begin, x, y);
         done                     = run.begin + run.n;
         const int *const columns = shifts.data() + run.shifts;
         if (run.is_wide())
-          multiply(diagonals.data() + run.diagonals,
-                   columns,
-                   run.n_columns,
-                   run.n,
-                   x + run.begin * block,
-                   y + run.begin * block);
+          kernels.multiply(
+            {run.numbers, columns, run.n_columns, parts.data(), n_parts},
+            run.begin,
+            run.n,
+            y);
         else
           for (std::size_t i = run.begin; i < done; ++i)
             Matrix::multiply_row(run.numbers,

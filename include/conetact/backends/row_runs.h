@@ -40,9 +40,8 @@ namespace conetact::backends
     struct Run
     {
       std::size_t   begin, n, n_columns;
-      const Number *numbers;   ///< of A
-      std::size_t   shifts;    ///< where they begin in `shifts`
-      std::size_t   diagonals; ///< where they begin in `diagonals`
+      const Number *numbers; ///< of A
+      std::size_t   shifts;  ///< where its columns begin in `shifts`
       bool
       is_wide() const;
     };
@@ -55,13 +54,13 @@ namespace conetact::backends
     find_runs();
     void
     drop_rare_kinds();
-    void
-    append_diagonals(const std::size_t row);
 
-    const Matrix       *A = nullptr;
-    std::vector<Run>    runs;   ///< ascending
-    std::vector<int>    shifts; ///< columns of a row less the row
-    std::vector<Number> diagonals;
+    const Matrix    *A = nullptr;
+    std::vector<Run> runs;        ///< ascending
+    std::vector<int> shifts;      ///< columns of a row less the row
+    std::size_t      n_parts = 0; ///< blocks of x
+    // of a product, not of the matrix
+    mutable std::vector<Number> parts; ///< components of x, one by one
   };
 
   extern template class RowRuns<2, float>;
