@@ -69,6 +69,7 @@ namespace conetact::backends
     for (const int i : first)
       first_node.push_back(i / block);
     K = {std::move(given.K), first_node, processes};
+    find_near_contact();
     find_scale();
     make_smoother();
     make_levels(given.modes);
@@ -95,6 +96,38 @@ namespace conetact::backends
   {
     Array y(n);
     K.multiply(x.data(), y.data(), runs_of_K);
+    return y;
+  }
+
+
+
+  template <int block>
+  void
+  BlockSystem<block>::find_near_contact()
+  {
+    std::vector<bool> touches(at(n_nodes), false);
+    for (const std::vector<int> &node : contact)
+      touches[at(node[0] / block)] = true;
+    const auto &own = K.own_part();
+    for (std::size_t i = 0; i < own.n_block_rows(); ++i)
+      if (std::any_of(
+            own.column.begin() + static_cast<std::ptrdiff_t>(own.start[i]),
+            own.column.begin() + static_cast<std::ptrdiff_t>(own.start[i + 1]),
+            [&](const int j) { return touches[at(j)]; }))
+        near_contact.push_back(i);
+  }
+
+
+
+  template <int block>
+  typename BlockSystem<block>::Array
+  BlockSystem<block>::multiply_contact(const Array &x) const
+  {
+    Array y = Array::Zero(n);
+    K.multiply(x.data(), y.data(), [&](const double *in, double *out) {
+      for (const std::size_t i : near_contact)
+        K.own_part().multiply(i, i + 1, in, out);
+    });
     return y;
   }
 
@@ -225,7 +258,6 @@ namespace conetact::backends
   void
   BlockSystem<block>::add_node(const std::size_t i,
                                const NodeLaw    &law,
-                               const Array      &y,
                                System           &system) const
   {
     const std::vector<int> &node = contact[i];
@@ -255,11 +287,11 @@ namespace conetact::backends
     SmallVector h         = law.h(stays);
     for (std::size_t k = 0; k < known.size(); ++k)
       h -= system.known[rows.known[k]] * law.p(stays, known[k]) +
-           y[rows.known[k]] * law.d(stays, known[k]);
+           system.K_known[rows.known[k]] * law.d(stays, known[k]);
     h = one * h;
     for (std::size_t k = 0; k < stays.size(); ++k)
       system.right_hand_side[rows.stays[k]] =
-        h(static_cast<Index>(k)) - y[rows.stays[k]];
+        h(static_cast<Index>(k)) - system.K_known[rows.stays[k]];
     if (!rows.S.isZero(0) || !rows.Q.isZero(0))
       system.rows.push_back(std::move(rows));
   }
@@ -280,10 +312,10 @@ namespace conetact::backends
             system.free[p]  = 0;
             system.known[p] = law.h(k) / law.p(k, k);
           }
-    const Array y          = multiply(system.known);
-    system.right_hand_side = -f - y;
+    system.K_known         = multiply_contact(system.known);
+    system.right_hand_side = -f - system.K_known;
     for (std::size_t i = 0; i < contact.size(); ++i)
-      add_node(i, laws[i], y, system);
+      add_node(i, laws[i], system);
     system.right_hand_side.array() *= system.free.array();
     system.free_float = system.free.template cast<float>();
     set_states(system);
@@ -351,15 +383,6 @@ namespace conetact::backends
           y[rows.stays[at(k)]] += static_cast<Number>(more(k));
       }
     y.array() *= system.free.template cast<Number>().array();
-  }
-
-  template <int block>
-  typename BlockSystem<block>::Array
-  BlockSystem<block>::multiply(const System &system, const Array &x) const
-  {
-    Array y = multiply(x);
-    add_laws(system, 1., x, y);
-    return y;
   }
 
   template <int block>
@@ -511,9 +534,11 @@ namespace conetact::backends
         x += (left / scale) *
              gmres(system, b, std::max(goal / left, digits), result.iterations)
                .template cast<double>();
-        before = left;
-        r      = system.right_hand_side - multiply(system, x);
-        left   = norm(r);
+        before  = left;
+        Array y = multiply(x);
+        add_laws(system, 1., x, y);
+        r    = system.right_hand_side - y;
+        left = norm(r);
         if (!(left < .5 * before)) // all there is to gain
           break;
       }

@@ -74,7 +74,8 @@ namespace conetact::backends
       Array                                   free; ///< 1 or 0 [-]
       FloatVector                             free_float;
       std::vector<NodeRows>                   rows;
-      Array                                   known, right_hand_side;
+      Array                                   known, K_known;
+      Array                                   right_hand_side;
       std::vector<std::pair<int, FloatBlock>> D; ///< of contact nodes
     };
 
@@ -89,6 +90,8 @@ namespace conetact::backends
       return std::sqrt(processes.sum(x.squaredNorm()));
     }
     void
+    find_near_contact();
+    void
     find_scale();
     void
     make_smoother();
@@ -102,10 +105,10 @@ namespace conetact::backends
     System
     system_of(const std::vector<NodeLaw> &laws, const Array &f) const;
     void
-    add_node(const std::size_t i,
-             const NodeLaw    &law,
-             const Array      &y,
-             System           &system) const;
+    add_node(const std::size_t i, const NodeLaw &law, System &system) const;
+    /** K x, where only contact nodes move. */
+    Array
+    multiply_contact(const Array &x) const;
     /** Smoother and coarse levels become those of the laws. */
     void
     set_states(System &system) const;
@@ -116,8 +119,6 @@ namespace conetact::backends
              const double  unit,
              const Vector &x,
              Vector       &y) const;
-    Array
-    multiply(const System &system, const Array &x) const;
     void
     precondition(const System      &system,
                  const FloatVector &b,
@@ -145,6 +146,7 @@ namespace conetact::backends
     const int                               n_nodes;
     const Array                             exists; ///< 1 or 0 [-]
     const std::vector<std::vector<int>>     contact;
+    std::vector<std::size_t>                near_contact; ///< rows of K
     DistributedMatrix<block, block, double> K;
     double                                  scale = 1; ///< a power of two
     DistributedMatrix<block, block, float>  A;         ///< K over it
