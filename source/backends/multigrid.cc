@@ -136,7 +136,7 @@ namespace conetact::backends
     const int n_own = rows.first[at(sharing.rank()) + 1] - level.begin;
     for (FloatVector *v : {&level.b, &level.r, &level.x, &level.c})
       v->setZero(Eigen::Index(n_own) * coarse);
-    prolongator = {std::move(next.P), rows.first, sharing};
+    prolongator = {with_equal_rows(std::move(next.P)), rows.first, sharing};
     restriction = {prolongator, at(n_own)};
     return is_last;
   }
@@ -177,16 +177,19 @@ namespace conetact::backends
       {
         Level &level = below[l];
         contact.add_level(level.P, level.begin, sharers(level));
-        const int n_own = static_cast<int>(level.D.size());
+        const int        n_own = static_cast<int>(level.D.size());
+        std::vector<int> changing;
         for (const int i : contact.pattern(static_cast<int>(l)).number)
           if (i >= level.begin && i < level.begin + n_own)
             {
+              changing.push_back(i - level.begin);
               auto &row = level.free_rows.emplace_back();
               level.A.for_row(at(i - level.begin),
                               [&](const int, const auto &block) {
                                 row.emplace_back(block);
                               });
             }
+        level.runs = RowRuns<coarse, float>(level.A.own_part(), changing);
       }
   }
 
@@ -280,7 +283,7 @@ namespace conetact::backends
         return;
       }
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {
-      level.A.multiply(x.data(), y.data());
+      level.A.multiply(x.data(), y.data(), level.runs);
     };
     const auto scale = [&](const FloatVector &x, FloatVector &y) {
       multiply_blocks(level.D, x, y);

@@ -15,6 +15,9 @@ namespace conetact::backends
     using Number = std::vector<int>::iterator;
     using Point  = std::array<double, 3>;
 
+    /** What a part may have more than its share of the work, relative. */
+    constexpr double near_enough = .04;
+
     struct Box
     {
       Point low, high;
@@ -71,9 +74,9 @@ namespace conetact::backends
               part[static_cast<std::size_t>(*i)] = first_part;
             return;
           }
-        order(begin, end);
-        const int    n_first = n_parts / 2;
-        const Number middle  = find_middle(begin, end, n_first, n_parts);
+        const std::size_t axis    = order(begin, end);
+        const int         n_first = n_parts / 2;
+        const Number middle = find_middle(begin, end, axis, n_first, n_parts);
         cut(begin, middle, first_part, n_first);
         cut(middle, end, first_part + n_first, n_parts - n_first);
       }
@@ -85,8 +88,9 @@ namespace conetact::backends
         return nodes[static_cast<std::size_t>(i)];
       }
 
-      /* Planes of nodes are cut along their lines. */
-      void
+      /* Planes of nodes are cut along their lines. Returns the axis across
+         which nodes are halved. */
+      std::size_t
       order(const Number begin, const Number end) const
       {
         Box box(node(*begin).position);
@@ -99,20 +103,38 @@ namespace conetact::backends
               return node(i).position[k] < node(j).position[k];
           return i < j;
         });
+        return axes[0];
       }
 
+      /* Between planes, if that is near enough: parts of regular meshes are
+         regular, then. */
       Number
-      find_middle(const Number begin,
-                  const Number end,
-                  const int    n_first,
-                  const int    n_parts) const
+      find_middle(const Number      begin,
+                  const Number      end,
+                  const std::size_t axis,
+                  const int         n_first,
+                  const int         n_parts) const
       {
-        double all = 0, sum = 0;
+        double all = 0;
         for (Number i = begin; i != end; ++i)
           all += node(*i).weight;
-        Number middle = begin;
-        while (middle != end && sum < all * n_first / n_parts)
-          sum += node(*middle++).weight;
+        const double wanted = all * n_first / n_parts;
+        double       sum = 0, nearest = near_enough * all / n_parts;
+        Number       middle = begin, plane = end;
+        for (Number i = begin; i != end; ++i)
+          {
+            if (sum < wanted)
+              middle = i + 1;
+            if (i != begin && std::abs(sum - wanted) < nearest &&
+                node(*i).position[axis] != node(*(i - 1)).position[axis])
+              {
+                plane   = i;
+                nearest = std::abs(sum - wanted);
+              }
+            sum += node(*i).weight;
+          }
+        if (plane != end)
+          middle = plane;
         const auto n_behind = n_parts - n_first;
         if (end - begin < n_parts)
           return middle;

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace conetact::backends
 {
@@ -188,12 +189,11 @@ namespace conetact::backends
 
 
   template <int block, typename Number>
-  RowRuns<block, Number>::RowRuns(const Matrix &matrix)
+  RowRuns<block, Number>::RowRuns(const Matrix           &matrix,
+                                  const std::vector<int> &changing)
     : A(&matrix)
   {
-    if (!matrix.shares_rows())
-      return;
-    find_runs();
+    find_runs(find_equal(changing));
     drop_rare_kinds();
     if (!runs.empty())
       n_parts = static_cast<std::size_t>(
@@ -216,48 +216,50 @@ namespace conetact::backends
 
 
 
+  /* Where the numbers of each row are, the same place for equal ones; null for
+     those that few rows have. */
   template <int block, typename Number>
-  const Number *
-  RowRuns<block, Number>::numbers_of(const std::size_t row) const
+  typename RowRuns<block, Number>::Numbers
+  RowRuns<block, Number>::find_equal(const std::vector<int> &changing) const
   {
-    return A->block(row, A->start[row]).data();
-  }
-
-
-
-  /* Rows whose numbers many have. */
-  template <int block, typename Number>
-  std::vector<bool>
-  RowRuns<block, Number>::find_shared() const
-  {
-    const std::size_t                               n = A->n_block_rows();
-    std::unordered_map<const Number *, std::size_t> rows;
+    const std::size_t n = A->n_block_rows();
+    std::vector<bool> stays(n, true);
+    for (const int i : changing)
+      stays[static_cast<std::size_t>(i)] = false;
+    Numbers                                         numbers(n, nullptr);
+    std::unordered_set<std::string_view>            known;
+    std::unordered_map<const Number *, std::size_t> n_rows;
     for (std::size_t i = 0; i < n; ++i)
-      ++rows[numbers_of(i)];
-    const int         last = A->column.empty() ?
-                               0 :
-                               *std::max_element(A->column.begin(), A->column.end());
-    std::vector<bool> is_shared(n);
-    for (std::size_t i = 0; i < n; ++i)
-      is_shared[i] = A->start[i] < A->start[i + 1] &&
-                     A->column[A->start[i]] > 0 &&
-                     A->column[A->start[i + 1] - 1] < last &&
-                     rows[numbers_of(i)] >= least_rows;
-    return is_shared;
+      if (const std::size_t length = A->start[i + 1] - A->start[i];
+          stays[i] && length > 0)
+        {
+          const Number *own = A->block(i, A->start[i]).data();
+          if (!A->shares_rows())
+            own = reinterpret_cast<const Number *>(
+              known
+                .emplace(reinterpret_cast<const char *>(own),
+                         length * Matrix::block_size * sizeof(Number))
+                .first->data());
+          numbers[i] = own;
+          ++n_rows[own];
+        }
+    for (const Number *&own : numbers)
+      if (n_rows[own] < least_rows)
+        own = nullptr;
+    return numbers;
   }
 
 
 
   template <int block, typename Number>
   void
-  RowRuns<block, Number>::find_runs()
+  RowRuns<block, Number>::find_runs(const Numbers &numbers)
   {
-    const std::vector<bool> is_shared = find_shared();
-    EqualRows<int>          known;
-    std::vector<int>        own;
-    for (std::size_t i = 0; i < is_shared.size(); ++i)
+    EqualRows<int>   known;
+    std::vector<int> own;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
       {
-        if (!is_shared[i])
+        if (numbers[i] == nullptr)
           continue;
         own.clear();
         for (std::size_t k = A->start[i]; k < A->start[i + 1]; ++k)
@@ -265,7 +267,7 @@ namespace conetact::backends
         const Run run = {i,
                          1,
                          own.size(),
-                         numbers_of(i),
+                         numbers[i],
                          known.place(own.data(), own.size(), shifts)};
         if (!runs.empty() && runs.back().begin + runs.back().n == i &&
             runs.back().numbers == run.numbers &&
@@ -330,4 +332,5 @@ namespace conetact::backends
   template class RowRuns<2, double>;
   template class RowRuns<3, float>;
   template class RowRuns<3, double>;
+  template class RowRuns<6, float>;
 } // namespace conetact::backends

@@ -6,6 +6,7 @@
 #include "conetact/base/index.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <numeric>
@@ -208,6 +209,37 @@ namespace conetact::backends
         list.push_back(i);
     }
 
+    /**
+     * Orthogonal columns that span those of B, one after the other (Gram and
+     * Schmidt, twice for the sake of rounding); zero where those before them
+     * span them. The same for equal aggregates anywhere in a body: its
+     * translations come first, and turns about their own centre are left of
+     * the others.
+     */
+    Eigen::MatrixXd
+    orthogonal(const Eigen::MatrixXd &B)
+    {
+      Eigen::MatrixXd Q = B;
+      for (Eigen::Index j = 0; j < B.cols(); ++j)
+        {
+          for (int pass = 0; pass < 2; ++pass)
+            for (Eigen::Index i = 0; i < j; ++i)
+              Q.col(j) -= Q.col(i).dot(Q.col(j)) * Q.col(i);
+          const double left = Q.col(j).norm();
+          Q.col(j) *= left > same * B.col(j).norm() ? 1. / left : 0.;
+        }
+      return Q;
+    }
+
+    /** Rounded, so that equal aggregates have the same numbers to the last
+     * bit: their rows are kept once (RowRuns). */
+    float
+    rounded(const double x)
+    {
+      constexpr double quantum = 0x1p-22;
+      return static_cast<float>(std::round(x / quantum) * quantum);
+    }
+
     /** Modes of each aggregate, orthogonal; and what they are made of. */
     template <int size, int coarse>
     BlockMatrix<size, coarse, float>
@@ -232,19 +264,14 @@ namespace conetact::backends
           for (std::size_t k = 0; k < own.size(); ++k)
             B.middleRows<size>(Eigen::Index(k) * size) =
               modes.middleRows<size>(Eigen::Index(own[k]) * size);
-          Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(B);
-          qr.setThreshold(same);
-          const Eigen::Index rank = qr.rank();
-          Eigen::MatrixXd    Q    = Eigen::MatrixXd::Zero(B.rows(), coarse);
-          Q.leftCols(rank) =
-            qr.householderQ() * Eigen::MatrixXd::Identity(B.rows(), rank);
+          const Eigen::MatrixXd Q = orthogonal(B);
           coarse_modes.middleRows<coarse>(Eigen::Index(a) * coarse) =
             Q.transpose() * B;
           for (std::size_t k = 0; k < own.size(); ++k)
             {
               T.column[at(own[k])] = begin + a;
-              T.block(at(own[k]))  = Q.middleRows<size>(Eigen::Index(k) * size)
-                                      .template cast<float>();
+              T.block(at(own[k])) =
+                Q.middleRows<size>(Eigen::Index(k) * size).unaryExpr(&rounded);
             }
         }
       T.value.resize(T.column.size() * T.block_size);

@@ -314,6 +314,29 @@ namespace conetact::backends
     Matrix            A;
     EqualRows<Number> rows;
   };
+
+  /** The same matrix, with equal rows kept once if most are like others. */
+  template <int n_rows, int n_columns, typename Number>
+  BlockMatrix<n_rows, n_columns, Number>
+  with_equal_rows(BlockMatrix<n_rows, n_columns, Number> A)
+  {
+    RowByRow<n_rows, n_columns, Number> rows(true);
+    std::vector<Number>                 numbers;
+    for (std::size_t i = 0; i < A.n_block_rows(); ++i)
+      {
+        const std::size_t n = A.start[i + 1] - A.start[i];
+        numbers.clear();
+        if (n > 0)
+          {
+            const Number *const own = A.block(i, A.start[i]).data();
+            numbers.assign(own, own + n * A.block_size);
+          }
+        rows.append(A.column.data() + A.start[i], n, numbers);
+      }
+    auto result = rows.finish();
+    return 2 * result.value.size() < A.value.size() ? std::move(result) :
+                                                      std::move(A);
+  }
 } // namespace conetact::backends
 
 #endif

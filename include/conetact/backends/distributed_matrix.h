@@ -253,7 +253,7 @@ namespace conetact::backends
     TransposedMatrix() = default;
     TransposedMatrix(const DistributedMatrix<n_columns, n_rows, Number> &A,
                      const std::size_t                                   n_own)
-      : own(A.own.transposed(n_own))
+      : own(with_equal_rows(A.own.transposed(n_own)))
       , edge(A.edge)
     {
       if (A.halo.its_plan() == nullptr)

@@ -5,6 +5,7 @@
 #define conetact_backends_multigrid_h
 
 #include "conetact/backends/contact_change.h"
+#include "conetact/backends/row_runs.h"
 #include "conetact/backends/smoothed_aggregation.h"
 
 #include <Eigen/Cholesky>
@@ -170,6 +171,7 @@ namespace conetact::backends
     struct Level
     {
       DistributedMatrix<coarse, coarse, float>          A;
+      RowRuns<coarse, float>                            runs;
       std::vector<Eigen::Matrix<float, coarse, coarse>> D;
       float                                             largest = 1;
       int                                               begin = 0; ///< own rows

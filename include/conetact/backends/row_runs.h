@@ -24,8 +24,9 @@ namespace conetact::backends
     using Matrix = BlockMatrix<block, block, Number>;
 
     RowRuns() = default;
-    /** The matrix must outlive it. */
-    explicit RowRuns(const Matrix &A);
+    /** The matrix must outlive it, and may change in those rows alone that are
+     * `changing`. */
+    explicit RowRuns(const Matrix &A, const std::vector<int> &changing = {});
 
     /** y = A x. */
     void
@@ -45,13 +46,12 @@ namespace conetact::backends
       bool
       is_wide() const;
     };
-    using Kind = std::pair<const Number *, std::size_t>;
-    const Number *
-    numbers_of(const std::size_t row) const;
-    std::vector<bool>
-    find_shared() const;
+    using Kind    = std::pair<const Number *, std::size_t>;
+    using Numbers = std::vector<const Number *>;
+    Numbers
+    find_equal(const std::vector<int> &changing) const;
     void
-    find_runs();
+    find_runs(const Numbers &numbers);
     void
     drop_rare_kinds();
 
@@ -67,6 +67,7 @@ namespace conetact::backends
   extern template class RowRuns<2, double>;
   extern template class RowRuns<3, float>;
   extern template class RowRuns<3, double>;
+  extern template class RowRuns<6, float>;
 } // namespace conetact::backends
 
 #endif

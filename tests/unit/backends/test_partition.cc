@@ -50,6 +50,18 @@ TEST(Partition, HalvesTheLongestSide)
 
 
 
+TEST(Partition, CutsBetweenPlanesIfTheyAreNear)
+{
+  const auto in_first = [](const int n_planes) {
+    const auto part = partition(grid(4, n_planes, 5), 2);
+    return std::count(part.begin(), part.end(), 0);
+  };
+  EXPECT_EQ(in_first(65) % 20, 0); // a plane more or less hardly matters
+  EXPECT_EQ(in_first(5), 50);
+}
+
+
+
 TEST(Partition, SharesWorkNotNodes)
 {
   auto nodes = grid(10, 9, 8);
@@ -59,7 +71,9 @@ TEST(Partition, SharesWorkNotNodes)
     {
       const std::vector<double> sums = weights(nodes, partition(nodes, n), n);
       const auto [least, most] = std::minmax_element(sums.begin(), sums.end());
-      EXPECT_LE(*most - *least, 12.) << n << " parts";
+      // a line of nodes, and some percent for the sake of whole planes
+      EXPECT_LE(*most - *least, 12. + .06 * (*most + *least) / 2.)
+        << n << " parts";
     }
 }
 

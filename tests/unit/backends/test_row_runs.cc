@@ -16,11 +16,14 @@ namespace
    */
   template <int block, typename Number>
   BlockMatrix<block, block, Number>
-  lines(const int length, const int n_lines, const bool equal)
+  lines(const int  length,
+        const int  n_lines,
+        const bool equal,
+        const bool shared = true)
   {
     using Block                      = Eigen::Matrix<Number, block, block>;
     const int                      n = length * n_lines;
-    RowByRow<block, block, Number> rows(true);
+    RowByRow<block, block, Number> rows(shared);
     for (int i = 0; i < n; ++i)
       {
         std::vector<int>    columns;
@@ -94,4 +97,42 @@ TEST(RowRuns, MultiplyAsOtherRowsDo)
   expect_same_products<2, double>();
   expect_same_products<3, float>();
   expect_same_products<3, double>();
+}
+
+
+
+TEST(RowRuns, LeaveOutRowsThatChange)
+{
+  auto                    A        = lines<6, float>(40, 40, true, false);
+  const std::vector<int>  changing = {0, 500, 501, 777, 1599};
+  const RowRuns<6, float> product(A, changing);
+  EXPECT_GT(product.n_rows(), 1000u);
+  for (const int i : changing)
+    for (std::size_t k = A.start[static_cast<std::size_t>(i)];
+         k < A.start[static_cast<std::size_t>(i) + 1];
+         ++k)
+      A.block(k) *= 2.f;
+  const Eigen::VectorXf x = Eigen::VectorXf::Random(6 * 1600);
+  Eigen::VectorXf       y(6 * 1600), expected(6 * 1600);
+  product(x.data(), y.data());
+  A.multiply(x.data(), expected.data());
+  EXPECT_LT((y - expected).norm(), 1e-6 * expected.norm());
+}
+
+
+
+TEST(RowRuns, EqualRowsAreKeptOnce)
+{
+  const auto A    = lines<3, float>(40, 40, true, false);
+  const auto kept = with_equal_rows(A);
+  EXPECT_FALSE(A.shares_rows());
+  EXPECT_TRUE(kept.shares_rows());
+  EXPECT_LT(20 * kept.value.size(), A.value.size());
+  EXPECT_FALSE(
+    with_equal_rows(lines<3, float>(40, 40, false, false)).shares_rows());
+  const Eigen::VectorXf x = Eigen::VectorXf::Random(3 * 1600);
+  Eigen::VectorXf       y(3 * 1600), expected(3 * 1600);
+  kept.multiply(x.data(), y.data());
+  A.multiply(x.data(), expected.data());
+  EXPECT_EQ(y, expected);
 }
