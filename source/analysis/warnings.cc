@@ -99,7 +99,7 @@ namespace conetact::analysis
     const bodies::Structure &structure = *model.bodies.structures[body];
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
     const Index        offset  = model.coordinates.offset(body);
-    double             largest = 0;
+    double             largest = 0; // squares, until the end
     structure.for_each_element([&](const std::vector<unsigned int> &dofs,
                                    const double *) {
       const unsigned int a = dofs.front() / n_c;
@@ -110,13 +110,12 @@ namespace conetact::analysis
             for (unsigned int c = 0; c < dim; ++c)
               stretch +=
                 std::pow(w[offset + b * n_c + c] - w[offset + a * n_c + c], 2);
-            largest =
-              std::max(largest,
-                       std::sqrt(stretch) /
-                         structure.position(a).distance(structure.position(b)));
+            largest = std::max(largest,
+                               stretch / structure.position(a).distance_square(
+                                           structure.position(b)));
           }
     });
-    return largest;
+    return std::sqrt(largest);
   }
 
   void
