@@ -64,14 +64,17 @@ namespace conetact::analysis
     constexpr double lus_an_increment  = .15; // after the first
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
-    // 32^3 and 64^3 cells (space; unequal ones take longer), 50^2 (plane). What
-    // processes share, what the first one has besides, and what each other has
-    // anyway: from 64^3 and 150^3 cells and 400^2, by one and two processes.
+    // 32^3 and 64^3 cells (space), 50^2 (plane). What processes share, what the
+    // first one has besides, and what each other has anyway: from 64^3 and
+    // 150^3 cells and 400^2, by one and two processes. Cells that differ take
+    // so many times as long, and as many bytes: 48^3 of them.
     constexpr double setup_of_unknown[]     = {8e-6, 4e-6};
-    constexpr double increment_of_unknown[] = {4e-5, 3e-6};
-    constexpr double shared_bytes[]         = {350, 740};
+    constexpr double increment_of_unknown[] = {4e-5, 2e-6};
+    constexpr double shared_bytes[]         = {350, 640};
     constexpr double bytes_of_first[]       = {400, 240};
     constexpr double bytes_of_others        = 1.7e8;
+    constexpr double longer_if_unequal      = 4;
+    constexpr double larger_if_unequal      = 3;
 
     // Iterations grow with the contrast of strains from here on: 3 times as
     // many at nu = 0.49, 15 at 0.499, 200 at 0.4999.
@@ -102,6 +105,22 @@ namespace conetact::analysis
       for (const bodies::Structure *body : model.bodies.structures)
         contrast = std::max(contrast, body->contrast_of_strains());
       return std::max(1., contrast / usual_contrast);
+    }
+    /** Part of all elements whose bodies hardly have equal ones. */
+    double
+    unequal_part(const contact::ContactModel &model)
+    {
+      constexpr double few = 10; // elements of a shape
+      double           all = 0, unequal = 0;
+      for (const bodies::Structure *body : model.bodies.structures)
+        {
+          const auto   count      = body->matrix_count();
+          const double n_elements = count.elements;
+          all += n_elements;
+          if (count.matrices * few > n_elements)
+            unequal += n_elements;
+        }
+      return all > 0 ? unequal / all : 0.;
     }
   } // namespace
 
@@ -146,17 +165,20 @@ namespace conetact::analysis
     const std::size_t d = model.bodies.dim - 2;
     const auto        increments = static_cast<double>(n_increments);
     const double      share      = n / n_processes;
+    const double      unequal    = unequal_part(model);
+    const double      longer     = 1 + (longer_if_unequal - 1) * unequal;
     const double      solution =
-      share * (setup_of_unknown[d] +
-               increment_of_unknown[d] * increments * many_iterations(model));
+      share * (setup_of_unknown[d] + increment_of_unknown[d] * increments *
+                                       longer * many_iterations(model));
+    const double shared =
+      share * shared_bytes[d] * (1 + (larger_if_unequal - 1) * unequal);
     Cost cost;
-    cost.memory_bytes =
-      peak_memory() + bytes_of_first[d] * n + shared_bytes[d] * share;
-    cost.seconds = cpu_seconds() + solution +
+    cost.memory_bytes = peak_memory() + bytes_of_first[d] * n + shared;
+    cost.seconds      = cpu_seconds() + solution +
                    seconds_of_results(model, increments, n_drawings);
     if (n_processes > 1)
       {
-        cost.memory_of_others  = bytes_of_others + shared_bytes[d] * share;
+        cost.memory_of_others  = bytes_of_others + shared;
         cost.seconds_of_others = solution;
       }
     return cost;
