@@ -22,8 +22,8 @@ namespace conetact::solvers
     constexpr double first_precision = 1e-3, least_precision = 3e-2,
                      best_precision = 1e-4, exact = 1e-9;
 
-    /** Of the tolerance: what the iteration aims at. */
-    constexpr double aim = 1e-2;
+    /** Of the tolerance: what the iteration aims at, and for directions. */
+    constexpr double aim = 1e-2, askew_aim = .6;
 
     /** Steps without much gain before a step is cut, before giving up. */
     constexpr unsigned int max_stalls = 3, max_damped_stalls = 8;
@@ -182,8 +182,16 @@ namespace conetact::solvers
                   exactly           ? exact :
                                  point.d.isZero(0) ? best_precision :
                                                      first_precision};
-    unsigned int          stalls = 0;
-    while (point.residual() > goal)
+    unsigned int          stalls   = 0;
+    bool                  improved = true;
+    const auto            goes_on  = [&] {
+      return point.residual() > goal ||
+             (improved &&
+              askew_friction(
+                *relation, point.sets, point.p, point.d, options.tolerance) >
+                askew_aim * options.tolerance);
+    };
+    while (goes_on())
       {
         if (report.iterations >= options.max_iterations)
           return stalled(point.residual());
@@ -191,10 +199,10 @@ namespace conetact::solvers
         const double before = point.residual();
         if (!step(point, manner, report))
           return "singular tangent";
-        const std::string next     = signature(point.sets);
-        const double      gain     = point.residual() / before;
-        const bool        improved = gain < .5;
-        stalls                     = improved ? 0 : stalls + 1;
+        const std::string next = signature(point.sets);
+        const double      gain = point.residual() / before;
+        improved               = gain < .5;
+        stalls                 = improved ? 0 : stalls + 1;
         if (stalls > 1 && point.residual() <= noise)
           break;
         const bool cycles =

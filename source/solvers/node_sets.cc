@@ -322,6 +322,37 @@ namespace conetact::solvers
 
 
 
+  double
+  askew_friction(const LinearRelation &relation,
+                 const NodeSets       &sets,
+                 const VectorXd       &p,
+                 const VectorXd       &d,
+                 const double          rounding)
+  {
+    const ContactSystem &system = relation.system();
+    const Fields         x(relation, p, d);
+    double               largest = 0, askew = 0;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      largest =
+        std::max(largest,
+                 x.r.segment(system.first[i], system.n_tangents(i) + 1).norm());
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      if (sets[at(i)].state == NodeState::slip)
+        {
+          const Index       first = system.first[i], nt = system.n_tangents(i);
+          const SmallVector slip   = x.v.segment(first, nt);
+          const double      length = slip.norm();
+          const double      limit  = system.mu(i) * x.r(first + nt);
+          if (length > rounding * largest)
+            askew =
+              std::max(askew,
+                       (x.r.segment(first, nt) + limit / length * slip).norm());
+        }
+    return largest > 0 ? askew / largest : 0.;
+  }
+
+
+
   void
   set_exact_zeros(const LinearRelation &relation,
                   const NodeSets       &sets,

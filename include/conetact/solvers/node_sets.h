@@ -60,6 +60,18 @@ namespace conetact::solvers
                const Eigen::VectorXd &p,
                const Eigen::VectorXd &d);
 
+  /**
+   * How far friction is from pointing against the slips, over the largest
+   * reaction of a node: law_residual() hardly sees the direction of short ones.
+   * Slips that are `rounding` over that reaction have none.
+   */
+  double
+  askew_friction(const LinearRelation  &relation,
+                 const NodeSets        &sets,
+                 const Eigen::VectorXd &p,
+                 const Eigen::VectorXd &d,
+                 const double           rounding);
+
   /** Writes the zeros of the sets into p and d: they hold but for round-off. */
   void
   set_exact_zeros(const LinearRelation &relation,
