@@ -258,6 +258,7 @@ namespace conetact::backends
   void
   BlockSystem<block>::add_node(const std::size_t i,
                                const NodeLaw    &law,
+                               const Array      &y,
                                System           &system) const
   {
     const std::vector<int> &node = contact[i];
@@ -287,11 +288,11 @@ namespace conetact::backends
     SmallVector h         = law.h(stays);
     for (std::size_t k = 0; k < known.size(); ++k)
       h -= system.known[rows.known[k]] * law.p(stays, known[k]) +
-           system.K_known[rows.known[k]] * law.d(stays, known[k]);
+           y[rows.known[k]] * law.d(stays, known[k]);
     h = one * h;
     for (std::size_t k = 0; k < stays.size(); ++k)
       system.right_hand_side[rows.stays[k]] =
-        h(static_cast<Index>(k)) - system.K_known[rows.stays[k]];
+        h(static_cast<Index>(k)) - y[rows.stays[k]];
     if (!rows.S.isZero(0) || !rows.Q.isZero(0))
       system.rows.push_back(std::move(rows));
   }
@@ -312,10 +313,10 @@ namespace conetact::backends
             system.free[p]  = 0;
             system.known[p] = law.h(k) / law.p(k, k);
           }
-    system.K_known         = multiply_contact(system.known);
-    system.right_hand_side = -f - system.K_known;
+    const Array y          = multiply_contact(system.known);
+    system.right_hand_side = -f - y;
     for (std::size_t i = 0; i < contact.size(); ++i)
-      add_node(i, laws[i], system);
+      add_node(i, laws[i], y, system);
     system.right_hand_side.array() *= system.free.array();
     system.free_float = system.free.template cast<float>();
     set_states(system);
@@ -383,6 +384,15 @@ namespace conetact::backends
           y[rows.stays[at(k)]] += static_cast<Number>(more(k));
       }
     y.array() *= system.free.template cast<Number>().array();
+  }
+
+  template <int block>
+  typename BlockSystem<block>::Array
+  BlockSystem<block>::multiply(const System &system, const Array &x) const
+  {
+    Array y = multiply(x);
+    add_laws(system, 1., x, y);
+    return y;
   }
 
   template <int block>
@@ -534,11 +544,9 @@ namespace conetact::backends
         x += (left / scale) *
              gmres(system, b, std::max(goal / left, digits), result.iterations)
                .template cast<double>();
-        before  = left;
-        Array y = multiply(x);
-        add_laws(system, 1., x, y);
-        r    = system.right_hand_side - y;
-        left = norm(r);
+        before = left;
+        r      = system.right_hand_side - multiply(system, x);
+        left   = norm(r);
         if (!(left < .5 * before)) // all there is to gain
           break;
       }

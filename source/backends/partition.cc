@@ -16,7 +16,7 @@ namespace conetact::backends
     using Point  = std::array<double, 3>;
 
     /** What a part may have more than its share of the work, relative. */
-    constexpr double near_enough = .04;
+    constexpr double near_enough = .017;
 
     struct Box
     {

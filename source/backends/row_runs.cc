@@ -25,6 +25,13 @@ namespace conetact::backends
     /** Rows that are alike: fewer are not worth a place in the cache. */
     constexpr std::size_t least_rows = 256;
 
+    template <typename Number>
+    bool
+    is_wide(const RowRun<Number> &run)
+    {
+      return run.n >= Wide<Number>::width;
+    }
+
     /** Rows of a matrix that are alike, and the vector that it multiplies:
      * first components of all blocks, then the second ones, and so on. */
     template <typename Number>
@@ -96,95 +103,81 @@ namespace conetact::backends
           parts[static_cast<std::size_t>(c) * n + i] = *x++;
     }
 
-    template <typename Number>
-    struct Kernels
+    /** Of all runs that are wide; `parts` is room for what x is made of. */
+    template <int block, typename Number, int most_strips>
+    [[gnu::always_inline]] inline void
+    multiply_runs(const std::vector<RowRun<Number>> &runs,
+                  const int                         *shifts,
+                  const Number                      *x,
+                  std::vector<Number>               &parts,
+                  Number                            *y)
     {
-      void (*multiply)(const Alike<Number> &rows,
-                       const std::size_t    begin,
-                       const std::size_t    n,
-                       Number              *y);
-      void (*take_apart)(const Number *x, const std::size_t n, Number *parts);
-    };
+      const std::size_t n = parts.size() / block;
+      take_apart<block>(x, n, parts.data());
+      for (const RowRun<Number> &run : runs)
+        if (is_wide(run))
+          multiply_run<block, Number, most_strips>(
+            {run.numbers, shifts + run.shifts, run.n_columns, parts.data(), n},
+            run.begin,
+            run.n,
+            y);
+    }
+
+    template <typename Number>
+    using MultiplyRuns = void(const std::vector<RowRun<Number>> &runs,
+                              const int                         *shifts,
+                              const Number                      *x,
+                              std::vector<Number>               &parts,
+                              Number                            *y);
 
     // The same for processors that differ in the width of their vectors and in
     // how many of them they have.
     template <int block, typename Number>
-    struct Plain
+    void
+    multiply_plain(const std::vector<RowRun<Number>> &runs,
+                   const int                         *shifts,
+                   const Number                      *x,
+                   std::vector<Number>               &parts,
+                   Number                            *y)
     {
-      static void
-      multiply(const Alike<Number> &rows,
-               const std::size_t    begin,
-               const std::size_t    n,
-               Number              *y)
-      {
-        multiply_run<block, Number, 1>(rows, begin, n, y);
-      }
-      static void
-      split(const Number *x, const std::size_t n, Number *parts)
-      {
-        take_apart<block>(x, n, parts);
-      }
-    };
+      multiply_runs<block, Number, 1>(runs, shifts, x, parts, y);
+    }
 #ifdef __x86_64__
     template <int block, typename Number>
-    struct Avx2
+    [[gnu::target("avx2,fma")]] void
+    multiply_avx2(const std::vector<RowRun<Number>> &runs,
+                  const int                         *shifts,
+                  const Number                      *x,
+                  std::vector<Number>               &parts,
+                  Number                            *y)
     {
-      [[gnu::target("avx2,fma")]] static void
-      multiply(const Alike<Number> &rows,
-               const std::size_t    begin,
-               const std::size_t    n,
-               Number              *y)
-      {
-        multiply_run<block, Number, 1>(rows, begin, n, y);
-      }
-      [[gnu::target("avx2,fma")]] static void
-      split(const Number *x, const std::size_t n, Number *parts)
-      {
-        take_apart<block>(x, n, parts);
-      }
-    };
+      multiply_runs<block, Number, 1>(runs, shifts, x, parts, y);
+    }
     template <int block, typename Number>
-    struct Avx512
+    [[gnu::target("avx512f,prefer-vector-width=512")]] void
+    multiply_avx512(const std::vector<RowRun<Number>> &runs,
+                    const int                         *shifts,
+                    const Number                      *x,
+                    std::vector<Number>               &parts,
+                    Number                            *y)
     {
-      [[gnu::target("avx512f,prefer-vector-width=512")]] static void
-      multiply(const Alike<Number> &rows,
-               const std::size_t    begin,
-               const std::size_t    n,
-               Number              *y)
-      {
-        multiply_run<block, Number, 2>(rows, begin, n, y);
-      }
-      [[gnu::target("avx512f,prefer-vector-width=512")]] static void
-      split(const Number *x, const std::size_t n, Number *parts)
-      {
-        take_apart<block>(x, n, parts);
-      }
-    };
+      multiply_runs<block, Number, 2>(runs, shifts, x, parts, y);
+    }
 #endif
 
     template <int block, typename Number>
-    Kernels<Number>
-    choose_kernels()
+    MultiplyRuns<Number> *
+    choose_multiply()
     {
 #ifdef __x86_64__
       if (__builtin_cpu_supports("avx512f"))
-        return {&Avx512<block, Number>::multiply,
-                &Avx512<block, Number>::split};
+        return &multiply_avx512<block, Number>;
       if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return {&Avx2<block, Number>::multiply, &Avx2<block, Number>::split};
+        return &multiply_avx2<block, Number>;
 #endif
-      return {&Plain<block, Number>::multiply, &Plain<block, Number>::split};
+      return &multiply_plain<block, Number>;
     }
   } // namespace
-
-
-
-  template <int block, typename Number>
-  bool
-  RowRuns<block, Number>::Run::is_wide() const
-  {
-    return n >= Wide<Number>::width;
-  }
 
 
 
@@ -196,9 +189,10 @@ namespace conetact::backends
     find_runs(find_equal(changing));
     drop_rare_kinds();
     if (!runs.empty())
-      n_parts = static_cast<std::size_t>(
-                  *std::max_element(A->column.begin(), A->column.end())) +
-                1;
+      parts.resize(block *
+                   (static_cast<std::size_t>(
+                      *std::max_element(A->column.begin(), A->column.end())) +
+                    1));
   }
 
 
@@ -208,8 +202,8 @@ namespace conetact::backends
   RowRuns<block, Number>::n_rows() const
   {
     std::size_t n = 0;
-    for (const Run &run : runs)
-      if (run.is_wide())
+    for (const RowRun<Number> &run : runs)
+      if (is_wide(run))
         n += run.n;
     return n;
   }
@@ -264,11 +258,13 @@ namespace conetact::backends
         own.clear();
         for (std::size_t k = A->start[i]; k < A->start[i + 1]; ++k)
           own.push_back(A->column[k] - static_cast<int>(i));
-        const Run run = {i,
-                         1,
-                         own.size(),
-                         numbers[i],
-                         known.place(own.data(), own.size(), shifts)};
+        const RowRun<Number> run = {i,
+                                    1,
+                                    own.size(),
+                                    numbers[i],
+                                    known.place(own.data(),
+                                                own.size(),
+                                                shifts)};
         if (!runs.empty() && runs.back().begin + runs.back().n == i &&
             runs.back().numbers == run.numbers &&
             runs.back().shifts == run.shifts)
@@ -285,12 +281,12 @@ namespace conetact::backends
   RowRuns<block, Number>::drop_rare_kinds()
   {
     std::map<Kind, std::size_t> rows;
-    for (const Run &run : runs)
+    for (const RowRun<Number> &run : runs)
       rows[{run.numbers, run.shifts}] += run.n;
     runs.erase(
       std::remove_if(runs.begin(),
                      runs.end(),
-                     [&](const Run &run) {
+                     [&](const RowRun<Number> &run) {
                        return rows[{run.numbers, run.shifts}] < least_rows;
                      }),
       runs.end());
@@ -302,28 +298,22 @@ namespace conetact::backends
   void
   RowRuns<block, Number>::operator()(const Number *x, Number *y) const
   {
-    static const Kernels<Number> kernels = choose_kernels<block, Number>();
-    parts.resize(n_parts * block);
-    kernels.take_apart(x, n_parts, parts.data());
+    static MultiplyRuns<Number> *const multiply =
+      choose_multiply<block, Number>();
+    multiply(runs, shifts.data(), x, parts, y);
     std::size_t done = 0;
-    for (const Run &run : runs)
+    for (const RowRun<Number> &run : runs)
       {
         A->multiply(done, run.begin, x, y);
-        done                     = run.begin + run.n;
-        const int *const columns = shifts.data() + run.shifts;
-        if (run.is_wide())
-          kernels.multiply(
-            {run.numbers, columns, run.n_columns, parts.data(), n_parts},
-            run.begin,
-            run.n,
-            y);
-        else
-          for (std::size_t i = run.begin; i < done; ++i)
-            Matrix::multiply_row(run.numbers,
-                                 columns,
-                                 run.n_columns,
-                                 x + i * block,
-                                 y + i * block);
+        done = run.begin + run.n;
+        if (is_wide(run))
+          continue;
+        for (std::size_t i = run.begin; i < done; ++i)
+          Matrix::multiply_row(run.numbers,
+                               shifts.data() + run.shifts,
+                               run.n_columns,
+                               x + i * block,
+                               y + i * block);
       }
     A->multiply(done, A->n_block_rows(), x, y);
   }

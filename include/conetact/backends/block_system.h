@@ -74,8 +74,7 @@ namespace conetact::backends
       Array                                   free; ///< 1 or 0 [-]
       FloatVector                             free_float;
       std::vector<NodeRows>                   rows;
-      Array                                   known, K_known;
-      Array                                   right_hand_side;
+      Array                                   known, right_hand_side;
       std::vector<std::pair<int, FloatBlock>> D; ///< of contact nodes
     };
 
@@ -105,7 +104,10 @@ namespace conetact::backends
     System
     system_of(const std::vector<NodeLaw> &laws, const Array &f) const;
     void
-    add_node(const std::size_t i, const NodeLaw &law, System &system) const;
+    add_node(const std::size_t i,
+             const NodeLaw    &law,
+             const Array      &y,
+             System           &system) const;
     /** K x, where only contact nodes move. */
     Array
     multiply_contact(const Array &x) const;
@@ -119,6 +121,8 @@ namespace conetact::backends
              const double  unit,
              const Vector &x,
              Vector       &y) const;
+    Array
+    multiply(const System &system, const Array &x) const;
     void
     precondition(const System      &system,
                  const FloatVector &b,

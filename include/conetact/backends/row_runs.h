@@ -10,6 +10,16 @@
 
 namespace conetact::backends
 {
+  /** Rows begin, begin + 1, ... of a matrix, with the same numbers in columns
+   * that go on by one. */
+  template <typename Number>
+  struct RowRun
+  {
+    std::size_t   begin, n, n_columns;
+    const Number *numbers; ///< of the matrix
+    std::size_t   shifts;  ///< where columns less the row begin in a list
+  };
+
   /**
    * The product of a matrix in which many rows have the same numbers in the
    * same columns as counted from their own, as those of the nodes of a regular
@@ -37,15 +47,6 @@ namespace conetact::backends
     n_rows() const;
 
   private:
-    /** Rows begin, begin + 1, ... */
-    struct Run
-    {
-      std::size_t   begin, n, n_columns;
-      const Number *numbers; ///< of A
-      std::size_t   shifts;  ///< where its columns begin in `shifts`
-      bool
-      is_wide() const;
-    };
     using Kind    = std::pair<const Number *, std::size_t>;
     using Numbers = std::vector<const Number *>;
     Numbers
@@ -55,12 +56,12 @@ namespace conetact::backends
     void
     drop_rare_kinds();
 
-    const Matrix    *A = nullptr;
-    std::vector<Run> runs;        ///< ascending
-    std::vector<int> shifts;      ///< columns of a row less the row
-    std::size_t      n_parts = 0; ///< blocks of x
+    const Matrix               *A = nullptr;
+    std::vector<RowRun<Number>> runs;   ///< ascending
+    std::vector<int>            shifts; ///< columns of a row less the row
     // of a product, not of the matrix
-    mutable std::vector<Number> parts; ///< components of x, one by one
+    mutable std::vector<Number>
+      parts; ///< first components of x, second ones...
   };
 
   extern template class RowRuns<2, float>;

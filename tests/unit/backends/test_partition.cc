@@ -71,9 +71,7 @@ TEST(Partition, SharesWorkNotNodes)
     {
       const std::vector<double> sums = weights(nodes, partition(nodes, n), n);
       const auto [least, most] = std::minmax_element(sums.begin(), sums.end());
-      // a line of nodes, and some percent for the sake of whole planes
-      EXPECT_LE(*most - *least, 12. + .06 * (*most + *least) / 2.)
-        << n << " parts";
+      EXPECT_LE(*most - *least, 12.) << n << " parts";
     }
 }
 
