@@ -92,6 +92,17 @@ namespace conetact::analysis
       return {iterative > 0, "as in the run that is continued"};
     }
 
+    std::string
+    what_processes_do(const application::Scene    &scene,
+                      const contact::ContactModel &model)
+    {
+      if (model.is_iterative())
+        return "they share the linear systems";
+      if (scene.condenser->useful_processes(largest_system(model)) > 1)
+        return "they share the condensation";
+      return "the first one condenses, the others have nothing to do";
+    }
+
     /** The model with the backend that the scene asks for. */
     contact::ContactModel &
     with_backend(const application::Scene &scene,
@@ -111,10 +122,8 @@ namespace conetact::analysis
                  std::string(choice.iterative ? "iterative" : "condensed") +
                  ", " + choice.reason);
       if (const unsigned int n = ProcessSession::n_processes(); n > 1)
-        log.note(std::to_string(n) + " processes: " +
-                 (choice.iterative ? "they share the linear systems" :
-                                     "the first one condenses, the others "
-                                     "have nothing to do"));
+        log.note(std::to_string(n) +
+                 " processes: " + what_processes_do(scene, model));
       return model;
     }
   } // namespace

@@ -76,6 +76,11 @@ namespace conetact::analysis
     constexpr double longer_if_unequal      = 4;
     constexpr double larger_if_unequal      = 3;
 
+    // Of a factorisation: what processes have more than their share, and how
+    // much longer they take; 24^3 and 30^3 cells by two of them.
+    constexpr double larger_if_shared = 1.2;
+    constexpr double longer_if_shared = 1.5;
+
     // Iterations grow with the contrast of strains from here on: 3 times as
     // many at nu = 0.49, 15 at 0.499, 200 at 0.4999.
     constexpr double usual_contrast = 36;
@@ -126,10 +131,24 @@ namespace conetact::analysis
 
 
 
+  Eigen::Index
+  largest_system(const contact::ContactModel &model)
+  {
+    if (!model.is_dual())
+      return model.coordinates.n_unknowns();
+    Eigen::Index n = 0;
+    for (const bodies::Structure *body : model.bodies.structures)
+      n = std::max<Eigen::Index>(n, body->n_dofs());
+    return n;
+  }
+
+
+
   Cost
   estimate_cost(const contact::ContactModel &model,
                 const std::size_t            n_increments,
-                const std::size_t            n_drawings)
+                const std::size_t            n_drawings,
+                const int                    n_processes)
   {
     const auto n_contact =
       static_cast<double>(model.working_set().layout().n_unknowns());
@@ -141,15 +160,23 @@ namespace conetact::analysis
       n_contact + static_cast<double>(model.points.n_bound_unknowns());
     cost.stiffness_bytes = 8 * n_rows * n_rows;
     // and at most as much again for Newton's matrix
-    cost.memory_bytes =
-      peak_memory() + cost.factor.working_bytes + 2 * cost.stiffness_bytes;
+    const bool   shares = n_processes > 1;
+    const double factor_bytes =
+      cost.factor.working_bytes / n_processes * (shares ? larger_if_shared : 1);
+    cost.memory_bytes = peak_memory() + factor_bytes + 2 * cost.stiffness_bytes;
     const double lu_flops = 2. / 3. * std::pow(n_contact, 3) *
                             (1 + lus_an_increment * (increments - 1));
-    cost.seconds =
-      cpu_seconds() +
-      (sparse_over_dense * cost.factor.flops + lu_over_dense * lu_flops) /
-        dense_rate() +
-      seconds_of_results(model, increments, n_drawings);
+    const double rate          = dense_rate();
+    const double factorisation = sparse_over_dense * cost.factor.flops / rate /
+                                 n_processes * (shares ? longer_if_shared : 1);
+    cost.seconds = cpu_seconds() + factorisation +
+                   lu_over_dense * lu_flops / rate +
+                   seconds_of_results(model, increments, n_drawings);
+    if (shares)
+      {
+        cost.memory_of_others  = bytes_of_others + factor_bytes;
+        cost.seconds_of_others = factorisation;
+      }
     return cost;
   }
 

@@ -41,10 +41,33 @@ namespace conetact::analysis
                 " of memory only. Use a coarser mesh or fewer contact nodes.");
     }
 
+    double
+    memory_of_all(const int n, const Cost &cost)
+    {
+      return cost.memory_bytes + (n - 1) * cost.memory_of_others;
+    }
+    double
+    seconds_of_all(const int n, const Cost &cost)
+    {
+      return cost.seconds + (n - 1) * cost.seconds_of_others;
+    }
+
     std::string
     tenths(const double seconds)
     {
       return to_text(std::round(10 * seconds) / 10) + " s";
+    }
+
+    /** Of many processes, where n of them share the work. */
+    void
+    report_processes(const int n, const Cost &cost, Log &log)
+    {
+      if (n > 1)
+        log.say("estimate: " + std::to_string(n) +
+                " processes, the first one " + megabytes(cost.memory_bytes) +
+                " and " + tenths(cost.seconds) + " of CPU, each other one " +
+                megabytes(cost.memory_of_others) + " and " +
+                tenths(cost.seconds_of_others));
     }
 
     void
@@ -57,16 +80,10 @@ namespace conetact::analysis
                                                 scene.times.size(),
                                                 scene.n_drawings(),
                                                 n);
-      const double all = cost.memory_bytes + (n - 1) * cost.memory_of_others;
+      const double all = memory_of_all(n, cost);
       log.say("estimate: backend iterative, memory of " + megabytes(all) +
-              ", " + tenths(cost.seconds + (n - 1) * cost.seconds_of_others) +
-              " in all");
-      if (n > 1)
-        log.say("estimate: " + std::to_string(n) +
-                " processes, the first one " + megabytes(cost.memory_bytes) +
-                " and " + tenths(cost.seconds) + " of CPU, each other one " +
-                megabytes(cost.memory_of_others) + " and " +
-                tenths(cost.seconds_of_others));
+              ", " + tenths(seconds_of_all(n, cost)) + " in all");
+      report_processes(n, cost, log);
       warn_of_memory(all, log);
     }
   } // namespace
@@ -197,19 +214,22 @@ namespace conetact::analysis
         report_iterative_cost(scene, model, log);
         return;
       }
+    const int  n = scene.condenser->useful_processes(largest_system(model));
     const Cost cost =
-      estimate_cost(model, scene.times.size(), scene.n_drawings());
+      estimate_cost(model, scene.times.size(), scene.n_drawings(), n);
+    const double all = memory_of_all(n, cost);
     report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
     log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
             ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
-            ", memory of " + megabytes(cost.memory_bytes) + " in all");
+            ", memory of " + megabytes(all) + " in all");
     log.say("estimate: " + to_text(cost.factor.flops) +
-            " floating-point operations to factorise, " + tenths(cost.seconds) +
-            " in all");
+            " floating-point operations to factorise, " +
+            tenths(seconds_of_all(n, cost)) + " in all");
+    report_processes(n, cost, log);
     if (scene.condenser != &backends::default_condenser())
       log.say("estimate: at least, for " + std::string(scene.condenser->name) +
               " tells nothing before it is done");
-    warn_of_memory(cost.memory_bytes, log);
+    warn_of_memory(all, log);
   }
 
 

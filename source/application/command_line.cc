@@ -33,8 +33,8 @@ Coulomb cone.
       --verify                  condense all bodies once more by an independent
                                 solver (Trilinos' Amesos), print by how much the
                                 stiffness differs, stop beyond 1e-10
-      --processes N             share the linear algebra of Solver/Backend =
-                                iterative among N processes (mpirun -n N)
+      --processes N             share the linear algebra of large scenes among N
+                                processes (mpirun -n N)
   -q, --quiet                   print errors only
       --version                 print the version
   -h, --help                    print this text

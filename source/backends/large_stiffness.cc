@@ -17,12 +17,7 @@ namespace conetact::backends
   int
   useful_processes(const Eigen::Index n_unknowns)
   {
-    if (!Together::is_possible())
-      return 1;
-    return static_cast<int>(std::clamp<Eigen::Index>(
-      n_unknowns / small_enough,
-      1,
-      static_cast<Eigen::Index>(ProcessSession::n_processes())));
+    return processes_for(n_unknowns, small_enough);
   }
 
 

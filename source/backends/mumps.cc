@@ -4,19 +4,54 @@
 #include "conetact/backends/mumps.h"
 
 #include "conetact/backends/schur_solver.h"
+#include "conetact/base/communicator.h"
 #include "conetact/base/process.h"
 
+#include <memory>
 #include <new>
 #include <stdexcept>
 
 namespace conetact::backends
 {
-  Mumps::Mumps()
+  namespace
   {
-    data.sym          = 1; // positive definite
-    data.par          = 1; // this process works, too
-    data.comm_fortran = ProcessSession::require_mpi();
-    call(-1);
+    constexpr int begin = -1, end = -2; // jobs, as MUMPS calls them
+
+    int n_shared = 0; // made so far
+
+    /* Nothing where this process is alone. */
+    std::unique_ptr<Together>
+    order(const Command command, const int number, const int value)
+    {
+      return number == 0 ?
+               nullptr :
+               std::make_unique<Together>(Order{command, number, value});
+    }
+
+    /* All of these processes do so. */
+    void
+    begin_on(const Communicator &processes, DMUMPS_STRUC_C &data)
+    {
+      data.sym = 1; // positive definite
+      data.par = 1; // the first process works, too
+      data.comm_fortran =
+        static_cast<MUMPS_INT>(MPI_Comm_c2f(processes.handle()));
+      data.job = begin;
+      dmumps_c(&data);
+    }
+  } // namespace
+
+
+
+  Mumps::Mumps(const int n_processes)
+    : number(n_processes > 1 ? ++n_shared : 0)
+  {
+    {
+      const auto together = order(Command::make_mumps, number, n_processes);
+      begin_on(number == 0 ? Communicator() :
+                             Communicator::of_first(n_processes),
+               data);
+    }
     throw_errors();
     control(1) = control(2) = control(3) = -1; // silent
     control(4)                           = 0;
@@ -30,8 +65,9 @@ namespace conetact::backends
 
   Mumps::~Mumps()
   {
-    if (ProcessSession::mpi_is_running())
-      call(-2);
+    if (number == 0 ? ProcessSession::mpi_is_running() :
+                      Together::is_possible())
+      call(end);
   }
 
 
@@ -74,7 +110,8 @@ namespace conetact::backends
   void
   Mumps::call(const int job)
   {
-    data.job = job;
+    const auto together = order(Command::call_mumps, number, job);
+    data.job            = job;
     dmumps_c(&data);
   }
 
@@ -92,5 +129,29 @@ namespace conetact::backends
       throw std::runtime_error("MUMPS gives up with its error " +
                                std::to_string(error) + " (" +
                                std::to_string(info(2)) + ").");
+  }
+
+
+
+  void
+  MumpsParts::make(const Order &order)
+  {
+    const auto processes = Communicator::of_first(order.value);
+    if (processes.is_member())
+      begin_on(processes, parts[order.number]);
+  }
+
+
+
+  void
+  MumpsParts::call(const Order &order)
+  {
+    const auto part = parts.find(order.number);
+    if (part == parts.end())
+      return;
+    part->second.job = order.value;
+    dmumps_c(&part->second);
+    if (order.value == end)
+      parts.erase(part);
   }
 } // namespace conetact::backends

@@ -68,7 +68,8 @@ namespace conetact::backends
     // Leaves MUMPS with pointers to the matrix.
     void
     analyse(const SparseMatrix              &upper,
-            const std::vector<unsigned int> &node_of);
+            const std::vector<unsigned int> &node_of,
+            const int                        n_processes);
     void
     factorize(const SparseMatrix              &upper,
               const std::vector<unsigned int> &node_of);
@@ -106,7 +107,8 @@ namespace conetact::backends
 
   void
   MumpsSchur::Implementation::analyse(const SparseMatrix              &upper,
-                                      const std::vector<unsigned int> &node_of)
+                                      const std::vector<unsigned int> &node_of,
+                                      const int n_processes)
   {
     const std::size_t n_entries = static_cast<std::size_t>(upper.nonZeros());
     rows.resize(n_entries);
@@ -121,7 +123,7 @@ namespace conetact::backends
     for (int &place : order)
       ++place;
 
-    mumps                = std::make_unique<Mumps>();
+    mumps                = std::make_unique<Mumps>(n_processes);
     DMUMPS_STRUC_C &data = mumps->data;
     data.n               = static_cast<int>(n);
     data.nnz             = upper.nonZeros();
@@ -159,7 +161,7 @@ namespace conetact::backends
     const VectorXd diagonal = upper.diagonal();
     // Cheap, and it names the node; MUMPS would only say that a pivot is zero.
     refuse_empty_diagonal(diagonal.head(n_eliminated), node_of);
-    analyse(upper, node_of);
+    analyse(upper, node_of, useful_processes(n));
     DMUMPS_STRUC_C &data = mumps->data;
     if (n_schur > 0)
       {
@@ -247,6 +249,15 @@ namespace conetact::backends
 
 
 
+  int
+  MumpsSchur::useful_processes(const Index n_unknowns)
+  {
+    constexpr Index fewest = 10000; // less is not worth a process
+    return processes_for(n_unknowns, fewest);
+  }
+
+
+
   FactorEstimate
   MumpsSchur::estimate(const SparseMatrix              &upper,
                        const Index                      n_schur,
@@ -256,7 +267,7 @@ namespace conetact::backends
     if (upper.cols() == n_schur)
       return {};
     Implementation solver(upper, n_schur);
-    solver.analyse(upper, node_of);
+    solver.analyse(upper, node_of, 1);
     const Mumps &mumps = *solver.mumps;
     // Of the analysis: entries of the factor, workspace in MB, operations.
     return {sizeof(double) * in_full(mumps.info(3)),

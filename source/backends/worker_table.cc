@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/backends/large_stiffness.h"
+#include "conetact/backends/mumps.h"
 #include "conetact/backends/workers.h"
 
 namespace conetact::backends
@@ -10,6 +11,7 @@ namespace conetact::backends
   work()
   {
     SystemParts parts;
+    MumpsParts  solvers;
     wait_for_orders({
       {Command::make_plane, [&](const Order &o) { parts.make(o, 2); }},
       {Command::make_space, [&](const Order &o) { parts.make(o, 3); }},
@@ -17,6 +19,8 @@ namespace conetact::backends
       {Command::diagonal, [&](const Order &o) { parts.diagonal(o); }},
       {Command::solve, [&](const Order &o) { parts.solve(o); }},
       {Command::forget, [&](const Order &o) { parts.forget(o); }},
+      {Command::make_mumps, [&](const Order &o) { solvers.make(o); }},
+      {Command::call_mumps, [&](const Order &o) { solvers.call(o); }},
       {Command::report, [](const Order &) { needs_of_processes(); }},
     });
   }

@@ -8,6 +8,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <exception>
 
 namespace conetact::backends
@@ -58,6 +59,19 @@ namespace conetact::backends
   Together::is_possible()
   {
     return ProcessSession::n_processes() > 1 && !left_alone;
+  }
+
+
+
+  int
+  processes_for(const Eigen::Index n_unknowns, const Eigen::Index fewest)
+  {
+    if (!Together::is_possible())
+      return 1;
+    return static_cast<int>(std::clamp<Eigen::Index>(
+      n_unknowns / fewest,
+      1,
+      static_cast<Eigen::Index>(ProcessSession::n_processes())));
   }
 
 

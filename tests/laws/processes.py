@@ -10,18 +10,19 @@ from support.scenes import SHIPPED, box, joint, load, merge, press_and_shear, su
 # as many processes as a test wants, whatever the cores are and whoever starts it
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
-ITERATIVE = ("-s", "Solver/Backend=iterative")
+ITERATIVE, CONDENSED = (("-s", f"Solver/Backend={name}") for name in ("iterative", "condensed"))
 
 
-def compare(laws, what, scene, *numbers):
+def compare(laws, what, scene, *numbers, arguments=ITERATIVE, share="linear systems"):
     """Tables of one process and of several ones."""
-    one = laws.run(scene, *ITERATIVE)
+    one = laws.run(scene, *arguments)
     for n in numbers:
-        many = laws.run(scene, *ITERATIVE, "--processes", str(n))
+        many = laws.run(scene, *arguments, "--processes", str(n))
         laws.same(f"{what}, {n} processes", one, many, 1e-8)
         log = (many.folder / "log.txt").read_text()
         found = re.search(r"^memory of processes: (.*)$", log, re.M)
         laws.demand(f"  there were {n}", found and len(found[1].split(", ")) == n)
+        laws.demand(f"  the log says that they share the {share}", f"{n} processes: they share the {share}" in log)
 
 
 def pair(dim, pairing):
@@ -88,9 +89,17 @@ def endings(laws):
 
 
 def condensed(laws):
+    """A factor is shared from 20000 unknowns on: all that is solved with it, also where nodes join or bodies float."""
     one, many = (laws.run(press_and_shear(2), *more) for more in ((), ("--processes", "2")))
     laws.same("condensed by the first of two processes", one, many, 1e-14)
     laws.demand("  the log says so", "nothing to do" in (many.folder / "log.txt").read_text())
+    for what, scene, numbers, changes in (
+            ("3D", press_and_shear(3, cells=(24, 18, 18), increments=2), (2, 3), ()),
+            ("2D, a pair", merge(pair(2, "mortar"), {"Body upper": box((150, 75), (2.0, 1.0), (0.0, 1.0))}), (2,), ()),
+            ("floating-block", SHIPPED / "floating-block.prm", (2,), ("Body block/Mesh/Arguments=142, 70 : 0, 0 : 2, 1 : true",)),
+            ("sphere-on-layer", SHIPPED / "sphere-on-layer.prm", (2,), ("Time/Times=1, 4, 6",))):
+        compare(laws, f"condensed, {what}", scene, *numbers, share="condensation",
+                arguments=[*CONDENSED, "-s", "Output/VTU=0", *(word for change in changes for word in ("-s", change))])
 
 
 def processes(laws):

@@ -21,6 +21,10 @@ namespace conetact::analysis
     double memory_of_others = 0, seconds_of_others = 0;
   };
 
+  /** Unknowns of the largest matrix that is factorised to condense it. */
+  Eigen::Index
+  largest_system(const contact::ContactModel &model);
+
   /**
    * Orders and analyses the elastic system, but factorises nothing. What was
    * done in this process so far counts, because a run does it, too; the rest
@@ -29,7 +33,8 @@ namespace conetact::analysis
   Cost
   estimate_cost(const contact::ContactModel &model,
                 const std::size_t            n_increments,
-                const std::size_t            n_drawings);
+                const std::size_t            n_drawings,
+                const int                    n_processes = 1);
 
   /** The same of a model that is solved iteratively by some processes. */
   Cost

@@ -4,20 +4,26 @@
 #ifndef conetact_backends_mumps_h
 #define conetact_backends_mumps_h
 
+#include "conetact/backends/workers.h"
+
 #include <dmumps_c.h>
+
+#include <map>
 
 namespace conetact::backends
 {
   /**
    * One instance of the direct solver MUMPS for symmetric positive definite
-   * matrices, silent, on this process alone. What it complains of becomes
-   * exceptions: SingularMatrix, std::bad_alloc, and std::runtime_error for
-   * what should never happen.
+   * matrices, silent, on the first processes of a run. The first one has
+   * matrices, right-hand sides and the Schur complement, the others have their
+   * parts of the factor. What it complains of becomes exceptions:
+   * SingularMatrix, std::bad_alloc, and std::runtime_error for what should
+   * never happen.
    */
   class Mumps
   {
   public:
-    Mumps();
+    explicit Mumps(const int n_processes = 1);
     ~Mumps();
     Mumps(const Mumps &) = delete;
     Mumps &
@@ -54,6 +60,21 @@ namespace conetact::backends
 
     void
     throw_errors() const;
+
+    const int number; ///< among those that are shared, otherwise 0
+  };
+
+  /** What a process but the first has of those that are shared. */
+  class MumpsParts
+  {
+  public:
+    void
+    make(const Order &order);
+    void
+    call(const Order &order);
+
+  private:
+    std::map<int, DMUMPS_STRUC_C> parts;
   };
 } // namespace conetact::backends
 

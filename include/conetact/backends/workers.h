@@ -4,6 +4,8 @@
 #ifndef conetact_backends_workers_h
 #define conetact_backends_workers_h
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <map>
 #include <vector>
@@ -22,7 +24,9 @@ namespace conetact::backends
     diagonal,
     solve,
     forget,
-    report, ///< what they have needed
+    make_mumps, ///< an instance of `value` processes
+    call_mumps, ///< its job `value`
+    report,     ///< what they have needed
     end
   };
 
@@ -55,6 +59,10 @@ namespace conetact::backends
   private:
     int exceptions;
   };
+
+  /** Processes that share so many unknowns: each has `fewest` at least. */
+  int
+  processes_for(const Eigen::Index n_unknowns, const Eigen::Index fewest);
 
   using WorkTable = std::map<Command, std::function<void(const Order &)>>;
 

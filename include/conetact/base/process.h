@@ -18,7 +18,7 @@ namespace conetact
    *
    * Of the processes of mpirun the first one runs the program, all others wait
    * for work that it gives them (backends/workers.h). Threads are those of the
-   * first one, for what it does alone; the others sleep meanwhile.
+   * first one; where it works alone, the others sleep.
    */
   class ProcessSession
   {
