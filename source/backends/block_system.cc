@@ -71,7 +71,7 @@ namespace conetact::backends
     K = {std::move(given.K), first_node, processes};
     find_near_contact();
     find_scale();
-    make_smoother();
+    make_smoother(given.surface);
     make_levels(given.modes);
   }
 
@@ -168,17 +168,25 @@ namespace conetact::backends
      smaller, and so does what is added to blocks as to their smoother. */
   template <int block>
   void
-  BlockSystem<block>::make_smoother()
+  BlockSystem<block>::make_smoother(const std::vector<int> &surface_nodes)
   {
     D.resize(at(n_nodes));
     for (int i = 0; i < n_nodes; ++i)
       D[at(i)] = inverse_block(i, exists, FloatBlock::Zero());
+    if (!surface_nodes.empty())
+      {
+        surface = std::make_unique<SurfaceSmoother<block>>(
+          K, scale, surface_nodes, first_node[at(processes.rank())], processes);
+        surface->factorize(exists, surface->no_blocks());
+      }
     largest = largest_eigenvalue(
       [&](const FloatVector &x, FloatVector &y) {
         A.multiply(x.data(), y.data(), runs_of_A);
       },
       [&](const FloatVector &x, FloatVector &y) {
         multiply_blocks<block>(D, x, y);
+        if (surface)
+          surface->apply(x, y);
       },
       first[at(processes.rank())],
       n,
@@ -357,6 +365,14 @@ namespace conetact::backends
         system.D.emplace_back(
           node, inverse_block(node, system.free, states[i].added));
       }
+    if (surface)
+      {
+        auto added = surface->no_blocks();
+        for (std::size_t i = 0; i < contact.size(); ++i)
+          if (const auto k = surface->find(contact[i][0] / block); k >= 0)
+            added.col(k) = states[i].added.reshaped();
+        surface->factorize(system.free, added);
+      }
     if (levels)
       levels->set_states(states);
   }
@@ -419,6 +435,8 @@ namespace conetact::backends
       for (const auto &[i, own] : system.D)
         z.segment<block>(i * block).noalias() =
           own * r.segment<block>(i * block);
+      if (surface)
+        surface->apply(r, z);
     };
     Chebyshev    smoother(multiply, scaled, largest, vectors.smoothing);
     FloatVector &r = vectors.r, &coarse = vectors.coarse;

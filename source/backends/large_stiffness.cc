@@ -190,6 +190,9 @@ namespace conetact::backends
                  ++k)
               node.push_back(places.of[at(begin + k)]);
           }
+        for (std::size_t q = 0; q < given.node_of.size(); ++q)
+          if (given.surface.count(given.node_of[q]) > 0)
+            whole.surface.push_back(places.of[q]);
         given = {};
         return whole;
       }

@@ -394,6 +394,7 @@ namespace conetact::backends
         share.processes = processes;
         share.first     = first;
         share.contact   = std::move(contact.places);
+        share.surface   = deal_surface(std::move(whole.surface));
         share.exists    = deal_places(whole.places);
         share.modes     = deal_modes(std::move(whole.modes));
         share.K         = make_rows<block>(whole, first, processes);
@@ -435,6 +436,17 @@ namespace conetact::backends
         for (const int p : places)
           exists[p] = 1;
         return processes.scatter(std::move(exists), first);
+      }
+      /** Nodes of all processes. */
+      std::vector<int>
+      deal_surface(std::vector<int> places) const
+      {
+        processes.broadcast(places);
+        for (int &p : places)
+          p /= block;
+        std::sort(places.begin(), places.end());
+        places.erase(std::unique(places.begin(), places.end()), places.end());
+        return places;
       }
       Eigen::MatrixXd
       deal_modes(Eigen::MatrixXd modes) const

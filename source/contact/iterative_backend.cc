@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace conetact::contact
@@ -65,6 +66,60 @@ namespace conetact::contact
                              (!node.masters.empty() && node.master == body);
                            return is_its && node.mu_1 > 0 && node.mu_2 > 0;
                          });
+    }
+
+    /** Entries of K on its diagonal, of all dofs. */
+    VectorXd
+    diagonal_of(const ElasticSystem &elastic, const Eigen::Index n_dofs)
+    {
+      VectorXd diagonal = VectorXd::Zero(n_dofs);
+      elastic.for_each_element(
+        [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+          for (std::size_t i = 0; i < dofs.size(); ++i)
+            diagonal[dofs[i]] += matrix[i * dofs.size() + i];
+        });
+      return diagonal;
+    }
+
+    /** Nodes of contacts whose slave is much harder than its master, with those
+     * of the master: numbers of Coordinates. */
+    std::set<unsigned int>
+    hard_slaves(const ElasticSystem &elastic,
+                const Coordinates   &coordinates,
+                const ContactPoints &points)
+    {
+      constexpr double much = 20;
+      struct Pair
+      {
+        std::set<unsigned int> nodes;
+        double                 slave = 0, master = 0; ///< hardest
+      };
+      std::map<std::pair<unsigned int, unsigned int>, Pair> pairs;
+      VectorXd                                              diagonal;
+      const auto add = [&](const unsigned int body,
+                           const unsigned int node,
+                           Pair              &pair,
+                           double            &hardest) {
+        pair.nodes.insert(coordinates.number(body, node));
+        hardest = std::max(hardest, diagonal[coordinates.dof(body, node)]);
+      };
+      for (const ContactPoint &point : points)
+        {
+          const pairing::ContactNode &node = *point.node;
+          if (node.masters.empty())
+            continue;
+          if (diagonal.size() == 0)
+            diagonal = diagonal_of(elastic, coordinates.n_dofs());
+          Pair &pair = pairs[{node.body, node.master}];
+          add(node.body, node.node, pair, pair.slave);
+          for (const auto &[master, weight] : node.masters)
+            add(node.master, master, pair, pair.master);
+        }
+      std::set<unsigned int> nodes;
+      for (auto &[bodies, pair] : pairs)
+        if (pair.slave > much * pair.master)
+          nodes.merge(pair.nodes);
+      return nodes;
     }
 
     /** Whether nodes with unknowns of their own contacts are masters, too. */
@@ -134,6 +189,7 @@ namespace conetact::contact
     given.node_of  = coordinates.node_of_unknowns();
     given.modes    = rigid_modes(elastic.bodies, coordinates);
     given.contact  = points.layout();
+    given.surface  = hard_slaves(elastic, coordinates, points);
     given.position = [&](const unsigned int number) {
       const auto [body, node] = coordinates.locate(number);
       const Point<3> p        = elastic.bodies.structures[body]->position(node);

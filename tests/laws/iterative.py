@@ -76,6 +76,25 @@ def pairs(laws):
                     "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}})
 
 
+def hard_slaves(laws):
+    """Slaves that are hard on a soft master: masters that they hardly see are smoothed with them."""
+    for dim, mu in ((2, .3), (3, 0.0), (3, .3)):
+        low, high = (2, 3) if dim == 2 else (4, 5)
+        below, above = ((41, 12), (30, 10)) if dim == 2 else ((10, 9, 4), (9, 8, 4))
+        size = (2.0, 1.0) if dim == 2 else (1.0, 1.0, .5)
+        top = (0.0,) * (dim - 1) + (size[-1],)
+        every = "x, y, z"[:3 * dim - 2]
+        moved = " ; ".join(["0.004*max(t - 1, 0)"] + ["0"] * (dim - 2) + ["-0.01*min(t, 1)"])
+        for young in (1e5, 1e6):
+            run = compare(laws, f"{dim}D, mu {mu:g}, a slave {young / 1e3:g} times as hard", {
+                "Dimension": dim, "Body lower": box(below, size), "Body upper": box(above, size, top, young=young),
+                "Contact joint": joint("upper", low, "lower", high, **{"Friction coefficient": mu}),
+                "Support ground": support(low, every, body="lower"), "Support top": support(high, every, moved, body="upper"),
+                "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}})
+            solves = sum(row["iterations"] for row in run.increments)
+            laws.demand(f"  {iterations(run)} linear iterations in {solves:g} steps", iterations(run) < 30 * solves)
+
+
 def floating(laws):
     """Bodies that friction alone holds, on a floor and on one another, at eight tenths of what it can."""
     compare(laws, "floating-block", SHIPPED / "floating-block.prm", "-s", "Output/VTU=0")
@@ -108,6 +127,7 @@ def iterative(laws):
 
 def iterative_pairs(laws):
     pairs(laws)
+    hard_slaves(laws)
 
 
 def iterative_floating(laws):

@@ -52,6 +52,8 @@ def tables(laws):
         "Support side": support(1, "x", Stiffness=300), "Load weight": load("body force", "0 ; -2"),
         "Body block": {"Mesh": {"Refinement boxes": "0, 0 : 0.6, 0.3 : 2 ; 1.6, 0 : 2, 0.2 : 3"}}}), 3)
     compare(laws, "3D, mortar", pair(3, "mortar"), 2)
+    hard = {"Body upper": {"Material": {"Young modulus": 1e6}}}
+    compare(laws, "3D, a hard slave", merge(pair(3, "mortar"), hard), 2)
     compare(laws, "2D, node to face", pair(2, "node to face"), 3)
 
 

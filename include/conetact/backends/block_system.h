@@ -6,6 +6,7 @@
 
 #include "conetact/backends/multigrid.h"
 #include "conetact/backends/row_runs.h"
+#include "conetact/backends/surface_smoother.h"
 #include "conetact/solvers/large_system.h"
 
 #include <cmath>
@@ -28,7 +29,9 @@ namespace conetact::backends
     BlockMatrix<block, block, double> K;
     Eigen::VectorXd                   exists;  ///< 0: a place of no unknown
     std::vector<std::vector<int>>     contact; ///< own places, node by node
-    Eigen::MatrixXd                   modes;
+    /** Nodes of all processes that are smoothed together, ascending. */
+    std::vector<int> surface;
+    Eigen::MatrixXd  modes;
   };
 
   /**
@@ -93,7 +96,7 @@ namespace conetact::backends
     void
     find_scale();
     void
-    make_smoother();
+    make_smoother(const std::vector<int> &surface_nodes);
     void
     make_levels(const Eigen::MatrixXd &modes);
     /** Of a system of few unknowns, with all contact nodes held. */
@@ -157,6 +160,7 @@ namespace conetact::backends
     RowRuns<block, double>                  runs_of_K;
     RowRuns<block, float>                   runs_of_A;
     std::vector<FloatBlock>                 D;
+    std::unique_ptr<SurfaceSmoother<block>> surface;     ///< none: not needed
     float                                   largest = 1; ///< eigenvalue of D A
     std::unique_ptr<CoarseLevels<block, 3 * (block - 1)>> levels;
     Eigen::LDLT<Eigen::MatrixXd>                          whole; ///< of few

@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace conetact::backends
@@ -23,6 +24,8 @@ namespace conetact::backends
     std::vector<unsigned int> node_of; ///< of each unknown, any numbers
     Eigen::MatrixXd           modes;   ///< rigid motions, a column for each
     solvers::ContactSystem    contact; ///< layout of the last unknowns
+    /** Slaves on softer masters, and these: see SurfaceSmoother. */
+    std::set<unsigned int> surface;
     /** Of a node, to share nodes among processes. */
     std::function<std::array<double, 3>(const unsigned int node)> position;
   };

@@ -31,6 +31,8 @@ namespace conetact::backends
     Eigen::MatrixXd  modes; ///< in these places
     /** Places of the unknowns of contact nodes. */
     std::vector<std::vector<int>> contact;
+    /** Places of nodes that are smoothed together. */
+    std::vector<int> surface;
   };
 
   /**

@@ -138,6 +138,7 @@ namespace
                                                           n_schur,
                                                           node_of));
                            },
+                           nullptr,
                            nullptr};
 } // namespace
 
