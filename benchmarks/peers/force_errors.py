@@ -41,7 +41,7 @@ def sizes(quick):
     if quick:
         return {"condensed": (8, 12), "iterative": (8, 12), "GetFEM": (8,), "CalculiX": (8,), "reference": (4, 8, 16)}
     return {"condensed": (8, 12, 16, 24, 32), "iterative": (8, 12, 16, 24, 32, 40, 48), "GetFEM": (8, 12, 16, 24, 32),
-            "CalculiX": (8, 12, 16), "reference": (16, 32, 64)}
+            "CalculiX": (8, 12, 16, 24), "reference": (16, 32, 64)}
 
 
 # ---------------------------------------------------------------- Conetact
