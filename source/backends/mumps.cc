@@ -38,6 +38,9 @@ namespace conetact::backends
         static_cast<MUMPS_INT>(MPI_Comm_c2f(processes.handle()));
       data.job = begin;
       dmumps_c(&data);
+      for (const int i : {1, 2, 3}) // silent
+        data.icntl[i - 1] = -1;
+      data.icntl[4 - 1] = 0;
     }
   } // namespace
 
@@ -53,12 +56,10 @@ namespace conetact::backends
                data);
     }
     throw_errors();
-    control(1) = control(2) = control(3) = -1; // silent
-    control(4)                           = 0;
-    control(7)                           = 1;  // the order is given
-    control(8)                           = -1; // and the scaling
-    control(14)                          = 10; // spare workspace [%]
-    control(28)                          = 1;  // sequential analysis
+    control(7)  = 1;  // the order is given
+    control(8)  = -1; // and the scaling
+    control(14) = 10; // spare workspace [%]
+    control(28) = 1;  // sequential analysis
   }
 
 
