@@ -3,8 +3,10 @@
 
 #include "conetact/backends/surface_smoother.h"
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 namespace
