@@ -224,6 +224,8 @@ namespace conetact::analysis
   Analysis::prepare()
   {
     check_history();
+    if (scene.restart)
+      output::check_former_tables(scene.restart->folder, scene.n_done());
     if (model.is_iterative())
       {
         model.condense();
@@ -235,8 +237,6 @@ namespace conetact::analysis
              ": order, factor and Schur complement" +
              (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
     report_shared_bodies(scene.bodies, model.condense().n_shared_bodies(), log);
-    if (scene.restart)
-      output::check_former_tables(scene.restart->folder, scene.n_done());
     if (!scene.fclib_increments.empty())
       output::check_problem_is_writable(*model.condense().system());
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)

@@ -223,13 +223,13 @@ namespace conetact::analysis
       return {false, "the iterative one " + why};
     if (model.bodies.dim == 2)
       return {false, "bodies in the plane condense fast"};
-    if (model.is_dual())
-      return {false, "bodies are condensed one by one"};
     if (n < small_body)
       return {false, "the mesh is small"};
     constexpr double slow    = 2; // times the usual iterations
     const bool       is_slow = many_iterations(model) > slow;
-    if (n > huge_body && !is_slow)
+    // Condensation has fewer unknowns then, and stops at none of the hard cases.
+    const bool one_by_one = model.is_dual();
+    if (n > huge_body && !is_slow && !one_by_one)
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
     const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
@@ -240,8 +240,9 @@ namespace conetact::analysis
     // A little time is no reason: condensation never fails to converge, and
     // cells that differ cost more than those of the forecast.
     constexpr double much_faster = 3;
-    return {condensed.memory_bytes > machine_memory() ||
-              condensed.seconds > much_faster * other.seconds,
+    const bool       is_faster =
+      !one_by_one && condensed.seconds > much_faster * other.seconds;
+    return {condensed.memory_bytes > machine_memory() || is_faster,
             "condensed " + text(condensed) + ", iterative " + text(other) +
               (is_slow ? ", as a body is nearly incompressible" : "")};
   }

@@ -177,11 +177,15 @@ namespace conetact::backends
       {
         surface = std::make_unique<SurfaceSmoother<block>>(
           K, scale, surface_nodes, first_node[at(processes.rank())], processes);
-        surface->factorize(exists, surface->no_blocks());
+        // With open contacts a body may move as it likes.
+        surface->factorize(without_contact(), surface->no_blocks());
       }
+    const FloatVector free =
+      (surface ? without_contact() : exists).template cast<float>();
     largest = largest_eigenvalue(
       [&](const FloatVector &x, FloatVector &y) {
         A.multiply(x.data(), y.data(), runs_of_A);
+        y.array() *= free.array();
       },
       [&](const FloatVector &x, FloatVector &y) {
         multiply_blocks<block>(D, x, y);
@@ -212,14 +216,23 @@ namespace conetact::backends
     levels->follow(A, nodes, first_node);
   }
 
+  /* 1 for all unknowns but those of contact. */
   template <int block>
-  Eigen::MatrixXd
-  BlockSystem<block>::held_matrix() const
+  typename BlockSystem<block>::Array
+  BlockSystem<block>::without_contact() const
   {
     Array free = exists;
     for (const std::vector<int> &node : contact)
       for (const int p : node)
         free[p] = 0;
+    return free;
+  }
+
+  template <int block>
+  Eigen::MatrixXd
+  BlockSystem<block>::held_matrix() const
+  {
+    const Array     free   = without_contact();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
     for (int i = 0; i < n_nodes; ++i)
       K.for_row(at(i), [&](const int j, const auto &values) {

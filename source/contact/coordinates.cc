@@ -12,10 +12,12 @@ namespace conetact::contact
 {
   Coordinates::Coordinates(const Bodies        &b,
                            const NodeRules     &r,
-                           const ContactPoints *p)
+                           const ContactPoints *p,
+                           const double         a)
     : bodies(b)
     , node_rules(r)
     , points(p)
+    , arm(a)
     , dof_offset(1, 0)
     , node_offset(1, 0)
   {
@@ -182,7 +184,7 @@ namespace conetact::contact
         if (const Eigen::Index unknown =
               own_unknown[static_cast<std::size_t>(dof(body, node)) + c];
             unknown >= 0)
-          append(unknown, factor);
+          append(unknown, c < bodies.dim ? factor : factor / arm);
         return;
       }
     const NodeRule *rule = rule_of_node[n];
@@ -192,6 +194,22 @@ namespace conetact::contact
     else
       for (const auto &[master, weight] : rule->masters)
         append_row(body, master, c, factor * weight);
+  }
+
+  std::vector<bool>
+  Coordinates::are_rotations() const
+  {
+    std::vector<bool> result(static_cast<std::size_t>(n_unknowns()), false);
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+        for (unsigned int c = bodies.dim;
+             c < bodies.structures[body]->n_components();
+             ++c)
+          if (const Eigen::Index unknown =
+                own_unknown[static_cast<std::size_t>(dof(body, i)) + c];
+              unknown >= 0)
+            result[static_cast<std::size_t>(unknown)] = true;
+    return result;
   }
 
   Eigen::VectorXd
@@ -209,6 +227,13 @@ namespace conetact::contact
       if (const Eigen::Index k = own_unknown[static_cast<std::size_t>(dof)];
           k >= 0)
         q[k] = u[dof];
+    if (arm != 1)
+      {
+        const std::vector<bool> rotation = are_rotations();
+        for (Eigen::Index k = 0; k < n_free; ++k)
+          if (rotation[static_cast<std::size_t>(k)])
+            q[k] *= arm;
+      }
     if (points != nullptr)
       for (const ContactPoint &point : *points)
         {

@@ -39,33 +39,23 @@ namespace conetact::contact
           for (unsigned int b = 0; b < bodies.structures.size(); ++b)
             for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
               {
-                const Tensor<1, 3> moved =
-                  k < dim ? axis :
-                            cross_product_3d(axis,
-                                             bodies.structures[b]->position(i) -
-                                               centre);
+                const bodies::Structure &structure = *bodies.structures[b];
+                const Tensor<1, 3>       moved =
+                  k < dim ?
+                          axis :
+                          cross_product_3d(axis, structure.position(i) - centre);
+                const Eigen::Index first = coordinates.dof(b, i);
                 for (unsigned int c = 0; c < dim; ++c)
-                  u[coordinates.dof(b, i) + c] = moved[c];
+                  u[first + c] = moved[c];
+                for (unsigned int c = dim;
+                     c < structure.n_components() && k >= dim;
+                     ++c)
+                  u[first + c] = axis[dim == 2 ? 2 : c - dim];
               }
           modes.col(k) = coordinates.values(u);
           modes.col(k) /= std::max(modes.col(k).norm(), 1e-300);
         }
       return modes;
-    }
-
-    /** Else some motion of a body that floats may be open to all directions. */
-    bool
-    has_friction(const ContactPoints &points, const unsigned int body)
-    {
-      return std::any_of(points.begin(),
-                         points.end(),
-                         [&](const ContactPoint &point) {
-                           const pairing::ContactNode &node = *point.node;
-                           const bool                  is_its =
-                             node.body == body ||
-                             (!node.masters.empty() && node.master == body);
-                           return is_its && node.mu_1 > 0 && node.mu_2 > 0;
-                         });
     }
 
     /** Entries of K on its diagonal, of all dofs. */
@@ -81,26 +71,90 @@ namespace conetact::contact
       return diagonal;
     }
 
-    /** Nodes of contacts whose slave is much harder than its master, with those
-     * of the master: numbers of Coordinates. */
-    std::set<unsigned int>
-    hard_slaves(const ElasticSystem &elastic,
-                const Coordinates   &coordinates,
-                const ContactPoints &points)
+    bool
+    is_frame(const bodies::Structure &structure, const unsigned int dim)
     {
-      constexpr double much = 20;
-      struct Pair
-      {
-        std::set<unsigned int> nodes;
-        double                 slave = 0, master = 0; ///< hardest
-      };
-      std::map<std::pair<unsigned int, unsigned int>, Pair> pairs;
-      VectorXd                                              diagonal;
+      return structure.n_components() > dim;
+    }
+
+    /** Rotations of frames move the ends of such arms: entries of K are alike
+     * then. A power of two, that nothing is rounded. */
+    double
+    arm_of_rotations(const ElasticSystem &elastic)
+    {
+      double       rotations = 0, displacements = 0;
+      unsigned int n_rotations = 0, n_displacements = 0;
+      for (const bodies::Structure *structure : elastic.bodies.structures)
+        if (is_frame(*structure, elastic.bodies.dim))
+          structure->for_each_element([&](const std::vector<unsigned int> &dofs,
+                                          const double *matrix) {
+            for (std::size_t i = 0; i < dofs.size(); ++i)
+              {
+                const double entry = matrix[i * dofs.size() + i];
+                const bool   turns = dofs[i] % structure->n_components() >=
+                                   elastic.bodies.dim;
+                (turns ? rotations : displacements) += entry;
+                ++(turns ? n_rotations : n_displacements);
+              }
+          });
+      if (!(rotations > 0 && displacements > 0))
+        return 1;
+      const double arm = std::sqrt(rotations / n_rotations * n_displacements /
+                                   displacements);
+      return std::exp2(std::round(std::log2(arm)));
+    }
+
+    /** Rotations of a node are a node by themselves: blocks have `dim` unknowns
+     * at most. */
+    unsigned int
+    node_of_rotations(const unsigned int number)
+    {
+      return 2 * number + 1;
+    }
+    unsigned int
+    node_of_displacements(const unsigned int number)
+    {
+      return 2 * number;
+    }
+    unsigned int
+    number_of_node(const unsigned int node)
+    {
+      return node / 2;
+    }
+
+    /** Of each unknown. */
+    std::vector<unsigned int>
+    nodes_of_unknowns(const Coordinates &coordinates)
+    {
+      std::vector<unsigned int> nodes    = coordinates.node_of_unknowns();
+      const std::vector<bool>   rotation = coordinates.are_rotations();
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        nodes[k] = rotation[k] ? node_of_rotations(nodes[k]) :
+                                 node_of_displacements(nodes[k]);
+      return nodes;
+    }
+
+    /** Contacts of one body with another. */
+    struct Pair
+    {
+      std::set<unsigned int> nodes;                 ///< of both surfaces
+      double                 slave = 0, master = 0; ///< hardest entry of K
+    };
+    using Pairs = std::map<std::pair<unsigned int, unsigned int>, Pair>;
+
+    Pairs
+    find_pairs(const ElasticSystem &elastic,
+               const Coordinates   &coordinates,
+               const ContactPoints &points)
+    {
+      Pairs      pairs;
+      VectorXd   diagonal;
       const auto add = [&](const unsigned int body,
                            const unsigned int node,
                            Pair              &pair,
                            double            &hardest) {
-        pair.nodes.insert(coordinates.number(body, node));
+        pair.nodes.insert(
+          node_of_displacements(coordinates.number(body, node)));
         hardest = std::max(hardest, diagonal[coordinates.dof(body, node)]);
       };
       for (const ContactPoint &point : points)
@@ -115,10 +169,32 @@ namespace conetact::contact
           for (const auto &[master, weight] : node.masters)
             add(node.master, master, pair, pair.master);
         }
+      return pairs;
+    }
+
+    /** Nodes that are solved for together: all of frames, contacts whose slave
+     * is much harder than its master, and what meets frames. */
+    std::set<unsigned int>
+    solved_together(const ElasticSystem &elastic,
+                    const Coordinates   &coordinates,
+                    const ContactPoints &points)
+    {
+      constexpr double       much   = 20;
+      const Bodies          &bodies = elastic.bodies;
       std::set<unsigned int> nodes;
-      for (auto &[bodies, pair] : pairs)
-        if (pair.slave > much * pair.master)
-          nodes.merge(pair.nodes);
+      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+        if (is_frame(*bodies.structures[b], bodies.dim))
+          for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
+            {
+              const unsigned int number = coordinates.number(b, i);
+              nodes.insert(
+                {node_of_displacements(number), node_of_rotations(number)});
+            }
+      for (auto &[who, pair] : find_pairs(elastic, coordinates, points))
+        if (pair.slave > much * pair.master ||
+            is_frame(*bodies.structures[who.first], bodies.dim) ||
+            is_frame(*bodies.structures[who.second], bodies.dim))
+          nodes.insert(pair.nodes.begin(), pair.nodes.end());
       return nodes;
     }
 
@@ -146,18 +222,22 @@ namespace conetact::contact
                              const RigidMotions  &motions)
   {
     for (std::size_t b = 0; b < bodies.structures.size(); ++b)
-      if (bodies.structures[b]->n_components() != bodies.dim)
-        return "solves continua that are held, and " + bodies.called(b) +
-               (bodies.is_rigid(b) ? " is free" : " is a frame");
+      if (bodies.is_rigid(b))
+        return "solves bodies that deform, and " + bodies.called(b) +
+               " is rigid and free";
     if (!bodies.frames().empty())
       return "knows contacts of undeformed bodies only, not those that slide "
              "far, nor bodies that turn";
     if (points.n_bound() > 0)
       return "knows no ties and no bilateral contacts";
-    for (const unsigned int body : motions.body_of_free())
-      if (!has_friction(points, body))
-        return "solves bodies that supports or friction hold, and " +
-               bodies.called(body) + " is not";
+    if (const Eigen::MatrixXd unseen = motions.unseen(); unseen.cols() > 0)
+      {
+        const RigidMotions::Motion motion =
+          motions.motion_of_free(unseen.col(0));
+        return "solves bodies that cannot move without limit, and nothing "
+               "resists " +
+               bodies.called(motion.body) + " moving " + describe(motion);
+      }
     if (points.share_nodes())
       return "wants each node in one contact";
     if (points.have_prescribed_slip())
@@ -179,19 +259,19 @@ namespace conetact::contact
     : ElasticBackend(WorkingSet(points.layout()))
     , elastic(e)
     , motions(m)
-    , coordinates(elastic.bodies, supports, &points)
+    , coordinates(elastic.bodies, supports, &points, arm_of_rotations(e))
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
     given.for_each_element = [&](const UnknownsVisitor &visit) {
       for_each_element(elastic, coordinates, visit);
     };
-    given.node_of  = coordinates.node_of_unknowns();
+    given.node_of  = nodes_of_unknowns(coordinates);
     given.modes    = rigid_modes(elastic.bodies, coordinates);
     given.contact  = points.layout();
-    given.surface  = hard_slaves(elastic, coordinates, points);
-    given.position = [&](const unsigned int number) {
-      const auto [body, node] = coordinates.locate(number);
+    given.surface  = solved_together(elastic, coordinates, points);
+    given.position = [&](const unsigned int block) {
+      const auto [body, node] = coordinates.locate(number_of_node(block));
       const Point<3> p        = elastic.bodies.structures[body]->position(node);
       return std::array<double, 3>{{p[0], p[1], p[2]}};
     };

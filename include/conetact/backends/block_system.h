@@ -99,6 +99,8 @@ namespace conetact::backends
     make_smoother(const std::vector<int> &surface_nodes);
     void
     make_levels(const Eigen::MatrixXd &modes);
+    Array
+    without_contact() const;
     /** Of a system of few unknowns, with all contact nodes held. */
     Eigen::MatrixXd
     held_matrix() const;

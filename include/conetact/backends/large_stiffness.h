@@ -24,7 +24,7 @@ namespace conetact::backends
     std::vector<unsigned int> node_of; ///< of each unknown, any numbers
     Eigen::MatrixXd           modes;   ///< rigid motions, a column for each
     solvers::ContactSystem    contact; ///< layout of the last unknowns
-    /** Slaves on softer masters, and these: see SurfaceSmoother. */
+    /** Nodes that are solved for together: see SurfaceSmoother. */
     std::set<unsigned int> surface;
     /** Of a node, to share nodes among processes. */
     std::function<std::array<double, 3>(const unsigned int node)> position;

@@ -23,7 +23,8 @@ namespace conetact::contact
    * supports prescribe [length]. With contact points it turns their nodes into
    * their own frames, one at each node: the unknowns that carry cones come last
    * then, point by point. They are relative to the masters that a node faces,
-   * which must face no master themselves.
+   * which must face no master themselves. Unknowns of rotations are what they
+   * move at the end of an arm.
    */
   class Coordinates : public LinearMap
   {
@@ -31,7 +32,8 @@ namespace conetact::contact
     /** All arguments must outlive the object. */
     Coordinates(const Bodies        &bodies,
                 const NodeRules     &rules,
-                const ContactPoints *points = nullptr);
+                const ContactPoints *points = nullptr,
+                const double         arm    = 1);
 
     Eigen::Index
     n_dofs() const
@@ -75,6 +77,10 @@ namespace conetact::contact
     {
       return node_of_unknown;
     }
+
+    /** Whether an unknown is a rotation, of all unknowns. */
+    std::vector<bool>
+    are_rotations() const;
 
     /** The unknowns of displacements u that no support hinders. */
     Eigen::VectorXd
@@ -161,6 +167,7 @@ namespace conetact::contact
     const Bodies                     &bodies;
     const NodeRules                  &node_rules;
     const ContactPoints              *points;
+    const double                      arm; ///< of rotations [length]
     std::vector<Eigen::Index>         dof_offset;
     std::vector<unsigned int>         node_offset;
     std::vector<const NodeRule *>     rule_of_node;  ///< of all bodies, or null
