@@ -227,7 +227,8 @@ namespace conetact::analysis
       return {false, "the mesh is small"};
     constexpr double slow    = 2; // times the usual iterations
     const bool       is_slow = many_iterations(model) > slow;
-    // Condensation has fewer unknowns then, and stops at none of the hard cases.
+    // Condensation has fewer unknowns then, and stops at none of the hard
+    // cases.
     const bool one_by_one = model.is_dual();
     if (n > huge_body && !is_slow && !one_by_one)
       return {true, "the mesh is large"};

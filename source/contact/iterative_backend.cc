@@ -3,11 +3,12 @@
 
 #include "conetact/contact/iterative_backend.h"
 
-#include "conetact/backends/large_stiffness.h"
+#include "conetact/backends/separate_systems.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace conetact::contact
@@ -86,21 +87,21 @@ namespace conetact::contact
       unsigned int n_rotations = 0, n_displacements = 0;
       for (const bodies::Structure *structure : elastic.bodies.structures)
         if (is_frame(*structure, elastic.bodies.dim))
-          structure->for_each_element([&](const std::vector<unsigned int> &dofs,
-                                          const double *matrix) {
-            for (std::size_t i = 0; i < dofs.size(); ++i)
-              {
-                const double entry = matrix[i * dofs.size() + i];
-                const bool   turns = dofs[i] % structure->n_components() >=
-                                   elastic.bodies.dim;
-                (turns ? rotations : displacements) += entry;
-                ++(turns ? n_rotations : n_displacements);
-              }
-          });
+          structure->for_each_element(
+            [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+              for (std::size_t i = 0; i < dofs.size(); ++i)
+                {
+                  const double entry = matrix[i * dofs.size() + i];
+                  const bool   turns =
+                    dofs[i] % structure->n_components() >= elastic.bodies.dim;
+                  (turns ? rotations : displacements) += entry;
+                  ++(turns ? n_rotations : n_displacements);
+                }
+            });
       if (!(rotations > 0 && displacements > 0))
         return 1;
-      const double arm = std::sqrt(rotations / n_rotations * n_displacements /
-                                   displacements);
+      const double arm =
+        std::sqrt(rotations / n_rotations * n_displacements / displacements);
       return std::exp2(std::round(std::log2(arm)));
     }
 
@@ -172,29 +173,75 @@ namespace conetact::contact
       return pairs;
     }
 
-    /** Nodes that are solved for together: all of frames, contacts whose slave
-     * is much harder than its master, and what meets frames. */
-    std::set<unsigned int>
-    solved_together(const ElasticSystem &elastic,
-                    const Coordinates   &coordinates,
-                    const ContactPoints &points)
+    /** Bodies that meet each other, directly or by others: the first of each
+     * body. */
+    std::vector<unsigned int>
+    groups_of_bodies(const Pairs &pairs, const std::size_t n)
     {
-      constexpr double       much   = 20;
-      const Bodies          &bodies = elastic.bodies;
-      std::set<unsigned int> nodes;
-      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
-        if (is_frame(*bodies.structures[b], bodies.dim))
+      std::vector<unsigned int> group(n);
+      std::iota(group.begin(), group.end(), 0);
+      for (const auto &[who, pair] : pairs)
+        {
+          const unsigned int from =
+                               std::max(group[who.first], group[who.second]),
+                             to = std::min(group[who.first], group[who.second]);
+          std::replace(group.begin(), group.end(), from, to);
+        }
+      return group;
+    }
+
+    /** Nodes that are not left to iterations. */
+    struct SpecialNodes
+    {
+      std::set<unsigned int> direct;   ///< see DirectSystem
+      std::set<unsigned int> together; ///< see SurfaceSmoother
+    };
+
+    /** Slaves that are much harder than their masters are smoothed with these,
+     * and so are frames with what meets them, unless there is little of it. */
+    SpecialNodes
+    special_nodes(const ElasticSystem &elastic,
+                  const Coordinates   &coordinates,
+                  const ContactPoints &points)
+    {
+      constexpr double much   = 20;
+      const Bodies    &bodies = elastic.bodies;
+      const auto       frame  = [&](const unsigned int body) {
+        return is_frame(*bodies.structures[body], bodies.dim);
+      };
+      // what factors of Newton's matrix take no more time for than iterations
+      const unsigned int few   = bodies.dim == 2 ? 10000 : 3000;
+      const Pairs        pairs = find_pairs(elastic, coordinates, points);
+      const std::size_t  n     = bodies.structures.size();
+      std::vector<unsigned int> group = groups_of_bodies(pairs, n);
+      std::vector<unsigned int> n_dofs(n, 0);
+      std::vector<bool>         has_frame(n, false);
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          n_dofs[group[b]] += bodies.structures[b]->n_dofs();
+          has_frame[group[b]] = has_frame[group[b]] || frame(b);
+        }
+      SpecialNodes nodes;
+      for (const auto &[who, pair] : pairs)
+        if (pair.slave > much * pair.master || frame(who.first) ||
+            frame(who.second))
+          nodes.together.insert(pair.nodes.begin(), pair.nodes.end());
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          const bool meets_none =
+            frame(b) && std::count(group.begin(), group.end(), group[b]) == 1;
+          const bool is_direct =
+            meets_none || (has_frame[group[b]] && n_dofs[group[b]] <= few);
+          if (!is_direct && !frame(b))
+            continue;
           for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
             {
               const unsigned int number = coordinates.number(b, i);
-              nodes.insert(
-                {node_of_displacements(number), node_of_rotations(number)});
+              (is_direct ? nodes.direct : nodes.together)
+                .insert(
+                  {node_of_displacements(number), node_of_rotations(number)});
             }
-      for (auto &[who, pair] : find_pairs(elastic, coordinates, points))
-        if (pair.slave > much * pair.master ||
-            is_frame(*bodies.structures[who.first], bodies.dim) ||
-            is_frame(*bodies.structures[who.second], bodies.dim))
-          nodes.insert(pair.nodes.begin(), pair.nodes.end());
+        }
       return nodes;
     }
 
@@ -266,17 +313,19 @@ namespace conetact::contact
     given.for_each_element = [&](const UnknownsVisitor &visit) {
       for_each_element(elastic, coordinates, visit);
     };
-    given.node_of  = nodes_of_unknowns(coordinates);
-    given.modes    = rigid_modes(elastic.bodies, coordinates);
-    given.contact  = points.layout();
-    given.surface  = solved_together(elastic, coordinates, points);
-    given.position = [&](const unsigned int block) {
+    given.node_of        = nodes_of_unknowns(coordinates);
+    given.modes          = rigid_modes(elastic.bodies, coordinates);
+    given.contact        = points.layout();
+    SpecialNodes special = special_nodes(elastic, coordinates, points);
+    given.surface        = std::move(special.together);
+    given.position       = [&](const unsigned int block) {
       const auto [body, node] = coordinates.locate(number_of_node(block));
       const Point<3> p        = elastic.bodies.structures[body]->position(node);
       return std::array<double, 3>{{p[0], p[1], p[2]}};
     };
-    system->large =
-      backends::make_large_system(std::move(given), elastic.bodies.dim);
+    system->large           = backends::make_separate_systems(std::move(given),
+                                                    special.direct,
+                                                    elastic.bodies.dim);
     const VectorXd diagonal = system->large->diagonal();
     system->large_diagonal  = diagonal.tail(system->n_unknowns());
     system->null_space      = motions.null_space();

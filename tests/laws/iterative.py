@@ -3,7 +3,7 @@
 """Both backends give the same tables; linear iterations are bounded on any mesh."""
 import re
 
-from support.scenes import ELEMENTS, SHIPPED, box, contact, floor, joint, load, merge, press_and_shear, support, with_element
+from support.scenes import ELEMENTS, SHIPPED, box, contact, floor, joint, load, merge, press_and_shear, support, text, with_element
 
 SHIPPED_SCENES = ("block-press-shear", "inclined-obstacle", "partial-slip", "shrink-fit", "sphere-on-layer")
 
@@ -120,6 +120,61 @@ def floating(laws):
                     "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}})
 
 
+def pressed(laws):
+    """Bodies that float, without friction: contacts alone hold them against what presses them on."""
+    for dim in (2, 3):
+        low, high = (2, 3) if dim == 2 else (4, 5)
+        cells, size = ((6, 5), (1.3, 1.0)) if dim == 2 else ((4, 3, 3), (1.3, .8, 1.0))
+        sides = "x, y"[:3 * dim - 5]
+        for young in (1e3, 2.1e11):
+            for gap in (0.0, .03):
+                scene = {"Dimension": dim, "Body block": box(cells, size, young=young), "Output": {"VTU": 0},
+                         "Obstacle floor": floor(dim, Point=(0.0,) * (dim - 1) + (-gap,)), "Contact bottom": contact(ids=low),
+                         "Support side": support(0, sides), "Time": {"End": 2, "Increments": 2},
+                         "Load press": load("traction", " ; ".join(["0"] * (dim - 1) + [f"{-young / 1e3!r}*t*(1 + x)"]), ids=high)}
+                compare(laws, f"{dim}D, E {young:g}, pressed on a floor {gap:g} below", scene)
+                compare(laws, "  held by springs aside", merge(scene, {"Support side": {"Stiffness": young / 10}}))
+                if gap > 0:
+                    continue
+                lid = {"Shape": "half space", "Normal": (0,) * (dim - 1) + (-1,), "Point": (0.0,) * (dim - 1) + (size[-1],),
+                       "Displacement": " ; ".join(["0"] * (dim - 1) + ["-0.02*t"])}
+                compare(laws, "  by a lid", merge(scene, {"Obstacle lid": lid, "Load press": None,
+                                                          "Contact lid": contact(ids=high, obstacle="lid")}))
+
+
+def beam(dim, start, end, n, young, height):
+    """Its boundary ids: 0 all nodes, 1 the first, 2 the last."""
+    return {"Kind": "frame", "Sections": "s",
+            "Frame": {"Generator": "line", "Arguments": " : ".join(map(text, (start, end, n)))},
+            "Section s": {"Young modulus": young, "Area": height**2, "Moment of inertia": height**4 / 12}}
+
+
+def frames(laws):
+    """Beams beside blocks: on a floor of their own, and as masters; few unknowns, and more than are factorised as a whole."""
+    for dim in (2, 3):
+        low, high = (2, 3) if dim == 2 else (4, 5)
+        every, zeros = "x, y, z"[:3 * dim - 2], (0.0,) * (dim - 1)
+        down = " ; ".join(["0.001*t"] + ["0"] * (dim - 2) + ["-0.002*t"])
+        clamped = {"Support clamp": support(1, "clamped", body="beam"), "Support end": support(2, every, body="beam"),
+                   "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
+        for young, mu, n, height in ((1e3, 0.0, 10, .1), (2.1e11, .3, 30, .02)):
+            force = young * height**4 / 40 / n
+            push = load("nodal force", " ; ".join([f"{.05 * force!r}*t"] + ["0"] * (dim - 2) + [f"{-force!r}*t"]), 0, "beam")
+            compare(laws, f"{dim}D, a beam on a floor, {n} members", {
+                "Dimension": dim, "Body beam": beam(dim, zeros + (0.0,), (2.0,) + zeros, n, young, height), **clamped,
+                "Body block": box((6, 4) if dim == 2 else (6, 3, 3), (2.0, .5, .5)[:dim], zeros + (2.0,), young=young),
+                "Obstacle floor": floor(dim, Point=zeros + (-.1 * height,)), "Obstacle table": floor(dim, Point=zeros + (2.0,)),
+                "Contact bottom": contact("beam", 0, mu=mu), "Contact table": contact(ids=low, obstacle="table", mu=.3),
+                "Support top": support(high, every, down), "Load push": push})
+    for cells in ((10, 4), (120, 50)):
+        compare(laws, f"a block of {cells[0]} x {cells[1]} cells on a beam", {
+            "Dimension": 2, "Body beam": beam(2, (0.0, 0.0), (2.0, 0.0), 10, 1e4, .3), **clamped,
+            "Body block": box(cells, (2.0, .5)), "Support top": support(3, "x, y", "0.001*t ; -0.002*t"),
+            "Support clamp": support(1, "clamped", body="beam"), "Support end": support(2, "x, y", body="beam"),
+            "Contact joint": {"Body": "block", "Boundary ids": 2, "Master body": "beam", "Master boundary ids": 0,
+                              "Pairing": "node to face", "Friction coefficient": .3}})
+
+
 def iterative(laws):
     obstacles(laws)
     sizes(laws)
@@ -132,3 +187,8 @@ def iterative_pairs(laws):
 
 def iterative_floating(laws):
     floating(laws)
+    pressed(laws)
+
+
+def iterative_frames(laws):
+    frames(laws)

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_backends_direct_system_h
+#define conetact_backends_direct_system_h
+
+#include "conetact/backends/shared_system.h"
+#include "conetact/solvers/contact_problem.h"
+
+#include <Eigen/SparseCore>
+
+namespace conetact::backends
+{
+  /**
+   * A system of few unknowns, such as that of a frame, whose matrix each Newton
+   * step factorises with the laws of its nodes. In double precision: the
+   * stiffness of slender members spans more digits than single precision has.
+   */
+  class DirectSystem : public solvers::LargeSystem
+  {
+  public:
+    /** The unknowns of contact are the last ones of n. */
+    DirectSystem(const Elements          &for_each_element,
+                 solvers::ContactSystem &&contact,
+                 const Index              n);
+
+    Index
+    n_unknowns() const override
+    {
+      return K.rows();
+    }
+    Array
+    multiply(const Array &u) const override
+    {
+      return K * u;
+    }
+    Array
+    diagonal() const override
+    {
+      return K.diagonal();
+    }
+    std::optional<Step>
+    solve(const std::vector<solvers::NodeLaw> &laws,
+          const Array                         &f,
+          const double                         precision) const override;
+
+  private:
+    using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+    Matrix
+    newton_matrix(const std::vector<solvers::NodeLaw> &laws) const;
+
+    Matrix                       K;
+    const solvers::ContactSystem layout; ///< of the last unknowns
+  };
+} // namespace conetact::backends
+
+#endif
