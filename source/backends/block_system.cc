@@ -180,24 +180,32 @@ namespace conetact::backends
         // With open contacts a body may move as it likes.
         surface->factorize(without_contact(), surface->no_blocks());
       }
-    const FloatVector free =
-      (surface ? without_contact() : exists).template cast<float>();
-    largest = largest_eigenvalue(
+    const auto product = [&](const FloatVector &x, FloatVector &y) {
+      A.multiply(x.data(), y.data(), runs_of_A);
+    };
+    const auto blocks = [&](const FloatVector &x, FloatVector &y) {
+      multiply_blocks<block>(D, x, y);
+    };
+    const int begin = first[at(processes.rank())];
+    largest_of_blocks =
+      largest_eigenvalue(product, blocks, begin, n, processes);
+    largest = largest_of_blocks;
+    if (!surface)
+      return;
+    const FloatVector free = without_contact().template cast<float>();
+    largest                = largest_eigenvalue(
       [&](const FloatVector &x, FloatVector &y) {
-        A.multiply(x.data(), y.data(), runs_of_A);
+        product(x, y);
         y.array() *= free.array();
       },
       [&](const FloatVector &x, FloatVector &y) {
-        multiply_blocks<block>(D, x, y);
-        if (surface)
-          surface->apply(x, y);
+        blocks(x, y);
+        surface->apply(x, y);
       },
-      first[at(processes.rank())],
+      begin,
       n,
       processes);
   }
-
-
 
   template <int block>
   void
@@ -209,7 +217,7 @@ namespace conetact::backends
         return;
       }
     levels = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(
-      LevelAbove<block>{K, scale, D, largest, modes}, processes);
+      LevelAbove<block>{K, scale, D, largest_of_blocks, modes}, processes);
     std::vector<int> nodes;
     for (const std::vector<int> &node : contact)
       nodes.push_back(node[0] / block);

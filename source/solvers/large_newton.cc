@@ -343,8 +343,42 @@ namespace conetact::solvers
     ContactState cold = of_contact(start, n);
     cold.node.clear();
     point.sets = sets_of_state(*relation, cold);
-    tried(std::move(point), true);
+    if (tried(std::move(point), true))
+      return report;
+    if (const auto driven = driven_states(start))
+      {
+        cold.node  = *driven;
+        point      = point_at(start.u);
+        point.sets = sets_of_state(*relation, cold);
+        tried(std::move(point), true);
+      }
     return report;
+  }
+
+  /* With all contacts stuck their reactions balance the load, which moves free
+     bodies the other way. */
+  std::optional<std::vector<NodeState>>
+  LargeNewton::driven_states(const ContactState &start)
+  {
+    const ContactSystem &system = relation->system();
+    if (system.null_space.cols() == 0)
+      return {};
+    ContactState stuck = of_contact(start, system.n_unknowns());
+    stuck.node.assign(static_cast<std::size_t>(system.n_nodes()),
+                      NodeState::stick);
+    Point point = point_at(start.u);
+    point.sets  = sets_of_state(*relation, stuck);
+    SolverReport report;
+    if (!step(point, {false, exact}, report))
+      return {};
+    const Array r = point.f.tail(system.n_unknowns());
+    const Array v =
+      -system.null_space * (system.null_space.transpose() * r).eval();
+    const double fast = v.size() > 0 ? 1e-6 * v.cwiseAbs().maxCoeff() : 0.;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      if (!(v[system.normal(i)] < -fast))
+        stuck.node[static_cast<std::size_t>(i)] = NodeState::open;
+    return stuck.node;
   }
 
 
