@@ -162,8 +162,8 @@ namespace conetact::backends
     RowRuns<block, double>                  runs_of_K;
     RowRuns<block, float>                   runs_of_A;
     std::vector<FloatBlock>                 D;
-    std::unique_ptr<SurfaceSmoother<block>> surface;     ///< none: not needed
-    float largest_of_blocks = 1; ///< eigenvalue of D A
+    std::unique_ptr<SurfaceSmoother<block>> surface; ///< none: not needed
+    float largest_of_blocks = 1;                     ///< eigenvalue of D A
     float largest           = 1; ///< of the smoother, with the surface
     std::unique_ptr<CoarseLevels<block, 3 * (block - 1)>> levels;
     Eigen::LDLT<Eigen::MatrixXd>                          whole; ///< of few
