@@ -55,6 +55,13 @@ namespace conetact::contact
       return cross_product_3d(about, p - frame.centre) / frame.size;
     }
 
+    Tensor<1, 3>
+    displacement(const RigidMotions::Motion &motion, const Point<3> &p)
+    {
+      return motion.translation +
+             cross_product_3d(motion.rotation, p - motion.centre);
+    }
+
     RigidMotions::Motion
     frame_of(const unsigned int body, const bodies::Structure &structure)
     {
@@ -493,12 +500,8 @@ namespace conetact::contact
                    const unsigned int body,
                    const unsigned int node) const
   {
-    Tensor<1, 3>   u;
-    const Point<3> p = bodies.structures[body]->position(node);
-    for (unsigned int k = 0; k < n_one; ++k)
-      if (const double a = amounts[body * n_one + k]; a != 0)
-        u += a * mode(k, bodies.dim, frames[body], p);
-    return u;
+    return displacement(of_body(amounts, body),
+                        bodies.structures[body]->position(node));
   }
 
   RigidMotions::Motion
@@ -506,7 +509,10 @@ namespace conetact::contact
   {
     Motion motion = frames[body];
     for (unsigned int k = 0; k < n_one; ++k)
-      if (const double amount = amounts[body * n_one + k]; k < bodies.dim)
+      if (const double amount = amounts[body * n_one + k];
+          motion.axisymmetric && !is_axial(k))
+        continue;
+      else if (k < bodies.dim)
         motion.translation[k] = amount;
       else
         motion.rotation[bodies.dim == 2 ? 2 : k - bodies.dim] =
@@ -524,12 +530,14 @@ namespace conetact::contact
           continue;
         const bodies::Structure &structure = *bodies.structures[body];
         const unsigned int       n_c       = structure.n_components();
+        const Motion             motion    = of_body(amounts, body);
         Index                    dof       = offset[body];
         for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
           {
-            const Tensor<1, 3> displacement = at(amounts, body, i);
+            const Tensor<1, 3> moved =
+              displacement(motion, structure.position(i));
             for (unsigned int c = 0; c < bodies.dim; ++c)
-              u[dof + c] = displacement[c];
+              u[dof + c] = moved[c];
             for (unsigned int c = bodies.dim; c < n_c; ++c)
               if (structure.has_dof(i, c))
                 // An amount is the way of the rim, a dof of rotation an angle.
