@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/equal_bodies.h"
+#include "conetact/solvers/large_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -470,8 +471,7 @@ namespace conetact::contact
     , initial_gap(m.points.layout().n_nodes())
     , q(Eigen::VectorXd::Zero(m.points.n_unknowns()))
     , r(q)
-    , elastic(Eigen::VectorXd::Zero(
-        m.is_iterative() ? m.coordinates.n_unknowns() : q.size()))
+    , elastic(m.is_iterative() ? Eigen::VectorXd() : q)
     , a(Eigen::VectorXd::Zero(m.motions.n_free()))
     , base(a)
   {
@@ -542,7 +542,7 @@ namespace conetact::contact
   {
     archive.put("contact/q", q);
     archive.put("contact/r", r);
-    archive.put("contact/elastic", elastic);
+    archive.put("contact/elastic", model->is_iterative() ? primal() : elastic);
     archive.put("contact/a", a);
     archive.put("contact/base", base);
     archive.put("contact/largest", largest);
@@ -569,6 +569,8 @@ namespace conetact::contact
                        "that is continued.");
     archive.fill("contact/q", q);
     archive.fill("contact/r", r);
+    if (model->is_iterative())
+      elastic = primal();
     archive.fill("contact/elastic", elastic);
     archive.fill("contact/largest", largest);
     states = to_states(archive.get("contact/states"));
@@ -662,6 +664,9 @@ namespace conetact::contact
   ContactHistory::primal() const
   {
     const WorkingSet &set = model->working_set();
+    if (model->is_iterative() && elastic.size() == 0) // nothing has moved
+      return Eigen::VectorXd::Zero(
+        model->condense().system()->large->n_unknowns());
     if (model->is_iterative())
       return elastic;
     if (!model->is_dual())

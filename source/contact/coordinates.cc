@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact::contact
 {
@@ -33,10 +34,45 @@ namespace conetact::contact
       rule_of_node[number(rule.body, rule.node)] = &rule;
     point_of_node.resize(node_offset.back(), nullptr);
     if (points != nullptr)
-      for (const ContactPoint &point : *points)
-        point_of_node[number(point.node->body, point.node->node)] = &point;
+      {
+        for (const ContactPoint &point : *points)
+          point_of_node[number(point.node->body, point.node->node)] = &point;
+        for (std::size_t i = points->size(); i < points->all().size(); ++i)
+          bind(points->all()[i]);
+      }
     number_unknowns();
     write_rows();
+  }
+
+  /* Supports hold its node along directions of the point, or across them. */
+  void
+  Coordinates::bind(const ContactPoint &point)
+  {
+    const std::size_t n    = number(point.node->body, point.node->node);
+    const auto        held = [&](const Tensor<1, 3> &direction) {
+      if (rule_of_node[n] == nullptr)
+        return false;
+      const auto &all = rule_of_node[n]->held;
+      return std::any_of(all.begin(), all.end(), [&](const HeldDirection &h) {
+        return std::abs(h.direction * direction) > .5;
+      });
+    };
+    ContactPoint &bound = bound_points.emplace_back();
+    bound.node          = point.node;
+    for (const Tensor<1, 3> &tangent : point.frictionless)
+      if (!held(tangent))
+        bound.frictionless.push_back(tangent);
+    for (std::size_t k = 0; k < point.dual.size(); ++k)
+      if (!held(point.directions[k]))
+        {
+          bound.directions.push_back(point.directions[k]);
+          bound.dual.push_back(point.dual[k]);
+          all_bound_directions.push_back(
+            {dof(point.node->body, point.node->node),
+             point.first + static_cast<Eigen::Index>(k) - points->n_unknowns(),
+             point.directions[k]});
+        }
+    point_of_node[n] = &bound;
   }
 
   Eigen::Index
@@ -148,7 +184,8 @@ namespace conetact::contact
     add(*free_directions(n), first_unknown[n]);
     if (point_of_node[n] != nullptr)
       {
-        add(point_of_node[n]->directions, first_contact[n]);
+        if (first_contact[n] >= 0) // else it is bound
+          add(point_of_node[n]->directions, first_contact[n]);
         append_masters(*point_of_node[n], c, factor);
       }
   }

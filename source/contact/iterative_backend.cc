@@ -245,19 +245,77 @@ namespace conetact::contact
       return nodes;
     }
 
+    using Nodes = std::set<std::pair<unsigned int, unsigned int>>;
+
+    /** Whether a node has several points, bound ones included. */
+    bool
+    share_nodes(const ContactPoints &points)
+    {
+      Nodes nodes;
+      for (const ContactPoint &point : points.all())
+        if (!nodes.insert({point.node->body, point.node->node}).second)
+          return true;
+      return false;
+    }
+
     /** Whether nodes with unknowns of their own contacts are masters, too. */
     bool
     masters_are_slaves(const ContactPoints &points)
     {
-      std::set<std::pair<unsigned int, unsigned int>> slaves;
-      for (const ContactPoint &point : points)
-        if (!point.node->masters.empty())
+      Nodes slaves;
+      for (const ContactPoint &point : points.all())
+        if (!point.node->masters.empty() || point.node->is_bound())
           slaves.insert({point.node->body, point.node->node});
-      for (const ContactPoint &point : points)
+      for (const ContactPoint &point : points.all())
         for (const auto &[node, weight] : point.node->masters)
           if (slaves.count({point.node->master, node}) > 0)
             return true;
       return false;
+    }
+    bool
+    is_along(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
+    {
+      return std::abs(a * b) > 1 - 1e-12;
+    }
+
+    /** Whether supports hold all masters of a node along a direction. */
+    bool
+    are_masters_held(const pairing::ContactNode &node,
+                     const Tensor<1, 3>         &direction,
+                     const NodeRules            &supports)
+    {
+      return std::all_of(
+        node.masters.begin(), node.masters.end(), [&](const auto &master) {
+          const NodeRule *rule = supports.find(node.master, master.first);
+          return master.second == 0 ||
+                 (rule != nullptr && rule->masters.empty() &&
+                  is_spanned(direction, directions(rule->held)));
+        });
+    }
+
+    /** Whether what supports hold of a bound node is bound there as well, or
+     * not at all: it is theirs then. */
+    bool
+    is_bound_or_held(const ContactPoint &point, const NodeRules &supports)
+    {
+      const NodeRule *rule = supports.find(point.node->body, point.node->node);
+      if (rule == nullptr)
+        return true;
+      const auto is_one_of = [](const Tensor<1, 3> &h, const auto &all) {
+        return std::any_of(all.begin(), all.end(), [&](const auto &direction) {
+          return is_along(h, direction);
+        });
+      };
+      return rule->masters.empty() &&
+             std::all_of(rule->held.begin(),
+                         rule->held.end(),
+                         [&](const HeldDirection &h) {
+                           return is_one_of(h.direction, point.frictionless) ||
+                                  (is_one_of(h.direction, point.directions) &&
+                                   are_masters_held(*point.node,
+                                                    h.direction,
+                                                    supports));
+                         });
     }
   } // namespace
 
@@ -265,6 +323,7 @@ namespace conetact::contact
 
   std::string
   IterativeBackend::obstacle(const Bodies        &bodies,
+                             const NodeRules     &supports,
                              const ContactPoints &points,
                              const RigidMotions  &motions)
   {
@@ -275,8 +334,10 @@ namespace conetact::contact
     if (!bodies.frames().empty())
       return "knows contacts of undeformed bodies only, not those that slide "
              "far, nor bodies that turn";
-    if (points.n_bound() > 0)
-      return "knows no ties and no bilateral contacts";
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      if (!is_bound_or_held(points.all()[i], supports))
+        return "knows no ties and no bilateral contacts of nodes that supports "
+               "hold askew, or where these do not hold what it meets";
     if (const Eigen::MatrixXd unseen = motions.unseen(); unseen.cols() > 0)
       {
         const RigidMotions::Motion motion =
@@ -285,11 +346,11 @@ namespace conetact::contact
                "resists " +
                bodies.called(motion.body) + " moving " + describe(motion);
       }
-    if (points.share_nodes())
+    if (share_nodes(points))
       return "wants each node in one contact";
     if (points.have_prescribed_slip())
       return "knows no friction along what supports hold";
-    for (const ContactPoint &point : points)
+    for (const ContactPoint &point : points.all())
       if (!point.node->slaves.empty())
         return "wants a contact node for each node of a mortar surface, and "
                "supports or other contacts hold some";
@@ -307,6 +368,7 @@ namespace conetact::contact
     , elastic(e)
     , motions(m)
     , coordinates(elastic.bodies, supports, &points, arm_of_rotations(e))
+    , n_bound(points.n_bound_unknowns())
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
@@ -332,6 +394,41 @@ namespace conetact::contact
     if (diagonal.size() > 0 && diagonal.mean() > 0)
       stiffness_scale = std::exp2(std::round(std::log2(diagonal.mean())));
     contact_system = system;
+    if (n_bound == 0)
+      return;
+    const VectorXd of_dofs = diagonal_of(elastic, coordinates.n_dofs());
+    stiffness_of_bound.setConstant(n_bound, of_dofs.mean());
+    for (const Coordinates::BoundDirection &bound :
+         coordinates.bound_directions())
+      {
+        double sum = 0;
+        for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+          sum +=
+            of_dofs[bound.dof + c] * bound.direction[c] * bound.direction[c];
+        stiffness_of_bound[bound.unknown] = sum;
+      }
+  }
+
+  VectorXd
+  IterativeBackend::expand_bound(const VectorXd &v) const
+  {
+    VectorXd u = VectorXd::Zero(coordinates.n_dofs());
+    for (const Coordinates::BoundDirection &bound :
+         coordinates.bound_directions())
+      for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+        u[bound.dof + c] += v[bound.unknown] * bound.direction[c];
+    return u;
+  }
+
+  VectorXd
+  IterativeBackend::restrict_bound(const VectorXd &forces) const
+  {
+    VectorXd r = VectorXd::Zero(n_bound);
+    for (const Coordinates::BoundDirection &bound :
+         coordinates.bound_directions())
+      for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+        r[bound.unknown] += forces[bound.dof + c] * bound.direction[c];
+    return r;
   }
 
   VectorXd
@@ -356,17 +453,62 @@ namespace conetact::contact
                                const VectorXd &prescribed,
                                LoadCase       &load)
   {
-    load.b = coordinates.restrict(forces - elastic.internal_forces(prescribed));
-    load.f = load.b;
+    const VectorXd all       = forces - elastic.internal_forces(prescribed);
+    load.b                   = coordinates.restrict(all);
+    load.f                   = load.b;
+    load.bound               = VectorXd::Zero(2 * n_bound);
+    load.bound.head(n_bound) = restrict_bound(all);
+  }
+
+  /* What is bound stays where it is: it moves the other way against its
+     body. */
+  void
+  IterativeBackend::move_bound(const VectorXd &offset, LoadCase &load) const
+  {
+    if (offset.isZero(0))
+      return;
+    const VectorXd forces = elastic.internal_forces(expand_bound(offset));
+    const VectorXd b      = coordinates.restrict(forces);
+    load.b += b;
+    load.f += b;
+    load.bound.head(n_bound) += restrict_bound(forces);
+    load.bound.tail(n_bound) -= offset;
+  }
+
+  BoundState
+  IterativeBackend::bound_state(const LoadCase &load,
+                                const VectorXd &primal) const
+  {
+    if (n_bound == 0)
+      return {};
+    const VectorXd u = coordinates.expand(unknowns(load, primal));
+    return {restrict_bound(elastic.internal_forces(u)) -
+              load.bound.head(n_bound),
+            {}};
   }
 
   LoadCase
   IterativeBackend::nothing() const
   {
     LoadCase load;
-    load.b = VectorXd::Zero(coordinates.n_unknowns());
-    load.f = load.b;
+    load.b     = VectorXd::Zero(coordinates.n_unknowns());
+    load.f     = load.b;
+    load.bound = VectorXd::Zero(2 * n_bound);
     return load;
+  }
+
+  VectorXd
+  IterativeBackend::unknowns(const LoadCase &load, const VectorXd &primal) const
+  {
+    if (set.layout().n_unknowns() > 0)
+      return primal;
+    // Where nothing may touch no solver has been asked.
+    VectorXd u = VectorXd::Zero(load.f.size());
+    for (unsigned int i = 0; i < 2; ++i) // and the rounding of that
+      if (const auto step = contact_system->large->solve(
+            {}, contact_system->large->multiply(u) - load.f, to_the_end))
+        u += step->du;
+    return u;
   }
 
   Eigen::MatrixXd
@@ -377,20 +519,11 @@ namespace conetact::contact
                       static_cast<Eigen::Index>(loads.size()));
     for (std::size_t k = 0; k < loads.size(); ++k)
       {
-        VectorXd u = primal[k];
-        // Where nothing may touch no solver has been asked.
-        if (set.layout().n_unknowns() == 0)
-          {
-            u = VectorXd::Zero(loads[k]->f.size());
-            for (unsigned int i = 0; i < 2; ++i) // and the rounding of that
-              if (const auto step = contact_system->large->solve(
-                    {},
-                    contact_system->large->multiply(u) - loads[k]->f,
-                    to_the_end))
-                u += step->du;
-          }
-        w.col(static_cast<Eigen::Index>(k)) =
-          coordinates.expand(u) + loads[k]->prescribed;
+        VectorXd column = coordinates.expand(unknowns(*loads[k], primal[k])) +
+                          loads[k]->prescribed;
+        if (n_bound > 0)
+          column += expand_bound(loads[k]->bound.tail(n_bound));
+        w.col(static_cast<Eigen::Index>(k)) = column;
       }
     return w;
   }
@@ -399,8 +532,10 @@ namespace conetact::contact
   IterativeBackend::reduce_unbalanced(const VectorXd &unbalanced) const
   {
     LoadCase change;
-    change.b = -coordinates.restrict(unbalanced);
-    change.f = change.b;
+    change.b                   = -coordinates.restrict(unbalanced);
+    change.f                   = change.b;
+    change.bound               = VectorXd::Zero(2 * n_bound);
+    change.bound.head(n_bound) = -restrict_bound(unbalanced);
     return change;
   }
 

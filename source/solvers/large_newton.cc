@@ -26,7 +26,7 @@ namespace conetact::solvers
     constexpr double aim = 1e-2, askew_aim = .6;
 
     /** Steps without much gain before a step is cut, before giving up. */
-    constexpr unsigned int max_stalls = 3, max_damped_stalls = 8;
+    constexpr unsigned int max_stalls = 8, max_damped_stalls = 8;
 
     /** Residuals below this that do not improve any more are rounding. */
     constexpr double noise = 1e-11;
@@ -196,13 +196,17 @@ namespace conetact::solvers
         if (report.iterations >= options.max_iterations)
           return stalled(point.residual());
         seen.insert(current);
-        const double before = point.residual();
+        const double before = point.residual(),
+                     forces = relation->force_scale(point.p, point.d);
         if (!step(point, manner, report))
           return "singular tangent";
         const std::string next = signature(point.sets);
-        const double      gain = point.residual() / before;
-        improved               = gain < .5;
-        stalls                 = improved ? 0 : stalls + 1;
+        // Residuals are relative: reactions that vanish make them large.
+        const double gain =
+          point.residual() / before *
+          std::min(relation->force_scale(point.p, point.d) / forces, 1.);
+        improved = gain < .5;
+        stalls   = improved ? 0 : stalls + 1;
         if (stalls > 1 && point.residual() <= noise)
           break;
         const bool cycles =

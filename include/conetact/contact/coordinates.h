@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <deque>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -23,7 +24,9 @@ namespace conetact::contact
    * supports prescribe [length]. With contact points it turns their nodes into
    * their own frames, one at each node: the unknowns that carry cones come last
    * then, point by point. They are relative to the masters that a node faces,
-   * which must face no master themselves. Unknowns of rotations are what they
+   * which must face no master themselves. Where they are bound (ties,
+   * bilateral contacts) they follow what they face, without unknowns; along
+   * what supports hold, they follow these. Unknowns of rotations are what they
    * move at the end of an arm.
    */
   class Coordinates : public LinearMap
@@ -78,6 +81,19 @@ namespace conetact::contact
       return node_of_unknown;
     }
 
+    /** A displacement of a bound node relative to what it faces. */
+    struct BoundDirection
+    {
+      Eigen::Index dof;     ///< first one of the node
+      Eigen::Index unknown; ///< among those of ContactPoints that are bound
+      Tensor<1, 3> direction;
+    };
+    const std::vector<BoundDirection> &
+    bound_directions() const
+    {
+      return all_bound_directions;
+    }
+
     /** Whether an unknown is a rotation, of all unknowns. */
     std::vector<bool>
     are_rotations() const;
@@ -123,6 +139,8 @@ namespace conetact::contact
     }
 
   private:
+    void
+    bind(const ContactPoint &point);
     void
     number_unknowns();
     void
@@ -172,6 +190,8 @@ namespace conetact::contact
     std::vector<unsigned int>         node_offset;
     std::vector<const NodeRule *>     rule_of_node;  ///< of all bodies, or null
     std::vector<const ContactPoint *> point_of_node; ///< the same
+    std::deque<ContactPoint>          bound_points;  ///< but for what is held
+    std::vector<BoundDirection>       all_bound_directions;
 
     Eigen::Index              n_free = 0;
     std::vector<Eigen::Index> first_unknown; ///< of a node's free ones

@@ -33,6 +33,7 @@ namespace conetact::contact
      * can. */
     static std::string
     obstacle(const Bodies        &bodies,
+             const NodeRules     &supports,
              const ContactPoints &points,
              const RigidMotions  &motions);
 
@@ -49,6 +50,16 @@ namespace conetact::contact
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
+    void
+    move_bound(const Eigen::VectorXd &offset, LoadCase &load) const override;
+    BoundState
+    bound_state(const LoadCase        &load,
+                const Eigen::VectorXd &primal) const override;
+    Eigen::VectorXd
+    bound_stiffness() const override
+    {
+      return stiffness_of_bound;
+    }
 
   protected:
     void
@@ -64,9 +75,21 @@ namespace conetact::contact
     }
 
   private:
+    /** All unknowns of a load case and its primal. */
+    Eigen::VectorXd
+    unknowns(const LoadCase &load, const Eigen::VectorXd &primal) const;
+    /** Displacements of all dofs by those of what is bound. */
+    Eigen::VectorXd
+    expand_bound(const Eigen::VectorXd &v) const;
+    /** Forces on all dofs, as what is bound sees them. */
+    Eigen::VectorXd
+    restrict_bound(const Eigen::VectorXd &forces) const;
+
     const ElasticSystem &elastic;
     const RigidMotions  &motions;
     const Coordinates    coordinates;
+    const Eigen::Index   n_bound;
+    Eigen::VectorXd      stiffness_of_bound;
   };
 } // namespace conetact::contact
 
