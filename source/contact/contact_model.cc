@@ -569,9 +569,12 @@ namespace conetact::contact
                        "that is continued.");
     archive.fill("contact/q", q);
     archive.fill("contact/r", r);
+    // Unknowns of other supports are others; they are where solvers start.
     if (model->is_iterative())
       elastic = primal();
-    archive.fill("contact/elastic", elastic);
+    if (!model->is_iterative() || archive.get("contact/elastic").size() ==
+                                    static_cast<std::size_t>(elastic.size()))
+      archive.fill("contact/elastic", elastic);
     archive.fill("contact/largest", largest);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
@@ -598,9 +601,10 @@ namespace conetact::contact
     if (system->form == solvers::Form::stiffness)
       {
         problem.offset = offset;
-        largest        = std::max(largest,
-                           conetact::solvers::largest(
-                             load.f.tail(system->n_unknowns())));
+        largest        = std::max(largest, conetact::solvers::largest(load.f));
+        // Open contacts carry nothing, and not all unknowns are theirs.
+        if (model->is_iterative())
+          problem.reference_force = rounding_of_past * largest;
         return problem;
       }
     // unknown is what motions change from there on

@@ -4,6 +4,7 @@
 #include "conetact/contact/iterative_backend.h"
 
 #include "conetact/backends/separate_systems.h"
+#include "conetact/solvers/null_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -272,6 +273,56 @@ namespace conetact::contact
             return true;
       return false;
     }
+    /** Of all dofs. */
+    double
+    mean_stiffness(const ElasticSystem &elastic)
+    {
+      double sum = 0, n = 0;
+      elastic.for_each_element(
+        [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+          for (std::size_t i = 0; i < dofs.size(); ++i, ++n)
+            sum += matrix[i * dofs.size() + i];
+        });
+      return n > 0 ? sum / n : 0.;
+    }
+
+    /** Displacements of all dofs by the motions that nothing resists,
+     * orthonormal. */
+    Eigen::MatrixXd
+    unresisted_fields(const RigidMotions &motions,
+                      const Coordinates  &coordinates)
+    {
+      const Eigen::MatrixXd unseen = motions.unseen();
+      Eigen::MatrixXd       fields(coordinates.n_dofs(), unseen.cols());
+      for (Eigen::Index j = 0; j < unseen.cols(); ++j)
+        fields.col(j) = motions.field(motions.of_free(unseen.col(j)));
+      return solvers::orthonormal_basis(fields);
+    }
+
+    /**
+     * An unknown for each of these fields, which together they move far: held,
+     * they keep bodies from moving so, and take no force as long as none drives
+     * these.
+     */
+    std::vector<Eigen::Index>
+    find_pins(const Eigen::MatrixXd &fields, const Coordinates &coordinates)
+    {
+      std::vector<Eigen::Index> pins;
+      Eigen::MatrixXd           moved(coordinates.n_unknowns(), fields.cols());
+      for (Eigen::Index j = 0; j < fields.cols(); ++j)
+        moved.col(j) = coordinates.values(fields.col(j));
+      for (Eigen::Index j = 0; j < fields.cols(); ++j)
+        {
+          Eigen::Index furthest = 0;
+          moved.rowwise().squaredNorm().maxCoeff(&furthest);
+          pins.push_back(furthest);
+          // what is left of the motions with it held
+          const VectorXd row = moved.row(furthest).normalized();
+          moved -= (moved * row).eval() * row.transpose();
+        }
+      return pins;
+    }
+
     bool
     is_along(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
     {
@@ -324,8 +375,7 @@ namespace conetact::contact
   std::string
   IterativeBackend::obstacle(const Bodies        &bodies,
                              const NodeRules     &supports,
-                             const ContactPoints &points,
-                             const RigidMotions  &motions)
+                             const ContactPoints &points)
   {
     for (std::size_t b = 0; b < bodies.structures.size(); ++b)
       if (bodies.is_rigid(b))
@@ -338,14 +388,6 @@ namespace conetact::contact
       if (!is_bound_or_held(points.all()[i], supports))
         return "knows no ties and no bilateral contacts of nodes that supports "
                "hold askew, or where these do not hold what it meets";
-    if (const Eigen::MatrixXd unseen = motions.unseen(); unseen.cols() > 0)
-      {
-        const RigidMotions::Motion motion =
-          motions.motion_of_free(unseen.col(0));
-        return "solves bodies that cannot move without limit, and nothing "
-               "resists " +
-               bodies.called(motion.body) + " moving " + describe(motion);
-      }
     if (share_nodes(points))
       return "wants each node in one contact";
     if (points.have_prescribed_slip())
@@ -368,12 +410,17 @@ namespace conetact::contact
     , elastic(e)
     , motions(m)
     , coordinates(elastic.bodies, supports, &points, arm_of_rotations(e))
+    , nowhere(unresisted_fields(motions, coordinates))
     , n_bound(points.n_bound_unknowns())
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
-    given.for_each_element = [&](const UnknownsVisitor &visit) {
+    const auto               pins = find_pins(nowhere, coordinates);
+    const double pinned           = pins.empty() ? 0. : mean_stiffness(elastic);
+    given.for_each_element        = [&](const UnknownsVisitor &visit) {
       for_each_element(elastic, coordinates, visit);
+      for (const Eigen::Index pin : pins)
+        visit({pin}, &pinned);
     };
     given.node_of        = nodes_of_unknowns(coordinates);
     given.modes          = rigid_modes(elastic.bodies, coordinates);
@@ -523,7 +570,7 @@ namespace conetact::contact
                           loads[k]->prescribed;
         if (n_bound > 0)
           column += expand_bound(loads[k]->bound.tail(n_bound));
-        w.col(static_cast<Eigen::Index>(k)) = column;
+        w.col(static_cast<Eigen::Index>(k)) = without_motion(column);
       }
     return w;
   }
@@ -542,6 +589,14 @@ namespace conetact::contact
   VectorXd
   IterativeBackend::correction(const LoadCase &, const VectorXd &primal) const
   {
-    return coordinates.expand(primal);
+    return without_motion(coordinates.expand(primal));
+  }
+
+  VectorXd
+  IterativeBackend::without_motion(const VectorXd &w) const
+  {
+    if (nowhere.cols() == 0)
+      return w;
+    return w - nowhere * (nowhere.transpose() * w).eval();
   }
 } // namespace conetact::contact

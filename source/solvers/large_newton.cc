@@ -349,43 +349,39 @@ namespace conetact::solvers
     point.sets = sets_of_state(*relation, cold);
     if (tried(std::move(point), true))
       return report;
-    if (const auto driven = driven_states(start))
-      {
-        cold.node  = *driven;
-        point      = point_at(start.u);
-        point.sets = sets_of_state(*relation, cold);
-        tried(std::move(point), true);
-      }
+    // only those whose gaps are closed, or are driven to close
+    cold.node  = driven_states(start);
+    point      = point_at(start.u);
+    point.sets = sets_of_state(*relation, cold);
+    tried(std::move(point), true);
     return report;
   }
 
-  /* With all contacts stuck their reactions balance the load, which moves free
-     bodies the other way. */
-  std::optional<std::vector<NodeState>>
+  /* Of bodies that float: with all contacts stuck their reactions balance the
+     load, which moves them the other way. */
+  std::vector<NodeState>
   LargeNewton::driven_states(const ContactState &start)
   {
-    const ContactSystem &system = relation->system();
-    if (system.null_space.cols() == 0)
-      return {};
-    ContactState stuck = of_contact(start, system.n_unknowns());
+    const ContactSystem &system  = relation->system();
+    Point                point   = point_at(start.u);
+    Array                closing = relation->displacements(point.p, point.d);
+    ContactState         stuck   = of_contact(start, system.n_unknowns());
     stuck.node.assign(static_cast<std::size_t>(system.n_nodes()),
                       NodeState::stick);
-    Point point = point_at(start.u);
-    point.sets  = sets_of_state(*relation, stuck);
     SolverReport report;
-    if (!step(point, {false, exact}, report))
-      return {};
-    const Array r = point.f.tail(system.n_unknowns());
-    const Array v =
-      -system.null_space * (system.null_space.transpose() * r).eval();
-    const double fast = v.size() > 0 ? 1e-6 * v.cwiseAbs().maxCoeff() : 0.;
+    point.sets = sets_of_state(*relation, stuck);
+    if (system.null_space.cols() > 0 && step(point, {false, exact}, report))
+      {
+        const Array r = point.f.tail(system.n_unknowns());
+        closing =
+          -system.null_space * (system.null_space.transpose() * r).eval();
+        closing.array() += 1e-6 * solvers::largest(closing);
+      }
     for (Index i = 0; i < system.n_nodes(); ++i)
-      if (!(v[system.normal(i)] < -fast))
+      if (closing[system.normal(i)] > 0)
         stuck.node[static_cast<std::size_t>(i)] = NodeState::open;
     return stuck.node;
   }
-
-
 
   SolverReport
   LargeNewton::solve_in_parts(const ContactProblem &problem,

@@ -175,6 +175,45 @@ def frames(laws):
                               "Pairing": "node to face", "Friction coefficient": .3}})
 
 
+def tied(laws):
+    """Ties and bilateral contacts, with bodies and obstacles that move; interferences; held by nothing else, or by nothing at all."""
+    for dim in (2, 3):
+        low, high = (2, 3) if dim == 2 else (4, 5)
+        below, above = ((7, 4), (5, 3)) if dim == 2 else ((4, 3, 2), (3, 4, 2))
+        size = (2.0, 1.0) if dim == 2 else (1.0, 1.0, .7)
+        every, zeros = "x, y, z"[:3 * dim - 2], (0.0,) * (dim - 1)
+        top = zeros + (size[-1],)
+        down = " ; ".join(["0"] * (dim - 1) + ["-min(t, 1)"])
+        blocks = {"Dimension": dim, "Body lower": box(below, size), "Body upper": box(above, size, top, young=1e4),
+                  "Obstacle floor": floor(dim, Displacement=" ; ".join(["0"] * (dim - 1) + ["0.002*t"])),
+                  "Load weight": load("body force", down, body="upper"), "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0},
+                  "Load push": load("body force", " ; ".join(["0.1*max(t - 1, 0)"] + ["0"] * (dim - 1)), body="upper")}
+        for pairing in ("node to face", "mortar"):
+            def bound(kind):
+                return {"Contact joint": {**joint("upper", low, "lower", high, Pairing=pairing), "Kind": kind}}
+            ground = {"Contact ground": contact("lower", low, mu=.3)}
+            compare(laws, f"{dim}D, {pairing}, tied, on a floor", {**blocks, **ground, **bound("tie")})
+            compare(laws, f"{dim}D, {pairing}, a slider", {
+                **blocks, **ground, **bound("bilateral"), "Support far": support(high, every[:-3], " ; ".join(["0.01*t"] + ["0"] * (dim - 2)), body="upper", Stiffness=100)})
+            compare(laws, f"{dim}D, {pairing}, a tie across a gap that closes", {
+                **blocks, **ground, "Contact joint": {**bound("tie")["Contact joint"], "Gap": -.001}})
+        glued = {"Dimension": dim, "Body block": box(below, size), "Output": {"VTU": 0}, "Load up": load("pressure", "-2 - x", high),
+                 "Obstacle floor": floor(dim, Displacement="0.1*t ; 0.2*t" + " ; 0.3*t" * (dim - 2)),
+                 "Contact joint": {"Body": "block", "Boundary ids": low, "Obstacle": "floor", "Kind": "tie"},
+                 "Obstacle wall": {"Shape": "half space", "Normal": (-1, 0, 0)[:dim], "Point": (2.3, 0, 0)[:dim]},
+                 "Contact wall": contact(ids=high, obstacle="wall")}
+        compare(laws, f"{dim}D, glued to a floor that moves", glued)
+        compare(laws, "  and beside a wall that comes near", merge(glued, {"Obstacle wall": {"Displacement": "-2*t" + " ; 0" * (dim - 1)}}))
+        # reactions are determined, the place is not
+        loose = {"Dimension": dim, "Body block": box(below, size), "Obstacle floor": floor(dim), "Contact bottom": contact(ids=low),
+                 "Load press": load("pressure", "2", high), "Output": {"VTU": 0}}
+        runs = [laws.run(loose, *backend(name)) for name in ("condensed", "iterative")]
+        force = runs[0].largest("r_n")
+        laws.check(f"{dim}D, nothing opposes sliding: reactions", max(
+            abs(a["r_n"] - b["r_n"]) for a, b in zip(*(sorted(run.rows, key=lambda row: (row["x"], row["y"], row["z"])) for run in runs))
+        ) / force, 1e-8)
+
+
 def iterative(laws):
     obstacles(laws)
     sizes(laws)
@@ -192,3 +231,4 @@ def iterative_floating(laws):
 
 def iterative_frames(laws):
     frames(laws)
+    tied(laws)

@@ -65,7 +65,7 @@ namespace conetact::contact
     std::string
     why_not_iterative() const
     {
-      return IterativeBackend::obstacle(bodies, rules, points, motions);
+      return IterativeBackend::obstacle(bodies, rules, points);
     }
 
     /**

@@ -34,8 +34,7 @@ namespace conetact::contact
     static std::string
     obstacle(const Bodies        &bodies,
              const NodeRules     &supports,
-             const ContactPoints &points,
-             const RigidMotions  &motions);
+             const ContactPoints &points);
 
     /** Of a load on all unknowns against each of the motions that nothing
      * resists. */
@@ -85,11 +84,16 @@ namespace conetact::contact
     Eigen::VectorXd
     restrict_bound(const Eigen::VectorXd &forces) const;
 
-    const ElasticSystem &elastic;
-    const RigidMotions  &motions;
-    const Coordinates    coordinates;
-    const Eigen::Index   n_bound;
-    Eigen::VectorXd      stiffness_of_bound;
+    /** Where nothing opposes a motion the shortest one is taken. */
+    Eigen::VectorXd
+    without_motion(const Eigen::VectorXd &w) const;
+
+    const ElasticSystem  &elastic;
+    const RigidMotions   &motions;
+    const Coordinates     coordinates;
+    const Eigen::MatrixXd nowhere; ///< motions that nothing resists, all dofs
+    const Eigen::Index    n_bound;
+    Eigen::VectorXd       stiffness_of_bound;
   };
 } // namespace conetact::contact
 

@@ -77,8 +77,9 @@ namespace conetact::solvers
     predict(const ContactProblem &problem, const ContactState &state) const;
     SolverReport
     solve_whole(const ContactProblem &problem, ContactState &state);
-    /** Closed where loads drive bodies that float, and nowhere else. */
-    std::optional<std::vector<NodeState>>
+    /** Closed where no gap is, or where loads drive bodies that float, and
+     * nowhere else. */
+    std::vector<NodeState>
     driven_states(const ContactState &start);
     SolverReport
     solve_in_parts(const ContactProblem &problem, ContactState &state);
