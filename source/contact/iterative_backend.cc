@@ -136,7 +136,7 @@ namespace conetact::contact
       return nodes;
     }
 
-    /** Contacts of one body with another. */
+    /** Contacts and ties of one body with another. */
     struct Pair
     {
       std::set<unsigned int> nodes;                 ///< of both surfaces
@@ -159,7 +159,7 @@ namespace conetact::contact
           node_of_displacements(coordinates.number(body, node)));
         hardest = std::max(hardest, diagonal[coordinates.dof(body, node)]);
       };
-      for (const ContactPoint &point : points)
+      for (const ContactPoint &point : points.all())
         {
           const pairing::ContactNode &node = *point.node;
           if (node.masters.empty())

@@ -173,6 +173,14 @@ def frames(laws):
             "Support clamp": support(1, "clamped", body="beam"), "Support end": support(2, "x, y", body="beam"),
             "Contact joint": {"Body": "block", "Boundary ids": 2, "Master body": "beam", "Master boundary ids": 0,
                               "Pairing": "node to face", "Friction coefficient": .3}})
+    compare(laws, "a block tied to a beam, another one on it", {
+        "Dimension": 2, "Body beam": beam(2, (0.0, 0.0), (2.0, 0.0), 10, 1e4, .3), **clamped,
+        "Body block": box((7, 4), (2.0, .5)), "Body upper": box((5, 3), (2.0, .5), (0.0, .5)),
+        "Support clamp": support(1, "clamped", body="beam"), "Support end": support(2, "x, y", body="beam"),
+        "Support top": support(3, "x, y", "0.001*t ; -0.002*t", body="upper"),
+        "Contact tied": {"Body": "block", "Boundary ids": 2, "Master body": "beam", "Master boundary ids": 0, "Kind": "tie",
+                         "Pairing": "node to face"},
+        "Contact joint": joint("upper", 2, "block", 3, **{"Friction coefficient": .3})})
 
 
 def tied(laws):
