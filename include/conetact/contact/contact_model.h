@@ -10,6 +10,7 @@
 #include "conetact/contact/dual_backend.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/iterative_backend.h"
+#include "conetact/contact/iterative_limits.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/rigid_motions.h"
 
@@ -65,7 +66,7 @@ namespace conetact::contact
     std::string
     why_not_iterative() const
     {
-      return IterativeBackend::obstacle(bodies, rules, points);
+      return contact::why_not_iterative(bodies, rules, points);
     }
 
     /**

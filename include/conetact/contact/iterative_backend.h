@@ -9,8 +9,6 @@
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
 
-#include <memory>
-#include <string>
 
 namespace conetact::contact
 {
@@ -28,13 +26,6 @@ namespace conetact::contact
                      const NodeRules     &supports,
                      const ContactPoints &points,
                      const RigidMotions  &motions);
-
-    /** Why a scene cannot be solved so, as the end of a sentence; empty: it
-     * can. */
-    static std::string
-    obstacle(const Bodies        &bodies,
-             const NodeRules     &supports,
-             const ContactPoints &points);
 
     /** Of a load on all unknowns against each of the motions that nothing
      * resists. */

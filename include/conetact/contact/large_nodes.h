@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_large_nodes_h
+#define conetact_contact_large_nodes_h
+
+#include "conetact/contact/coordinates.h"
+#include "conetact/contact/elastic_system.h"
+
+#include <set>
+#include <vector>
+
+namespace conetact::contact
+{
+  /** Rotations of frames move the ends of such arms: entries of K are alike
+   * then [length]. A power of two, that nothing is rounded. */
+  double
+  arm_of_rotations(const ElasticSystem &elastic);
+
+  /** The node of each unknown as a LargeSystem has it, with `dim` unknowns at
+   * most: the rotations of a node are one by themselves. */
+  std::vector<unsigned int>
+  nodes_of_unknowns(const Coordinates &coordinates);
+
+  /** Its number in Coordinates. */
+  unsigned int
+  number_of_node(const unsigned int node);
+
+  /** Entries of K on its diagonal, of all dofs [force/length]. */
+  Eigen::VectorXd
+  diagonal_of(const ElasticSystem &elastic, const Eigen::Index n_dofs);
+
+  /** Nodes of a LargeSystem that are not left to iterations. */
+  struct SpecialNodes
+  {
+    std::set<unsigned int> direct;   ///< see DirectSystem
+    std::set<unsigned int> together; ///< see SurfaceSmoother
+  };
+
+  /** Slaves that are much harder than their masters are smoothed with these,
+   * and so are frames with what meets them, unless there is little of it. */
+  SpecialNodes
+  special_nodes(const ElasticSystem &elastic,
+                const Coordinates   &coordinates,
+                const ContactPoints &points);
+} // namespace conetact::contact
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/iterative_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    using Nodes = std::set<std::pair<unsigned int, unsigned int>>;
+
+    /** Whether a node has several points, bound ones included. */
+    bool
+    share_nodes(const ContactPoints &points)
+    {
+      Nodes nodes;
+      for (const ContactPoint &point : points.all())
+        if (!nodes.insert({point.node->body, point.node->node}).second)
+          return true;
+      return false;
+    }
+
+    /** Whether nodes with unknowns of their own contacts are masters, too. */
+    bool
+    masters_are_slaves(const ContactPoints &points)
+    {
+      Nodes slaves;
+      for (const ContactPoint &point : points.all())
+        if (!point.node->masters.empty() || point.node->is_bound())
+          slaves.insert({point.node->body, point.node->node});
+      for (const ContactPoint &point : points.all())
+        for (const auto &[node, weight] : point.node->masters)
+          if (slaves.count({point.node->master, node}) > 0)
+            return true;
+      return false;
+    }
+    bool
+    is_along(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
+    {
+      return std::abs(a * b) > 1 - 1e-12;
+    }
+
+    /** Whether supports hold all masters of a node along a direction. */
+    bool
+    are_masters_held(const pairing::ContactNode &node,
+                     const Tensor<1, 3>         &direction,
+                     const NodeRules            &supports)
+    {
+      return std::all_of(
+        node.masters.begin(), node.masters.end(), [&](const auto &master) {
+          const NodeRule *rule = supports.find(node.master, master.first);
+          return master.second == 0 ||
+                 (rule != nullptr && rule->masters.empty() &&
+                  is_spanned(direction, directions(rule->held)));
+        });
+    }
+
+    /** Whether what supports hold of a bound node is bound there as well, or
+     * not at all: it is theirs then. */
+    bool
+    is_bound_or_held(const ContactPoint &point, const NodeRules &supports)
+    {
+      const NodeRule *rule = supports.find(point.node->body, point.node->node);
+      if (rule == nullptr)
+        return true;
+      const auto is_one_of = [](const Tensor<1, 3> &h, const auto &all) {
+        return std::any_of(all.begin(), all.end(), [&](const auto &direction) {
+          return is_along(h, direction);
+        });
+      };
+      return rule->masters.empty() &&
+             std::all_of(rule->held.begin(),
+                         rule->held.end(),
+                         [&](const HeldDirection &h) {
+                           return is_one_of(h.direction, point.frictionless) ||
+                                  (is_one_of(h.direction, point.directions) &&
+                                   are_masters_held(*point.node,
+                                                    h.direction,
+                                                    supports));
+                         });
+    }
+  } // namespace
+
+
+
+  std::string
+  why_not_iterative(const Bodies        &bodies,
+                    const NodeRules     &supports,
+                    const ContactPoints &points)
+  {
+    for (std::size_t b = 0; b < bodies.structures.size(); ++b)
+      if (bodies.is_rigid(b))
+        return "solves bodies that deform, and " + bodies.called(b) +
+               " is rigid and free";
+    if (!bodies.frames().empty())
+      return "knows contacts of undeformed bodies only, not those that slide "
+             "far, nor bodies that turn";
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      if (!is_bound_or_held(points.all()[i], supports))
+        return "knows no ties and no bilateral contacts of nodes that supports "
+               "hold askew, or where these do not hold what it meets";
+    if (share_nodes(points))
+      return "wants each node in one contact";
+    if (points.have_prescribed_slip())
+      return "knows no friction along what supports hold";
+    for (const ContactPoint &point : points.all())
+      if (!point.node->slaves.empty())
+        return "wants a contact node for each node of a mortar surface, and "
+               "supports or other contacts hold some";
+    if (masters_are_slaves(points))
+      return "wants nodes of one body to face those of another, but not both "
+             "each other";
+    return "";
+  }
+} // namespace conetact::contact

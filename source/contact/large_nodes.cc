@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/large_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace conetact::contact
+{
+  using Eigen::VectorXd;
+
+  namespace
+  {
+    bool
+    is_frame(const bodies::Structure &structure, const unsigned int dim)
+    {
+      return structure.n_components() > dim;
+    }
+
+    /** Rotations of a node are a node by themselves: blocks have `dim` unknowns
+     * at most. */
+    unsigned int
+    node_of_rotations(const unsigned int number)
+    {
+      return 2 * number + 1;
+    }
+    unsigned int
+    node_of_displacements(const unsigned int number)
+    {
+      return 2 * number;
+    }
+    /** Contacts and ties of one body with another. */
+    struct Pair
+    {
+      std::set<unsigned int> nodes;                 ///< of both surfaces
+      double                 slave = 0, master = 0; ///< hardest entry of K
+    };
+    using Pairs = std::map<std::pair<unsigned int, unsigned int>, Pair>;
+
+    Pairs
+    find_pairs(const ElasticSystem &elastic,
+               const Coordinates   &coordinates,
+               const ContactPoints &points)
+    {
+      Pairs      pairs;
+      VectorXd   diagonal;
+      const auto add = [&](const unsigned int body,
+                           const unsigned int node,
+                           Pair              &pair,
+                           double            &hardest) {
+        pair.nodes.insert(
+          node_of_displacements(coordinates.number(body, node)));
+        hardest = std::max(hardest, diagonal[coordinates.dof(body, node)]);
+      };
+      for (const ContactPoint &point : points.all())
+        {
+          const pairing::ContactNode &node = *point.node;
+          if (node.masters.empty())
+            continue;
+          if (diagonal.size() == 0)
+            diagonal = diagonal_of(elastic, coordinates.n_dofs());
+          Pair &pair = pairs[{node.body, node.master}];
+          add(node.body, node.node, pair, pair.slave);
+          for (const auto &[master, weight] : node.masters)
+            add(node.master, master, pair, pair.master);
+        }
+      return pairs;
+    }
+
+    /** Bodies that meet each other, directly or by others: the first of each
+     * body. */
+    std::vector<unsigned int>
+    groups_of_bodies(const Pairs &pairs, const std::size_t n)
+    {
+      std::vector<unsigned int> group(n);
+      std::iota(group.begin(), group.end(), 0);
+      for (const auto &[who, pair] : pairs)
+        {
+          const unsigned int from =
+                               std::max(group[who.first], group[who.second]),
+                             to = std::min(group[who.first], group[who.second]);
+          std::replace(group.begin(), group.end(), from, to);
+        }
+      return group;
+    }
+  } // namespace
+
+
+
+  double
+  arm_of_rotations(const ElasticSystem &elastic)
+  {
+    double       rotations = 0, displacements = 0;
+    unsigned int n_rotations = 0, n_displacements = 0;
+    for (const bodies::Structure *structure : elastic.bodies.structures)
+      if (is_frame(*structure, elastic.bodies.dim))
+        structure->for_each_element(
+          [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+            for (std::size_t i = 0; i < dofs.size(); ++i)
+              {
+                const double entry = matrix[i * dofs.size() + i];
+                const bool   turns =
+                  dofs[i] % structure->n_components() >= elastic.bodies.dim;
+                (turns ? rotations : displacements) += entry;
+                ++(turns ? n_rotations : n_displacements);
+              }
+          });
+    if (!(rotations > 0 && displacements > 0))
+      return 1;
+    const double arm =
+      std::sqrt(rotations / n_rotations * n_displacements / displacements);
+    return std::exp2(std::round(std::log2(arm)));
+  }
+
+
+
+  std::vector<unsigned int>
+  nodes_of_unknowns(const Coordinates &coordinates)
+  {
+    std::vector<unsigned int> nodes    = coordinates.node_of_unknowns();
+    const std::vector<bool>   rotation = coordinates.are_rotations();
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      nodes[k] = rotation[k] ? node_of_rotations(nodes[k]) :
+                               node_of_displacements(nodes[k]);
+    return nodes;
+  }
+
+
+
+  unsigned int
+  number_of_node(const unsigned int node)
+  {
+    return node / 2;
+  }
+
+
+
+  VectorXd
+  diagonal_of(const ElasticSystem &elastic, const Eigen::Index n_dofs)
+  {
+    VectorXd diagonal = VectorXd::Zero(n_dofs);
+    elastic.for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+          diagonal[dofs[i]] += matrix[i * dofs.size() + i];
+      });
+    return diagonal;
+  }
+
+
+
+  namespace
+  {
+    /** Of each body, whether it is factorised: frames that meet no other body,
+     * and little that meets frames. */
+    std::vector<bool>
+    are_direct(const Bodies &bodies, const Pairs &pairs)
+    {
+      // what takes Newton's matrix no longer to factorise than to iterate
+      const unsigned int        few   = bodies.dim == 2 ? 10000 : 3000;
+      const std::size_t         n     = bodies.structures.size();
+      const auto                group = groups_of_bodies(pairs, n);
+      std::vector<unsigned int> n_bodies(n, 0), n_dofs(n, 0), n_frames(n, 0);
+      for (unsigned int b = 0; b < n; ++b)
+        {
+          const bodies::Structure &structure = *bodies.structures[b];
+          n_bodies[group[b]] += 1;
+          n_dofs[group[b]] += structure.n_dofs();
+          n_frames[group[b]] += is_frame(structure, bodies.dim) ? 1 : 0;
+        }
+      std::vector<bool> result;
+      for (unsigned int b = 0; b < n; ++b)
+        result.push_back(n_frames[group[b]] > 0 &&
+                         (n_bodies[group[b]] == 1 || n_dofs[group[b]] <= few));
+      return result;
+    }
+
+    void
+    insert_all(const Coordinates      &coordinates,
+               const unsigned int      body,
+               const unsigned int      n_nodes,
+               std::set<unsigned int> &nodes)
+    {
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        {
+          const unsigned int number = coordinates.number(body, i);
+          nodes.insert(
+            {node_of_displacements(number), node_of_rotations(number)});
+        }
+    }
+  } // namespace
+
+
+
+  SpecialNodes
+  special_nodes(const ElasticSystem &elastic,
+                const Coordinates   &coordinates,
+                const ContactPoints &points)
+  {
+    constexpr double much   = 20;
+    const Bodies    &bodies = elastic.bodies;
+    const auto       frame  = [&](const unsigned int body) {
+      return is_frame(*bodies.structures[body], bodies.dim);
+    };
+    const Pairs pairs  = find_pairs(elastic, coordinates, points);
+    const auto  direct = are_direct(bodies, pairs);
+
+    SpecialNodes nodes;
+    for (const auto &[who, pair] : pairs)
+      if (pair.slave > much * pair.master || frame(who.first) ||
+          frame(who.second))
+        nodes.together.insert(pair.nodes.begin(), pair.nodes.end());
+    for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+      if (direct[b] || frame(b))
+        insert_all(coordinates,
+                   b,
+                   bodies.structures[b]->n_nodes(),
+                   direct[b] ? nodes.direct : nodes.together);
+    return nodes;
+  }
+} // namespace conetact::contact
