@@ -26,6 +26,9 @@ namespace conetact::contact
      * left of it is rounding.
      */
     constexpr double rounding_of_past = 1e-4;
+
+    /** The same of the force that it takes to hold back what moves. */
+    constexpr double rounding_of_motion = 1e-3;
   } // namespace
 
   ContactModel::ContactModel(const Bodies              &b,
@@ -586,6 +589,18 @@ namespace conetact::contact
       }
   }
 
+  double
+  ContactHistory::motion_force(const LoadCase &load) const
+  {
+    const solvers::ContactSystem &system = *model->condense().system();
+    if (system.n_nodes() == 0)
+      return 0;
+    return rounding_of_motion * system.diagonal().mean() *
+           (conetact::solvers::largest(load.offset) +
+            conetact::solvers::largest(load.placement) +
+            conetact::solvers::largest(load.prescribed));
+  }
+
   solvers::ContactProblem
   ContactHistory::problem(const LoadCase &load)
   {
@@ -604,7 +619,8 @@ namespace conetact::contact
         largest        = std::max(largest, conetact::solvers::largest(load.f));
         // Open contacts carry nothing, and not all unknowns are theirs.
         if (model->is_iterative())
-          problem.reference_force = rounding_of_past * largest;
+          problem.reference_force =
+            std::max(rounding_of_past * largest, motion_force(load));
         return problem;
       }
     // unknown is what motions change from there on

@@ -281,6 +281,9 @@ namespace conetact::contact
     /** What moves contacts without strain until the end with `load`. */
     Eigen::VectorXd
     offset_at(const LoadCase &load) const;
+    /** A scale of forces whose rounding is that of motions without strain. */
+    double
+    motion_force(const LoadCase &load) const;
 
     ContactModel   *model;
     Eigen::VectorXd initial_gap; ///< of each node with unknowns
