@@ -28,6 +28,9 @@ namespace conetact::solvers
     /** Steps without much gain before a step is cut, before giving up. */
     constexpr unsigned int max_stalls = 8, max_damped_stalls = 8;
 
+    /** Of the least residual so far: what is more is no gain. */
+    constexpr double progress = .98;
+
     /** Residuals below this that do not improve any more are rounding. */
     constexpr double noise = 1e-11;
 
@@ -183,6 +186,7 @@ namespace conetact::solvers
                                  point.d.isZero(0) ? best_precision :
                                                      first_precision};
     unsigned int          stalls   = 0;
+    double                least    = point.residual();
     bool                  improved = true;
     const auto            goes_on  = [&] {
       return point.residual() > goal ||
@@ -206,7 +210,10 @@ namespace conetact::solvers
           point.residual() / before *
           std::min(relation->force_scale(point.p, point.d) / forces, 1.);
         improved = gain < .5;
-        stalls   = improved ? 0 : stalls + 1;
+        // States may change node by node: little gain is progress, too.
+        const bool goes_down = point.residual() < progress * least;
+        stalls               = improved || goes_down ? 0 : stalls + 1;
+        least                = std::min(least, point.residual());
         if (stalls > 1 && point.residual() <= noise)
           break;
         const bool cycles =
