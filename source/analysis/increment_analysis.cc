@@ -226,9 +226,12 @@ namespace conetact::analysis
       report = solver->solve(problem, state);
     done.add(report);
     if (!report.converged)
-      return report.reason.empty() ?
-               "the residual is " + to_text(report.residual) :
-               report.reason;
+      return (report.reason.empty() ?
+                "the residual is " + to_text(report.residual) :
+                report.reason) +
+             (model.is_iterative() ?
+                ". Set Solver, Backend = condensed, which has more methods" :
+                "");
     // nor were candidates that are left out
     if (report.substeps > 1 && !model.working_set().is_all())
       return "it was solved in parts";
