@@ -207,6 +207,8 @@ namespace conetact::backends
       processes);
   }
 
+
+
   template <int block>
   void
   BlockSystem<block>::make_levels(const Eigen::MatrixXd &modes)

@@ -94,7 +94,6 @@ namespace conetact::contact
         }
       return pins;
     }
-
   } // namespace
 
 
@@ -113,8 +112,10 @@ namespace conetact::contact
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
     const auto               pins = find_pins(nowhere, coordinates);
-    const double             pinned =
-      pins.empty() ? 0. : diagonal_of(elastic, coordinates.n_dofs()).mean();
+    VectorXd                 diagonal_of_dofs;
+    if (!pins.empty() || n_bound > 0)
+      diagonal_of_dofs = diagonal_of(elastic, coordinates.n_dofs());
+    const double pinned    = pins.empty() ? 0. : diagonal_of_dofs.mean();
     given.for_each_element = [&](const UnknownsVisitor &visit) {
       for_each_element(elastic, coordinates, visit);
       for (const Eigen::Index pin : pins)
@@ -139,17 +140,22 @@ namespace conetact::contact
     if (diagonal.size() > 0 && diagonal.mean() > 0)
       stiffness_scale = std::exp2(std::round(std::log2(diagonal.mean())));
     contact_system = system;
-    if (n_bound == 0)
-      return;
-    const VectorXd of_dofs = diagonal_of(elastic, coordinates.n_dofs());
-    stiffness_of_bound.setConstant(n_bound, of_dofs.mean());
+    if (n_bound > 0)
+      find_stiffness_of_bound(diagonal_of_dofs);
+  }
+
+  /* Of what supports hold, any of the size of the others. */
+  void
+  IterativeBackend::find_stiffness_of_bound(const VectorXd &diagonal)
+  {
+    stiffness_of_bound.setConstant(n_bound, diagonal.mean());
     for (const Coordinates::BoundDirection &bound :
          coordinates.bound_directions())
       {
         double sum = 0;
         for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
           sum +=
-            of_dofs[bound.dof + c] * bound.direction[c] * bound.direction[c];
+            diagonal[bound.dof + c] * bound.direction[c] * bound.direction[c];
         stiffness_of_bound[bound.unknown] = sum;
       }
   }

@@ -38,6 +38,7 @@ namespace conetact::contact
             return true;
       return false;
     }
+
     bool
     is_along(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
     {

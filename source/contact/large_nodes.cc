@@ -32,6 +32,7 @@ namespace conetact::contact
     {
       return 2 * number;
     }
+
     /** Contacts and ties of one body with another. */
     struct Pair
     {

@@ -26,7 +26,7 @@ namespace conetact::solvers
     constexpr double aim = 1e-2, askew_aim = .6;
 
     /** Steps without much gain before a step is cut, before giving up. */
-    constexpr unsigned int max_stalls = 8, max_damped_stalls = 8;
+    constexpr unsigned int max_stalls = 8;
 
     /** Of the least residual so far: what is more is no gain. */
     constexpr double progress = .98;
@@ -221,7 +221,7 @@ namespace conetact::solvers
         current = next;
         if (cycles || stalls > max_stalls)
           {
-            if (manner.damped && stalls > max_damped_stalls)
+            if (manner.damped && stalls > max_stalls)
               return cycles ? "cycling between state sets" :
                               stalled(point.residual());
             manner = {true, exact};
@@ -364,6 +364,8 @@ namespace conetact::solvers
     return report;
   }
 
+
+
   /* Of bodies that float: with all contacts stuck their reactions balance the
      load, which moves them the other way. */
   std::vector<NodeState>
@@ -371,7 +373,7 @@ namespace conetact::solvers
   {
     const ContactSystem &system  = relation->system();
     Point                point   = point_at(start.u);
-    Array                closing = relation->displacements(point.p, point.d);
+    Array                opening = relation->displacements(point.p, point.d);
     ContactState         stuck   = of_contact(start, system.n_unknowns());
     stuck.node.assign(static_cast<std::size_t>(system.n_nodes()),
                       NodeState::stick);
@@ -380,15 +382,17 @@ namespace conetact::solvers
     if (system.null_space.cols() > 0 && step(point, {false, exact}, report))
       {
         const Array r = point.f.tail(system.n_unknowns());
-        closing =
+        opening =
           -system.null_space * (system.null_space.transpose() * r).eval();
-        closing.array() += 1e-6 * solvers::largest(closing);
+        opening.array() += 1e-6 * solvers::largest(opening);
       }
     for (Index i = 0; i < system.n_nodes(); ++i)
-      if (closing[system.normal(i)] > 0)
+      if (opening[system.normal(i)] > 0)
         stuck.node[static_cast<std::size_t>(i)] = NodeState::open;
     return stuck.node;
   }
+
+
 
   SolverReport
   LargeNewton::solve_in_parts(const ContactProblem &problem,

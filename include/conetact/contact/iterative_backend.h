@@ -9,7 +9,6 @@
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
 
-
 namespace conetact::contact
 {
   /**
@@ -74,7 +73,9 @@ namespace conetact::contact
     /** Forces on all dofs, as what is bound sees them. */
     Eigen::VectorXd
     restrict_bound(const Eigen::VectorXd &forces) const;
-
+    /** From the diagonal of K, of all dofs. */
+    void
+    find_stiffness_of_bound(const Eigen::VectorXd &diagonal);
     /** Where nothing opposes a motion the shortest one is taken. */
     Eigen::VectorXd
     without_motion(const Eigen::VectorXd &w) const;
