@@ -114,9 +114,11 @@ def row_of(name, condensed, iterative):
         rows, increments = condensed.run.last(), iterative.run.increments
         n_open = sum(row["state"] == "open" for row in rows)
         difference, states = agreement(condensed.run, iterative.run)
+        linear = f"{iterative.linear / len(increments):.0f}"
+        if any(row["solver"] != "iterative" for row in increments):
+            linear += ", then condensed"
         steps = sum(row["iterations"] for row in increments) / len(increments)
-        return (name, f"{100 * n_open / len(rows):.0f} %", f"{difference:.0e}", states, f"{steps:.1f}",
-                f"{iterative.linear / len(increments):.0f}", *times)
+        return (name, f"{100 * n_open / len(rows):.0f} %", f"{difference:.0e}", states, f"{steps:.1f}", linear, *times)
     if (condensed.code, condensed.sentence) == (iterative.code, iterative.sentence):
         return (name, "", f"both: {condensed.sentence}", "", "", "", *times)
     return (name, "", *(f"{end.code}: {end.sentence}" if end.code else "solved" for end in (condensed, iterative)), "", "", *times)

@@ -72,23 +72,16 @@ namespace conetact::analysis
                   "contact a Gap that closes.");
     }
 
-    /** That of the run that is continued: a state is kept in its terms. */
     BackendChoice
-    continued_backend(const application::Scene &scene)
+    backend_of(const application::Scene &scene, contact::ContactModel &model)
     {
+      if (scene.backend != application::Backend::automatic)
+        return {scene.backend == application::Backend::iterative,
+                "the scene asks for it"};
+      if (!scene.restart)
+        return choose_backend(model, scene.times.size(), scene.n_drawings());
       double iterative = 0;
       scene.restart->state.fill("iterative", iterative);
-      const auto backend = iterative > 0 ? application::Backend::iterative :
-                                           application::Backend::condensed;
-      if (scene.backend != application::Backend::automatic &&
-          scene.backend != backend)
-        throw InputError(
-          std::string("Option --restart: the run in ") +
-          scene.restart->folder.string() +
-          " was solved with Solver/Backend = " +
-          (iterative > 0 ? "iterative" : "condensed") +
-          ", and its state is kept in these terms. Set Backend to that, or to "
-          "automatic.");
       return {iterative > 0, "as in the run that is continued"};
     }
 
@@ -109,12 +102,7 @@ namespace conetact::analysis
                  contact::ContactModel    &model,
                  Log                      &log)
     {
-      BackendChoice choice{scene.backend == application::Backend::iterative,
-                           "the scene asks for it"};
-      if (scene.restart)
-        choice = continued_backend(scene);
-      else if (scene.backend == application::Backend::automatic)
-        choice = choose_backend(model, scene.times.size(), scene.n_drawings());
+      const BackendChoice choice = backend_of(scene, model);
       if (choice.iterative)
         model.solve_iteratively();
       if (scene.backend != application::Backend::condensed)
@@ -232,16 +220,22 @@ namespace conetact::analysis
         log.time("stiffness of all unknowns, levels of multigrid");
         return;
       }
-    const double bytes = model.condense().factor_bytes();
-    log.time("condensation by " + std::string(scene.condenser->name) +
-             ": order, factor and Schur complement" +
-             (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
-    report_shared_bodies(scene.bodies, model.condense().n_shared_bodies(), log);
+    condense();
     if (!scene.fclib_increments.empty())
       output::check_problem_is_writable(*model.condense().system());
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
       throw InputError("Output, Text increments: no node may touch anything, "
                        "there is no contact problem. Leave the entry empty.");
+  }
+
+  void
+  Analysis::condense()
+  {
+    const double bytes = model.condense().factor_bytes();
+    log.time("condensation by " + std::string(scene.condenser->name) +
+             ": order, factor and Schur complement" +
+             (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
+    report_shared_bodies(scene.bodies, model.condense().n_shared_bodies(), log);
   }
 
   void

@@ -3,8 +3,10 @@
 
 #include "conetact/analysis/increment_analysis.h"
 
+#include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/process.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/candidates.h"
 #include "conetact/contact/refusal.h"
@@ -70,7 +72,7 @@ namespace conetact::analysis
               first_unsure = next - 1;
               break;
             case Outcome::failed:
-              if (!condense_all() && !cut(next))
+              if (!condense_all() && !condense_instead(step.why) && !cut(next))
                 throw AnalysisError(step.why);
           }
       }
@@ -217,6 +219,7 @@ namespace conetact::analysis
         return "";
       }
     const solvers::ContactProblem problem = history.problem(increment.load);
+    unsolved                              = false;
     if (const std::string why = no_equilibrium(problem, increment);
         !why.empty())
       return why;
@@ -225,13 +228,11 @@ namespace conetact::analysis
     else
       report = solver->solve(problem, state);
     done.add(report);
-    if (!report.converged)
-      return (report.reason.empty() ?
-                "the residual is " + to_text(report.residual) :
-                report.reason) +
-             (model.is_iterative() ?
-                ". Set Solver, Backend = condensed, which has more methods" :
-                "");
+    unsolved = !report.converged;
+    if (unsolved)
+      return report.reason.empty() ?
+               "the residual is " + to_text(report.residual) :
+               report.reason;
     // nor were candidates that are left out
     if (report.substeps > 1 && !model.working_set().is_all())
       return "it was solved in parts";
@@ -576,6 +577,37 @@ namespace conetact::analysis
     return true;
   }
 
+  /* Without condensation there is one method only. */
+  bool
+  IncrementAnalysis::condense_instead(std::string &why)
+  {
+    if (!model.is_iterative() || !unsolved)
+      return false;
+    model.solve_condensed();
+    history.see_condensation();
+    existence.reset();
+    solver = solver_of(scene.solver, model);
+    const double memory =
+      estimate_cost(model, scene.times.size(), scene.n_drawings()).memory_bytes;
+    if (memory > machine_memory())
+      {
+        why += " Solver, Backend = condensed has more methods, but takes " +
+               megabytes(memory) + ", more than this machine has.";
+        return false;
+      }
+    log.say(why +
+            " From here on bodies are condensed, which has more methods.");
+    try
+      {
+        condense();
+      }
+    catch (const InputError &error) // too late for one
+      {
+        throw AnalysisError(error.what());
+      }
+    return true;
+  }
+
   IncrementAnalysis::Step
   IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
   {
@@ -604,6 +636,7 @@ namespace conetact::analysis
       recover(increment, w);
     const unsigned int k   = increment.record.increment;
     const std::string  why = complete(increment, finding, w);
+    unsolved               = !(error_of(finding) <= scene.solver.tolerance);
     if (!why.empty())
       return {Step::Outcome::failed, k, failed(increment.record, why), {}};
     warn_of_nodes(increment, finding.u);

@@ -87,10 +87,11 @@ namespace conetact::application
         "fast for some thousand contact nodes, memory grows with the square of "
         "their number. iterative: Newton's method on all unknowns, whose "
         "linear systems are solved by GMRES and multigrid; memory grows with "
-        "the mesh only. It solves increments (Method = automatic) of continua "
-        "that supports hold, and its linear systems are shared by all "
-        "processes (option --processes, mpirun -n). automatic: condensed, unless that is forecast not "
-        "to fit into memory; --dry-run says which.");
+        "the mesh only. It solves increments (Method = automatic); its linear "
+        "systems are shared by all processes (option --processes, mpirun -n). "
+        "Where it does not converge, bodies are condensed from there on, if "
+        "that fits into memory. automatic: by the forecast of time and memory, "
+        "--dry-run says which.");
     }
 
     std::string

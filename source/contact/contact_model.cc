@@ -337,6 +337,13 @@ namespace conetact::contact
     large = true;
   }
 
+  void
+  ContactModel::solve_condensed()
+  {
+    large = false;
+    choose(WorkingSet(points.layout()));
+  }
+
   ElasticBackend &
   ContactModel::condense()
   {
@@ -572,12 +579,7 @@ namespace conetact::contact
                        "that is continued.");
     archive.fill("contact/q", q);
     archive.fill("contact/r", r);
-    // Unknowns of other supports are others; they are where solvers start.
-    if (model->is_iterative())
-      elastic = primal();
-    if (!model->is_iterative() || archive.get("contact/elastic").size() ==
-                                    static_cast<std::size_t>(elastic.size()))
-      archive.fill("contact/elastic", elastic);
+    take_elastic(archive.get("contact/elastic"));
     archive.fill("contact/largest", largest);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
@@ -587,6 +589,23 @@ namespace conetact::contact
         archive.fill("contact/a", a);
         archive.fill("contact/base", base);
       }
+  }
+
+  /* It is where solvers start: unknowns of other supports are others, and those
+     of contacts stand behind all others. */
+  void
+  ContactHistory::take_elastic(const std::vector<double> &kept)
+  {
+    elastic      = model->is_iterative() ? primal() : q;
+    const auto n = static_cast<std::size_t>(elastic.size());
+    if (kept.size() == n || (kept.size() > n && !model->is_iterative()))
+      std::copy(kept.end() - elastic.size(), kept.end(), elastic.data());
+  }
+
+  void
+  ContactHistory::see_condensation()
+  {
+    take_elastic({elastic.data(), elastic.data() + elastic.size()});
   }
 
   double

@@ -144,6 +144,22 @@ def pressed(laws):
                     **({"Load press": None} if gap == 0 else {"Time": {"Increments": 1}})}))
 
 
+def given_up(laws):
+    """Where Newton's method in all unknowns does not converge bodies are condensed: few feet, of which one sticks and one slips."""
+    feet = {"Dimension": 2, "Body bridge": box((12, 3), (4.0, 1.0), young=1e4), "Obstacle floor": floor(2),
+            "Contact feet": contact("bridge", 7), "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0, "Checkpoint": 1}}
+    feet["Body bridge"]["Mesh"]["Boundary ids"] = "7: y < 1e-9 && (x < 0.4 || x > 3.6)"
+    for place in (.5, 1.0):
+        for mu in (.02, .1, .3):
+            scene = merge(feet, {"Contact feet": {"Friction coefficient": mu},
+                                 "Load weight": {"Body": "bridge", "Kind": "point force", "Point": (place, 1), "Value": "0 ; -t"}})
+            condensed, iterative = (laws.run(scene, *backend(name)) for name in ("condensed", "iterative"))
+            laws.same(f"on two feet, mu {mu:g}", condensed, iterative, 1e-8)
+            how = [row["solver"] == "iterative" for row in iterative.increments]
+            said = (iterative.folder / "log.txt").read_text().count("From here on bodies are condensed")
+            laws.demand(f"  by the one backend, then by the other: {how}", how == sorted(how, reverse=True) and said == (not all(how)))
+
+
 def beam(dim, start, end, n, young, height):
     """Its boundary ids: 0 all nodes, 1 the first, 2 the last."""
     return {"Kind": "frame", "Sections": "s",
@@ -237,6 +253,7 @@ def iterative_pairs(laws):
 def iterative_floating(laws):
     floating(laws)
     pressed(laws)
+    given_up(laws)
 
 
 def iterative_frames(laws):

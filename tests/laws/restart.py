@@ -67,8 +67,7 @@ def kinds():
                 "Contact bottom": contact(mu=.3), "Load weight": load("body force", "0 ; -1"),
                 "Load push": load("traction", "0.3*sin(t) ; 0", 1), "Time": {"End": 12, "Increments": 12},
                 "Output": {"VTU": 0}}
-    plate = merge(shear, {"Obstacle floor": {"Free": "y", "Force": "0 ; 40 + t"}})
-    plate["Support top"]["Displacement"] = "0.0005*t ; 0"
+    plate = merge(shear, {"Obstacle floor": {"Free": "y", "Force": "0 ; 40 + t"}, "Support top": {"Displacement": "0.0005*t ; 0"}})
     blocks = merge(stack(2, ((6, 3), (5, 3)), (1.0, .7), .4, .2), {"Time": {"End": 6, "Increments": 12}})
     tied = merge(blocks, {"Contact joint 1": {"Kind": "tie", "Friction coefficient": None}})
     space = merge(press_and_shear(3, increments=12), {"Output": {"VTU": 0}})
@@ -94,8 +93,8 @@ def same_as_in_one_go(laws):
 
 
 def after_a_kill(laws):
-    scene = merge(press_and_shear(3, cells=(6, 6, 6), increments=90), {"Output": {"VTU": 10, "Checkpoint": 4}})
-    scene["Support top"]["Displacement"] = "0.001*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)"
+    scene = merge(press_and_shear(3, cells=(6, 6, 6), increments=90), {
+        "Output": {"VTU": 10, "Checkpoint": 4}, "Support top": {"Displacement": "0.001*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)"}})
     file = laws.folder / "kill.prm"
     write_scene(scene, file)
     whole = laws.run(file)
@@ -145,10 +144,29 @@ def with_other_loads(laws):
     laws.check("energies balance across the change", work / size, 1e-9)
 
 
+def by_the_other_backend(laws):
+    """A state is that of either backend."""
+    for name, scene in kinds().items():
+        if "Free" in str(scene):
+            continue  # a rigid body, which is not solved iteratively
+        whole = laws.run(scene)
+        for first, then in (("condensed", "iterative"), ("iterative", "condensed")):
+            file = laws.folder / f"{laws.n_runs}-{first}.prm"
+            folder = laws.folder / f"{laws.n_runs}-{then}"
+            write_scene(merge(scene, {"Solver": {"Backend": first}, "Output": {"Checkpoint": 1},
+                                      "Time": {"End": None, "Increments": None,
+                                               "Times": [row["time"] for row in whole.increments[:7]]}}), file)
+            subprocess.run([laws.program, file, "-o", folder, "--quiet"], check=True)
+            write_scene(merge(scene, {"Solver": {"Backend": then}}), file)
+            if go_on(laws, file, folder):
+                laws.check(f"{name}: {first}, then {then}, difference", difference(whole.folder, folder), 1e-8)
+
+
 def restart(laws):
     same_as_in_one_go(laws)
     after_a_kill(laws)
     with_other_loads(laws)
+    by_the_other_backend(laws)
     refusals(laws)
 
 

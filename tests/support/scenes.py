@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Scenes as trees of entries: how one is written, changed, and built of blocks."""
+import copy
 import math
 from pathlib import Path
 
@@ -31,7 +32,7 @@ def lines(tree, depth=0):
 
 def merge(tree, changes):
     """A copy of a scene with other entries; None removes one."""
-    result = dict(tree)
+    result = copy.deepcopy(tree)
     for name, value in changes.items():
         if value is None:
             result.pop(name, None)

@@ -85,6 +85,9 @@ namespace conetact::analysis
     }
 
   protected:
+    /** Bodies, with a word to the log. Throws InputError. */
+    void
+    condense();
     /** Throws InputError where loads drive a body that nothing can hold. */
     void
     refuse_unbalanced(const Eigen::VectorXd &forces, const double t) const;

@@ -58,11 +58,14 @@ namespace conetact::contact
     }
     /**
      * Makes it so, before anything is condensed. Throws InputError where the
-     * scene has what IterativeBackend cannot do.
+     * scene has what that cannot do.
      */
     void
     solve_iteratively();
-    /** What that is; empty: nothing. */
+    /** The other way from here on, with all candidates. */
+    void
+    solve_condensed();
+    /** What IterativeBackend cannot do; empty: nothing. */
     std::string
     why_not_iterative() const
     {
@@ -224,6 +227,9 @@ namespace conetact::contact
      */
     void
     relink(const Eigen::VectorXd &u, const double t);
+    /** The model is condensed from here on. */
+    void
+    see_condensation();
     /** Free motions have become other ones. */
     void
     forget_motions()
@@ -281,6 +287,9 @@ namespace conetact::contact
     /** What moves contacts without strain until the end with `load`. */
     Eigen::VectorXd
     offset_at(const LoadCase &load) const;
+    /** `elastic` of this or another backend. */
+    void
+    take_elastic(const std::vector<double> &kept);
     /** A scale of forces whose rounding is that of motions without strain. */
     double
     motion_force(const LoadCase &load) const;
