@@ -3,6 +3,8 @@
 
 #include "conetact/contact/iterative_limits.h"
 
+#include "conetact/base/text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -13,15 +15,15 @@ namespace conetact::contact
   {
     using Nodes = std::set<std::pair<unsigned int, unsigned int>>;
 
-    /** Whether a node has several points, bound ones included. */
-    bool
-    share_nodes(const ContactPoints &points)
+    /** A node that has several points, bound ones included, if any. */
+    const pairing::ContactNode *
+    shared_node(const ContactPoints &points)
     {
       Nodes nodes;
       for (const ContactPoint &point : points.all())
         if (!nodes.insert({point.node->body, point.node->node}).second)
-          return true;
-      return false;
+          return point.node;
+      return nullptr;
     }
 
     /** Whether nodes with unknowns of their own contacts are masters, too. */
@@ -104,8 +106,10 @@ namespace conetact::contact
       if (!is_bound_or_held(points.all()[i], supports))
         return "knows no ties and no bilateral contacts of nodes that supports "
                "hold askew, or where these do not hold what it meets";
-    if (share_nodes(points))
-      return "wants each node in one contact";
+    if (const pairing::ContactNode *node = shared_node(points))
+      return "wants each node in one contact, and that at " +
+             to_text(node->position) + " of " + bodies.called(node->body) +
+             " is in several";
     if (points.have_prescribed_slip())
       return "knows no friction along what supports hold";
     for (const ContactPoint &point : points.all())

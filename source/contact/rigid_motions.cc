@@ -435,9 +435,11 @@ namespace conetact::contact
       if (const Motion m = largest(loose.col(j)); !reached[tied_with[m.body]])
         throw InputError(
           "Nothing holds " + bodies.called(m.body) + " against moving " +
-          describe(m) + ": no support, and no contact with friction. " +
+          describe(m) +
+          ": no support, and no node of it faces anything in a Contact. " +
           (bodies.is_rigid(m.body) ? "Let it be less Free" : "Add a Support") +
-          ", or add friction to a Contact.");
+          ", or a Contact; check Boundary ids, Reach and the bodies' "
+          "places.");
   }
 
   /* Least squares: a rigid motion fits what supports prescribe only if they

@@ -49,6 +49,48 @@ namespace conetact::pairing
     }
 
     /**
+     * Lines in space have normals all around: that towards the node, or against
+     * its side where it is on the line.
+     */
+    void
+    turn_around_line(const std::vector<Point<3>>     &corners,
+                     const std::vector<Tensor<1, 3>> &slave_normals,
+                     const Tensor<1, 3>              &arm,
+                     Tensor<1, 3>                    &normal)
+    {
+      const Tensor<1, 3> line = corners[1] - corners[0];
+      const double       size = line.norm();
+      double             most = 0;
+      const auto         take = [&](const Tensor<1, 3> &direction) {
+        const Tensor<1, 3> across =
+          direction - (direction * line / (size * size)) * line;
+        if (across.norm() > most)
+          {
+            most   = across.norm();
+            normal = across / most;
+          }
+      };
+      take(arm);
+      if (most > touching * size)
+        return;
+      most = 0;
+      for (const Tensor<1, 3> &n : slave_normals)
+        take(-n);
+    }
+
+    /** Whether all that a node sees of a line is in the plane of x and y. */
+    bool
+    is_plane(const std::vector<Point<3>>     &corners,
+             const std::vector<Tensor<1, 3>> &slave_normals,
+             const Tensor<1, 3>              &arm)
+    {
+      return corners[0][2] == corners[1][2] && arm[2] == 0 &&
+             std::all_of(slave_normals.begin(),
+                         slave_normals.end(),
+                         [](const Tensor<1, 3> &n) { return n[2] == 0; });
+    }
+
+    /**
      * A surface without sides looks against the node's side, or if that has
      * none either, at the node.
      */
@@ -205,7 +247,13 @@ namespace conetact::pairing
       return {};
     if (!whole)
       for (FaceNet::Closest &at : feature)
-        turn_against(slave_normals, p - at.point, at.normal);
+        {
+          const auto        &corners = faces.all()[at.face].corners;
+          const Tensor<1, 3> towards = p - at.point;
+          if (corners.size() == 2 && !is_plane(corners, slave_normals, towards))
+            turn_around_line(corners, slave_normals, towards, at.normal);
+          turn_against(slave_normals, towards, at.normal);
+        }
     const auto arm = arm_over(feature, p - feature[0].point);
     if (!arm)
       return {};

@@ -127,9 +127,8 @@ namespace conetact::solvers
 
   /* Laws in the units of forces and displacements. */
   std::vector<NodeLaw>
-  LargeNewton::laws(const Point &point) const
+  LargeNewton::laws(const Point &point, NodeSets sets) const
   {
-    NodeSets sets = point.sets;
     for (NodeSet &set : sets)
       set.ratio = std::min(set.ratio, largest_ratio);
     std::vector<NodeLaw> result =
@@ -147,13 +146,36 @@ namespace conetact::solvers
 
 
 
-  /** False if there is no step. */
-  bool
-  LargeNewton::step(Point &point, const Manner &manner, SolverReport &report)
+  /* Where all nodes that hold a body slip the strongest one sticks, or all of
+     them, until they are seen to slip with something left that holds, as in
+     ActiveSet. */
+  std::vector<NodeSets>
+  LargeNewton::holding_sets(const Point &point) const
   {
-    const auto found = body->solve(laws(point), point.f, manner.precision);
+    const ContactSystem &system = relation->system();
+    if (resist_motions(system, point.sets))
+      return {point.sets};
+    std::vector<NodeSets> result;
+    for (const NodeSets &sets :
+         {with_strongest_stuck(*relation, point.sets, point.d),
+          without_slip(*relation, point.sets)})
+      if (resist_motions(system, sets))
+        result.push_back(sets);
+    return result.empty() ? std::vector<NodeSets>{point.sets} : result;
+  }
+
+
+
+  std::optional<LargeNewton::Point>
+  LargeNewton::step_with(const NodeSets &sets,
+                         const Point    &point,
+                         const Manner   &manner,
+                         SolverReport   &report) const
+  {
+    const auto found =
+      body->solve(laws(point, sets), point.f, manner.precision);
     if (!found)
-      return false;
+      return {};
     report.krylov += found->iterations;
     ++report.iterations;
     Point trial = point_at(point.u + found->du);
@@ -167,70 +189,104 @@ namespace conetact::solvers
         trial = point_at(trial.u); // sums of steps round
       }
     if (!std::isfinite(trial.residual()))
-      return false;
-    point      = std::move(trial);
-    point.sets = sets_of_point(*relation, point.p, point.d);
-    return true;
+      return {};
+    trial.sets = sets_of_point(*relation, trial.p, trial.d);
+    return trial;
+  }
+
+
+
+  /** False if there is no step. */
+  bool
+  LargeNewton::step(Point &point, const Manner &manner, SolverReport &report)
+  {
+    std::optional<Point> taken;
+    for (const NodeSets &sets : holding_sets(point))
+      {
+        if (auto trial = step_with(sets, point, manner, report))
+          taken = std::move(trial);
+        // one that slips again at once does not hold either
+        if (taken && signature(taken->sets) != signature(point.sets))
+          break;
+      }
+    if (taken)
+      point = std::move(*taken);
+    return taken.has_value();
   }
 
 
 
   std::string
-  LargeNewton::iterate(Point &point, SolverReport &report, const bool exactly)
+  LargeNewton::iterate(Point        &point,
+                       SolverReport &report,
+                       const bool    exactly,
+                       const double  goal)
   {
-    const double          goal = aim * options.tolerance;
+    const double          askew = std::max(goal, askew_aim * options.tolerance);
     std::set<std::string> seen;
     std::string           current = signature(point.sets);
     Manner                manner{exactly,
                   exactly           ? exact :
                                  point.d.isZero(0) ? best_precision :
                                                      first_precision};
-    unsigned int          stalls   = 0;
-    double                least    = point.residual();
-    bool                  improved = true;
-    const auto            goes_on  = [&] {
+    double                forces = relation->force_scale(point.p, point.d);
+    double               least = point.residual(), least_force = least * forces;
+    unsigned int         stalls   = 0;
+    bool                 improved = true;
+    std::optional<Point> settled; // as exact as rounding lets it be
+    const auto           goes_on = [&] {
       return point.residual() > goal ||
-             (improved &&
-              askew_friction(
-                *relation, point.sets, point.p, point.d, options.tolerance) >
-                askew_aim * options.tolerance);
+             (improved && askew_friction(*relation,
+                                         point.sets,
+                                         point.p,
+                                         point.d,
+                                         options.tolerance) > askew);
     };
     while (goes_on())
       {
         if (report.iterations >= options.max_iterations)
           return stalled(point.residual());
         seen.insert(current);
-        const double before = point.residual(),
-                     forces = relation->force_scale(point.p, point.d);
+        const double before = point.residual(), forces_before = forces;
         if (!step(point, manner, report))
           return "singular tangent";
-        const std::string next = signature(point.sets);
+        const double residual = point.residual();
         // Residuals are relative: reactions that vanish make them large.
+        forces = relation->force_scale(point.p, point.d);
         const double gain =
-          point.residual() / before *
-          std::min(relation->force_scale(point.p, point.d) / forces, 1.);
+          residual / before * std::min(forces / forces_before, 1.);
         improved = gain < .5;
+        if (residual <= noise && (!settled || residual < settled->residual()))
+          settled = point;
+        if (settled && !improved)
+          {
+            point = std::move(*settled);
+            break;
+          }
         // States may change node by node: little gain is progress, too.
-        const bool goes_down = point.residual() < progress * least;
-        stalls               = improved || goes_down ? 0 : stalls + 1;
-        least                = std::min(least, point.residual());
-        if (stalls > 1 && point.residual() <= noise)
-          break;
-        const bool cycles =
+        stalls                 = residual < progress * least ||
+                     residual * forces < progress * least_force ?
+                                   0 :
+                                   stalls + 1;
+        least                  = std::min(least, residual);
+        least_force            = std::min(least_force, residual * forces);
+        const std::string next = signature(point.sets);
+        const bool        cycles =
           next != current && !improved && seen.count(next) > 0;
         current = next;
-        if (cycles || stalls > max_stalls)
+        if (cycles && !manner.damped)
+          return "cycling between state sets";
+        if (stalls > max_stalls)
           {
-            if (manner.damped && stalls > max_stalls)
-              return cycles ? "cycling between state sets" :
-                              stalled(point.residual());
+            if (manner.damped)
+              return stalled(residual);
             manner = {true, exact};
           }
         if (!manner.damped)
-          manner.precision = std::clamp(std::max(.9 * std::pow(gain, 1.5),
-                                                 .3 * goal / point.residual()),
-                                        best_precision,
-                                        least_precision);
+          manner.precision =
+            std::clamp(std::max(.9 * std::pow(gain, 1.5), .3 * goal / residual),
+                       best_precision,
+                       least_precision);
       }
     return "";
   }
@@ -245,7 +301,7 @@ namespace conetact::solvers
   {
     SolverReport report;
     const Index  n = relation->system().n_unknowns();
-    report.reason  = iterate(point, report, exactly);
+    report.reason  = iterate(point, report, exactly, aim * options.tolerance);
     set_exact_zeros(*relation, point.sets, point.p, point.d);
     relation->from_scaled(point.p, point.d, state);
     // without offset v itself is the displacement
@@ -326,16 +382,26 @@ namespace conetact::solvers
   LargeNewton::solve_whole(const ContactProblem &problem, ContactState &state)
   {
     attach(problem);
-    const ContactState start = state;
-    const Index        n     = relation->system().n_unknowns();
-    SolverReport       report, sum;
-    const auto         tried = [&](Point point, const bool exactly) {
-      state  = start;
-      report = run(problem, std::move(point), state, exactly);
+    const ContactState    start = state;
+    const Index           n     = relation->system().n_unknowns();
+    SolverReport          report, sum;
+    std::set<std::string> known;
+    const auto            took = [&](const SolverReport &attempt) {
+      report = attempt;
       add_work(sum, report);
       report.iterations = sum.iterations;
       report.krylov     = sum.krylov;
       return report.converged;
+    };
+    const auto tried = [&](Point point, const bool exactly) {
+      state = start;
+      return took(run(problem, std::move(point), state, exactly));
+    };
+    const auto tried_exactly = [&](const NodeSets &sets) {
+      Point point = point_at(start.u);
+      point.sets  = sets;
+      return known.insert(signature(sets)).second &&
+             tried(std::move(point), true);
     };
     if (auto guess = predict(problem, start))
       {
@@ -348,20 +414,30 @@ namespace conetact::solvers
     const bool stays = point.residual() <= aim * options.tolerance;
     if (!stays)
       point.sets = sets_of_state(*relation, of_contact(start, n));
-    if (tried(point, false) || tried(point, true))
+    const NodeSets before = point.sets;
+    if (tried(std::move(point), false))
       return report;
-    // all nodes stick, to begin with
-    ContactState cold = of_contact(start, n);
-    cold.node.clear();
-    point.sets = sets_of_state(*relation, cold);
-    if (tried(std::move(point), true))
+    state = start;
+    if (took(solve_with_falling_friction(problem, state)))
+      return report;
+    ContactState cold = all_stuck(start);
+    if (tried_exactly(before) || tried_exactly(sets_of_state(*relation, cold)))
       return report;
     // only those whose gaps are closed, or are driven to close
-    cold.node  = driven_states(start);
-    point      = point_at(start.u);
-    point.sets = sets_of_state(*relation, cold);
-    tried(std::move(point), true);
+    cold.node = driven_states(start);
+    tried_exactly(sets_of_state(*relation, cold));
     return report;
+  }
+
+
+
+  /* To begin with. */
+  ContactState
+  LargeNewton::all_stuck(const ContactState &start) const
+  {
+    ContactState state = of_contact(start, relation->system().n_unknowns());
+    state.node.clear();
+    return state;
   }
 
 
@@ -374,7 +450,7 @@ namespace conetact::solvers
     const ContactSystem &system  = relation->system();
     Point                point   = point_at(start.u);
     Array                opening = relation->displacements(point.p, point.d);
-    ContactState         stuck   = of_contact(start, system.n_unknowns());
+    ContactState         stuck   = all_stuck(start);
     stuck.node.assign(static_cast<std::size_t>(system.n_nodes()),
                       NodeState::stick);
     SolverReport report;
@@ -390,6 +466,58 @@ namespace conetact::solvers
       if (opening[system.normal(i)] > 0)
         stuck.node[static_cast<std::size_t>(i)] = NodeState::open;
     return stuck.node;
+  }
+
+
+
+  SolverReport
+  LargeNewton::solve_with_falling_friction(const ContactProblem &problem,
+                                           ContactState         &state)
+  {
+    // of what is on the way states matter only
+    constexpr double   least_ratio = 1.1, enough = 1e-6;
+    const ContactState start = state;
+    ContactProblem     easier(problem);
+    Array              u = state.u; // of the last factor that is solved
+    SolverReport       report, sum;
+    double             solved = 0;
+    if (problem.system->n_nodes() == 0 || problem.system->mu.maxCoeff() == 0)
+      return report;
+    const double much = std::max(1 / problem.system->mu.maxCoeff(), 2.);
+    for (double factor = much, ratio = 2;;)
+      {
+        auto system = std::make_shared<ContactSystem>(*problem.system);
+        system->mu *= factor;
+        easier.system = factor > 1 ? system : problem.system;
+        attach(easier);
+        Point point = point_at(u);
+        point.sets  = solved > 0 ? sets_of_point(*relation, point.p, point.d) :
+                                   sets_of_state(*relation, all_stuck(start));
+        state       = start;
+        if (factor > 1)
+          {
+            report        = {};
+            report.reason = iterate(point, report, true, enough);
+            state.u       = point.u;
+          }
+        else
+          report = run(problem, std::move(point), state, true);
+        add_work(sum, report);
+        if (report.reason.empty())
+          {
+            solved = factor;
+            u      = state.u;
+          }
+        else
+          ratio = solved > 0 ? std::sqrt(solved / factor) : 1;
+        if (solved == 1 || ratio < least_ratio)
+          break;
+        factor = std::max(solved / ratio, 1.);
+      }
+    attach(problem);
+    report.iterations = sum.iterations;
+    report.krylov     = sum.krylov;
+    return report;
   }
 
 

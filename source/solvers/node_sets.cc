@@ -3,6 +3,8 @@
 
 #include "conetact/solvers/node_sets.h"
 
+#include "conetact/solvers/null_space.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -400,16 +402,15 @@ namespace conetact::solvers
   NodeSets
   with_strongest_stuck(const LinearRelation  &relation,
                        NodeSets               sets,
-                       const Eigen::VectorXd &p)
+                       const Eigen::VectorXd &r)
   {
     const ContactSystem &system    = relation.system();
     NodeSet             *strongest = nullptr;
     double               most      = 0;
     for (std::size_t i = 0; i < sets.size(); ++i)
       {
-        const auto k = static_cast<Index>(i);
-        // Motions stand in the compliance form only, where p is the reaction.
-        const double hold = system.mu(k) * p(system.normal(k));
+        const auto   k    = static_cast<Index>(i);
+        const double hold = system.mu(k) * r(system.normal(k));
         if (sets[i].state == NodeState::slip && hold > most)
           {
             most      = hold;
@@ -419,6 +420,39 @@ namespace conetact::solvers
     if (strongest != nullptr)
       strongest->state = NodeState::stick;
     return sets;
+  }
+
+
+
+  bool
+  resist_motions(const ContactSystem &system, const NodeSets &sets)
+  {
+    constexpr double      rounding = 1e-10;
+    const Eigen::MatrixXd N        = orthonormal_basis(system.null_space);
+    if (N.cols() == 0)
+      return true;
+    Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(N.cols(), N.cols());
+    const auto      add        = [&](const Eigen::MatrixXd &rows) {
+      resistance.noalias() += rows.transpose() * rows;
+    };
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const NodeSet &set   = sets[at(i)];
+        const Index    first = system.first[i], nt = system.n_tangents(i);
+        if (set.state == NodeState::open)
+          continue;
+        add(N.row(first + nt));
+        const Eigen::MatrixXd slip = N.middleRows(first, nt);
+        if (set.state == NodeState::stick)
+          add(slip);
+        else if (set.ratio > 0) // along e nothing does
+          add(set.ratio *
+              (slip - set.direction * (set.direction.transpose() * slip)));
+      }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      resistance, Eigen::EigenvaluesOnly);
+    return modes.eigenvalues().minCoeff() >
+           rounding * modes.eigenvalues().maxCoeff();
   }
 
 

@@ -3,7 +3,7 @@
 """Bodies on bodies: glued joints, meshes that do not match, a shrink fit."""
 import math
 
-from support.scenes import SHIPPED, load, stack, support
+from support.scenes import SHIPPED, beam, box, joint, load, stack, support
 from support.tables import REACTION, in_space
 from support.vectors import cross, dot, plus, scaled
 
@@ -53,6 +53,37 @@ def pairs(laws):
     ring = laws.run(SHIPPED / "shrink-fit.prm", "-s", "Output/VTU=0")
     mean = sum(row["r_n"] for row in ring.rows if row["contact"] == "joint") / math.pi
     laws.check("shrink fit: mean pressure against Lame", abs(mean / .234375 - 1), 1e-3)
+    rails(laws)
+
+
+def rails(laws):
+    """A block across two beams in space, whose nodes it does not meet: on them, or a little above."""
+    for along, across, up in ("xyz", "yxz", "xzy", "zyx"):
+        for height in (0.0, .005):
+            def at(a, b, c):
+                return tuple({along: a, across: b, up: c}[axis] for axis in "xyz")
+            size, corner = (1.1, 1.0, .5), at(.55, 0.0, height)
+            block = box(at(5, 4, 2), at(*size), corner)
+            block["Mesh"]["Boundary ids"] = " ; ".join(f"{i}: {up} < {height} + 1e-9 && {side}" for i, side in (
+                (7, f"{across} < 0.25"), (8, f"{across} > 0.75")))
+            scene = {"Dimension": 3, "Body block": block, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 2},
+                     "Load weight": load("body force", " ; ".join(at("0", "0", "-t")), body="block")}
+            for i, place in ((7, 0.0), (8, 1.0)):
+                name = f"rail {i}"
+                scene |= {f"Body {name}": beam(at(0.0, place, 0.0), at(2.0, place, 0.0), 8, 1e6, .1),
+                          f"Support {name} 1": support(1, "clamped", body=name), f"Support {name} 2": support(2, "clamped", body=name),
+                          f"Contact {i}": {**joint("block", i, name, 0, Pairing="node to face", Reach=.01), "Friction coefficient": .5}}
+            run = laws.run(scene)
+            weight, totals = size[0] * size[1] * size[2], {}
+            moment = 0.0
+            for row in run.last():
+                if not row["contact"].endswith("_master"):
+                    force = in_space(row, 3, REACTION)["xyz".index(up)]
+                    totals[row["contact"]] = totals.get(row["contact"], 0) + force
+                    moment += force * (row[along] - corner["xyz".index(along)] - size[0] / 2)
+            what = f"rails along {along}, {height:g} below"
+            laws.check(f"{what}: half of the weight on each", max(abs(f - weight / 2) for f in totals.values()) / weight, 1e-9)
+            laws.check("  and its moment", abs(moment) / weight, 1e-9)
 
 
 def joint_errors(run, dim, pressure):

@@ -89,6 +89,13 @@ def load(kind, value, ids=None, body="block", **entries):
     return {"Body": body, "Kind": kind, "Value": value, **({} if ids is None else {"Boundary ids": ids}), **entries}
 
 
+def beam(start, end, n, young, height):
+    """Its boundary ids: 0 all nodes, 1 the first, 2 the last."""
+    return {"Kind": "frame", "Sections": "s",
+            "Frame": {"Generator": "line", "Arguments": " : ".join(map(text, (start, end, n)))},
+            "Section s": {"Young modulus": young, "Area": height**2, "Moment of inertia": height**4 / 12}}
+
+
 def press_and_shear(dim, cells=None, mu=.3, increments=4, **body):
     """A block pressed in one increment, then sheared along x in equal ones."""
     size = (2.0, 1.0) if dim == 2 else (1.5, 1.0, 1.0)

@@ -47,11 +47,15 @@ namespace conetact::pairing
 
       /**
        * Whether the nearest point of the surface may be on this face: a point
-       * stands off along normals of the face and its neighbours.
+       * stands off along normals of the face and its neighbours. Lines in
+       * space have normals all around.
        */
       bool
       may_have_foot(const Point<3> &p) const
       {
+        if (corners.size() == 2 &&
+            (corners[0][2] != 0 || corners[1][2] != 0 || p[2] != 0))
+          return true;
         const Tensor<1, 3> arm    = p - centre;
         const Tensor<1, 3> beside = arm - (arm * outward) * outward;
         return beside.norm() <= 1.1 * radius + turn * arm.norm();

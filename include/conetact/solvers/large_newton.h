@@ -63,11 +63,22 @@ namespace conetact::solvers
     Point
     point_at(const Array &u) const;
     std::vector<NodeLaw>
-    laws(const Point &point) const;
+    laws(const Point &point, NodeSets sets) const;
+    /** What to take nodes for, one after the other, until it holds bodies. */
+    std::vector<NodeSets>
+    holding_sets(const Point &point) const;
+    std::optional<Point>
+    step_with(const NodeSets &sets,
+              const Point    &point,
+              const Manner   &manner,
+              SolverReport   &report) const;
     bool
     step(Point &point, const Manner &manner, SolverReport &report);
     std::string
-    iterate(Point &point, SolverReport &report, const bool exact);
+    iterate(Point        &point,
+            SolverReport &report,
+            const bool    exact,
+            const double  goal);
     SolverReport
     run(const ContactProblem &problem,
         Point                 point,
@@ -77,10 +88,16 @@ namespace conetact::solvers
     predict(const ContactProblem &problem, const ContactState &state) const;
     SolverReport
     solve_whole(const ContactProblem &problem, ContactState &state);
+    ContactState
+    all_stuck(const ContactState &start) const;
     /** Closed where no gap is, or where loads drive bodies that float, and
      * nowhere else. */
     std::vector<NodeState>
     driven_states(const ContactState &start);
+    /** From so much friction that what holds bodies sticks. */
+    SolverReport
+    solve_with_falling_friction(const ContactProblem &problem,
+                                ContactState         &state);
     SolverReport
     solve_in_parts(const ContactProblem &problem, ContactState &state);
     void

@@ -83,11 +83,16 @@ namespace conetact::solvers
   NodeSets
   without_slip(const LinearRelation &relation, NodeSets sets);
 
-  /** The same with that one stuck which takes most friction. */
+  /** The same with that one stuck which takes most friction of reactions r. */
   NodeSets
   with_strongest_stuck(const LinearRelation  &relation,
                        NodeSets               sets,
-                       const Eigen::VectorXd &p);
+                       const Eigen::VectorXd &r);
+
+  /** Whether closed gaps, stuck slips and slips that turn resist all motions
+   * that nothing else resists. */
+  bool
+  resist_motions(const ContactSystem &system, const NodeSets &sets);
 
   /** States, and signs of slip in 2D: what makes two steps the same. */
   std::string
