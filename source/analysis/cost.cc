@@ -134,7 +134,7 @@ namespace conetact::analysis
   Eigen::Index
   largest_system(const contact::ContactModel &model)
   {
-    if (!model.is_dual())
+    if (!model.condenses_bodies())
       return model.coordinates.n_unknowns();
     Eigen::Index n = 0;
     for (const bodies::Structure *body : model.bodies.structures)
@@ -229,7 +229,7 @@ namespace conetact::analysis
     const bool       is_slow = many_iterations(model) > slow;
     // Condensation has fewer unknowns then, and stops at none of the hard
     // cases.
-    const bool one_by_one = model.is_dual();
+    const bool one_by_one = model.condenses_bodies();
     if (n > huge_body && !is_slow && !one_by_one)
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
@@ -246,6 +246,19 @@ namespace conetact::analysis
     return {condensed.memory_bytes > machine_memory() || is_faster,
             "condensed " + text(condensed) + ", iterative " + text(other) +
               (is_slow ? ", as a body is nearly incompressible" : "")};
+  }
+
+
+
+  bool
+  fits_condensed(const contact::ContactModel &model,
+                 const std::size_t            n_increments,
+                 const std::size_t            n_drawings)
+  {
+    if (model.bodies.dim == 3 && model.coordinates.n_unknowns() > huge_body)
+      return false; // to ask how much would take long, too
+    return estimate_cost(model, n_increments, n_drawings).memory_bytes <=
+           machine_memory();
   }
 
 

@@ -6,7 +6,6 @@
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
-#include "conetact/base/process.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/candidates.h"
 #include "conetact/contact/refusal.h"
@@ -20,13 +19,17 @@ namespace conetact::analysis
 {
   namespace
   {
+    /** Without condensation an increment is solved as a whole, to begin with.
+     */
     std::unique_ptr<solvers::ContactSolver>
     solver_of(const solvers::SolverOptions &options,
               const contact::ContactModel  &model)
     {
-      if (model.is_iterative())
-        return std::make_unique<solvers::LargeNewton>(options);
-      return solvers::make_solver(options);
+      if (!model.is_iterative())
+        return solvers::make_solver(options);
+      solvers::SolverOptions whole = options;
+      whole.max_substeps           = 1;
+      return std::make_unique<solvers::LargeNewton>(whole);
     }
 
     double
@@ -72,7 +75,7 @@ namespace conetact::analysis
               first_unsure = next - 1;
               break;
             case Outcome::failed:
-              if (!condense_all() && !condense_instead(step.why) && !cut(next))
+              if (!condense_all() && !solve_otherwise(step.why) && !cut(next))
                 throw AnalysisError(step.why);
           }
       }
@@ -577,26 +580,31 @@ namespace conetact::analysis
     return true;
   }
 
-  /* Without condensation there is one method only. */
+  /* Without condensation there is one method only. What it does not solve is
+     condensed, or solved in parts where that takes too much memory. */
   bool
-  IncrementAnalysis::condense_instead(std::string &why)
+  IncrementAnalysis::solve_otherwise(std::string &why)
   {
     if (!model.is_iterative() || !unsolved)
       return false;
+    if (in_parts)
+      {
+        why += " Condensed bodies have more methods, but that takes more "
+               "memory than this machine has.";
+        return false;
+      }
+    if (!fits_condensed(model, scene.times.size(), scene.n_drawings()))
+      {
+        in_parts = true;
+        solver   = std::make_unique<solvers::LargeNewton>(scene.solver);
+        return true;
+      }
+    log.say(why +
+            " From here on bodies are condensed, which has more methods.");
     model.solve_condensed();
     history.see_condensation();
     existence.reset();
     solver = solver_of(scene.solver, model);
-    const double memory =
-      estimate_cost(model, scene.times.size(), scene.n_drawings()).memory_bytes;
-    if (memory > machine_memory())
-      {
-        why += " Solver, Backend = condensed has more methods, but takes " +
-               megabytes(memory) + ", more than this machine has.";
-        return false;
-      }
-    log.say(why +
-            " From here on bodies are condensed, which has more methods.");
     try
       {
         condense();

@@ -321,7 +321,7 @@ namespace conetact::contact
   backends::FactorEstimate
   ContactModel::estimate_factor() const
   {
-    if (is_dual())
+    if (condenses_bodies())
       return DualBackend::estimate(
         elastic, points, coordinates, motions, working_set(), condenser);
     return estimate_condensation(

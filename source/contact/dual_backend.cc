@@ -361,7 +361,8 @@ namespace conetact::contact
         tall.topRows(G.rows()) = G;
       }
     const Eigen::JacobiSVD<MatrixXd> svd(tall, Eigen::ComputeThinV);
-    const double limit = 1e-12 * svd.singularValues().maxCoeff();
+    // Motions are about one; where ties leave unseen ones only all is rounding.
+    const double limit = 1e-12 * std::max(svd.singularValues().maxCoeff(), 1.);
     const Index  seen  = (svd.singularValues().array() > limit).count();
     unseen             = svd.matrixV().rightCols(G.cols() - seen);
     // Solvers shall find exact zeros there, not rounding to divide by.

@@ -246,11 +246,16 @@ def tied(laws):
         # reactions are determined, the place is not
         loose = {"Dimension": dim, "Body block": box(below, size), "Obstacle floor": floor(dim), "Contact bottom": contact(ids=low),
                  "Load press": load("pressure", "2", high), "Output": {"VTU": 0}}
-        runs = [laws.run(loose, *backend(name)) for name in ("condensed", "iterative")]
-        force = runs[0].largest("r_n")
-        laws.check(f"{dim}D, nothing opposes sliding: reactions", max(
-            abs(a["r_n"] - b["r_n"]) for a, b in zip(*(sorted(run.rows, key=lambda row: (row["x"], row["y"], row["z"])) for run in runs))
-        ) / force, 1e-8)
+        slider = {"Dimension": dim, "Body block": box(below, size), "Body upper": box(above, size, top, young=1e4), "Output": {"VTU": 0},
+                  "Obstacle floor": floor(dim), "Contact bottom": contact(ids=low),
+                  "Contact joint": {**joint("block", high, "upper", low), "Kind": "bilateral"},
+                  "Support top": support(high, every, " ; ".join(["0"] * (dim - 1) + ["-0.01*t"]), body="upper")}
+        for what, scene in (("nothing opposes sliding", loose), ("a slider on a floor", slider)):
+            runs = [laws.run(scene, *backend(name)) for name in ("condensed", "iterative")]
+            force = runs[0].largest("r_n")
+            laws.check(f"{dim}D, {what}: reactions", max(
+                abs(a["r_n"] - b["r_n"]) for a, b in zip(*(sorted(run.rows, key=lambda row: (row["contact"], row["x"], row["y"], row["z"]))
+                                                           for run in runs))) / force, 1e-8)
 
 
 def iterative(laws):

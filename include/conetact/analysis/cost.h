@@ -57,6 +57,12 @@ namespace conetact::analysis
                  const std::size_t            n_increments,
                  const std::size_t            n_drawings);
 
+  /** Whether this machine has the memory to condense it. */
+  bool
+  fits_condensed(const contact::ContactModel &model,
+                 const std::size_t            n_increments,
+                 const std::size_t            n_drawings);
+
   /** "12.3 MB". */
   std::string
   megabytes(const double bytes);

@@ -132,10 +132,10 @@ namespace conetact::analysis
     extend_set(const Eigen::VectorXd &gaps);
     bool
     condense_all();
-    /** Other methods for an increment that is not solved, where memory allows
-     * them; says in `why` where it does not. */
+    /** Prepares another way to solve what is not solved without condensation;
+     * false, and in `why`: there is none. */
     bool
-    condense_instead(std::string &why);
+    solve_otherwise(std::string &why);
     Step
     check(PendingIncrement &increment, Eigen::VectorXd w);
     /** Of what contact at nodes does not see. */
@@ -153,8 +153,9 @@ namespace conetact::analysis
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
     ContactSearch                            search;
     IncrementParts                           parts; ///< of the one that is next
-    bool lost_contacts  = false; ///< that slide, in what failed last
-    bool unsolved       = false; ///< what failed last, by its solver
+    bool lost_contacts = false; ///< that slide, in what failed last
+    bool unsolved      = false; ///< what failed last, by its solver
+    bool in_parts = false; ///< increments that are too large to be condensed
     bool said_unsettled = false, said_between = false, said_askew = false;
     unsigned int n_saved      = 0;     ///< increments before the checkpoint
     unsigned int first_unsure = 0;     ///< increments before the last one

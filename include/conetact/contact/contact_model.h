@@ -42,8 +42,15 @@ namespace conetact::contact
      * Whether contacts are rows over bodies that condense themselves, with
      * free motions as unknowns (DualBackend); else all bodies are held, meet
      * obstacles only, do not slide along what supports hold and differ from
-     * each other, and one stiffness serves them (Condensation).
+     * each other, and one stiffness serves them (Condensation), if they are
+     * condensed.
      */
+    bool
+    condenses_bodies() const
+    {
+      return dual;
+    }
+    /** The same, unless nothing is condensed. */
     bool
     is_dual() const
     {
@@ -86,7 +93,7 @@ namespace conetact::contact
     std::vector<StiffnessDifference>
     compare_stiffness(const backends::Condenser &other);
 
-    /** What its factorisation will take. */
+    /** What the factorisation of a condensation takes. */
     backends::FactorEstimate
     estimate_factor() const;
 
