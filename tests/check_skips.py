@@ -208,16 +208,26 @@ def estimated_of_processes(laws):
                 check_ratio(laws, f"{dim}D, {n} processes: memory of another", other, memory.split()[0])
 
 
+def choice(laws, scene):
+    return re.search("backend: .*", dry_run(laws, scene))[0]
+
+
 def chosen(laws):
-    """What is nearly incompressible is condensed."""
+    """Large bodies are not condensed but where iterations are slow: what is nearly incompressible, hard slaves."""
     seconds = []
     for nu in (.3, .4999):
         scene = scenes.with_element(scenes.press_and_shear(3, cells=(28, 28, 28)), "Q1 B-bar")
-        text = dry_run(laws, scenes.merge(scene, {"Body block": {"Material": {"Poisson ratio": nu}}}))
-        line = re.search("backend: .*", text)[0]
+        line = choice(laws, scenes.merge(scene, {"Body block": {"Material": {"Poisson ratio": nu}}}))
         seconds.append(float(re.search(r"iterative (\S+) s", line)[1]))
     laws.demand(f"nu = {nu}: {line}", line.startswith("backend: condensed") and line.endswith("nearly incompressible"))
     laws.demand("the iterative backend would take far longer", seconds[1] > 20 * seconds[0])
+    stack = scenes.stack(3, ((26, 26, 26), (28, 28, 28)), (1.0, 1.0), .3, .3)
+    bodies = [body for body in stack if body.startswith("Body ")]
+    for hard, backend in ((None, "iterative"), (bodies[0], "iterative"), (bodies[1], "condensed")):
+        scene = scenes.merge(stack, {hard: {"Material": {"Young modulus": 1e5}}}) if hard else stack
+        line = choice(laws, scene)
+        laws.demand(f"{hard or 'no body'} is harder than the others: {line}", line.startswith(f"backend: {backend}"))
+    laws.demand("it says why", line.endswith("as a slave is harder than its master"))
 
 
 def failed(laws):

@@ -82,8 +82,13 @@ namespace conetact::analysis
     constexpr double longer_if_shared = 1.5;
 
     // Iterations grow with the contrast of strains from here on: 3 times as
-    // many at nu = 0.49, 15 at 0.499, 200 at 0.4999.
-    constexpr double usual_contrast = 36;
+    // many at nu = 0.49, 15 at 0.499, 200 at 0.4999. Several bodies and those
+    // that float have so many times as many as one that is held (20^3 to 36^3
+    // cells); where a slave is so much harder than its master they grow with
+    // the mesh and may not converge: E 10 to 100 on 1 at 30^3 cells; ten times
+    // as many with E 1000.
+    constexpr double usual_contrast = 36, more_of_bodies = 1.5;
+    constexpr double hard = 5, more_of_hard_slaves = 6;
 
     // Unknowns in space below which nothing is worth a forecast, and above
     // which none is needed.
@@ -102,14 +107,34 @@ namespace conetact::analysis
              (check_of_dof * n_increments +
               drawing_of_dof * static_cast<double>(n_drawings));
     }
-    /** How many times more iterations than usual bodies take. */
     double
-    many_iterations(const contact::ContactModel &model)
+    largest_contrast(const contact::ContactModel &model)
     {
       double contrast = 1;
       for (const bodies::Structure *body : model.bodies.structures)
         contrast = std::max(contrast, body->contrast_of_strains());
-      return std::max(1., contrast / usual_contrast);
+      return contrast;
+    }
+    bool
+    is_nearly_incompressible(const contact::ContactModel &model)
+    {
+      return largest_contrast(model) > 2 * usual_contrast;
+    }
+    bool
+    has_hard_slave(const contact::ContactModel &model)
+    {
+      return model.hardest_slave() > hard;
+    }
+    /** How many times more iterations than one body that is held takes. */
+    double
+    many_iterations(const contact::ContactModel &model)
+    {
+      const double more =
+        std::max(1., largest_contrast(model) / usual_contrast);
+      if (!model.condenses_bodies())
+        return more;
+      return more *
+             (has_hard_slave(model) ? more_of_hard_slaves : more_of_bodies);
     }
     /** Part of all elements whose bodies hardly have equal ones. */
     double
@@ -225,12 +250,9 @@ namespace conetact::analysis
       return {false, "bodies in the plane condense fast"};
     if (n < small_body)
       return {false, "the mesh is small"};
-    constexpr double slow    = 2; // times the usual iterations
-    const bool       is_slow = many_iterations(model) > slow;
-    // Condensation has fewer unknowns then, and stops at none of the hard
-    // cases.
-    const bool one_by_one = model.condenses_bodies();
-    if (n > huge_body && !is_slow && !one_by_one)
+    const bool slow      = is_nearly_incompressible(model);
+    const bool uncertain = has_hard_slave(model);
+    if (largest_system(model) > huge_body && !slow && !uncertain)
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
     const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
@@ -238,14 +260,16 @@ namespace conetact::analysis
       return to_text(std::round(cost.seconds)) + " s and " +
              megabytes(cost.memory_bytes);
     };
-    // A little time is no reason: condensation never fails to converge, and
-    // cells that differ cost more than those of the forecast.
-    constexpr double much_faster = 3;
+    // A little time is no reason: what does not converge is condensed after
+    // all, and then both were for nothing.
+    constexpr double much_faster = 2;
     const bool       is_faster =
-      !one_by_one && condensed.seconds > much_faster * other.seconds;
+      !uncertain && condensed.seconds > much_faster * other.seconds;
     return {condensed.memory_bytes > machine_memory() || is_faster,
             "condensed " + text(condensed) + ", iterative " + text(other) +
-              (is_slow ? ", as a body is nearly incompressible" : "")};
+              (slow      ? ", as a body is nearly incompressible" :
+               uncertain ? ", as a slave is harder than its master" :
+                           "")};
   }
 
 
@@ -255,7 +279,7 @@ namespace conetact::analysis
                  const std::size_t            n_increments,
                  const std::size_t            n_drawings)
   {
-    if (model.bodies.dim == 3 && model.coordinates.n_unknowns() > huge_body)
+    if (model.bodies.dim == 3 && largest_system(model) > huge_body)
       return false; // to ask how much would take long, too
     return estimate_cost(model, n_increments, n_drawings).memory_bytes <=
            machine_memory();

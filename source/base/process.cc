@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -258,12 +260,55 @@ namespace conetact
 
 
 
+  namespace
+  {
+    /** The least limit of a control group and all groups it is in. */
+    double
+    least_limit(const std::filesystem::path &root,
+                std::filesystem::path        group,
+                const char *const            name)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for (;; group = group.parent_path())
+        {
+          std::ifstream file(root / group.relative_path() / name);
+          if (double limit = 0; file >> limit) // or "max"
+            least = std::min(least, limit);
+          if (group == group.parent_path())
+            return least;
+        }
+    }
+
+    /** Limits of containers and batch systems: a line of the file is
+     * "number:controllers:group", without controllers of version 2. */
+    double
+    memory_of_groups()
+    {
+      double        least = std::numeric_limits<double>::infinity();
+      std::ifstream groups("/proc/self/cgroup");
+      std::string   number, controllers, group;
+      while (std::getline(groups, number, ':') &&
+             std::getline(groups, controllers, ':') &&
+             std::getline(groups, group))
+        if (controllers.empty())
+          least =
+            std::min(least, least_limit("/sys/fs/cgroup", group, "memory.max"));
+        else if (controllers == "memory")
+          least = std::min(least,
+                           least_limit("/sys/fs/cgroup/memory",
+                                       group,
+                                       "memory.limit_in_bytes"));
+      return least;
+    }
+  } // namespace
+
   double
   machine_memory()
   {
-    const double all = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                       static_cast<double>(sysconf(_SC_PAGE_SIZE));
-    rlimit limit;
+    const double all = std::min(static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                                  static_cast<double>(sysconf(_SC_PAGE_SIZE)),
+                                memory_of_groups());
+    rlimit       limit;
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
       return all;
     return std::min(all, static_cast<double>(limit.rlim_cur));

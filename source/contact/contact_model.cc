@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/equal_bodies.h"
+#include "conetact/contact/large_nodes.h"
 #include "conetact/solvers/large_system.h"
 
 #include <algorithm>
@@ -326,6 +327,12 @@ namespace conetact::contact
         elastic, points, coordinates, motions, working_set(), condenser);
     return estimate_condensation(
       elastic, rules, points, working_set(), condenser);
+  }
+
+  double
+  ContactModel::hardest_slave() const
+  {
+    return contact::hardest_slave(elastic, coordinates, points);
   }
 
   void

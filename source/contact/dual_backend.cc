@@ -361,7 +361,8 @@ namespace conetact::contact
         tall.topRows(G.rows()) = G;
       }
     const Eigen::JacobiSVD<MatrixXd> svd(tall, Eigen::ComputeThinV);
-    // Motions are about one; where ties leave unseen ones only all is rounding.
+    // Entries of G are about one, or all of them are rounding: where ties take
+    // every motion that contacts would see.
     const double limit = 1e-12 * std::max(svd.singularValues().maxCoeff(), 1.);
     const Index  seen  = (svd.singularValues().array() > limit).count();
     unseen             = svd.matrixV().rightCols(G.cols() - seen);

@@ -153,6 +153,19 @@ namespace conetact::contact
 
 
 
+  double
+  hardest_slave(const ElasticSystem &elastic,
+                const Coordinates   &coordinates,
+                const ContactPoints &points)
+  {
+    double hardest = 0;
+    for (const auto &[who, pair] : find_pairs(elastic, coordinates, points))
+      hardest = std::max(hardest, pair.slave / pair.master);
+    return hardest;
+  }
+
+
+
   namespace
   {
     /** Of each body, whether it is factorised: frames that meet no other body,

@@ -79,6 +79,10 @@ namespace conetact::contact
       return contact::why_not_iterative(bodies, rules, points);
     }
 
+    /** See hardest_slave() of large_nodes.h. */
+    double
+    hardest_slave() const;
+
     /**
      * Condenses the bodies to the working set, unless that is done already:
      * factorises the first time and after choose().

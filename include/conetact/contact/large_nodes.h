@@ -30,6 +30,13 @@ namespace conetact::contact
   Eigen::VectorXd
   diagonal_of(const ElasticSystem &elastic, const Eigen::Index n_dofs);
 
+  /** By how much the hardest slave is harder than its master, from diagonals of
+   * K; 0 where no body meets another one. */
+  double
+  hardest_slave(const ElasticSystem &elastic,
+                const Coordinates   &coordinates,
+                const ContactPoints &points);
+
   /** Nodes of a LargeSystem that are not left to iterations. */
   struct SpecialNodes
   {
