@@ -572,13 +572,17 @@ namespace conetact::backends
      finds to be left. */
   template <int block>
   typename BlockSystem<block>::Step
-  BlockSystem<block>::refine(const System &system, const double precision) const
+  BlockSystem<block>::refine(const System    &system,
+                             const Precision &precision) const
   {
     Step         result{system.known};
     Array        x     = Array::Zero(n);
     Array        r     = system.right_hand_side;
-    const double start = norm(r), goal = precision * start;
-    double       left = start, before = left;
+    const double start = norm(r);
+    const double goal =
+      precision.relative *
+      (precision.forces > 0 ? std::min(start, precision.forces) : start);
+    double left = start, before = left;
     while (left > goal && result.iterations < most_iterations)
       {
         const FloatVector b = (r / left).template cast<float>();
@@ -601,7 +605,7 @@ namespace conetact::backends
   typename BlockSystem<block>::Step
   BlockSystem<block>::solve(const std::vector<NodeLaw> &laws,
                             const Array                &f,
-                            const double                precision) const
+                            const Precision            &precision) const
   {
     return refine(system_of(laws, f), precision);
   }

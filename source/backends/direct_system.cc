@@ -73,7 +73,7 @@ namespace conetact::backends
   std::optional<DirectSystem::Step>
   DirectSystem::solve(const std::vector<solvers::NodeLaw> &laws,
                       const Array                         &f,
-                      const double) const
+                      const Precision &) const
   {
     Matrix      matrix = newton_matrix(laws);
     Array       b      = -f;

@@ -152,7 +152,7 @@ namespace conetact::backends
       std::optional<Step>
       solve(const std::vector<NodeLaw> &laws,
             const Array                &f,
-            const double                precision) const override
+            const Precision            &precision) const override
       {
         const auto together = call(Command::solve);
         Step       step     = system->solve(laws, scatter(f), precision);
@@ -256,7 +256,7 @@ namespace conetact::backends
   SystemParts::solve(const Order &order) const
   {
     if (const SharedSystem *const system = find(order))
-      system->solve({}, {}, 0);
+      system->solve({}, {}, {});
   }
 
   void

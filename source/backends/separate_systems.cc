@@ -54,7 +54,7 @@ namespace conetact::backends
       std::optional<Step>
       solve(const std::vector<NodeLaw> &laws,
             const Array                &f,
-            const double                precision) const override
+            const Precision            &precision) const override
       {
         Step sum;
         sum.du.resize(n_unknowns());

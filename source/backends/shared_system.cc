@@ -415,13 +415,13 @@ namespace conetact::backends
       Step
       solve(const std::vector<NodeLaw> &laws,
             Array                       f,
-            const double                precision) const override
+            const Precision            &precision) const override
       {
-        std::vector<double> asked = {precision};
+        std::vector<double> asked = {precision.relative, precision.forces};
         processes.broadcast(asked);
-        const Array own  = processes.scatter(std::move(f), first);
-        Step        step = system->solve(deal_laws(laws), own, asked[0]);
-        step.du          = processes.gather(step.du, first);
+        const Array own = processes.scatter(std::move(f), first);
+        Step step = system->solve(deal_laws(laws), own, {asked[0], asked[1]});
+        step.du   = processes.gather(step.du, first);
         return step;
       }
 

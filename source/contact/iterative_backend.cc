@@ -257,7 +257,7 @@ namespace conetact::contact
     VectorXd u = VectorXd::Zero(load.f.size());
     for (unsigned int i = 0; i < 2; ++i) // and the rounding of that
       if (const auto step = contact_system->large->solve(
-            {}, contact_system->large->multiply(u) - load.f, to_the_end))
+            {}, contact_system->large->multiply(u) - load.f, {to_the_end}))
         u += step->du;
     return u;
   }

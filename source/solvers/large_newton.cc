@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <set>
 
 namespace conetact::solvers
@@ -172,8 +172,10 @@ namespace conetact::solvers
                          const Manner   &manner,
                          SolverReport   &report) const
   {
+    const double forces =
+      std::max(relation->force_scale(point.p, point.d), force);
     const auto found =
-      body->solve(laws(point, sets), point.f, manner.precision);
+      body->solve(laws(point, sets), point.f, {manner.precision, forces});
     if (!found)
       return {};
     report.krylov += found->iterations;
@@ -222,14 +224,14 @@ namespace conetact::solvers
                        const bool    exactly,
                        const double  goal)
   {
-    const double          askew = std::max(goal, askew_aim * options.tolerance);
-    std::set<std::string> seen;
-    std::string           current = signature(point.sets);
-    Manner                manner{exactly,
+    const double askew = std::max(goal, askew_aim * options.tolerance);
+    std::map<std::string, double> seen; // with residuals
+    std::string                   current = signature(point.sets);
+    Manner                        manner{exactly,
                   exactly           ? exact :
-                                 point.d.isZero(0) ? best_precision :
-                                                     first_precision};
-    double                forces = relation->force_scale(point.p, point.d);
+                                         point.d.isZero(0) ? best_precision :
+                                                             first_precision};
+    double               forces = relation->force_scale(point.p, point.d);
     double               least = point.residual(), least_force = least * forces;
     unsigned int         stalls   = 0;
     bool                 improved = true;
@@ -246,7 +248,7 @@ namespace conetact::solvers
       {
         if (report.iterations >= options.max_iterations)
           return stalled(point.residual());
-        seen.insert(current);
+        seen.insert_or_assign(current, point.residual());
         const double before = point.residual(), forces_before = forces;
         if (!step(point, manner, report))
           return "singular tangent";
@@ -264,15 +266,17 @@ namespace conetact::solvers
             break;
           }
         // States may change node by node: little gain is progress, too.
-        stalls                 = residual < progress * least ||
+        stalls                      = residual < progress * least ||
                      residual * forces < progress * least_force ?
-                                   0 :
-                                   stalls + 1;
-        least                  = std::min(least, residual);
-        least_force            = std::min(least_force, residual * forces);
-        const std::string next = signature(point.sets);
-        const bool        cycles =
-          next != current && !improved && seen.count(next) > 0;
+                                        0 :
+                                        stalls + 1;
+        least                       = std::min(least, residual);
+        least_force                 = std::min(least_force, residual * forces);
+        const std::string next      = signature(point.sets);
+        const auto        last_time = seen.find(next);
+        const bool        cycles    = next != current && !improved &&
+                            last_time != seen.end() &&
+                            residual > .5 * last_time->second;
         current = next;
         if (cycles && !manner.damped)
           return "cycling between state sets";

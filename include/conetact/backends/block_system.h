@@ -43,10 +43,11 @@ namespace conetact::backends
   class BlockSystem
   {
   public:
-    using Index   = Eigen::Index;
-    using Array   = Eigen::VectorXd;
-    using NodeLaw = solvers::NodeLaw;
-    using Step    = solvers::LargeSystem::Step;
+    using Index     = Eigen::Index;
+    using Array     = Eigen::VectorXd;
+    using NodeLaw   = solvers::NodeLaw;
+    using Step      = solvers::LargeSystem::Step;
+    using Precision = solvers::LargeSystem::Precision;
 
     explicit BlockSystem(BlockShare<block> given);
 
@@ -58,7 +59,7 @@ namespace conetact::backends
     Step
     solve(const std::vector<NodeLaw> &laws,
           const Array                &f,
-          const double                precision) const;
+          const Precision            &precision) const;
 
   private:
     using SmallMatrix = solvers::SmallMatrix;
@@ -146,7 +147,7 @@ namespace conetact::backends
           const double       goal,
           unsigned int      &iterations) const;
     Step
-    refine(const System &system, const double precision) const;
+    refine(const System &system, const Precision &precision) const;
 
     const Communicator                      processes;
     const std::vector<int>                  first;      ///< places of processes

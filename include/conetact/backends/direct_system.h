@@ -42,7 +42,7 @@ namespace conetact::backends
     std::optional<Step>
     solve(const std::vector<solvers::NodeLaw> &laws,
           const Array                         &f,
-          const double                         precision) const override;
+          const Precision                     &precision) const override;
 
   private:
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;

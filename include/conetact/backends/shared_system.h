@@ -42,8 +42,9 @@ namespace conetact::backends
   class SharedSystem
   {
   public:
-    using Array = Eigen::VectorXd;
-    using Step  = solvers::LargeSystem::Step;
+    using Array     = Eigen::VectorXd;
+    using Step      = solvers::LargeSystem::Step;
+    using Precision = solvers::LargeSystem::Precision;
 
     virtual ~SharedSystem() = default;
     virtual Array
@@ -53,7 +54,7 @@ namespace conetact::backends
     virtual Step
     solve(const std::vector<solvers::NodeLaw> &laws,
           Array                                f,
-          const double                         precision) const = 0;
+          const Precision                     &precision) const = 0;
   };
 
   /** The other processes give nothing: an empty system. */

@@ -46,16 +46,28 @@ namespace conetact::solvers
     };
 
     /**
+     * How exactly a linear system is solved: what is left of its right-hand
+     * side is at most `relative` times its norm, or times the norm of what
+     * contacts carry, where that is known and less. Small motions that are
+     * prescribed to hard bodies are large right-hand sides.
+     */
+    struct Precision
+    {
+      double relative = 0;
+      double forces   = 0; ///< of contacts; 0: not known
+    };
+
+    /**
      * The change du that takes away the imbalance f = K u - b of all unknowns
      * but those of contact, and fulfils the laws
      * @f$P_i \delta u_i + D_i (K \delta u)_i = h_i@f$ of the nodes there, to
-     * the relative precision asked for, or as far as possible. Nothing if the
+     * the precision asked for, or as far as possible. Nothing if the
      * result is not finite.
      */
     virtual std::optional<Step>
     solve(const std::vector<NodeLaw> &laws,
           const Array                &f,
-          const double                precision) const = 0;
+          const Precision            &precision) const = 0;
   };
 } // namespace conetact::solvers
 

@@ -123,7 +123,7 @@ TEST(DirectSystem, FulfilsEquilibriumAndLaws)
 {
   const DirectSystem system(elements(), contact(), n);
   const VectorXd     f    = VectorXd::LinSpaced(n, -1, 2);
-  const auto         step = system.solve(laws(), f, 1e-3);
+  const auto         step = system.solve(laws(), f, {1e-3});
   ASSERT_TRUE(step);
   EXPECT_LT((step->du - expected(f)).norm(), 1e-13 * expected(f).norm());
   EXPECT_LT(step->error, 1e-14);
@@ -136,7 +136,7 @@ TEST(DirectSystem, FulfilsEquilibriumAndLaws)
 TEST(DirectSystem, HasNoStepWhereNothingResists)
 {
   const DirectSystem none([](const auto &) {}, contact(), n);
-  EXPECT_FALSE(none.solve(laws(), VectorXd::Ones(n), 1e-3));
+  EXPECT_FALSE(none.solve(laws(), VectorXd::Ones(n), {1e-3}));
 }
 
 
@@ -154,7 +154,7 @@ TEST(SeparateSystems, SolveEachBodyByItself)
       EXPECT_EQ(system->n_unknowns(), n);
       EXPECT_LT((system->multiply(f) - whole_matrix() * f).norm(), 1e-13);
       EXPECT_LT((system->diagonal() - whole_matrix().diagonal()).norm(), 1e-14);
-      const auto step = system->solve(laws(), f, 1e-12);
+      const auto step = system->solve(laws(), f, {1e-12});
       ASSERT_TRUE(step);
       EXPECT_LT((step->du - expected(f)).norm(), 1e-11 * expected(f).norm());
     }

@@ -491,7 +491,8 @@ namespace
   const Condenser dense_row = {"dense",
                                "dense Cholesky, for very small bodies",
                                &create_dense,
-                               &estimate_dense};
+                               &estimate_dense,
+                               [](Eigen::Index) { return 1; }};
   //! [backend row]
 } // namespace
 

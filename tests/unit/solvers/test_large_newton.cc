@@ -50,7 +50,7 @@ namespace
     std::optional<Step>
     solve(const std::vector<NodeLaw> &laws,
           const Array                &f,
-          const double                precision) const override
+          const Precision            &precision) const override
     {
       Eigen::MatrixXd A     = K;
       Array           b     = -f;
@@ -63,9 +63,9 @@ namespace
           b.segment(first, n) = law.h;
           first += n;
         }
-      Step step{A.partialPivLu().solve(b), 1, precision};
+      Step step{A.partialPivLu().solve(b), 1, precision.relative};
       // as inexact as it may be
-      step.du *= 1 + .5 * precision;
+      step.du *= 1 + .5 * precision.relative;
       return step;
     }
 
