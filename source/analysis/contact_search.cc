@@ -592,8 +592,7 @@ namespace conetact::analysis
   void
   ContactSearch::take(Nodes found, contact::ContactHistory &history) const
   {
-    model.relink(std::move(found));
-    history.relink(start, start_t);
+    history.relink(std::move(found), start, start_t);
   }
 
   void

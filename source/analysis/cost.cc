@@ -90,6 +90,11 @@ namespace conetact::analysis
     constexpr double usual_contrast = 36, more_of_bodies = 1.5;
     constexpr double hard = 5, more_of_hard_slaves = 6;
 
+    // Contacts that slide far are found so many times in an increment, and what
+    // is made of all unknowns is made anew for them: balls on blocks of 24^3
+    // and 40^3 cells.
+    constexpr double pairings_of_increment = 5;
+
     // Unknowns in space below which nothing is worth a forecast, and above
     // which none is needed.
     constexpr Eigen::Index small_body = 60000, huge_body = 600000;
@@ -219,8 +224,10 @@ namespace conetact::analysis
     const double      share      = n / n_processes;
     const double      unequal    = unequal_part(model);
     const double      longer     = 1 + (longer_if_unequal - 1) * unequal;
-    const double      solution =
-      share * (setup_of_unknown[d] + increment_of_unknown[d] * increments *
+    const double      n_setups =
+      model.points.slide() ? pairings_of_increment * increments : 1;
+    const double solution = share * (setup_of_unknown[d] * n_setups +
+                                     increment_of_unknown[d] * increments *
                                        longer * many_iterations(model));
     const double shared =
       share * shared_bytes[d] * (1 + (larger_if_unequal - 1) * unequal);
@@ -251,7 +258,8 @@ namespace conetact::analysis
     if (n < small_body)
       return {false, "the mesh is small"};
     const bool slow      = is_nearly_incompressible(model);
-    const bool uncertain = has_hard_slave(model);
+    const bool hard_one  = has_hard_slave(model);
+    const bool uncertain = hard_one || model.points.slide();
     if (largest_system(model) > huge_body && !slow && !uncertain)
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
@@ -268,7 +276,8 @@ namespace conetact::analysis
     return {condensed.memory_bytes > machine_memory() || is_faster,
             "condensed " + text(condensed) + ", iterative " + text(other) +
               (slow      ? ", as a body is nearly incompressible" :
-               uncertain ? ", as a slave is harder than its master" :
+               hard_one  ? ", as a slave is harder than its master" :
+               uncertain ? ", as contacts slide far" :
                            "")};
   }
 

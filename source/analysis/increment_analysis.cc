@@ -265,6 +265,18 @@ namespace conetact::analysis
     search.take(std::move(found), history);
     acceptance.relink();
     existence.reset();
+    if (!model.is_iterative())
+      return;
+    if (const std::string why = model.why_not_iterative(); !why.empty())
+      {
+        if (!fits_condensed(model, scene.times.size(), scene.n_drawings()))
+          throw AnalysisError(
+            "Contacts have slid to where Backend = iterative " + why +
+            ", and condensed bodies take more memory "
+            "than this machine has.");
+        condense_from_here("Contacts have slid to where Backend = iterative " +
+                           why + ".");
+      }
   }
 
   std::string
@@ -450,6 +462,7 @@ namespace conetact::analysis
                                          state) :
                                        std::nullopt});
     increment.record.errors = solvers::kanno_errors(problem, state);
+    increment.base          = history.linearised_at();
     history.advance(state);
     increment.state   = history.of_candidates(state, increment.before);
     increment.contact = history.displacements();
@@ -599,6 +612,13 @@ namespace conetact::analysis
         solver   = std::make_unique<solvers::LargeNewton>(scene.solver);
         return true;
       }
+    condense_from_here(why);
+    return true;
+  }
+
+  void
+  IncrementAnalysis::condense_from_here(const std::string &why)
+  {
     log.say(why +
             " From here on bodies are condensed, which has more methods.");
     model.solve_condensed();
@@ -613,7 +633,6 @@ namespace conetact::analysis
       {
         throw AnalysisError(error.what());
       }
-    return true;
   }
 
   IncrementAnalysis::Step
@@ -694,11 +713,20 @@ namespace conetact::analysis
         guess.node = increment.end.node;
         guess.r.tail(increment.motions.size()).setZero();
       }
-    increment.load.f += change.f;
-    if (change.bound.size() > 0)
+    // Where a body has moved further than it deforms, the rounding of this way
+    // is what is left; about its end there is none.
+    const bool has_moved =
+      model.is_iterative() &&
+      solvers::largest(increment.motions - increment.base) >
+        solvers::largest(w);
+    if (!has_moved)
+      increment.load.f += change.f;
+    if (!has_moved && change.bound.size() > 0)
       increment.load.bound += change.bound;
     history = increment.before;
     history.linearise_at(increment.motions);
+    if (model.is_iterative()) // displacements count from there
+      guess = history.start();
     const unsigned int    before = increment.record.report.iterations;
     const Eigen::VectorXd old    = increment.primal;
     if (!solve_contact(increment, guess).empty())

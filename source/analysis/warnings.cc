@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace conetact::analysis
 {
@@ -23,6 +24,7 @@ namespace conetact::analysis
   Warnings::Warnings(const contact::ContactModel &m, Log &l)
     : model(m)
     , log(l)
+    , shortest_sides(m.bodies.structures.size(), 0.)
   {}
 
   void
@@ -92,14 +94,40 @@ namespace conetact::analysis
     return false;
   }
 
+  /* To ask for all positions in each increment takes longer than to pull. */
   double
-  Warnings::largest_strain(const unsigned int     body,
-                           const Eigen::VectorXd &w) const
+  Warnings::shortest_side(const unsigned int body)
+  {
+    double &shortest = shortest_sides.at(body);
+    if (shortest > 0)
+      return shortest;
+    const bodies::Structure &structure = *model.bodies.structures[body];
+    const unsigned int       n_c       = structure.n_components();
+    double                   least     = std::numeric_limits<double>::max();
+    structure.for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *) {
+        const unsigned int a      = dofs.front() / n_c;
+        const Point<3>     origin = structure.position(a);
+        for (const unsigned int dof : dofs)
+          if (const unsigned int b = dof / n_c; b != a)
+            least =
+              std::min(least, origin.distance_square(structure.position(b)));
+      });
+    shortest = std::sqrt(least);
+    return shortest;
+  }
+
+  double
+  Warnings::largest_strain(const unsigned int body, const Eigen::VectorXd &w)
   {
     const bodies::Structure &structure = *model.bodies.structures[body];
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
-    const Index        offset  = model.coordinates.offset(body);
-    double             largest = 0; // squares, until the end
+    const Index        offset = model.coordinates.offset(body);
+    const Index        n      = model.coordinates.offset(body + 1) - offset;
+    if (structure.largest_stretch(w.segment(offset, n)) <=
+        large_strain * shortest_side(body))
+      return 0;
+    double largest = 0; // square, until the end
     structure.for_each_element([&](const std::vector<unsigned int> &dofs,
                                    const double *) {
       const unsigned int a = dofs.front() / n_c;

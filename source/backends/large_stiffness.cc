@@ -78,19 +78,41 @@ namespace conetact::backends
       return sorted;
     }
 
+    /** Nodes from 0 on. */
+    struct NumberedNodes
+    {
+      std::vector<unsigned int> given;      ///< their numbers, ascending
+      std::vector<int>          of_unknown; ///< of each unknown
+    };
+
+    /* Numbers are dense enough for a table. */
+    NumberedNodes
+    number_nodes(const std::vector<unsigned int> &node_of)
+    {
+      NumberedNodes    nodes;
+      std::vector<int> number;
+      for (const unsigned int i : node_of)
+        {
+          if (i >= number.size())
+            number.resize(i + std::size_t(1), -1);
+          number[i] = 0;
+        }
+      for (std::size_t i = 0; i < number.size(); ++i)
+        if (number[i] == 0)
+          {
+            number[i] = static_cast<int>(nodes.given.size());
+            nodes.given.push_back(static_cast<unsigned int>(i));
+          }
+      for (const unsigned int i : node_of)
+        nodes.of_unknown.push_back(number[i]);
+      return nodes;
+    }
+
     Places
     find_places(const LargeStiffness &given, const int block, const int n_parts)
     {
-      std::vector<unsigned int> nodes = given.node_of;
-      std::sort(nodes.begin(), nodes.end());
-      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-      std::vector<int> node; // of each unknown
-      for (const unsigned int number : given.node_of)
-        node.push_back(static_cast<int>(
-          std::lower_bound(nodes.begin(), nodes.end(), number) -
-          nodes.begin()));
-
-      const auto       part = parts_of_nodes(given, nodes, node, n_parts);
+      const auto [nodes, node] = number_nodes(given.node_of);
+      const auto       part    = parts_of_nodes(given, nodes, node, n_parts);
       Places           places;
       std::vector<int> next(nodes.size()); // place of each node
       int              n = 0;

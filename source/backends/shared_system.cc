@@ -4,6 +4,7 @@
 #include "conetact/backends/shared_system.h"
 
 #include "conetact/backends/block_system.h"
+#include "conetact/backends/element_rows.h"
 #include "conetact/base/index.h"
 
 #include <algorithm>
@@ -14,285 +15,6 @@ namespace conetact::backends
   {
     using Eigen::Index;
     using solvers::NodeLaw;
-
-    /**
-     * The rows of nodes, to which elements add one by one. A row is handed on
-     * as soon as the last element of its node has come, so that few are open at
-     * a time.
-     */
-    template <int block>
-    class OpenRows
-    {
-    public:
-      using Row = GrowingRow<block, block>;
-
-      OpenRows(const Elements         &for_each_element,
-               const std::vector<int> &places_of_unknowns,
-               const int               n_nodes)
-        : places(places_of_unknowns)
-        , left(at(n_nodes), 0)
-        , place(at(n_nodes), none)
-      {
-        for_each_element(
-          [&](const std::vector<Index> &unknowns, const double *) {
-            find_nodes(unknowns);
-            for (const int i : nodes)
-              ++left[at(i)];
-          });
-      }
-
-      /** Calls take(node, row) for what is complete. */
-      template <typename Take>
-      void
-      add(const std::vector<Index> &unknowns,
-          const double             *matrix,
-          const Take               &take)
-      {
-        find_nodes(unknowns);
-        blocks.clear();
-        for (const int i : nodes)
-          {
-            Row &row = open(i);
-            for (const int j : nodes)
-              blocks.push_back(row.find(j));
-          }
-        const std::size_t n = unknowns.size();
-        for (std::size_t a = 0; a < n; ++a)
-          {
-            Row &row = rows[at(place[at(nodes[own[a].node])])];
-            for (std::size_t b = 0; b < n; ++b)
-              // one triangle of it, so that the sum is symmetric to the last
-              // bit
-              row.block[blocks[own[a].node * nodes.size() + own[b].node]](
-                own[a].component, own[b].component) +=
-                matrix[std::max(a, b) * n + std::min(a, b)];
-          }
-        for (const int i : nodes)
-          if (--left[at(i)] == 0)
-            {
-              take(i, rows[at(place[at(i)])]);
-              close(i);
-            }
-      }
-
-      /** The same for nodes without elements. */
-      template <typename Take>
-      void
-      finish(const Take &take)
-      {
-        Row row;
-        for (std::size_t i = 0; i < place.size(); ++i)
-          if (place[i] == none)
-            {
-              row.clear();
-              row[static_cast<int>(i)];
-              take(static_cast<int>(i), row);
-            }
-      }
-
-    private:
-      static constexpr int none = -1, gone = -2;
-
-      /** Of the unknowns of an element. */
-      struct Place
-      {
-        std::size_t node; ///< among `nodes`
-        int         component;
-      };
-
-      /** Each once. */
-      void
-      find_nodes(const std::vector<Index> &unknowns)
-      {
-        nodes.clear();
-        own.clear();
-        for (const Index q : unknowns)
-          {
-            const int i  = places[at(q)] / block;
-            auto      it = std::find(nodes.begin(), nodes.end(), i);
-            if (it == nodes.end())
-              it = nodes.insert(it, i);
-            own.push_back({static_cast<std::size_t>(it - nodes.begin()),
-                           places[at(q)] % block});
-          }
-      }
-      Row &
-      open(const int i)
-      {
-        int &to = place[at(i)];
-        if (to == none && unused.empty())
-          {
-            to = static_cast<int>(rows.size());
-            rows.emplace_back();
-          }
-        else if (to == none)
-          {
-            to = unused.back();
-            unused.pop_back();
-          }
-        return rows[at(to)];
-      }
-      void
-      close(const int i)
-      {
-        rows[at(place[at(i)])].clear();
-        unused.push_back(place[at(i)]);
-        place[at(i)] = gone;
-      }
-
-      const std::vector<int> &places;
-      std::vector<int>        left;  ///< elements of each node that come yet
-      std::vector<int>        place; ///< of its row
-      std::vector<Row>        rows;
-      std::vector<int>        unused; ///< of them
-      // of an element
-      std::vector<int>   nodes;
-      std::vector<Place> own;
-      std::vector<std::size_t>
-        blocks; ///< of rows, a row of places for each node
-    };
-
-    /** Rows on their way to the process that has them. */
-    template <int block>
-    class Parcel
-    {
-    public:
-      void
-      add(const int                  i,
-          const std::vector<int>    &its_columns,
-          const std::vector<double> &its_numbers)
-      {
-        row.push_back(i);
-        length.push_back(static_cast<int>(its_columns.size()));
-        columns.insert(columns.end(), its_columns.begin(), its_columns.end());
-        numbers.insert(numbers.end(), its_numbers.begin(), its_numbers.end());
-      }
-      bool
-      is_empty() const
-      {
-        return row.empty();
-      }
-      bool
-      is_full() const
-      {
-        constexpr std::size_t many = 1 << 20;
-        return numbers.size() > many;
-      }
-      /** It is empty then; an empty one is the last. */
-      void
-      send(const int to, const Communicator &processes)
-      {
-        processes.send(row, to);
-        if (is_empty())
-          return;
-        processes.send(length, to);
-        processes.send(columns, to);
-        processes.send(numbers, to);
-        row.clear();
-        length.clear();
-        columns.clear();
-        numbers.clear();
-      }
-      /** False: that was the last one. */
-      bool
-      receive(const Communicator &processes)
-      {
-        row = processes.receive<int>(0);
-        if (row.empty())
-          return false;
-        length  = processes.receive<int>(0);
-        columns = processes.receive<int>(0);
-        numbers = processes.receive<double>(0);
-        return true;
-      }
-      void
-      unpack(RowByRow<block, block, double> &matrix,
-             std::vector<int>               &rows) const
-      {
-        std::vector<double> its_numbers;
-        std::size_t         k = 0;
-        for (const int n : length)
-          {
-            const double *const from = numbers.data() + k * block * block;
-            its_numbers.assign(from, from + at(n) * block * block);
-            matrix.append(columns.data() + k, at(n), its_numbers);
-            k += at(n);
-          }
-        rows.insert(rows.end(), row.begin(), row.end());
-      }
-
-    private:
-      std::vector<int>    row, length, columns;
-      std::vector<double> numbers;
-    };
-
-    /** Own rows, in the order in which they come. */
-    template <int block>
-    struct OwnRows
-    {
-      RowByRow<block, block, double> matrix{true};
-      std::vector<int>               number;
-    };
-
-    /** The first process makes all rows. */
-    template <int block>
-    void
-    deal_rows(const WholeSystem      &whole,
-              const std::vector<int> &first,
-              const Communicator     &processes,
-              OwnRows<block>         &own)
-    {
-      std::vector<Parcel<block>> parcels(at(processes.size()));
-      std::vector<int>           columns;
-      std::vector<double>        numbers;
-      const auto take = [&](const int i, const GrowingRow<block, block> &row) {
-        columns.clear();
-        numbers.clear();
-        row.append_to(columns, numbers);
-        const auto p = std::upper_bound(first.begin(), first.end(), i * block) -
-                       first.begin() - 1;
-        const int number = i - first[at(p)] / block;
-        if (p == 0)
-          {
-            own.matrix.append(columns.data(), columns.size(), numbers);
-            own.number.push_back(number);
-            return;
-          }
-        Parcel<block> &parcel = parcels[at(p)];
-        parcel.add(number, columns, numbers);
-        if (parcel.is_full())
-          parcel.send(static_cast<int>(p), processes);
-      };
-      OpenRows<block> open(whole.for_each_element,
-                           whole.places,
-                           first.back() / block);
-      whole.for_each_element(
-        [&](const std::vector<Index> &unknowns, const double *matrix) {
-          open.add(unknowns, matrix, take);
-        });
-      open.finish(take);
-      for (int p = 1; p < processes.size(); ++p)
-        {
-          if (!parcels[at(p)].is_empty())
-            parcels[at(p)].send(p, processes);
-          parcels[at(p)].send(p, processes); // the last one
-        }
-    }
-
-    template <int block>
-    BlockMatrix<block, block, double>
-    make_rows(const WholeSystem      &whole,
-              const std::vector<int> &first,
-              const Communicator     &processes)
-    {
-      OwnRows<block> own;
-      if (processes.rank() == 0)
-        deal_rows<block>(whole, first, processes, own);
-      else
-        for (Parcel<block> parcel; parcel.receive(processes);)
-          parcel.unpack(own.matrix, own.number);
-      return own.matrix.finish(own.number);
-    }
 
     /** Laws of all contact nodes as numbers, one behind the other. */
     std::vector<double>
@@ -397,7 +119,10 @@ namespace conetact::backends
         share.surface   = deal_surface(std::move(whole.surface));
         share.exists    = deal_places(whole.places);
         share.modes     = deal_modes(std::move(whole.modes));
-        share.K         = make_rows<block>(whole, first, processes);
+        share.K         = rows_of_elements<block>(whole.for_each_element,
+                                          whole.places,
+                                          first,
+                                          processes);
         system = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
 
@@ -421,7 +146,7 @@ namespace conetact::backends
         processes.broadcast(asked);
         const Array own = processes.scatter(std::move(f), first);
         Step step = system->solve(deal_laws(laws), own, {asked[0], asked[1]});
-        step.du   = processes.gather(step.du, first);
+        step.du   = processes.gather(std::move(step.du), first);
         return step;
       }
 

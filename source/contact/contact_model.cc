@@ -29,7 +29,7 @@ namespace conetact::contact
     constexpr double rounding_of_past = 1e-4;
 
     /** The same of the force that it takes to hold back what moves. */
-    constexpr double rounding_of_motion = 1e-3;
+    constexpr double rounding_of_motion = 1e-4;
   } // namespace
 
   ContactModel::ContactModel(const Bodies              &b,
@@ -351,6 +351,12 @@ namespace conetact::contact
     choose(WorkingSet(points.layout()));
   }
 
+  const IterativeBackend &
+  ContactModel::iterative_backend()
+  {
+    return dynamic_cast<const IterativeBackend &>(condense());
+  }
+
   ElasticBackend &
   ContactModel::condense()
   {
@@ -390,12 +396,29 @@ namespace conetact::contact
   }
 
   void
-  ContactModel::relink(std::vector<pairing::ContactNode> nodes)
+  ContactModel::relink(std::vector<pairing::ContactNode> nodes,
+                       Eigen::VectorXd                  &elastic_unknowns)
   {
     points.relink(std::move(nodes), times);
     motions.see_contacts(points);
     if (condensed && is_dual()) // without contacts there are no rows
       dynamic_cast<DualBackend &>(*condensed).relink();
+    if (!condensed || !large)
+      return;
+    const IterativeBackend &former = iterative_backend();
+    if (former.fits_contacts())
+      return;
+    if (!why_not_iterative().empty()) // nor can it be made
+      {
+        condensed.reset();
+        return;
+      }
+    Eigen::VectorXd u;
+    if (elastic_unknowns.size() > 0)
+      u = former.displacements_of(elastic_unknowns);
+    condensed.reset(); // before there is another one
+    if (u.size() > 0)
+      elastic_unknowns = iterative_backend().values_of(u);
   }
 
   bool
@@ -516,14 +539,22 @@ namespace conetact::contact
   {
     const solvers::ContactSystem &layout = model->points.layout();
     Eigen::VectorXd               sum    = load.offset + shift();
-    const double moved = conetact::solvers::largest(load.placement) +
-                         conetact::solvers::largest(load.prescribed);
+    Eigen::VectorXd               moving = load.offset;
+    double moved = conetact::solvers::largest(load.placement) +
+                   conetact::solvers::largest(load.prescribed);
+    if (model->is_iterative() && base.size() > 0)
+      {
+        const Eigen::VectorXd motions = model->motions.seen() * base;
+        sum += motions;
+        moving += motions;
+        moved += conetact::solvers::largest(base);
+      }
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       {
         const Eigen::Index k = layout.normal(i);
         if (std::abs(sum[k]) <=
             solvers::position_rounding *
-              (std::abs(initial_gap[i]) + std::abs(load.offset[k]) + moved))
+              (std::abs(initial_gap[i]) + std::abs(moving[k]) + moved))
           sum[k] = 0;
       }
     return sum;
@@ -540,8 +571,11 @@ namespace conetact::contact
   }
 
   void
-  ContactHistory::relink(const Eigen::VectorXd &u, const double t)
+  ContactHistory::relink(std::vector<pairing::ContactNode> nodes,
+                         const Eigen::VectorXd            &u,
+                         const double                      t)
   {
+    model->relink(std::move(nodes), elastic);
     Eigen::Index i = 0;
     for (const ContactPoint &point : model->points)
       initial_gap[i++] = point.node->gap;
@@ -647,6 +681,8 @@ namespace conetact::contact
         if (model->is_iterative())
           problem.reference_force =
             std::max(rounding_of_past * largest, motion_force(load));
+        if (model->is_iterative() && !base.isZero(0))
+          problem.load -= model->iterative_backend().resistance(base);
         return problem;
       }
     // unknown is what motions change from there on
@@ -678,6 +714,8 @@ namespace conetact::contact
     if (!model->is_dual())
       // u by itself: v - o would round it where bodies have moved far.
       state.u = primal();
+    if (model->is_iterative() && a != base)
+      state.u += model->iterative_backend().values_of_motions(a - base);
     return state;
   }
 
@@ -698,12 +736,28 @@ namespace conetact::contact
       // The next problem is written about where its bodies are then.
       a = base = base + end.r.tail(a.size());
     if (model->is_iterative())
-      elastic = end.u;
+      {
+        elastic = end.u;
+        take_motions();
+      }
     else if (end.u.size() == n)
       set.scatter(end.u, elastic);
     states = set.scatter(end.node);
     if (r.size() > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
+  }
+
+  /* What moves bodies as a whole would cost the digits of what strains them:
+     amounts of their own have it. */
+  void
+  ContactHistory::take_motions()
+  {
+    if (a.size() == 0)
+      return;
+    const IterativeBackend &backend = model->iterative_backend();
+    const Eigen::VectorXd   more    = backend.motions_in(elastic);
+    elastic -= backend.values_of_motions(more);
+    a = base = base + more;
   }
 
   Eigen::VectorXd

@@ -36,7 +36,7 @@ namespace conetact::contact
     if (points != nullptr)
       {
         for (const ContactPoint &point : *points)
-          point_of_node[number(point.node->body, point.node->node)] = &point;
+          take(point);
         for (std::size_t i = points->size(); i < points->all().size(); ++i)
           bind(points->all()[i]);
       }
@@ -44,7 +44,23 @@ namespace conetact::contact
     write_rows();
   }
 
-  /* Supports hold its node along directions of the point, or across them. */
+  void
+  Coordinates::take(const ContactPoint &point)
+  {
+    const ContactPoint *&own =
+      point_of_node[number(point.node->body, point.node->node)];
+    own = &point;
+    if (bodies.frames().empty())
+      return;
+    ContactPoint &turned = own_points.emplace_back(point);
+    for (auto *const list : {&turned.directions, &turned.frictionless})
+      for (Tensor<1, 3> &direction : *list)
+        direction = bodies.in_frame(point.node->body, direction);
+    own = &turned;
+  }
+
+  /* Supports hold its node along directions of the point, or across them.
+     Bodies with ties do not turn. */
   void
   Coordinates::bind(const ContactPoint &point)
   {
@@ -57,7 +73,7 @@ namespace conetact::contact
         return std::abs(h.direction * direction) > .5;
       });
     };
-    ContactPoint &bound = bound_points.emplace_back();
+    ContactPoint &bound = own_points.emplace_back();
     bound.node          = point.node;
     for (const Tensor<1, 3> &tangent : point.frictionless)
       if (!held(tangent))
@@ -199,6 +215,7 @@ namespace conetact::contact
     Tensor<1, 3> along;
     for (std::size_t k = 0; k < point.dual.size(); ++k)
       along += point.directions[k][c] * point.dual[k];
+    along = bodies.in_frame(point.node->master, along);
     for (const auto &[master, weight] : point.node->masters)
       for (unsigned int d = 0; d < bodies.dim; ++d)
         if (along[d] != 0)
@@ -274,9 +291,10 @@ namespace conetact::contact
     if (points != nullptr)
       for (const ContactPoint &point : *points)
         {
-          Tensor<1, 3> v = at_node(u, point.node->body, point.node->node);
-          for (const auto &[master, weight] : point.node->masters)
-            v -= weight * at_node(u, point.node->master, master);
+          const Tensor<1, 3> v = difference_of_sides(
+            *point.node, [&](const unsigned int body, const unsigned int node) {
+              return bodies.in_space(body, at_node(u, body, node));
+            });
           for (std::size_t k = 0; k < point.dual.size(); ++k)
             q[n_free + point.first + static_cast<Eigen::Index>(k)] =
               v * point.dual[k];

@@ -26,9 +26,9 @@ namespace conetact::contact
       const unsigned int dim = bodies.dim, n_turns = dim == 2 ? 1 : 3;
       Point<3>           centre;
       unsigned int       n = 0;
-      for (const bodies::Structure *structure : bodies.structures)
-        for (unsigned int i = 0; i < structure->n_nodes(); ++i, ++n)
-          centre += structure->position(i);
+      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+        for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i, ++n)
+          centre += Tensor<1, 3>(bodies.position(b, i));
       centre /= std::max(n, 1u);
       Eigen::MatrixXd modes(coordinates.n_unknowns(), dim + n_turns);
       for (unsigned int k = 0; k < dim + n_turns; ++k)
@@ -40,10 +40,11 @@ namespace conetact::contact
             for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
               {
                 const bodies::Structure &structure = *bodies.structures[b];
-                const Tensor<1, 3>       moved =
+                const Tensor<1, 3>       moved     = bodies.in_frame(
+                  b,
                   k < dim ?
-                          axis :
-                          cross_product_3d(axis, structure.position(i) - centre);
+                              axis :
+                              cross_product_3d(axis, bodies.position(b, i) - centre));
                 const Eigen::Index first = coordinates.dof(b, i);
                 for (unsigned int c = 0; c < dim; ++c)
                   u[first + c] = moved[c];
@@ -100,14 +101,17 @@ namespace conetact::contact
 
   IterativeBackend::IterativeBackend(const ElasticSystem &e,
                                      const NodeRules     &supports,
-                                     const ContactPoints &points,
+                                     const ContactPoints &contact_points,
                                      const RigidMotions  &m)
-    : ElasticBackend(WorkingSet(points.layout()))
+    : ElasticBackend(WorkingSet(contact_points.layout()))
     , elastic(e)
+    , points(contact_points)
     , motions(m)
     , coordinates(elastic.bodies, supports, &points, arm_of_rotations(e))
     , nowhere(unresisted_fields(motions, coordinates))
     , n_bound(points.n_bound_unknowns())
+    , contacts(describe_contacts())
+    , motions_squared(gram_of_motions())
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
@@ -142,6 +146,31 @@ namespace conetact::contact
     contact_system = system;
     if (n_bound > 0)
       find_stiffness_of_bound(diagonal_of_dofs);
+  }
+
+  std::vector<double>
+  IterativeBackend::describe_contacts() const
+  {
+    std::vector<double> numbers;
+    const auto add = [&](const ContactPoint &point, const unsigned int body) {
+      for (const auto *const list :
+           {&point.directions, &point.dual, &point.frictionless})
+        for (const Tensor<1, 3> &direction : *list)
+          {
+            const Tensor<1, 3> v = elastic.bodies.in_frame(body, direction);
+            numbers.insert(numbers.end(), {v[0], v[1], v[2]});
+          }
+    };
+    for (const ContactPoint &point : points)
+      {
+        const pairing::ContactNode &node = *point.node;
+        add(point, node.body);
+        if (!node.masters.empty())
+          add(point, node.master);
+        for (const auto &[master, weight] : node.masters)
+          numbers.insert(numbers.end(), {static_cast<double>(master), weight});
+      }
+    return numbers;
   }
 
   /* Of what supports hold, any of the size of the others. */
@@ -302,5 +331,49 @@ namespace conetact::contact
     if (nowhere.cols() == 0)
       return w;
     return w - nowhere * (nowhere.transpose() * w).eval();
+  }
+
+  /* One motion of all bodies at a time: they do not see each other. */
+  Eigen::MatrixXd
+  IterativeBackend::gram_of_motions() const
+  {
+    const Eigen::MatrixXd &free = motions.free();
+    const auto             n_bodies =
+      static_cast<Eigen::Index>(elastic.bodies.structures.size());
+    const Eigen::Index n_one = free.rows() / n_bodies;
+    Eigen::MatrixXd    gram  = Eigen::MatrixXd::Zero(free.rows(), free.rows());
+    for (Eigen::Index k = 0; k < n_one && free.cols() > 0; ++k)
+      {
+        RigidMotions::Amounts one = motions.none();
+        for (Eigen::Index b = 0; b < n_bodies; ++b)
+          one[b * n_one + k] = 1;
+        const RigidMotions::Amounts products =
+          motions.resultants(motions.field(one));
+        for (Eigen::Index b = 0; b < n_bodies; ++b)
+          gram.col(b * n_one + k).segment(b * n_one, n_one) =
+            products.segment(b * n_one, n_one);
+      }
+    return free.transpose() * gram * free;
+  }
+
+  VectorXd
+  IterativeBackend::motions_in(const VectorXd &values) const
+  {
+    const VectorXd u = without_motion(coordinates.expand(values));
+    return motions_squared.solve(motions.free().transpose() *
+                                 motions.resultants(u));
+  }
+
+  VectorXd
+  IterativeBackend::values_of_motions(const VectorXd &a) const
+  {
+    return coordinates.values(motions.field(motions.of_free(a)));
+  }
+
+  VectorXd
+  IterativeBackend::resistance(const VectorXd &a) const
+  {
+    return coordinates.restrict(
+      elastic.spring_forces(motions.field(motions.of_free(a))));
   }
 } // namespace conetact::contact

@@ -99,9 +99,6 @@ namespace conetact::contact
       if (bodies.is_rigid(b))
         return "solves bodies that deform, and " + bodies.called(b) +
                " is rigid and free";
-    if (!bodies.frames().empty())
-      return "knows contacts of undeformed bodies only, not those that slide "
-             "far, nor bodies that turn";
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
       if (!is_bound_or_held(points.all()[i], supports))
         return "knows no ties and no bilateral contacts of nodes that supports "

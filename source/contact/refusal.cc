@@ -117,8 +117,7 @@ namespace conetact::contact
     const solvers::ContactSystem &system = *problem.system;
     Eigen::VectorXd               resultants;
     if (model.is_iterative())
-      resultants = dynamic_cast<IterativeBackend &>(model.condense())
-                     .resultants(problem.load);
+      resultants = model.iterative_backend().resultants(problem.load);
     else if (system.form == solvers::Form::stiffness)
       return problem.load;
     else

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace conetact::solvers
 {
@@ -99,12 +100,13 @@ namespace conetact::solvers
 
 
   LargeNewton::Point
-  LargeNewton::point_at(const Array &u, const Array &f) const
+  LargeNewton::point_at(Array given_u, Array given_f) const
   {
-    const Index n = relation->system().n_unknowns(), m = u.size() - n;
-    Point       point;
-    point.u = u;
-    point.f = f;
+    Point point;
+    point.u        = std::move(given_u);
+    point.f        = std::move(given_f);
+    const Array &u = point.u, &f = point.f;
+    const Index  n = relation->system().n_unknowns(), m = u.size() - n;
     relation->to_scaled({{}, f.tail(n), {}, u.tail(n)}, point.p, point.d);
     point.law    = law_residual(*relation, point.p, point.d);
     double scale = largest_norm(f.tail(n), load.tail(n), force);
@@ -118,9 +120,11 @@ namespace conetact::solvers
 
 
   LargeNewton::Point
-  LargeNewton::point_at(const Array &u) const
+  LargeNewton::point_at(Array u) const
   {
-    return point_at(u, body->multiply(u) - load);
+    Array f = body->multiply(u);
+    f -= load;
+    return point_at(std::move(u), std::move(f));
   }
 
 
@@ -308,8 +312,10 @@ namespace conetact::solvers
     report.reason  = iterate(point, report, exactly, aim * options.tolerance);
     set_exact_zeros(*relation, point.sets, point.p, point.d);
     relation->from_scaled(point.p, point.d, state);
-    // without offset v itself is the displacement
-    point.u.tail(n)  = state.u.size() == n ? state.u : state.v;
+    // Exact zeros of v = u + o are those of u without offset; of a large one
+    // they are rounded, and would take u out of its balance.
+    if (state.u.size() != n)
+      point.u.tail(n) = state.v;
     state.u          = point.u;
     state.node       = classify(problem, state, 0);
     report.residual  = contact_residual(problem, state);
@@ -333,10 +339,14 @@ namespace conetact::solvers
   {
     if (!last || last->end_u.size() != state.u.size())
       return {};
+    // Who asks may count displacements from another place than last time.
+    const auto is_at = [&](const Array &u, const Array &r) {
+      return state.u == u || (state.r == r && !r.isZero(0));
+    };
     // one increment once more, with a load that is a little better
-    if (state.u == last->start_u)
-      return point_at(last->end_u);
-    if (state.u != last->end_u)
+    if (is_at(last->start_u, last->start_r))
+      return point_at(last->end_u + (state.u - last->start_u));
+    if (!is_at(last->end_u, last->end_r))
       return {};
     // obstacles and supports that move are loads, too
     const double c         = relation->system().diagonal().mean();
@@ -353,7 +363,7 @@ namespace conetact::solvers
                                    (of_offset - s * c * last->offset).norm());
     if (rest > same_way * std::hypot(of_load.norm(), of_offset.norm()))
       return {};
-    return point_at(last->end_u + s * last->u);
+    return point_at(state.u + s * last->u);
   }
 
 
@@ -363,8 +373,9 @@ namespace conetact::solvers
                         const ContactState   &start,
                         const ContactState   &end)
   {
-    const bool follows =
-      last && last->end_u.size() == start.u.size() && start.u == last->end_u;
+    const bool follows = last && last->end_u.size() == start.u.size() &&
+                         (start.u == last->end_u ||
+                          (start.r == last->end_r && !start.r.isZero(0)));
     if (!follows && !start.u.isZero(0))
       {
         last.reset(); // the load that it started from is not known
@@ -372,8 +383,10 @@ namespace conetact::solvers
       }
     Last next;
     next.start_u  = start.u;
+    next.start_r  = start.r;
     next.end_load = load;
     next.end_u    = end.u;
+    next.end_r    = end.r;
     next.u        = end.u - start.u;
     next.load     = follows ? Array(load - last->end_load) : load;
     next.offset   = change_of_offset(problem, start);

@@ -136,6 +136,9 @@ namespace conetact::analysis
      * false, and in `why`: there is none. */
     bool
     solve_otherwise(std::string &why);
+    /** Throws AnalysisError. */
+    void
+    condense_from_here(const std::string &why);
     Step
     check(PendingIncrement &increment, Eigen::VectorXd w);
     /** Of what contact at nodes does not see. */

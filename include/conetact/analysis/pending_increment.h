@@ -22,6 +22,7 @@ namespace conetact::analysis
     Eigen::VectorXd         contact = {}; ///< displacements of contact unknowns
     Eigen::VectorXd       primal = {}; ///< as ElasticBackend::expand() takes it
     Eigen::VectorXd       motions = {}; ///< amounts of the free motions
+    Eigen::VectorXd       base    = {}; ///< those that it was solved about
     contact::BoundState   bound   = {}; ///< ties and bilateral contacts
     solvers::ContactState end     = {}; ///< of the working set alone
     Eigen::VectorXd       thermal = {}; ///< nodal forces, or none

@@ -9,6 +9,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace conetact::analysis
 {
@@ -44,12 +45,17 @@ namespace conetact::analysis
     once(const std::string &kind, const std::string &sentence);
 
   private:
+    /** Distance of an element's nodes from its first one [length]. */
     double
-    largest_strain(const unsigned int body, const Eigen::VectorXd &w) const;
+    shortest_side(const unsigned int body);
+    /** 0: none is large. */
+    double
+    largest_strain(const unsigned int body, const Eigen::VectorXd &w);
 
     const contact::ContactModel &model;
     Log                         &log;
     std::set<std::string>        said;
+    std::vector<double>          shortest_sides; ///< 0: not known yet
   };
 } // namespace conetact::analysis
 

@@ -62,7 +62,7 @@ namespace conetact
     /** What each process has, one behind the other. */
     template <typename Vector>
     Vector
-    gather_all(const Vector &part) const
+    gather_all(Vector part) const
     {
       if (n == 1)
         return part;
@@ -74,7 +74,7 @@ namespace conetact
     /** The same for the first process only, where lengths are known. */
     template <typename Vector>
     Vector
-    gather(const Vector &part, const std::vector<int> &first) const
+    gather(Vector part, const std::vector<int> &first) const
     {
       if (n == 1)
         return part;

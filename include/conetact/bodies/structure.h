@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -209,6 +210,16 @@ namespace conetact::bodies
      */
     virtual void
     add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const = 0;
+
+    /**
+     * How far a node of an element moves relative to the first one of it, at
+     * most [length]; infinity: not known.
+     */
+    virtual double
+    largest_stretch(const Eigen::VectorXd & /*u*/) const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
 
     /** For the log: congruent elements share a matrix. */
     struct MatrixCount

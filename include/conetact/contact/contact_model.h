@@ -89,6 +89,9 @@ namespace conetact::contact
      */
     ElasticBackend &
     condense();
+    /** That, where nothing is condensed. */
+    const IterativeBackend &
+    iterative_backend();
 
     /**
      * How far its stiffness is that of another condenser. Throws AnalysisError
@@ -153,10 +156,13 @@ namespace conetact::contact
 
     /**
      * Takes contact nodes that were found again (finite sliding): other rows
-     * over the same bodies, nothing is factorised. Throws AnalysisError.
+     * over the same bodies, nothing is factorised. What is not condensed is
+     * made anew if nodes face others or turn, unless why_not_iterative() has a
+     * reason now, and `elastic`, its unknowns, are those of the new contacts
+     * then. Throws AnalysisError.
      */
     void
-    relink(std::vector<pairing::ContactNode> nodes);
+    relink(std::vector<pairing::ContactNode> nodes, Eigen::VectorXd &elastic);
 
     /**
      * Locks cuts that are due in increments that begin at t, as open as they
@@ -231,13 +237,21 @@ namespace conetact::contact
     {
       base = motions;
     }
+    const Eigen::VectorXd &
+    linearised_at() const
+    {
+      return base;
+    }
     /**
-     * Contacts were found again: their gaps, and their displacements so far,
-     * which belong to the displacements u of all dofs at time t (none: the
-     * start). Reactions and states stay, components and all.
+     * The model takes contacts that were found again: their gaps are other
+     * ones, and their displacements so far, which belong to the displacements u
+     * of all dofs at time t (none: the start). Reactions and states stay,
+     * components and all. Throws AnalysisError.
      */
     void
-    relink(const Eigen::VectorXd &u, const double t);
+    relink(std::vector<pairing::ContactNode> nodes,
+           const Eigen::VectorXd            &u,
+           const double                      t);
     /** The model is condensed from here on. */
     void
     see_condensation();
@@ -298,6 +312,8 @@ namespace conetact::contact
     /** What moves contacts without strain until the end with `load`. */
     Eigen::VectorXd
     offset_at(const LoadCase &load) const;
+    void
+    take_motions();
     /** `elastic` of this or another backend. */
     void
     take_elastic(const std::vector<double> &kept);
@@ -308,7 +324,8 @@ namespace conetact::contact
     ContactModel   *model;
     Eigen::VectorXd initial_gap; ///< of each node with unknowns
     Eigen::VectorXd q, r;
-    /** Without offset, stiffness form; of all unknowns where it is large. */
+    /** Without offset, stiffness form; of all unknowns where it is large, less
+     * the free motions `base`. */
     Eigen::VectorXd                 elastic;
     Eigen::VectorXd                 a, base; ///< free motions
     std::vector<solvers::NodeState> states;

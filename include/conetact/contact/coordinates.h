@@ -140,6 +140,8 @@ namespace conetact::contact
 
   private:
     void
+    take(const ContactPoint &point);
+    void
     bind(const ContactPoint &point);
     void
     number_unknowns();
@@ -190,8 +192,10 @@ namespace conetact::contact
     std::vector<unsigned int>         node_offset;
     std::vector<const NodeRule *>     rule_of_node;  ///< of all bodies, or null
     std::vector<const ContactPoint *> point_of_node; ///< the same
-    std::deque<ContactPoint>          bound_points;  ///< but for what is held
-    std::vector<BoundDirection>       all_bound_directions;
+    /** With directions in the frames of bodies, dual ones in space; those that
+     * are bound but for what is held. */
+    std::deque<ContactPoint>    own_points;
+    std::vector<BoundDirection> all_bound_directions;
 
     Eigen::Index              n_free = 0;
     std::vector<Eigen::Index> first_unknown; ///< of a node's free ones

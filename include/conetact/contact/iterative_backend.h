@@ -9,6 +9,8 @@
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
 
+#include <Eigen/Cholesky>
+
 namespace conetact::contact
 {
   /**
@@ -30,6 +32,39 @@ namespace conetact::contact
      * resists. */
     Eigen::VectorXd
     resultants(const Eigen::VectorXd &load) const;
+
+    /**
+     * Whether contact nodes have the axes and face the nodes that they had when
+     * it was made: gaps alone may have changed since (finite sliding).
+     */
+    bool
+    fits_contacts() const
+    {
+      return describe_contacts() == contacts;
+    }
+    /** Displacements of all dofs by unknowns, which may be those of contacts
+     * that were there before. */
+    Eigen::VectorXd
+    displacements_of(const Eigen::VectorXd &values) const
+    {
+      return coordinates.expand(values);
+    }
+    /** The unknowns of such displacements. */
+    Eigen::VectorXd
+    values_of(const Eigen::VectorXd &u) const
+    {
+      return coordinates.values(u);
+    }
+    /** Amounts of the free motions in displacements by unknowns, least
+     * squares. */
+    Eigen::VectorXd
+    motions_in(const Eigen::VectorXd &values) const;
+    /** The unknowns of such amounts. */
+    Eigen::VectorXd
+    values_of_motions(const Eigen::VectorXd &a) const;
+    /** Forces on all unknowns by which foundations resist them. */
+    Eigen::VectorXd
+    resistance(const Eigen::VectorXd &a) const;
 
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
@@ -64,6 +99,10 @@ namespace conetact::contact
     }
 
   private:
+    /** Directions of contact nodes in the frames of both sides, and weights of
+     * their masters: numbers one behind the other. */
+    std::vector<double>
+    describe_contacts() const;
     /** All unknowns of a load case and its primal. */
     Eigen::VectorXd
     unknowns(const LoadCase &load, const Eigen::VectorXd &primal) const;
@@ -79,13 +118,19 @@ namespace conetact::contact
     /** Where nothing opposes a motion the shortest one is taken. */
     Eigen::VectorXd
     without_motion(const Eigen::VectorXd &w) const;
+    /** Products of the free motions with each other. */
+    Eigen::MatrixXd
+    gram_of_motions() const;
 
-    const ElasticSystem  &elastic;
-    const RigidMotions   &motions;
-    const Coordinates     coordinates;
-    const Eigen::MatrixXd nowhere; ///< motions that nothing resists, all dofs
-    const Eigen::Index    n_bound;
-    Eigen::VectorXd       stiffness_of_bound;
+    const ElasticSystem         &elastic;
+    const ContactPoints         &points;
+    const RigidMotions          &motions;
+    const Coordinates            coordinates;
+    const Eigen::MatrixXd        nowhere; ///< motions that nothing resists
+    const Eigen::Index           n_bound;
+    const std::vector<double>    contacts; ///< as they were when it was made
+    Eigen::LDLT<Eigen::MatrixXd> motions_squared;
+    Eigen::VectorXd              stiffness_of_bound;
   };
 } // namespace conetact::contact
 

@@ -59,9 +59,9 @@ namespace conetact::solvers
     void
     attach(const ContactProblem &problem);
     Point
-    point_at(const Array &u, const Array &f) const;
+    point_at(Array u, Array f) const;
     Point
-    point_at(const Array &u) const;
+    point_at(Array u) const;
     std::vector<NodeLaw>
     laws(const Point &point, NodeSets sets) const;
     /** What to take nodes for, one after the other, until it holds bodies. */
@@ -114,7 +114,7 @@ namespace conetact::solvers
     /** The last increment: where it ended, how far it went. */
     struct Last
     {
-      Array start_u, end_load, end_u;
+      Array start_u, start_r, end_load, end_u, end_r;
       Array load, offset, u; ///< changes of them
     };
     std::optional<Last> last;

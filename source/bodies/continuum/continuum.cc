@@ -11,6 +11,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace conetact::bodies
@@ -263,6 +264,24 @@ namespace conetact::bodies
                                       Eigen::VectorXd       &f) const
   {
     matrices.add_forces(u, f);
+  }
+
+  template <int dim>
+  double
+  Continuum<dim>::largest_stretch(const Eigen::VectorXd &u) const
+  {
+    double largest = 0; // square, until the end
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      {
+        const auto                          cell = mesh.cell(c);
+        const Eigen::Matrix<double, dim, 1> base =
+          u.template segment<dim>(dim * cell[0]);
+        for (unsigned int v = 1; v < mesh.n_cell_nodes; ++v)
+          largest = std::max(
+            largest,
+            (u.template segment<dim>(dim * cell[v]) - base).squaredNorm());
+      }
+    return std::sqrt(largest);
   }
 
 

@@ -64,6 +64,8 @@ namespace conetact::bodies
     void
     add_internal_forces(const Eigen::VectorXd &u,
                         Eigen::VectorXd       &f) const override;
+    double
+    largest_stretch(const Eigen::VectorXd &u) const override;
 
     BoundaryIds
     boundary_ids() const override;

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Contacts that slide far without condensation: the tables of the condensed backend."""
+import math
+
+from laws.drawn import drawn
+from laws.iterative import backend, compare
+from laws.sliding import FAR, disc, slab
+from support.scenes import box, contact, load, merge, press_and_shear, support
+
+
+def ball():
+    """Pressed into a layer, then moved over it."""
+    return {"Dimension": 3, "Body layer": box((9, 4, 3), (3.6, 1.6, .8), (-1.8, -.8, -.8)),
+            "Obstacle ball": {"Shape": "sphere", "Radius": 2.0, "Center": (-.8, -.1, 2.0),
+                              "Displacement": "1.6*max(t - 1, 0) ; 0.2*max(t - 1, 0) ; -0.06*min(t, 1)"},
+            "Contact top": contact("layer", 5, "ball", .2, **FAR), "Support base": support(4, "x, y, z", body="layer"),
+            "Time": {"Stages": "1 : 2, 2 : 4"}, "Output": {"VTU": 0}}
+
+
+def rolling_disc(degrees, increments):
+    """An elastic disc, which nothing else holds, between a floor and a plate that is drawn along."""
+    way = 2 * math.radians(degrees)
+    return {"Dimension": 2,
+            "Body disc": {"Mesh": {"Generator": "hyper_ball_balanced", "Arguments": "0, 0 : 1", "Global refinements": 3,
+                                   "Boundary ids": "1: y < -0.2 ; 2: y > 0.2"},
+                          "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+            "Obstacle floor": {"Shape": "half space", "Normal": (0, 1), "Point": (0, -.99)},
+            "Obstacle plate": {"Shape": "half space", "Normal": (0, -1), "Point": (0, .99),
+                               "Displacement": f"{way!r}*max(t - 1, 0) ; 0"},
+            "Contact low": contact("disc", 1, "floor", .4, **FAR), "Contact high": contact("disc", 2, "plate", .4, **FAR),
+            "Time": {"Stages": f"1 : 1, 2 : {increments}"}, "Output": {"VTU": 0}}
+
+
+def guided():
+    """A block drawn over a hill: contacts alone hold it up, and it rises far."""
+    return {"Dimension": 2, "Body block": box((4, 4), (.2, .2), (-.1, .005), 1e5, **{"Boundary ids": "7: x < -0.09 && y > 0.1"}),
+            "Obstacle hill": {"Shape": "implicit", "Function": "y - 0.1*(1 - cos(pi*x))"},
+            "Contact bottom": contact(obstacle="hill", mu=.2, **FAR),
+            "Support left": support(7, "x", "2*max(t - 1, 0)"), "Load weight": load("pressure", "min(t, 1)", 3),
+            "Time": {"Stages": "1 : 1, 2 : 20"}, "Output": {"VTU": 0}}
+
+
+def iterative_sliding(laws):
+    compare(laws, "disc over a layer", disc(8, 1.0))
+    compare(laws, "ball over a layer", ball())
+    for dim in (2, 3):
+        scene = press_and_shear(dim, increments=4)
+        scene["Support top"]["Displacement"] = scene["Support top"]["Displacement"].replace("0.004", "0.43")
+        cells = ((28, 1), (7.0, .5), (-1.0, -.5)) if dim == 2 else ((13, 11, 1), (6.5, 4.4, .5), (-1.0, -1.0, -.5))
+        for pairing in ("node to face", "mortar"):
+            compare(laws, f"{dim}D, block over a slab, {pairing}", slab(scene, *cells, "bottom", Pairing=pairing))
+    run = compare(laws, "rolling disc", rolling_disc(40.0, 10))
+    low = [row for row in run.rows if row["contact"] == "low" and row["state"] != "open"]
+    turned = [math.degrees(math.atan2(row["x"], -row["y"])) for row in low if row["increment"] == run.increments[-1]["increment"]]
+    laws.check("  it rolls: what touches the floor is 40 degrees from where it did", abs(sum(turned) / len(turned) / 40 - 1), .1)
+    compare(laws, "block over a hill", guided())
+    # a frame of the body follows it, so that the motion costs no digits
+    compare(laws, "block over a plane, far", merge(press_and_shear(2), {
+        "Support top": {"Displacement": "1000*max(t - 1, 0) ; -0.01*min(t, 1)"}, "Contact bottom": FAR}))
+    # mortar surfaces of which supports hold some nodes are not for it, wherever they come to
+    die = merge(drawn(laws, (40, 10), 3.75, 1), {"Time": {"Stages": None, "Times": "0.5, 1"}})
+    run = laws.run(die, *backend("iterative"))
+    laws.same("die on a layer", laws.run(die, *backend("condensed")), run, 1e-8)
+    laws.demand("  it is condensed where it has to be", "From here on bodies are condensed" in (run.folder / "log.txt").read_text())
