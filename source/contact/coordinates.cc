@@ -191,35 +191,44 @@ namespace conetact::contact
                           const double       factor)
   {
     const auto add = [&](const Directions  &directions,
-                         const Eigen::Index first) {
+                         const Eigen::Index first,
+                         const double       times) {
       for (std::size_t k = 0; k < directions.size(); ++k)
         if (directions[k][c] != 0)
           append(first + static_cast<Eigen::Index>(k),
-                 factor * directions[k][c]);
+                 times * directions[k][c]);
     };
-    add(*free_directions(n), first_unknown[n]);
-    if (point_of_node[n] != nullptr)
+    add(*free_directions(n), first_unknown[n], factor);
+    if (const ContactPoint *const point = point_of_node[n]; point != nullptr)
       {
+        const double part = factor / pairing::own_weight(*point->node);
         if (first_contact[n] >= 0) // else it is bound
-          add(point_of_node[n]->directions, first_contact[n]);
-        append_masters(*point_of_node[n], c, factor);
+          add(point->directions, first_contact[n], part);
+        append_others(*point, c, part);
       }
   }
 
-  /* What a node faces carries it along its contact directions d_k. */
+  /* What a node faces carries it along its contact directions d_k, and where it
+     meets that with other nodes of its body, these as well, the other way. */
   void
-  Coordinates::append_masters(const ContactPoint &point,
-                              const unsigned int  c,
-                              const double        factor)
+  Coordinates::append_others(const ContactPoint &point,
+                             const unsigned int  c,
+                             const double        factor)
   {
     Tensor<1, 3> along;
     for (std::size_t k = 0; k < point.dual.size(); ++k)
       along += point.directions[k][c] * point.dual[k];
-    along = bodies.in_frame(point.node->master, along);
-    for (const auto &[master, weight] : point.node->masters)
-      for (unsigned int d = 0; d < bodies.dim; ++d)
-        if (along[d] != 0)
-          append_row(point.node->master, master, d, factor * weight * along[d]);
+    const pairing::ContactNode &own = *point.node;
+    const auto                  append_side =
+      [&](const unsigned int body, const auto &nodes, const double sign) {
+        const Tensor<1, 3> in_body = bodies.in_frame(body, along);
+        for (const auto &[node, weight] : nodes)
+          for (unsigned int d = 0; d < bodies.dim; ++d)
+            if (in_body[d] != 0 && !(body == own.body && node == own.node))
+              append_row(body, node, d, sign * factor * weight * in_body[d]);
+      };
+    append_side(own.master, own.masters, 1);
+    append_side(own.body, own.slaves, -1);
   }
 
   /* A hanging node has the rows of its masters in place of its own. Rotations

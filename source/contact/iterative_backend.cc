@@ -167,8 +167,9 @@ namespace conetact::contact
         add(point, node.body);
         if (!node.masters.empty())
           add(point, node.master);
-        for (const auto &[master, weight] : node.masters)
-          numbers.insert(numbers.end(), {static_cast<double>(master), weight});
+        for (const auto *const side : {&node.masters, &node.slaves})
+          for (const auto &[i, weight] : *side)
+            numbers.insert(numbers.end(), {static_cast<double>(i), weight});
       }
     return numbers;
   }

@@ -41,6 +41,29 @@ namespace conetact::contact
       return false;
     }
 
+    /** Whether a mean over nodes has others in it that meet something, or
+     * hardly its own one, whose displacement it tells. */
+    bool
+    are_means_of_contact_nodes(const ContactPoints &points)
+    {
+      constexpr double least = .05;
+      Nodes            nodes;
+      for (const ContactPoint &point : points.all())
+        if (!point.node->meets_nothing())
+          nodes.insert({point.node->body, point.node->node});
+      return std::any_of(
+        points.all().begin(), points.all().end(), [&](const auto &point) {
+          const pairing::ContactNode &own = *point.node;
+          return pairing::own_weight(own) < least ||
+                 std::any_of(own.slaves.begin(),
+                             own.slaves.end(),
+                             [&](const auto &slave) {
+                               return slave.first != own.node &&
+                                      nodes.count({own.body, slave.first}) > 0;
+                             });
+        });
+    }
+
     bool
     is_along(const Tensor<1, 3> &a, const Tensor<1, 3> &b)
     {
@@ -109,10 +132,9 @@ namespace conetact::contact
              " is in several";
     if (points.have_prescribed_slip())
       return "knows no friction along what supports hold";
-    for (const ContactPoint &point : points.all())
-      if (!point.node->slaves.empty())
-        return "wants a contact node for each node of a mortar surface, and "
-               "supports or other contacts hold some";
+    if (are_means_of_contact_nodes(points))
+      return "knows means over nodes of a mortar surface only where they "
+             "meet nothing by themselves";
     if (masters_are_slaves(points))
       return "wants nodes of one body to face those of another, but not both "
              "each other";

@@ -160,9 +160,9 @@ namespace conetact::contact
     void
     append_own(const std::size_t n, const unsigned int c, const double factor);
     void
-    append_masters(const ContactPoint &point,
-                   const unsigned int  c,
-                   const double        factor);
+    append_others(const ContactPoint &point,
+                  const unsigned int  c,
+                  const double        factor);
     /** What is along held directions, by their displacements and rotations. */
     using DisplacementOf =
       std::function<double(const NodeRule &, const HeldDirection &)>;

@@ -179,6 +179,17 @@ namespace conetact::pairing
       visit(slave, weight);
   }
 
+  /** Of its own displacement in this mean. */
+  inline double
+  own_weight(const ContactNode &node)
+  {
+    double sum = 0;
+    for_each_slave(node, [&](const unsigned int slave, const double weight) {
+      sum += slave == node.node ? weight : 0.;
+    });
+    return sum;
+  }
+
   /**
    * How far the point of an obstacle that a node faces has moved at time t by
    * what is prescribed [length]; nothing for a pair of bodies, to which an
