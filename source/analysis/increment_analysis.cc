@@ -283,14 +283,20 @@ namespace conetact::analysis
   IncrementAnalysis::solve_with(ContactSearch::Nodes found,
                                 PendingIncrement    &increment)
   {
+    Eigen::VectorXd       w; // of the solution so far
+    const Eigen::VectorXd motions = increment.motions;
+    if (model.is_iterative())
+      w = model.iterative_backend().displacements_of(increment.primal);
     history = increment.before;
     take(std::move(found));
     increment.before = history;
     apply_loads(increment);
     solvers::ContactState guess = history.start();
     guess.node                  = increment.end.node;
-    const unsigned int before   = increment.record.report.iterations;
-    const std::string  why      = solve_contact(increment, guess);
+    if (model.is_iterative())
+      guess.nearby = history.nearby(w, motions);
+    const unsigned int before = increment.record.report.iterations;
+    const std::string  why    = solve_contact(increment, guess);
     increment.record.report.iterations += before;
     return why;
   }

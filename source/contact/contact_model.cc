@@ -719,6 +719,21 @@ namespace conetact::contact
     return state;
   }
 
+  Eigen::VectorXd
+  ContactHistory::nearby(const Eigen::VectorXd &w,
+                         Eigen::VectorXd        motions) const
+  {
+    for (Eigen::Index j = 0; j < a.size(); ++j)
+      if (model->has_frame(
+            model->motions.body_of_free()[static_cast<std::size_t>(j)]))
+        motions[j] = base[j];
+    const IterativeBackend &backend = model->iterative_backend();
+    Eigen::VectorXd         u       = backend.values_of(w);
+    if (motions != base)
+      u += backend.values_of_motions(motions - base);
+    return u;
+  }
+
   void
   ContactHistory::advance(const solvers::ContactState &end)
   {

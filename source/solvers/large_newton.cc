@@ -399,8 +399,9 @@ namespace conetact::solvers
   LargeNewton::solve_whole(const ContactProblem &problem, ContactState &state)
   {
     attach(problem);
-    const ContactState    start = state;
-    const Index           n     = relation->system().n_unknowns();
+    const Array           nearby = std::exchange(state.nearby, Array());
+    const ContactState    start  = state;
+    const Index           n      = relation->system().n_unknowns();
     SolverReport          report, sum;
     std::set<std::string> known;
     const auto            took = [&](const SolverReport &attempt) {
@@ -420,7 +421,8 @@ namespace conetact::solvers
       return known.insert(signature(sets)).second &&
              tried(std::move(point), true);
     };
-    if (auto guess = predict(problem, start))
+    auto guess = nearby.size() > 0 ? point_at(nearby) : predict(problem, start);
+    if (guess)
       {
         guess->sets = sets_of_point(*relation, guess->p, guess->d);
         if (tried(std::move(*guess), false))

@@ -261,6 +261,13 @@ namespace conetact::contact
     {
       a = base = Eigen::VectorXd::Zero(model->motions.n_free());
     }
+    /**
+     * Where a solution is about that moves bodies by `motions` and deforms them
+     * by w (all dofs), whose frames have followed these: what a solver starts
+     * from, of a large system.
+     */
+    Eigen::VectorXd
+    nearby(const Eigen::VectorXd &w, Eigen::VectorXd motions) const;
     /** Takes over the end of an increment. */
     void
     advance(const solvers::ContactState &end);

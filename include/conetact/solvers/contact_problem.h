@@ -155,6 +155,9 @@ namespace conetact::solvers
      * systems: all unknowns.
      */
     Eigen::VectorXd u = {};
+    /** On entry: u near the end of the increment, where that is known. Of large
+     * systems only. */
+    Eigen::VectorXd nearby = {};
   };
 
   /** u, whether the state has it or not. */
