@@ -5,7 +5,8 @@
 #define conetact_backends_element_rows_h
 
 #include "conetact/backends/block_matrix.h"
-#include "conetact/backends/shared_system.h"
+#include "conetact/backends/elements.h"
+#include "conetact/base/communicator.h"
 
 namespace conetact::backends
 {

@@ -4,23 +4,15 @@
 #ifndef conetact_backends_shared_system_h
 #define conetact_backends_shared_system_h
 
+#include "conetact/backends/elements.h"
 #include "conetact/base/communicator.h"
 #include "conetact/solvers/large_system.h"
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 namespace conetact::backends
 {
-  /**
-   * Calls back with all elements of a stiffness: the unknowns of each, which
-   * are as many as its matrix has rows [force/length].
-   */
-  using Elements = std::function<void(
-    const std::function<void(const std::vector<Eigen::Index> &unknowns,
-                             const double                    *matrix)> &visit)>;
-
   /** What the first process has of a system before others get their shares. */
   struct WholeSystem
   {
