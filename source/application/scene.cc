@@ -188,6 +188,8 @@ namespace conetact::application
                                                refinements.empty() ?
                                                  bodies::Refinements() :
                                                  refinements[b]));
+      if (adaptive.cycles == 0)
+        structures.back()->forget_mesh();
       bodies.structures.push_back(structures.back().get());
     });
     create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {

@@ -243,6 +243,14 @@ namespace conetact::bodies
       return {};
     }
 
+    /**
+     * Gives back what nothing but element_errors() needs, which has no answer
+     * then.
+     */
+    virtual void
+    forget_mesh()
+    {}
+
     /** Ids that some face has, for checks and messages. */
     virtual BoundaryIds
     boundary_ids() const = 0;

@@ -3,12 +3,11 @@
 
 #include "conetact/bodies/continuum/continuum.h"
 
+#include "conetact/bodies/continuum/boundary_faces.h"
+#include "conetact/bodies/continuum/cell_quadrature.h"
 #include "conetact/bodies/continuum/discretization.h"
 #include "conetact/bodies/continuum/graphics.h"
 #include "conetact/bodies/continuum/refinement.h"
-
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +19,6 @@ namespace conetact::bodies
 
   namespace
   {
-    /** How far outside its cell, in cell sizes, a point may be by round-off. */
-    constexpr double point_tolerance = 1e-6;
-
     template <int dim>
     ContinuumMesh<dim>
     plain(const Discretization<dim> &body, const bool has_phases)
@@ -66,78 +62,6 @@ namespace conetact::bodies
     {
       for (std::size_t i = 0; i < values.size(); ++i)
         values[i] += field(to_space(mesh.nodes[i]));
-    }
-
-    /**
-     * Calls back with each boundary face that has one of the ids, and the
-     * FEFaceValues there.
-     */
-    template <int dim, class Visitor>
-    void
-    for_each_face(const Discretization<dim> &body,
-                  const BoundaryIds         &ids,
-                  const Visitor             &visit)
-    {
-      FEFaceValues<dim> values(body.mapping,
-                               body.fe,
-                               body.face_quadrature,
-                               update_values | update_quadrature_points |
-                                 update_normal_vectors | update_JxW_values);
-      for (const auto &face : body.boundary_faces)
-        if (ids.count(face.id) > 0)
-          {
-            values.reinit(face.cell, face.number);
-            visit(face, values);
-          }
-    }
-
-    /** How far a point of the unit cell's space is outside of the cell. */
-    template <int dim>
-    double
-    distance_to_unit_cell(const Point<dim> &p, const bool simplex)
-    {
-      // Inside a simplex all coordinates are above 0, and their sum is below 1.
-      if (!simplex)
-        return GeometryInfo<dim>::distance_to_unit_cell(p);
-      double distance = -1, sum = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          distance = std::max(distance, -p[d]);
-          sum += p[d];
-        }
-      return std::max({distance, sum - 1, 0.});
-    }
-
-    /**
-     * The nearest active cell and where the point lies in it; the end if the
-     * point is in none. A plain loop: GridTools' search is slow for points
-     * outside and sets up maps each time.
-     */
-    template <int dim>
-    std::pair<typename Discretization<dim>::CellIterator, Point<dim>>
-    locate(const Discretization<dim> &body, const Point<dim> &p)
-    {
-      std::pair<typename Discretization<dim>::CellIterator, Point<dim>> found(
-        body.dof_handler.end(), Point<dim>());
-      double nearest = point_tolerance;
-      for (const auto &cell : body.dof_handler.active_cell_iterators())
-        if (cell->bounding_box().point_inside(p, point_tolerance))
-          try
-            {
-              const Point<dim> unit =
-                body.mapping.transform_real_to_unit_cell(cell, p);
-              const double distance =
-                distance_to_unit_cell(unit, body.has_simplices());
-              // Between cells round-off may put a point outside of all of them.
-              if (distance < nearest)
-                {
-                  nearest = distance;
-                  found   = {cell, unit};
-                }
-            }
-          catch (const typename Mapping<dim>::ExcTransformationFailed &)
-            {} // far outside a distorted cell
-      return found;
     }
 
     /**
@@ -186,6 +110,8 @@ namespace conetact::bodies
         std::make_unique<Discretization<dim>>(std::move(finished_mesh),
                                               row.degree))
     , mesh(plain(*discretization, materials.size() > 1))
+    , cells(std::make_unique<CellQuadrature<dim>>(*discretization))
+    , faces(std::make_unique<BoundaryFaces<dim>>(*discretization))
     , phases(make_phases(materials, row))
     , groups_of_faces(groups)
     , thickness(dim == 2 && !materials.front().is_axisymmetric() ?
@@ -290,10 +216,7 @@ namespace conetact::bodies
   BoundaryIds
   Continuum<dim>::boundary_ids() const
   {
-    BoundaryIds ids;
-    for (const auto &face : discretization->boundary_faces)
-      ids.insert(face.id);
-    return ids;
+    return faces->ids();
   }
 
   template <int dim>
@@ -302,7 +225,7 @@ namespace conetact::bodies
   {
     Surface                             surface;
     std::map<unsigned int, SurfaceNode> nodes;
-    for_each_face(*discretization, ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(ids, [&](const auto &face, const auto &fe) {
       const auto               &numbers = face.nodes;
       std::vector<Tensor<1, 3>> shares(numbers.size());
       Tensor<1, 3>              mean;
@@ -349,9 +272,9 @@ namespace conetact::bodies
                                const SurfaceField &traction,
                                Eigen::VectorXd    &f) const
   {
-    for_each_face(*discretization, ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(ids, [&](const auto &face, const auto &fe) {
       for (const unsigned int q : fe.quadrature_point_indices())
-        discretization->distribute(
+        distribute(
           face.nodes,
           [&](const unsigned int v) {
             return fe.shape_value(face.shapes[v], q);
@@ -369,25 +292,18 @@ namespace conetact::bodies
   Continuum<dim>::add_body_force(const VectorField &force,
                                  Eigen::VectorXd   &f) const
   {
-    const Discretization<dim> &body = *discretization;
-    FEValues<dim>              fe(body.mapping,
-                     body.fe,
-                     body.quadrature,
-                     update_values | update_quadrature_points |
-                       update_JxW_values);
-    for (const auto &cell : body.dof_handler.active_cell_iterators())
-      {
-        fe.reinit(cell);
-        for (const unsigned int q : fe.quadrature_point_indices())
-          body.distribute(
-            mesh.cell(cell->active_cell_index()),
-            [&](const unsigned int v) {
-              return fe.shape_value(body.fe.component_to_system_index(0, v), q);
-            },
-            extent(fe.quadrature_point(q)) * fe.JxW(q) *
-              force(to_space(fe.quadrature_point(q))),
-            f);
-      }
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      cells->for_each_point(mesh,
+                            c,
+                            [&](const Point<dim>      &p,
+                                const double           dx,
+                                const Eigen::VectorXd &shapes) {
+                              distribute(
+                                mesh.cell(c),
+                                [&](const unsigned int v) { return shapes[v]; },
+                                extent(p) * dx * force(to_space(p)),
+                                f);
+                            });
     clear_axis(f);
   }
 
@@ -404,15 +320,12 @@ namespace conetact::bodies
       p[d] = point[d];
     if (point.distance(to_space(p)) > 0) // off the plane of a 2D body
       return false;
-    const Discretization<dim> &body = *discretization;
-    const auto [cell, unit]         = locate(body, p);
-    if (cell == body.dof_handler.end())
+    const auto place = cells->find(mesh, p);
+    if (!place)
       return false;
-    body.distribute(
-      mesh.cell(cell->active_cell_index()),
-      [&, at = unit](const unsigned int v) {
-        return body.fe.shape_value(body.fe.component_to_system_index(0, v), at);
-      },
+    distribute(
+      mesh.cell(place->cell),
+      [&](const unsigned int v) { return place->shapes[v]; },
       force,
       f);
     clear_axis(f);
@@ -425,7 +338,7 @@ namespace conetact::bodies
                                 const SurfaceTensorField &stiffness,
                                 const ElementVisitor     &visit) const
   {
-    for_each_face(*discretization, ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(ids, [&](const auto &face, const auto &fe) {
       const auto      n = dim * static_cast<unsigned int>(face.nodes.size());
       Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
       for (const unsigned int q : fe.quadrature_point_indices())
@@ -521,10 +434,10 @@ namespace conetact::bodies
   std::string
   Continuum<dim>::caution() const
   {
-    if (!discretization->has_simplices() || discretization->fe.degree > 1)
+    if (!cells->has_simplices() || cells->degree() > 1)
       return {};
-    const std::string cells = dim == 2 ? "triangles" : "tetrahedra";
-    return "linear " + cells + " are too stiff in bending and lock near nu = " +
+    const std::string kind = dim == 2 ? "triangles" : "tetrahedra";
+    return "linear " + kind + " are too stiff in bending and lock near nu = " +
            "0.5. Refine until results stay the same, or use " +
            (dim == 2 ? "quadrilaterals." : "hexahedra.");
   }
@@ -554,7 +467,7 @@ namespace conetact::bodies
   std::vector<double>
   Continuum<dim>::element_errors(const Eigen::VectorXd &u) const
   {
-    if (discretization->has_simplices()) // no mesh that could be refined
+    if (cells->has_simplices() || !discretization) // nothing can be refined
       return {};
     std::vector<double> errors = squared_jumps(*discretization, u);
     for (const auto &cell : discretization->dof_handler.active_cell_iterators())
@@ -562,6 +475,13 @@ namespace conetact::bodies
         extent(cell->center()) *
         phases[mesh.phase(cell->active_cell_index())].material.stiffness();
     return errors;
+  }
+
+  template <int dim>
+  void
+  Continuum<dim>::forget_mesh()
+  {
+    discretization.reset();
   }
 
   template class Continuum<2>;

@@ -31,16 +31,6 @@ namespace conetact::bodies
         return std::make_unique<FE_Q<dim>>(degree);
       return std::make_unique<FE_SimplexP<dim>>(degree);
     }
-
-    /** Three points a direction; lines are the faces of triangles, too. */
-    template <int dim>
-    Quadrature<dim - 1>
-    quadrature_of_faces(const Triangulation<dim> &mesh)
-    {
-      if (dim == 3 && !mesh.all_reference_cells_are_hyper_cube())
-        return QGaussSimplex<dim - 1>(3);
-      return QGauss<dim - 1>(3);
-    }
   } // namespace
 
   template <int dim>
@@ -54,13 +44,11 @@ namespace conetact::bodies
     , dof_handler(*triangulation)
     , quadrature(kind_of_cells(*triangulation)
                    .template get_gauss_type_quadrature<dim>(degree + 1))
-    , face_quadrature(quadrature_of_faces(*triangulation))
   {
     dof_handler.distribute_dofs(fe);
     if (triangulation->has_hanging_nodes())
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
     constraints.close();
-    find_boundary_faces();
   }
 
   template <int dim>
@@ -90,35 +78,6 @@ namespace conetact::bodies
         cell,
         fe.get_unit_support_points()[fe.component_to_system_index(0, v)]));
     return places;
-  }
-
-  template <int dim>
-  void
-  Discretization<dim>::find_boundary_faces()
-  {
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (const auto face = cell->face(f); face->at_boundary())
-          {
-            BoundaryFace result{cell, f, face->boundary_id(), {}, {}};
-            const auto   of_cell = nodes_of(cell);
-            std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(f));
-            face->get_dof_indices(dofs, cell->active_fe_index());
-            for (unsigned int i = 0; i < dofs.size(); ++i)
-              {
-                if (fe.face_system_to_component_index(i, f).first != 0)
-                  continue;
-                result.nodes.push_back(
-                  static_cast<unsigned int>(dofs[i] / dim));
-                // The face's own order of nodes is not that of its cell.
-                const auto place = std::find(of_cell.begin(),
-                                             of_cell.end(),
-                                             result.nodes.back());
-                result.shapes.push_back(fe.component_to_system_index(
-                  0, static_cast<unsigned int>(place - of_cell.begin())));
-              }
-            boundary_faces.push_back(result);
-          }
   }
 
   template <int dim>

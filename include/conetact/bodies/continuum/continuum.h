@@ -24,6 +24,10 @@ namespace dealii
 namespace conetact::bodies
 {
   template <int dim>
+  class BoundaryFaces;
+  template <int dim>
+  class CellQuadrature;
+  template <int dim>
   struct Discretization;
 
   /**
@@ -120,6 +124,8 @@ namespace conetact::bodies
     matrix_count() const override;
     std::vector<double>
     element_errors(const Eigen::VectorXd &u) const override;
+    void
+    forget_mesh() override;
 
   private:
     /** Of the body at p, beside the mesh: thickness or circumference. */
@@ -129,8 +135,23 @@ namespace conetact::bodies
     void
     clear_axis(Eigen::VectorXd &f) const;
 
-    std::unique_ptr<const Discretization<dim>> discretization;
+    /** f += N^T value, at a point where the nodes have these shape values. */
+    template <class Nodes, class Shape>
+    static void
+    distribute(const Nodes        &nodes,
+               const Shape        &shape,
+               const Tensor<1, 3> &value,
+               Eigen::VectorXd    &f)
+    {
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        for (unsigned int c = 0; c < dim; ++c)
+          f[dim * nodes[v] + c] += shape(v) * value[c];
+    }
+
+    std::unique_ptr<const Discretization<dim>> discretization; ///< or forgotten
     ContinuumMesh<dim>                         mesh;
+    std::unique_ptr<const CellQuadrature<dim>> cells;
+    std::unique_ptr<const BoundaryFaces<dim>>  faces;
     Phases<dim>                                phases;
     MeshGroups::Ids                            groups_of_faces;
     double                                     thickness; ///< 1 in 3D, of rings

@@ -29,15 +29,6 @@ namespace conetact::bodies
   {
     using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    struct BoundaryFace
-    {
-      CellIterator              cell;
-      unsigned int              number; ///< of the face in its cell
-      unsigned int              id;     ///< boundary id
-      std::vector<unsigned int> nodes;  ///< in deal.II's order
-      std::vector<unsigned int> shapes; ///< of the nodes, first component
-    };
-
     /** Of a finished mesh, whose cells are all of one kind. */
     explicit Discretization(
       std::unique_ptr<dealii::Triangulation<dim>> finished_mesh,
@@ -58,31 +49,12 @@ namespace conetact::bodies
     std::vector<HangingNode>
     hanging_nodes() const;
 
-    /** f += N^T value, at a point where the nodes have these shape values. */
-    template <class Nodes, class Shape>
-    static void
-    distribute(const Nodes        &nodes,
-               const Shape        &shape,
-               const Tensor<1, 3> &value,
-               Eigen::VectorXd    &f)
-    {
-      for (unsigned int v = 0; v < nodes.size(); ++v)
-        for (unsigned int c = 0; c < dim; ++c)
-          f[dim * nodes[v] + c] += shape(v) * value[c];
-    }
-
     std::unique_ptr<dealii::Triangulation<dim>> triangulation;
     const dealii::Mapping<dim>                 &mapping;
     dealii::FESystem<dim>                       fe;
     dealii::DoFHandler<dim>                     dof_handler;
     dealii::AffineConstraints<double>           constraints; ///< hanging nodes
-    dealii::Quadrature<dim>     quadrature;      ///< degree + 1 points
-    dealii::Quadrature<dim - 1> face_quadrature; ///< 4th degree
-    std::vector<BoundaryFace>   boundary_faces;
-
-  private:
-    void
-    find_boundary_faces();
+    dealii::Quadrature<dim> quadrature; ///< degree + 1 points
   };
 } // namespace conetact::bodies
 
