@@ -221,8 +221,8 @@ namespace conetact::analysis
         take_bound(increment);
         return "";
       }
-    const solvers::ContactProblem problem = history.problem(increment.load);
-    unsolved                              = false;
+    solvers::ContactProblem problem = history.problem(increment.load);
+    unsolved                        = false;
     if (const std::string why = no_equilibrium(problem, increment);
         !why.empty())
       return why;
@@ -230,6 +230,14 @@ namespace conetact::analysis
       solve_motions(problem, state, report);
     else
       report = solver->solve(problem, state);
+    if (!report.converged && state.nearby.size() > 0 &&
+        history.linearise_about(problem, state))
+      {
+        done.add(report);
+        problem = history.problem(increment.load);
+        state   = history.start();
+        report  = solver->solve(problem, state);
+      }
     done.add(report);
     unsolved = !report.converged;
     if (unsolved)

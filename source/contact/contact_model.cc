@@ -29,7 +29,7 @@ namespace conetact::contact
     constexpr double rounding_of_past = 1e-4;
 
     /** The same of the force that it takes to hold back what moves. */
-    constexpr double rounding_of_motion = 1e-4;
+    constexpr double rounding_of_motion = 1e-3;
   } // namespace
 
   ContactModel::ContactModel(const Bodies              &b,
@@ -175,6 +175,18 @@ namespace conetact::contact
               .empty();
   }
 
+  double
+  ContactModel::way_of_frames() const
+  {
+    double largest = 0;
+    if (!bodies.frames().empty())
+      for (const NodeRule &rule : rules.rules())
+        largest = std::max(
+          largest,
+          bodies.displacement(rule.body, rule.node, Tensor<1, 3>()).norm());
+    return largest;
+  }
+
   LoadCase
   ContactModel::load_case(const Eigen::VectorXd &mechanical,
                           const Eigen::VectorXd &thermal,
@@ -185,16 +197,18 @@ namespace conetact::contact
     const Eigen::VectorXd placement  = motions.placement(t);
     Eigen::VectorXd       prescribed = coordinates.prescribed(t);
     Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
+    double                far        = way_of_frames();
     if (!placement.isZero(0))
       {
         const Eigen::VectorXd rigid = motions.field(placement);
-        const double zero = deformation_rounding * solvers::largest(rigid);
+        far                         = std::max(far, solvers::largest(rigid));
         prescribed -= coordinates.held_part(rigid);
-        prescribed = prescribed.unaryExpr(
-          [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
         // Foundations do feel the placement.
         all -= elastic.spring_forces(rigid);
       }
+    if (const double zero = deformation_rounding * far; zero > 0)
+      prescribed = prescribed.unaryExpr(
+        [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
     LoadCase load;
     if (thermal.size() == 0)
       load = condense().reduce(all, prescribed);
@@ -717,6 +731,28 @@ namespace conetact::contact
     if (model->is_iterative() && a != base)
       state.u += model->iterative_backend().values_of_motions(a - base);
     return state;
+  }
+
+  bool
+  ContactHistory::linearise_about(const solvers::ContactProblem &problem,
+                                  const solvers::ContactState   &state)
+  {
+    if (a.size() == 0)
+      return false;
+    const Eigen::MatrixXd    &G = model->motions.seen();
+    std::vector<Eigen::Index> closed;
+    for (Eigen::Index i = 0; i < problem.system->n_nodes(); ++i)
+      if (state.node[static_cast<std::size_t>(i)] != solvers::NodeState::open)
+        closed.push_back(problem.system->normal(i));
+    const Eigen::MatrixXd normals = G(closed, Eigen::all);
+    const Eigen::VectorXd way =
+      normals.completeOrthogonalDecomposition().solve(-problem.offset(closed));
+    const Eigen::VectorXd rest =
+      state.nearby - model->iterative_backend().values_of_motions(way);
+    if (!(solvers::largest(way) > solvers::largest(rest)))
+      return false;
+    base += way;
+    return true;
   }
 
   Eigen::VectorXd

@@ -41,27 +41,33 @@ namespace conetact::contact
       return false;
     }
 
-    /** Whether a mean over nodes has others in it that meet something, or
-     * hardly its own one, whose displacement it tells. */
+    /** Whether a mean over nodes has others in it that meet something or hang,
+     * or hardly its own one, whose displacement it tells. */
     bool
-    are_means_of_contact_nodes(const ContactPoints &points)
+    has_tangled_means(const ContactPoints &points, const NodeRules &supports)
     {
       constexpr double least = .05;
       Nodes            nodes;
       for (const ContactPoint &point : points.all())
         if (!point.node->meets_nothing())
           nodes.insert({point.node->body, point.node->node});
-      return std::any_of(
-        points.all().begin(), points.all().end(), [&](const auto &point) {
-          const pairing::ContactNode &own = *point.node;
-          return pairing::own_weight(own) < least ||
-                 std::any_of(own.slaves.begin(),
-                             own.slaves.end(),
-                             [&](const auto &slave) {
-                               return slave.first != own.node &&
-                                      nodes.count({own.body, slave.first}) > 0;
-                             });
-        });
+      const auto hangs = [&](const unsigned int body, const unsigned int node) {
+        const NodeRule *const rule = supports.find(body, node);
+        return rule != nullptr && !rule->masters.empty();
+      };
+      const auto is_tangled = [&](const ContactPoint &point) {
+        const pairing::ContactNode &own = *point.node;
+        return pairing::own_weight(own) < least ||
+               std::any_of(own.slaves.begin(),
+                           own.slaves.end(),
+                           [&](const auto &slave) {
+                             const unsigned int i = slave.first;
+                             return i != own.node &&
+                                    (nodes.count({own.body, i}) > 0 ||
+                                     hangs(own.body, i));
+                           });
+      };
+      return std::any_of(points.all().begin(), points.all().end(), is_tangled);
     }
 
     bool
@@ -132,9 +138,9 @@ namespace conetact::contact
              " is in several";
     if (points.have_prescribed_slip())
       return "knows no friction along what supports hold";
-    if (are_means_of_contact_nodes(points))
+    if (has_tangled_means(points, supports))
       return "knows means over nodes of a mortar surface only where they "
-             "meet nothing by themselves";
+             "hang on no others and meet nothing by themselves";
     if (masters_are_slaves(points))
       return "wants nodes of one body to face those of another, but not both "
              "each other";

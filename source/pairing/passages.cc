@@ -57,8 +57,11 @@ namespace conetact::pairing
     for (const bodies::SurfaceNode &node : boundary.nodes)
       for (unsigned int k = 0; k < n_places; ++k)
         middle[k] += Tensor<1, 3>(way.at(node.node, part(k))) / n;
-    for (const bodies::SurfaceNode &node : boundary.nodes)
-      places[node.node] = places_of(way, node.node);
+    // also of hanging nodes, which surfaces leave out
+    for (const bodies::SurfaceFace &face : boundary.faces)
+      for (const unsigned int node : face.nodes)
+        if (places[node].empty())
+          places[node] = places_of(way, node);
     std::set<std::vector<unsigned int>> may_be_entered;
     for (const bodies::SurfaceFace &face : body.surface(entries).faces)
       may_be_entered.insert(face.nodes);

@@ -32,6 +32,9 @@ namespace conetact::solvers
     /** Of the least residual so far: what is more is no gain. */
     constexpr double progress = .98;
 
+    /** What stalls there has the states of a solution. */
+    constexpr double near_enough = 1e-3;
+
     /** Residuals below this that do not improve any more are rounding. */
     constexpr double noise = 1e-11;
 
@@ -114,6 +117,9 @@ namespace conetact::solvers
       scale = load.norm();
     const double left = f.head(m).norm();
     point.balance     = left > 0 ? left / scale : 0.;
+    if (const double there = largest_norm(f.tail(n), load.tail(n), 0);
+        there > 0)
+      point.scale = std::max(scale / there, 1.);
     return point;
   }
 
@@ -242,6 +248,7 @@ namespace conetact::solvers
     std::optional<Point> settled; // as exact as rounding lets it be
     const auto           goes_on = [&] {
       return point.residual() > goal ||
+             (improved && point.residual() * point.scale > goal) ||
              (improved && askew_friction(*relation,
                                          point.sets,
                                          point.p,
@@ -310,6 +317,9 @@ namespace conetact::solvers
     SolverReport report;
     const Index  n = relation->system().n_unknowns();
     report.reason  = iterate(point, report, exactly, aim * options.tolerance);
+    if (!report.reason.empty() &&
+        (!nearest || point.residual() < nearest->residual()))
+      nearest = point;
     set_exact_zeros(*relation, point.sets, point.p, point.d);
     relation->from_scaled(point.p, point.d, state);
     // Exact zeros of v = u + o are those of u without offset; of a large one
@@ -572,7 +582,8 @@ namespace conetact::solvers
   {
     const ContactState start = state;
     force                    = problem.reference_force;
-    SolverReport report      = solve_whole(problem, state);
+    nearest.reset();
+    SolverReport report = solve_whole(problem, state);
     if (report.converged)
       {
         remember(problem, start, state);
@@ -580,7 +591,16 @@ namespace conetact::solvers
       }
     state = start;
     if (options.max_substeps < 2)
-      return report;
+      {
+        if (nearest && nearest->residual() <= near_enough)
+          {
+            state.nearby = std::move(nearest->u);
+            state.node.clear();
+            for (const NodeSet &set : nearest->sets)
+              state.node.push_back(set.state);
+          }
+        return report;
+      }
     SolverReport parts = solve_in_parts(problem, state);
     add_work(parts, report);
     return parts;

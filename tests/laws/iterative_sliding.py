@@ -69,7 +69,7 @@ def iterative_sliding(laws):
     compare(laws, "block over a hill", guided())
     # a frame of the body follows it, so that the motion costs no digits
     compare(laws, "block over a plane, far", merge(press_and_shear(2), {
-        "Support top": {"Displacement": "1000*max(t - 1, 0) ; -0.01*min(t, 1)"}, "Contact bottom": FAR}))
+        "Support top": {"Displacement": "100*max(t - 1, 0) ; -0.01*min(t, 1)"}, "Contact bottom": FAR}))
     # faces that are covered in part: means over nodes of the slave, by the neighbours of which they are
     for exchanged in (False, True):
         compare(laws, f"die on a layer{', exchanged' * exchanged}", merge(

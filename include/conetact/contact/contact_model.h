@@ -190,6 +190,9 @@ namespace conetact::contact
     find_frames();
     bool
     may_turn(const unsigned int body) const;
+    /** How far frames have taken nodes that have rules, at most [length]. */
+    double
+    way_of_frames() const;
     bool
     needs_dual() const;
     bool
@@ -237,6 +240,14 @@ namespace conetact::contact
     {
       base = motions;
     }
+    /**
+     * The same where bodies touch that a solution, nearby, moves further than
+     * it strains them: gaps that close are zero there, to the last bit. False
+     * if it does not move them so far.
+     */
+    bool
+    linearise_about(const solvers::ContactProblem &problem,
+                    const solvers::ContactState   &state);
     const Eigen::VectorXd &
     linearised_at() const
     {

@@ -43,6 +43,7 @@ namespace conetact::solvers
       Array    p, d;
       NodeSets sets;
       double   law = 0, balance = 0; ///< residuals over the scale of forces
+      double   scale = 1;            ///< that, over the forces that are there
       double
       residual() const
       {
@@ -118,6 +119,8 @@ namespace conetact::solvers
       Array load, offset, u; ///< changes of them
     };
     std::optional<Last> last;
+    /** What came nearest to a solution. */
+    std::optional<Point> nearest;
   };
 } // namespace conetact::solvers
 
