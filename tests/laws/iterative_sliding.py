@@ -6,7 +6,7 @@ import math
 from laws.drawn import drawn
 from laws.iterative import backend, compare
 from laws.sliding import FAR, disc, slab
-from support.scenes import box, contact, joint, load, merge, press_and_shear, support
+from support.scenes import box, contact, floor, joint, load, merge, press_and_shear, support
 
 
 def ball():
@@ -70,6 +70,21 @@ def iterative_sliding(laws):
     # a frame of the body follows it, so that the motion costs no digits
     compare(laws, "block over a plane, far", merge(press_and_shear(2), {
         "Support top": {"Displacement": "100*max(t - 1, 0) ; -0.01*min(t, 1)"}, "Contact bottom": FAR}))
+    # nothing carries anything, and what moves rounds no forces
+    for kinematics in ({}, FAR):
+        still = compare(laws, f"a block that is carried over a floor{', far' * bool(kinematics)}", merge(press_and_shear(2), {
+            "Support top": {"Displacement": "3.1*t ; -0.11*max(t - 0.5, 0)"}, "Contact bottom": kinematics,
+            "Obstacle floor": {"Point": (0.0, -1.0)}}))
+        laws.check("  no force", max(abs(row[name]) for row in still.rows for name in ("r_n", "r_t1")), 0)
+    # blocks that fall 2e10 times as far as they are strained: nodal forces are known to the rounding of that, sums to all digits
+    for dim in (2, 3):
+        fall = {"Dimension": dim, "Body block": box((9, 3) if dim == 2 else (4, 4, 3), (1.0,) * dim, (0.0,) * (dim - 1) + (20.0,), 2e5),
+                "Obstacle floor": floor(dim), "Contact bottom": contact(ids=2 if dim == 2 else 4, mu=.5),
+                "Load weight": load("body force", " ; ".join(["0"] * (dim - 1) + ["-2e-4"])), "Load push": load(
+                    "traction", " ; ".join(["9e-5*max(t - 1, 0)/2"] + ["0"] * (dim - 1)), 0),
+                "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+        run = compare(laws, f"{dim}D, a block that falls far", fall, bound=1e-4)
+        laws.check("  the floor carries it", max(abs(row["bottom_f_" + "xyz"[dim - 1]] / 2e-4 - 1) for row in run.increments), 1e-9)
     # faces that are covered in part: means over nodes of the slave, by the neighbours of which they are
     for exchanged in (False, True):
         compare(laws, f"die on a layer{', exchanged' * exchanged}", merge(

@@ -160,6 +160,11 @@ def slabs(laws):
             other = slab(scene, *(((28, 1), (7.0, .5), (-1.0, -.5)) if dim == 2 else
                                   ((13, 11, 1), (6.5, 4.4, .5), (-1.0, -1.0, -.5))), Pairing=pairing)
             laws.same(f"{dim}D, slab, {pairing}", plane, of_body(laws.run(other)), 1e-8)
+    # hanging nodes, of which surfaces know the masters only
+    refined = {"Body block": {"Mesh": {"Refinement boxes": "0, 0, 0 : 0.6, 0.6, 0.3 : 1"}}}
+    other = slab(merge(scene, refined), (13, 11, 1), (6.5, 4.4, .5), (-1.0, -1.0, -.5))
+    forces = [[row["bottom_f_z"] for row in laws.run(s).increments] for s in (merge(scene, refined), other)]
+    laws.check("3D, slab, hanging nodes: normal force beside that of a plane", max(abs(a / b - 1) for a, b in zip(*forces)), 2e-3)
 
 
 def leave_and_return(laws):
