@@ -90,10 +90,11 @@ namespace conetact::analysis
     constexpr double usual_contrast = 36, more_of_bodies = 1.5;
     constexpr double hard = 5, more_of_hard_slaves = 6;
 
-    // Contacts that slide far are found so many times in an increment, and what
-    // is made of all unknowns is made anew for them: balls on blocks of 24^3
-    // and 40^3 cells.
-    constexpr double pairings_of_increment = 5;
+    // Contacts that slide far are found so many times in an increment; each
+    // time what is made of all unknowns is made anew, and half of the increment
+    // solved: a ball that is moved over blocks of 24 x 24 x 12 and 40 x 40 x 20
+    // cells.
+    constexpr double pairings_of_increment = 5, part_of_pairing = .5;
 
     // Unknowns in space below which nothing is worth a forecast, and above
     // which none is needed.
@@ -224,10 +225,12 @@ namespace conetact::analysis
     const double      share      = n / n_processes;
     const double      unequal    = unequal_part(model);
     const double      longer     = 1 + (longer_if_unequal - 1) * unequal;
-    const double      n_setups =
+    const double      n_pairings =
       model.points.slide() ? pairings_of_increment * increments : 1;
-    const double solution = share * (setup_of_unknown[d] * n_setups +
-                                     increment_of_unknown[d] * increments *
+    const double n_solutions =
+      model.points.slide() ? part_of_pairing * n_pairings : increments;
+    const double solution = share * (setup_of_unknown[d] * n_pairings +
+                                     increment_of_unknown[d] * n_solutions *
                                        longer * many_iterations(model));
     const double shared =
       share * shared_bytes[d] * (1 + (larger_if_unequal - 1) * unequal);
@@ -260,7 +263,7 @@ namespace conetact::analysis
     const bool slow      = is_nearly_incompressible(model);
     const bool hard_one  = has_hard_slave(model);
     const bool uncertain = hard_one || model.points.slide();
-    if (largest_system(model) > huge_body && !slow && !uncertain)
+    if (largest_system(model) > huge_body && !slow && !hard_one)
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
     const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);

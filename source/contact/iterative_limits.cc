@@ -140,7 +140,8 @@ namespace conetact::contact
       return "knows no friction along what supports hold";
     if (has_tangled_means(points, supports))
       return "knows means over nodes of a mortar surface only where they "
-             "hang on no others and meet nothing by themselves";
+             "hang on no others and meet nothing by themselves, as on a slave "
+             "that its master covers: let the narrower body be the slave";
     if (masters_are_slaves(points))
       return "wants nodes of one body to face those of another, but not both "
              "each other";
