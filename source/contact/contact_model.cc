@@ -634,7 +634,6 @@ namespace conetact::contact
                        "that is continued.");
     archive.fill("contact/q", q);
     archive.fill("contact/r", r);
-    take_elastic(archive.get("contact/elastic"));
     archive.fill("contact/largest", largest);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
@@ -644,6 +643,7 @@ namespace conetact::contact
         archive.fill("contact/a", a);
         archive.fill("contact/base", base);
       }
+    take_elastic(archive.get("contact/elastic"));
   }
 
   /* It is where solvers start: unknowns of other supports are others, and those
@@ -655,6 +655,11 @@ namespace conetact::contact
     const auto n = static_cast<std::size_t>(elastic.size());
     if (kept.size() == n || (kept.size() > n && !model->is_iterative()))
       std::copy(kept.end() - elastic.size(), kept.end(), elastic.data());
+    if (model->is_iterative() || model->is_dual() || a.size() == 0)
+      return;
+    // One stiffness of all knows no motions apart from displacements.
+    elastic += model->motions.seen() * a;
+    a = base = Eigen::VectorXd::Zero(a.size());
   }
 
   void
@@ -744,6 +749,8 @@ namespace conetact::contact
     for (Eigen::Index i = 0; i < problem.system->n_nodes(); ++i)
       if (state.node[static_cast<std::size_t>(i)] != solvers::NodeState::open)
         closed.push_back(problem.system->normal(i));
+    if (closed.empty())
+      return false;
     const Eigen::MatrixXd normals = G(closed, Eigen::all);
     const Eigen::VectorXd way =
       normals.completeOrthogonalDecomposition().solve(-problem.offset(closed));

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/bodies/continuum/boundary_faces.h"
+#include "conetact/bodies/continuum/cell_quadrature.h"
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <gtest/gtest.h>
+
+using namespace conetact::bodies;
+
+namespace
+{
+  /** A box of distorted cells, one of which is refined. */
+  template <int dim>
+  std::unique_ptr<dealii::Triangulation<dim>>
+  distorted_box()
+  {
+    auto mesh = std::make_unique<dealii::Triangulation<dim>>();
+    dealii::GridGenerator::subdivided_hyper_cube(*mesh, 3, 0., 1., true);
+    dealii::GridTools::distort_random(.1, *mesh, true, 1);
+    mesh->begin_active()->set_refine_flag();
+    mesh->execute_coarsening_and_refinement();
+    return mesh;
+  }
+
+  template <int dim>
+  ContinuumMesh<dim>
+  arrays_of(const Discretization<dim> &body)
+  {
+    ContinuumMesh<dim> mesh;
+    mesh.nodes.resize(body.dof_handler.n_dofs() / dim);
+    mesh.n_cell_nodes = body.fe.dofs_per_cell / dim;
+    for (const auto &cell : body.dof_handler.active_cell_iterators())
+      {
+        const auto nodes = body.nodes_of(cell);
+        const auto at    = body.places_of(cell);
+        for (std::size_t v = 0; v < nodes.size(); ++v)
+          {
+            mesh.nodes_of_cells.push_back(nodes[v]);
+            mesh.nodes[nodes[v]] = at[v];
+          }
+      }
+    return mesh;
+  }
+
+  template <int dim>
+  void
+  integrate_over_the_box()
+  {
+    const Discretization<dim> body(distorted_box<dim>());
+    const ContinuumMesh<dim>  mesh = arrays_of(body);
+    const CellQuadrature<dim> cells(body);
+    double                    volume = 0, moment = 0;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      cells.for_each_point(mesh,
+                           c,
+                           [&](const dealii::Point<dim> &p,
+                               const double              dx,
+                               const Eigen::VectorXd    &shapes) {
+                             EXPECT_NEAR(shapes.sum(), 1, 1e-14);
+                             volume += dx;
+                             moment += p[0] * dx;
+                           });
+    EXPECT_NEAR(volume, 1, 1e-13);
+    EXPECT_NEAR(moment, .5, 1e-13);
+
+    const dealii::Point<dim> p     = dim == 2 ? dealii::Point<dim>(.37, .61) :
+                                                dealii::Point<dim>(.37, .61, .9);
+    const auto               place = cells.find(mesh, p);
+    ASSERT_TRUE(place);
+    dealii::Point<dim> found;
+    for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
+      found += place->shapes[v] *
+               dealii::Tensor<1, dim>(mesh.nodes[mesh.cell(place->cell)[v]]);
+    EXPECT_NEAR(found.distance(p), 0, 1e-12);
+    EXPECT_FALSE(cells.find(mesh, 3. * p));
+
+    const BoundaryFaces<dim> faces(body);
+    EXPECT_EQ(faces.ids().size(), 2u * dim);
+    double area = 0, outward = 0;
+    faces.for_each({1}, [&](const auto &, const auto &fe) {
+      for (const unsigned int q : fe.quadrature_point_indices())
+        {
+          EXPECT_NEAR(fe.quadrature_point(q)[0], 1, 1e-14);
+          area += fe.JxW(q);
+          outward += fe.normal_vector(q)[0] * fe.JxW(q);
+        }
+    });
+    EXPECT_NEAR(area, 1, 1e-13);
+    EXPECT_NEAR(outward, 1, 1e-13);
+  }
+} // namespace
+
+TEST(MeshParts, AreEnoughToIntegrateOverCellsAndFaces)
+{
+  integrate_over_the_box<2>();
+  integrate_over_the_box<3>();
+}
