@@ -65,13 +65,13 @@ namespace conetact::analysis
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
     // 32^3 and 64^3 cells (space), 50^2 (plane). What processes share, what the
-    // first one has besides, and what each other has anyway: from 64^3 and
-    // 150^3 cells and 400^2, by one and two processes. Cells that differ take
-    // so many times as long, and as many bytes: 48^3 of them.
+    // first one has besides its meshes, and what each other has anyway: from
+    // 64^3 and 100^3 cells and 400^2, by one and two processes. Cells that
+    // differ take so many times as long, and as many bytes: 48^3 of them.
     constexpr double setup_of_unknown[]     = {8e-6, 4e-6};
     constexpr double increment_of_unknown[] = {4e-5, 2e-6};
     constexpr double shared_bytes[]         = {350, 640};
-    constexpr double bytes_of_first[]       = {400, 240};
+    constexpr double bytes_of_first[]       = {400, 100};
     constexpr double bytes_of_others        = 1.7e8;
     constexpr double longer_if_unequal      = 4;
     constexpr double larger_if_unequal      = 3;

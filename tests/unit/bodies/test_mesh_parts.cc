@@ -75,7 +75,8 @@ namespace
     for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
       found += place->shapes[v] *
                dealii::Tensor<1, dim>(mesh.nodes[mesh.cell(place->cell)[v]]);
-    EXPECT_NEAR(found.distance(p), 0, 1e-12);
+    // as exact as deal.II inverts the map of a distorted cell
+    EXPECT_NEAR(found.distance(p), 0, 1e-10);
     EXPECT_FALSE(cells.find(mesh, 3. * p));
 
     const BoundaryFaces<dim> faces(body);
