@@ -70,6 +70,14 @@ namespace conetact::solvers
       return state;
     }
 
+    /** Whether a state is that of u and r. Displacements may count from another
+     * place than last time. */
+    bool
+    is_at(const ContactState &state, const VectorXd &u, const VectorXd &r)
+    {
+      return state.u == u || (state.r == r && !r.isZero(0));
+    }
+
     /** What has moved contacts without strain since the start. */
     VectorXd
     change_of_offset(const ContactProblem &problem, const ContactState &start)
@@ -349,14 +357,10 @@ namespace conetact::solvers
   {
     if (!last || last->end_u.size() != state.u.size())
       return {};
-    // Who asks may count displacements from another place than last time.
-    const auto is_at = [&](const Array &u, const Array &r) {
-      return state.u == u || (state.r == r && !r.isZero(0));
-    };
     // one increment once more, with a load that is a little better
-    if (is_at(last->start_u, last->start_r))
+    if (is_at(state, last->start_u, last->start_r))
       return point_at(last->end_u + (state.u - last->start_u));
-    if (!is_at(last->end_u, last->end_r))
+    if (!is_at(state, last->end_u, last->end_r))
       return {};
     // obstacles and supports that move are loads, too
     const double c         = relation->system().diagonal().mean();
@@ -384,8 +388,7 @@ namespace conetact::solvers
                         const ContactState   &end)
   {
     const bool follows = last && last->end_u.size() == start.u.size() &&
-                         (start.u == last->end_u ||
-                          (start.r == last->end_r && !start.r.isZero(0)));
+                         is_at(start, last->end_u, last->end_r);
     if (!follows && !start.u.isZero(0))
       {
         last.reset(); // the load that it started from is not known
