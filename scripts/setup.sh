@@ -6,8 +6,8 @@
 # of the source tree.
 
 packages="g++ cmake ninja-build ccache libdeal.ii-dev libmumps-dev libmetis-dev
-  libeigen3-dev libopenblas-dev liblapacke-dev libfclib-dev libgtest-dev numdiff clang-format
-  python3 python3-vtk9 python3-numpy python3-matplotlib"
+  libeigen3-dev libopenblas-dev liblapacke-dev libdeflate-dev libfclib-dev libgtest-dev numdiff
+  clang-format python3 python3-vtk9 python3-numpy python3-matplotlib"
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -197,18 +197,21 @@ class Result:
 
     def drawn_increments(self):
         """Those with VTU files, but for 0, the undeformed bodies."""
-        found = (re.fullmatch(r"solution-.+-(\d{4,})\.vtu", file.name) for file in self.folder.iterdir())
-        return sorted({int(match[1]) for match in found if match and int(match[1]) > 0})
+        return sorted({increment for _, increment, _ in self._drawings("solution") if increment > 0})
 
     def bodies(self, increment):
         """Meshes with displacements and stresses by the names of bodies (letters that files cannot have are _)."""
-        files = sorted(self.folder.glob(f"solution-*-{increment:04}.vtu"))
-        return {file.name[9:-len(f"-{increment:04}.vtu")]: read_vtu(file) for file in files}
+        return {body: read_vtu(file) for body, at, file in self._drawings("solution") if at == increment}
 
     def surfaces(self, increment):
         """Their surfaces with pressure, traction, gap and state of contact."""
-        files = sorted(self.folder.glob(f"surface-*-{increment:04}.vtu"))
-        return {file.name[8:-len(f"-{increment:04}.vtu")]: read_vtu(file) for file in files}
+        return {body: read_vtu(file) for body, at, file in self._drawings("surface") if at == increment}
+
+    def _drawings(self, kind):
+        """Bodies, increments and files, not those of pieces, which PVTU files join."""
+        for file in sorted(self.folder.iterdir()):
+            if match := re.fullmatch(kind + r"-(.+)-(\d{4,})\.p?vtu", file.name):
+                yield match[1], int(match[2]), file
 
 
 def value_text(value):

@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads the VTU files of the program: one piece, arrays as text or zipped and in base64."""
+"""Reads the VTU files of the program, arrays as text or zipped and in base64, and the PVTU files that join some."""
 import base64
 import xml.etree.ElementTree as xml
 import zlib
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -53,7 +54,29 @@ def cells_of(arrays):
     return cells
 
 
+def pieces_of(file):
+    try:
+        return [piece.get("Source") for piece in xml.parse(file).getroot().findall("PUnstructuredGrid/Piece")]
+    except xml.ParseError as error:
+        raise ValueError(f"{file} is no PVTU file of the program ({error}).") from None
+
+
+def joined(meshes):
+    first = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
+
+    def together(parts):
+        return {name: np.concatenate([part[name] for part in parts if name in part])
+                for name in dict.fromkeys(name for part in parts for name in part)}
+
+    return Mesh(np.concatenate([mesh.points for mesh in meshes]),
+                together([{kind: cells + start for kind, cells in mesh.cells.items()} for mesh, start in zip(meshes, first)]),
+                together([mesh.arrays for mesh in meshes]), together([mesh.cell_arrays for mesh in meshes]))
+
+
 def read_vtu(file):
+    """Of a PVTU file the pieces, one behind the other: points between them come once in each."""
+    if Path(file).suffix == ".pvtu":
+        return joined([read_vtu(Path(file).parent / name) for name in pieces_of(file)])
     try:
         root = xml.parse(file).getroot()
         piece = root.find("UnstructuredGrid/Piece")

@@ -101,7 +101,7 @@ namespace conetact::analysis
     constexpr Eigen::Index small_body = 60000, huge_body = 600000;
 
     // Seconds for each dof: to recover and check an increment, to draw it.
-    constexpr double check_of_dof = 1e-6, drawing_of_dof = 1.5e-6;
+    constexpr double check_of_dof = 1e-6, drawing_of_dof = 1e-6;
 
     /** To recover, check and draw increments, whichever way they are solved. */
     double

@@ -4,9 +4,23 @@
 #include "conetact/backends/large_stiffness.h"
 #include "conetact/backends/mumps.h"
 #include "conetact/backends/workers.h"
+#include "conetact/base/vtu_pieces.h"
 
 namespace conetact::backends
 {
+  namespace
+  {
+    void
+    draw_piece(const Order &order)
+    {
+      const auto processes = Communicator::of_first(order.value);
+      if (processes.is_member())
+        write_own_piece(processes);
+    }
+  } // namespace
+
+
+
   void
   work()
   {
@@ -21,6 +35,7 @@ namespace conetact::backends
       {Command::forget, [&](const Order &o) { parts.forget(o); }},
       {Command::make_mumps, [&](const Order &o) { solvers.make(o); }},
       {Command::call_mumps, [&](const Order &o) { solvers.call(o); }},
+      {Command::draw, &draw_piece},
       {Command::report, [](const Order &) { needs_of_processes(); }},
     });
   }

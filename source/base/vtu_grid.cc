@@ -3,13 +3,13 @@
 
 #include "conetact/base/vtu_grid.h"
 
-#include <deal.II/base/utilities.h>
-
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 
 namespace conetact
@@ -28,80 +28,160 @@ namespace conetact
     template <>
     constexpr const char *type_name<VtuGrid::Shape> = "UInt8";
 
-    std::string
-    base64(const std::vector<unsigned char> &bytes)
+    constexpr char digits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+    /** Two digits at a time. */
+    std::vector<std::array<char, 2>>
+    make_pairs()
     {
-      return dealii::Utilities::encode_base64(bytes);
+      std::vector<std::array<char, 2>> pairs;
+      for (unsigned int i = 0; i < 64; ++i)
+        for (unsigned int j = 0; j < 64; ++j)
+          pairs.push_back({{digits[i], digits[j]}});
+      return pairs;
     }
 
-    std::vector<unsigned char>
-    zipped(const unsigned char *data, const std::size_t size)
-    {
-      uLongf                     n = compressBound(static_cast<uLong>(size));
-      std::vector<unsigned char> bytes(n);
-      if (compress2(
-            bytes.data(), &n, data, static_cast<uLong>(size), Z_BEST_SPEED) !=
-          Z_OK)
-        throw std::runtime_error("zlib cannot compress an array of a picture.");
-      bytes.resize(n);
-      return bytes;
-    }
-
-    /**
-     * What vtkZLibDataCompressor reads: the number of blocks, their size, that
-     * of the last one if it is shorter, zipped sizes; then the blocks.
-     */
-    template <typename T>
-    std::string
-    encoded(const std::vector<T> &values)
-    {
-      const auto *data = reinterpret_cast<const unsigned char *>(values.data());
-      const std::size_t          size = sizeof(T) * values.size();
-      std::vector<std::uint32_t> head = {
-        static_cast<std::uint32_t>((size + block_size - 1) / block_size),
-        block_size,
-        static_cast<std::uint32_t>(size % block_size)};
-      std::vector<unsigned char> blocks;
-      for (std::size_t start = 0; start < size; start += block_size)
-        {
-          const std::vector<unsigned char> block =
-            zipped(data + start, std::min(block_size, size - start));
-          head.push_back(static_cast<std::uint32_t>(block.size()));
-          blocks.insert(blocks.end(), block.begin(), block.end());
-        }
-      std::vector<unsigned char> head_bytes(sizeof(std::uint32_t) *
-                                            head.size());
-      std::memcpy(head_bytes.data(), head.data(), head_bytes.size());
-      return base64(head_bytes) + base64(blocks);
-    }
-
-    // Appended, because files may be large.
-    template <typename T>
+    /** Pictures are mostly this: deal.II's encoder takes a third of all. */
     void
-    append(std::string                    &text,
-           const std::string              &name,
-           const std::vector<T>           &values,
-           const unsigned int              n_components = 1,
-           const std::vector<std::string> &components   = {})
+    append_base64(std::string &text, const std::vector<unsigned char> &bytes)
     {
-      text += std::string("<DataArray type=\"") + type_name<T> + "\" Name=\"" +
-              name + "\" NumberOfComponents=\"" + std::to_string(n_components) +
-              '"';
+      static const auto pairs   = make_pairs();
+      const std::size_t n_whole = bytes.size() / 3, rest = bytes.size() % 3;
+      std::size_t       end = text.size();
+      text.resize(end + 4 * (n_whole + (rest > 0)), '=');
+      const auto put = [&](const unsigned int number) {
+        const auto &pair = pairs[number & 0xfff];
+        std::memcpy(&text[end], pair.data(), 2);
+        end += 2;
+      };
+      const unsigned char *p = bytes.data();
+      for (std::size_t i = 0; i < n_whole; ++i, p += 3)
+        {
+          const unsigned int number = p[0] << 16 | p[1] << 8 | p[2];
+          put(number >> 12);
+          put(number);
+        }
+      if (rest == 0)
+        return;
+      const unsigned int number = p[0] << 16 | (rest > 1 ? p[1] << 8 : 0);
+      put(number >> 12);
+      if (rest > 1)
+        text[end] = digits[number >> 6 & 0x3f];
+    }
+
+    /** In zlib's format. */
+    class Zipper
+    {
+    public:
+      Zipper()
+        : compressor(libdeflate_alloc_compressor(fast),
+                     &libdeflate_free_compressor)
+      {
+        if (!compressor)
+          throw std::bad_alloc();
+      }
+      /** Adds a zipped block to bytes: its size. */
+      std::size_t
+      append(const unsigned char        *data,
+             const std::size_t           size,
+             std::vector<unsigned char> &bytes)
+      {
+        const std::size_t start = bytes.size();
+        const std::size_t room =
+          libdeflate_zlib_compress_bound(compressor.get(), size);
+        bytes.resize(start + room);
+        const std::size_t n = libdeflate_zlib_compress(
+          compressor.get(), data, size, bytes.data() + start, room);
+        bytes.resize(start + n);
+        return n;
+      }
+
+    private:
+      static constexpr int fast = 1;
+      std::unique_ptr<libdeflate_compressor,
+                      decltype(&libdeflate_free_compressor)>
+        compressor;
+    };
+
+    /** What a field is to readers; `tag`: of arrays, or of those of parts. */
+    template <typename T>
+    std::string
+    heading(const std::string              &tag,
+            const std::string              &name,
+            const unsigned int              n_components = 1,
+            const std::vector<std::string> &components   = {})
+    {
+      std::string text = '<' + tag + " type=\"" + type_name<T> + "\" Name=\"" +
+                         name + "\" NumberOfComponents=\"" +
+                         std::to_string(n_components) + '"';
       for (std::size_t c = 0; c < components.size(); ++c)
         text +=
           " ComponentName" + std::to_string(c) + "=\"" + components[c] + '"';
-      text += " format=\"binary\">\n";
-      text += encoded(values);
-      text += "\n</DataArray>\n";
+      return text;
     }
 
-    void
-    append(std::string &text, const std::vector<VtuField> &fields)
+    /** Text and arrays, one behind the other. */
+    class Writer
     {
-      for (const VtuField &field : fields)
-        append(
-          text, field.name, field.values, field.n_components, field.components);
-    }
+    public:
+      explicit Writer(const VtuGrid::ArrayVisitor &v)
+        : visit(v)
+      {}
+      void
+      add(const std::string &more)
+      {
+        text += more;
+      }
+      template <typename T>
+      void
+      add_array(const std::string              &name,
+                const std::vector<T>           &values,
+                const unsigned int              n_components = 1,
+                const std::vector<std::string> &components   = {})
+      {
+        add(heading<T>("DataArray", name, n_components, components));
+        add_values(values);
+      }
+      void
+      add_arrays(const std::vector<VtuField> &fields)
+      {
+        for (const VtuField &field : fields)
+          add_array(field.name,
+                    field.values,
+                    field.n_components,
+                    field.components);
+      }
+      /** What belongs to the file as a whole, with all digits. */
+      template <typename T>
+      void
+      add_single(const std::string &name, const T value)
+      {
+        add(std::string("<DataArray type=\"") + type_name<T> + "\" Name=\"" +
+            name + "\" NumberOfTuples=\"1\"");
+        add_values(std::vector<T>{value});
+      }
+      std::string
+      rest()
+      {
+        return std::move(text);
+      }
+
+    private:
+      template <typename T>
+      void
+      add_values(const std::vector<T> &values)
+      {
+        add(" format=\"binary\">\n");
+        visit(text,
+              reinterpret_cast<const unsigned char *>(values.data()),
+              sizeof(T) * values.size());
+        text = "\n</DataArray>\n";
+      }
+
+      const VtuGrid::ArrayVisitor &visit;
+      std::string                  text;
+    };
 
     std::vector<double>
     coordinates(const std::vector<Point<3>> &points)
@@ -114,32 +194,173 @@ namespace conetact
       return x;
     }
 
-    /** What belongs to the file as a whole, with all digits. */
-    template <typename T>
-    std::string
-    single(const std::string &name, const T value)
+    /** Room for the text of a grid: base64 takes four bytes for three, if
+     * nothing can be zipped. */
+    std::size_t
+    room_for(const VtuGrid &grid, const std::size_t n_connections)
     {
-      return std::string("<DataArray type=\"") + type_name<T> + "\" Name=\"" +
-             name + "\" NumberOfTuples=\"1\" format=\"binary\">\n" +
-             encoded(std::vector<T>{value}) + "\n</DataArray>\n";
+      std::size_t bytes =
+        sizeof(double) * 3 * grid.points.size() +
+        sizeof(int) *
+          (n_connections + (2 + grid.cell_ids.size()) * grid.n_cells());
+      for (const auto *fields : {&grid.point_fields, &grid.cell_fields})
+        for (const VtuField &field : *fields)
+          bytes += sizeof(double) * field.values.size();
+      constexpr std::size_t words = 1 << 14;
+      return words + bytes / 3 * 4;
+    }
+
+    /** Values of some points or cells. */
+    template <typename T>
+    std::vector<T>
+    of_some(const std::vector<T>            &values,
+            const unsigned int               n_components,
+            const std::vector<unsigned int> &some)
+    {
+      std::vector<T> result;
+      result.reserve(n_components * some.size());
+      for (const std::size_t i : some)
+        result.insert(result.end(),
+                      values.begin() +
+                        static_cast<std::ptrdiff_t>(i * n_components),
+                      values.begin() +
+                        static_cast<std::ptrdiff_t>((i + 1) * n_components));
+      return result;
+    }
+
+    std::vector<VtuField>
+    of_some(const std::vector<VtuField>     &fields,
+            const std::vector<unsigned int> &some)
+    {
+      std::vector<VtuField> result;
+      for (const VtuField &field : fields)
+        result.push_back({field.name,
+                          field.n_components,
+                          of_some(field.values, field.n_components, some),
+                          field.components});
+      return result;
     }
   } // namespace
 
 
 
+  /*
+   * What vtkZLibDataCompressor reads: the number of blocks, their size, that
+   * of the last one if it is shorter, zipped sizes; then the blocks.
+   */
   void
-  VtuGrid::add_cell(const Shape shape, std::vector<unsigned int> nodes)
+  append_encoded(std::string         &text,
+                 const unsigned char *data,
+                 const std::size_t    size)
   {
+    std::vector<std::uint32_t> head = {
+      static_cast<std::uint32_t>((size + block_size - 1) / block_size),
+      block_size,
+      static_cast<std::uint32_t>(size % block_size)};
+    Zipper                     zipper;
+    std::vector<unsigned char> blocks;
+    for (std::size_t start = 0; start < size; start += block_size)
+      head.push_back(static_cast<std::uint32_t>(zipper.append(
+        data + start, std::min(block_size, size - start), blocks)));
+    std::vector<unsigned char> head_bytes(sizeof(std::uint32_t) * head.size());
+    std::memcpy(head_bytes.data(), head.data(), head_bytes.size());
+    append_base64(text, head_bytes);
+    append_base64(text, blocks);
+  }
+
+
+
+  void
+  VtuGrid::add_cell(const Shape shape, const std::vector<unsigned int> &nodes)
+  {
+    std::vector<int> round(nodes.begin(), nodes.end());
     // VTK goes round, deal.II does not
     for (std::size_t i = 2;
-         i < nodes.size() &&
+         i < round.size() &&
          (shape == Shape::quadrilateral || shape == Shape::hexahedron);
          i += 4)
-      std::swap(nodes[i], nodes[i + 1]);
-    for (const unsigned int node : nodes)
-      connectivity.push_back(static_cast<int>(node));
+      std::swap(round[i], round[i + 1]);
+    add_vtk_cell(shape, round.data(), round.data() + round.size());
+  }
+
+
+
+  void
+  VtuGrid::add_vtk_cell(const Shape shape, const int *begin, const int *end)
+  {
+    connectivity.insert(connectivity.end(), begin, end);
     offsets.push_back(static_cast<int>(connectivity.size()));
     shapes.push_back(shape);
+  }
+
+
+
+  VtuGrid
+  VtuGrid::part(const std::vector<unsigned int> &cells) const
+  {
+    constexpr int             none = -1;
+    VtuGrid                   result;
+    std::vector<int>          number(points.size(), none);
+    std::vector<unsigned int> its_points;
+    std::vector<int>          nodes;
+    for (const unsigned int cell : cells)
+      {
+        nodes.clear();
+        for (int k = cell == 0 ? 0 : offsets[cell - 1]; k < offsets[cell]; ++k)
+          {
+            const auto point = static_cast<std::size_t>(
+              connectivity[static_cast<std::size_t>(k)]);
+            if (number[point] == none)
+              {
+                number[point] = static_cast<int>(its_points.size());
+                its_points.push_back(static_cast<unsigned int>(point));
+              }
+            nodes.push_back(number[point]);
+          }
+        result.add_vtk_cell(shapes[cell],
+                            nodes.data(),
+                            nodes.data() + nodes.size());
+      }
+    result.points       = of_some(points, 1, its_points);
+    result.point_fields = of_some(point_fields, its_points);
+    result.cell_fields  = of_some(cell_fields, cells);
+    for (const VtuIds &ids : cell_ids)
+      result.cell_ids.push_back({ids.name, of_some(ids.values, 1, cells)});
+    return result;
+  }
+
+
+
+  std::string
+  VtuGrid::for_each_array(const double        time,
+                          const unsigned int  increment,
+                          const ArrayVisitor &visit) const
+  {
+    Writer writer(visit);
+    writer.add(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\" compressor=\"vtkZLibDataCompressor\">\n"
+      "<UnstructuredGrid>\n<FieldData>\n");
+    writer.add_single("TIME", time);
+    writer.add_single("TimeValue", time);
+    writer.add_single("CYCLE", static_cast<int>(increment));
+    writer.add("</FieldData>\n<Piece NumberOfPoints=\"" +
+               std::to_string(points.size()) + "\" NumberOfCells=\"" +
+               std::to_string(shapes.size()) + "\">\n<Points>\n");
+    writer.add_array("Points", coordinates(points), 3);
+    writer.add("</Points>\n<Cells>\n");
+    writer.add_array("connectivity", connectivity);
+    writer.add_array("offsets", offsets);
+    writer.add_array("types", shapes);
+    writer.add("</Cells>\n<PointData>\n");
+    writer.add_arrays(point_fields);
+    writer.add("</PointData>\n<CellData>\n");
+    writer.add_arrays(cell_fields);
+    for (const VtuIds &ids : cell_ids)
+      writer.add_array(ids.name, ids.values);
+    writer.add("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+    return writer.rest();
   }
 
 
@@ -147,26 +368,47 @@ namespace conetact
   std::string
   VtuGrid::text(const double time, const unsigned int increment) const
   {
+    std::string text;
+    text.reserve(room_for(*this, connectivity.size()));
+    text += for_each_array(time,
+                           increment,
+                           [&](const std::string_view before,
+                               const unsigned char   *bytes,
+                               const std::size_t      n_bytes) {
+                             text += before;
+                             append_encoded(text, bytes, n_bytes);
+                           });
+    return text;
+  }
+
+
+
+  std::string
+  VtuGrid::text_of_parts(const std::vector<std::string> &files) const
+  {
     std::string text =
       "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+      "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" "
       "byte_order=\"LittleEndian\" compressor=\"vtkZLibDataCompressor\">\n"
-      "<UnstructuredGrid>\n<FieldData>\n" +
-      single("TIME", time) + single("TimeValue", time) +
-      single("CYCLE", static_cast<int>(increment)) +
-      "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(points.size()) +
-      "\" NumberOfCells=\"" + std::to_string(shapes.size()) + "\">\n<Points>\n";
-    append(text, "Points", coordinates(points), 3);
-    text += "</Points>\n<Cells>\n";
-    append(text, "connectivity", connectivity);
-    append(text, "offsets", offsets);
-    append(text, "types", shapes);
-    text += "</Cells>\n<PointData>\n";
-    append(text, point_fields);
-    text += "</PointData>\n<CellData>\n";
-    append(text, cell_fields);
+      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
+      heading<double>("PDataArray", "Points", 3) +
+      "/>\n</PPoints>\n<PPointData>\n";
+    const auto add = [&](const std::vector<VtuField> &fields) {
+      for (const VtuField &field : fields)
+        text += heading<double>("PDataArray",
+                                field.name,
+                                field.n_components,
+                                field.components) +
+                "/>\n";
+    };
+    add(point_fields);
+    text += "</PPointData>\n<PCellData>\n";
+    add(cell_fields);
     for (const VtuIds &ids : cell_ids)
-      append(text, ids.name, ids.values);
-    return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+      text += heading<int>("PDataArray", ids.name) + "/>\n";
+    text += "</PCellData>\n";
+    for (const std::string &file : files)
+      text += "<Piece Source=\"" + file + "\"/>\n";
+    return text + "</PUnstructuredGrid>\n</VTKFile>\n";
   }
 } // namespace conetact

@@ -3,7 +3,11 @@
 
 #include "conetact/output/graphics.h"
 
+#include "conetact/backends/partition.h"
+#include "conetact/backends/workers.h"
 #include "conetact/base/atomic_file.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/vtu_pieces.h"
 #include "conetact/output/csv.h"
 
 #include <cstdio>
@@ -16,21 +20,48 @@ namespace conetact::output
   {
     namespace fs = std::filesystem;
 
+    /** A process that has fewer cells to draw gains nothing. */
+    constexpr Eigen::Index cells_worth_a_piece = 20000;
+
+    std::string
+    numbered(const std::string &stem, const unsigned int increment)
+    {
+      char number[16];
+      std::snprintf(number, sizeof(number), "-%04u", increment);
+      return stem + number;
+    }
+
     std::string
     vtu_name(const std::string &stem, const unsigned int increment)
     {
-      char number[16];
-      std::snprintf(number, sizeof(number), "-%04u.vtu", increment);
-      return stem + number;
+      return numbered(stem, increment) + ".vtu";
     }
 
     /** The increment of one of our files, 0 of others. */
     unsigned long
     increment_of(const std::string &name)
     {
-      static const std::regex numbered(".*-([0-9]{4,})\\.vtu");
-      std::smatch             parts;
-      return std::regex_match(name, parts, numbered) ? std::stoul(parts[1]) : 0;
+      static const std::regex form(
+        R"(.*-([0-9]{4,})(\.vtu|\.[0-9]+\.vtu|\.pvtu))");
+      std::smatch parts;
+      return std::regex_match(name, parts, form) ? std::stoul(parts[1]) : 0;
+    }
+
+    std::vector<std::vector<unsigned int>>
+    cells_of_pieces(const VtuGrid &grid, const int n_pieces)
+    {
+      std::vector<backends::WeighedNode> places;
+      for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
+        {
+          const Point<3> &p = grid.place_of_cell(cell);
+          places.push_back({{{p[0], p[1], p[2]}}, 1.});
+        }
+      std::vector<std::vector<unsigned int>> cells(
+        static_cast<std::size_t>(n_pieces));
+      unsigned int cell = 0;
+      for (const int piece : backends::partition(places, n_pieces))
+        cells[static_cast<std::size_t>(piece)].push_back(cell++);
+      return cells;
     }
 
     // ParaView groups files by their numbers: those of a longer run before
@@ -40,8 +71,9 @@ namespace conetact::output
     remove_old_files(const fs::path &folder, const unsigned int n_kept)
     {
       static const std::regex ours(
-        "((solution|surface)-[A-Za-z0-9_.-]+|contact)-[0-9]{4,}\\.vtu|"
-        "mechanism(-[A-Za-z0-9_.-]+)?\\.vtu|mechanism\\.pvd");
+        R"(((solution|surface)-[A-Za-z0-9_.-]+|contact)-[0-9]{4,}\.vtu|)"
+        R"(solution-[A-Za-z0-9_.-]+-[0-9]{4,}(\.[0-9]+\.vtu|\.pvtu)|)"
+        R"(mechanism(-[A-Za-z0-9_.-]+)?\.vtu|mechanism\.pvd)");
       std::error_code       error; // if one cannot be removed, it stays
       std::vector<fs::path> old;
       for (const auto &file : fs::directory_iterator(folder, error))
@@ -183,7 +215,7 @@ namespace conetact::output
 
 
   std::vector<Block>
-  Graphics::write_bodies(const IncrementRecord &record) const
+  Graphics::write_bodies(const IncrementRecord &record)
   {
     std::vector<Block> blocks;
     for (unsigned int b = 0; b < record.displacements.size(); ++b)
@@ -193,12 +225,49 @@ namespace conetact::output
                                                      record.actions.at(b));
         grid.cell_ids.push_back(
           {"body", std::vector<int>(grid.n_cells(), static_cast<int>(b))});
-        blocks.emplace_back(names.at(b),
-                            vtu_name("solution-" + names[b], record.increment));
-        write_atomically(run.folder / blocks.back().second,
-                         grid.text(record.time, record.increment));
+        blocks.emplace_back(names.at(b), write_body(grid, record, b));
       }
     return blocks;
+  }
+
+
+
+  /* In pieces where there are processes to share it; each keeps its cells from
+     one increment to the next. */
+  std::string
+  Graphics::write_body(const VtuGrid         &grid,
+                       const IncrementRecord &record,
+                       const std::size_t      body)
+  {
+    const int n_pieces =
+      backends::processes_for(static_cast<Eigen::Index>(grid.n_cells()),
+                              cells_worth_a_piece);
+    const std::string stem =
+      numbered("solution-" + names[body], record.increment);
+    if (n_pieces == 1)
+      {
+        write_atomically(run.folder / (stem + ".vtu"),
+                         grid.text(record.time, record.increment));
+        return stem + ".vtu";
+      }
+    auto &cells = pieces[body];
+    if (cells.empty())
+      cells = cells_of_pieces(grid, n_pieces);
+    std::string why;
+    {
+      const backends::Together together({backends::Command::draw, 0, n_pieces});
+      why = write_pieces(run.folder / stem,
+                         grid,
+                         cells,
+                         record.time,
+                         record.increment,
+                         Communicator::of_first(n_pieces));
+    }
+    if (!why.empty())
+      throw WriteError(why);
+    write_atomically(run.folder / (stem + ".pvtu"),
+                     grid.text_of_parts(names_of_pieces(stem, n_pieces)));
+    return stem + ".pvtu";
   }
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
-                  hertz, initial_strain, iterative, iterative_sliding, kill, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, preload, processes, quadratic, refinement, restart, rolling,
+                  hertz, initial_strain, iterative, iterative_sliding, kill, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling,
                   round_pairs, sliding,
                   supports, threads, tie, transformations)
 from support.checks import run_families  # noqa: E402
@@ -25,7 +25,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
             "shapes": driven.shapes, "free": driven.free_obstacles, "turning": driven.turning,
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
-            "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "kill": kill.kill,
+            "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "pieces": pieces.pieces, "kill": kill.kill,
             "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "gmsh": gmsh.gmsh,
             "orthotropic": orthotropic.orthotropy, "path": path.path, "iterative": iterative.iterative,
             "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating,

@@ -26,6 +26,7 @@ namespace conetact::backends
     forget,
     make_mumps, ///< an instance of `value` processes
     call_mumps, ///< its job `value`
+    draw,       ///< a picture in `value` pieces
     report,     ///< what they have needed
     end
   };

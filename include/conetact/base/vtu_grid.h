@@ -6,7 +6,9 @@
 
 #include "conetact/base/points.h"
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace conetact
@@ -53,21 +55,57 @@ namespace conetact
     };
     /** `nodes` in deal.II's order. */
     void
-    add_cell(const Shape shape, std::vector<unsigned int> nodes);
+    add_cell(const Shape shape, const std::vector<unsigned int> &nodes);
     std::size_t
     n_cells() const
     {
       return shapes.size();
     }
 
+    /** Its first point. */
+    const Point<3> &
+    place_of_cell(const std::size_t cell) const
+    {
+      const int first = cell == 0 ? 0 : offsets[cell - 1];
+      return points[static_cast<std::size_t>(
+        connectivity[static_cast<std::size_t>(first)])];
+    }
+
     /** The file, for a time and an increment (its time step). */
     std::string
     text(const double time, const unsigned int increment) const;
 
+    /** Text before an array, and what it is in memory. */
+    using ArrayVisitor = std::function<void(const std::string_view before,
+                                            const unsigned char   *bytes,
+                                            const std::size_t      n_bytes)>;
+    /** The file array by array; returns the text behind the last one. */
+    std::string
+    for_each_array(const double        time,
+                   const unsigned int  increment,
+                   const ArrayVisitor &visit) const;
+
+    /** Some of the cells, with their points. */
+    VtuGrid
+    part(const std::vector<unsigned int> &cells) const;
+
+    /** The file that joins those of parts, which are beside it. */
+    std::string
+    text_of_parts(const std::vector<std::string> &files) const;
+
   private:
-    std::vector<int>   connectivity, offsets;
+    void
+    add_vtk_cell(const Shape shape, const int *begin, const int *end);
+
+    std::vector<int>   connectivity, offsets; ///< as VTK has them
     std::vector<Shape> shapes;
   };
+
+  /** Adds an array to the text of a file: zipped, in base64. */
+  void
+  append_encoded(std::string         &text,
+                 const unsigned char *bytes,
+                 const std::size_t    n_bytes);
 } // namespace conetact
 
 #endif

@@ -7,6 +7,7 @@
 #include "conetact/output/output.h"
 #include "conetact/output/skin.h"
 
+#include <map>
 #include <string>
 
 namespace conetact::output
@@ -38,7 +39,9 @@ namespace conetact::output
   /**
    * Pictures of every `vtu_every`-th increment and, as increment 0, of the
    * undeformed bodies for ParaView:
-   * - `solution.pvd` and `solution-BODY-0001.vtu`, drawn by the bodies;
+   * - `solution.pvd` and `solution-BODY-0001.vtu`, drawn by the bodies; of
+   *   large ones that processes share `solution-BODY-0001.pvtu`, which joins
+   *   `solution-BODY-0001.0.vtu`, `...1.vtu`;
    * - `surface.pvd` and `surface-BODY-0001.vtu`: their surfaces with contact;
    * - `contact.pvd` and `contact-0001.vtu`: the contact nodes as points;
    * - `scene.pvd`: all of them.
@@ -61,7 +64,12 @@ namespace conetact::output
     void
     draw(const IncrementRecord &record);
     std::vector<Block>
-    write_bodies(const IncrementRecord &record) const;
+    write_bodies(const IncrementRecord &record);
+    /** Returns the name of the file. */
+    std::string
+    write_body(const VtuGrid         &grid,
+               const IncrementRecord &record,
+               const std::size_t      body);
     std::vector<Block>
     write_surfaces(const IncrementRecord &record) const;
     std::vector<Block>
@@ -72,7 +80,9 @@ namespace conetact::output
     const unsigned int             n_kept; ///< increments that stay
     PvdFile                        solution, surface, contact, scene;
     std::vector<Skin>              skins; ///< of the bodies, once known
-    unsigned int                   drawings = 0;
+    /** Cells of the pieces of bodies, where processes share them. */
+    std::map<std::size_t, std::vector<std::vector<unsigned int>>> pieces;
+    unsigned int                                                  drawings = 0;
   };
 } // namespace conetact::output
 

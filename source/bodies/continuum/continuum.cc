@@ -411,11 +411,14 @@ namespace conetact::bodies
                           const Eigen::VectorXd &w,
                           const Actions         &actions) const
   {
-    std::vector<InitialStrain> initial(mesh.nodes.size());
+    std::vector<InitialStrain> initial; // unless there are none
     for (const Action &action : actions)
       if (action.kind == Action::Kind::initial_strain)
-        add_nodal_values(mesh, action.strain, initial);
-    return draw_continuum(mesh, phases, u, w, initial);
+        {
+          initial.resize(mesh.nodes.size());
+          add_nodal_values(mesh, action.strain, initial);
+        }
+    return draw_continuum(mesh, phases, matrices.cell_shapes(), u, w, initial);
   }
 
   template <int dim>
@@ -460,7 +463,8 @@ namespace conetact::bodies
   Structure::MatrixCount
   Continuum<dim>::matrix_count() const
   {
-    return {mesh.n_cells(), matrices.n_shapes()};
+    return {mesh.n_cells(),
+            static_cast<unsigned int>(matrices.cell_shapes().all().size())};
   }
 
   template <int dim>

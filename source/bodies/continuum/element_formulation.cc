@@ -75,7 +75,9 @@ namespace conetact::bodies
                                 const bool      with_vertices) const
   {
     StrainField field;
-    const auto  add = [&](const Gradients<n_vertices>                &unit,
+    field.at_points.reserve(n_vertices);
+    field.at_vertices.reserve(with_vertices ? n_vertices : 0);
+    const auto add = [&](const Gradients<n_vertices>                &unit,
                          const Eigen::Matrix<double, n_vertices, 1> &N,
                          std::vector<Columns>                       &strains) {
       const Tensor<2, dim>  j       = jacobian(vertices, unit);

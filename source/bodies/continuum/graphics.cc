@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/continuum/graphics.h"
 
+#include "conetact/bodies/continuum/cell_stresses.h"
+
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/fe/fe_q.h>
@@ -12,7 +14,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 
 namespace conetact::bodies
 {
@@ -26,11 +27,13 @@ namespace conetact::bodies
     class DrawnPoints
     {
     public:
-      explicit DrawnPoints(const ContinuumMesh<dim> &mesh)
+      DrawnPoints(const ContinuumMesh<dim> &mesh, const std::size_t n_phases)
+        : numbers(n_phases, std::vector<unsigned int>(mesh.nodes.size(), none))
       {
-        if (mesh.phase_of_cell.empty())
+        if (n_phases == 1)
           for (unsigned int node = 0; node < mesh.nodes.size(); ++node)
             add(0, node);
+        of_cells.reserve(mesh.nodes_of_cells.size());
         for (unsigned int c = 0; c < mesh.n_cells(); ++c)
           for (const unsigned int node : mesh.cell(c))
             of_cells.push_back(add(mesh.phase(c), node));
@@ -39,38 +42,35 @@ namespace conetact::bodies
       struct Place
       {
         unsigned int phase, node;
-        bool
-        operator<(const Place &other) const
-        {
-          return std::tie(phase, node) < std::tie(other.phase, other.node);
-        }
       };
       std::vector<Place>        places;
       std::vector<unsigned int> of_cells; ///< points of one cell by another
 
       /** The point of a node in a material; none: it is not there. */
       std::optional<unsigned int>
-      find(const Place &place) const
+      find(const unsigned int phase, const unsigned int node) const
       {
-        const auto found = numbers.find(place);
-        return found == numbers.end() ?
-                 std::nullopt :
-                 std::optional<unsigned int>(found->second);
+        const unsigned int point = numbers[phase][node];
+        return point == none ? std::nullopt :
+                               std::optional<unsigned int>(point);
       }
 
     private:
+      static constexpr unsigned int none = -1;
+
       unsigned int
       add(const unsigned int phase, const unsigned int node)
       {
-        const auto [entry, is_new] =
-          numbers.emplace(Place{phase, node},
-                          static_cast<unsigned int>(places.size()));
-        if (is_new)
-          places.push_back(entry->first);
-        return entry->second;
+        unsigned int &number = numbers[phase][node];
+        if (number == none)
+          {
+            number = static_cast<unsigned int>(places.size());
+            places.push_back({phase, node});
+          }
+        return number;
       }
 
-      std::map<Place, unsigned int> numbers;
+      std::vector<std::vector<unsigned int>> numbers; ///< of phases, by nodes
     };
 
     /** Continuous across faces with hanging nodes. */
@@ -85,10 +85,10 @@ namespace conetact::bodies
         for (unsigned int phase = 0; phase < n_phases; ++phase)
           {
             Eigen::VectorXd sum  = Eigen::VectorXd::Zero(values.rows());
-            const auto      here = points.find({phase, node.node});
+            const auto      here = points.find(phase, node.node);
             bool            all  = here.has_value();
             for (const auto &[master, weight] : node.masters)
-              if (const auto there = points.find({phase, master}))
+              if (const auto there = points.find(phase, master))
                 sum += weight * values.col(*there);
               else
                 all = false;
@@ -103,36 +103,30 @@ namespace conetact::bodies
     averaged_stresses(const ContinuumMesh<dim>         &mesh,
                       const DrawnPoints<dim>           &points,
                       const Phases<dim>                &phases,
+                      const CellShapes<dim>            &shapes,
                       const Eigen::VectorXd            &w,
-                      const std::vector<InitialStrain> &at_nodes)
+                      const std::vector<InitialStrain> &initial)
     {
-      using Element       = ElementFormulation<dim>;
-      const auto n_points = static_cast<Eigen::Index>(points.places.size());
-      Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(Element::n_strains, n_points);
-      Eigen::VectorXd n_cells           = Eigen::VectorXd::Zero(n_points);
-      const unsigned int              n = mesh.n_cell_nodes;
-      typename Element::Displacements w_cell(dim * n);
-      typename Element::Strains       initial(Element::n_strains, n);
-      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-        {
-          const auto        cell  = mesh.cell(c);
-          const Phase<dim> &phase = phases[mesh.phase(c)];
-          for (unsigned int v = 0; v < n; ++v)
+      const auto    n_points  = static_cast<Eigen::Index>(points.places.size());
+      constexpr int n         = ElementFormulation<dim>::n_strains;
+      Eigen::MatrixXd sum     = Eigen::MatrixXd::Zero(n, n_points);
+      Eigen::VectorXd n_cells = Eigen::VectorXd::Zero(n_points);
+      for_each_stress<dim>(
+        mesh,
+        phases,
+        shapes,
+        w,
+        initial,
+        [&](const unsigned int cell, const auto &stresses) {
+          for (Eigen::Index v = 0; v < stresses.cols(); ++v)
             {
-              w_cell.template segment<dim>(dim * v) =
-                w.segment<dim>(dim * static_cast<Eigen::Index>(cell[v]));
-              initial.col(v) = strain_components(
-                at_nodes[cell[v]].of(phase.material.expansion), dim);
-            }
-          const typename Element::Strains stresses =
-            phase.element->stresses(mesh.vertices(c), w_cell, initial);
-          for (unsigned int v = 0; v < n; ++v)
-            {
-              const unsigned int p = points.of_cells[std::size_t{c} * n + v];
-              sum.col(p) += stresses.col(v);
+              const unsigned int p =
+                points.of_cells[std::size_t{cell} * mesh.n_cell_nodes +
+                                static_cast<std::size_t>(v)];
+              sum.col(p).template head<n>() += stresses.col(v);
               n_cells[p] += 1;
             }
-        }
+        });
       for (Eigen::Index i = 0; i < n_points; ++i)
         sum.col(i) /= n_cells[i];
       unhang(mesh, points, static_cast<unsigned int>(phases.size()), sum);
@@ -140,7 +134,7 @@ namespace conetact::bodies
     }
 
     Eigen::Matrix3d
-    tensor(const Eigen::VectorXd &s)
+    tensor(const Eigen::Ref<const Eigen::VectorXd> &s)
     {
       Eigen::Matrix3d t = Eigen::Matrix3d::Zero();
       t.diagonal()      = s.head<3>();
@@ -180,12 +174,11 @@ namespace conetact::bodies
     }
 
     Eigen::Matrix3d
-    strain_of(const Eigen::Matrix3d &stress,
-              const ElasticMaterial &material,
-              const InitialStrain   &initial)
+    whole_strain(Eigen::Matrix3d        strain,
+                 const ElasticMaterial &material,
+                 const InitialStrain   &initial)
     {
-      Eigen::Matrix3d    strain = elastic_strain(stress, material);
-      const Tensor<2, 3> own    = initial.of(material.expansion);
+      const Tensor<2, 3> own = initial.of(material.expansion);
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
           strain(i, j) += own[i][j];
@@ -226,18 +219,39 @@ namespace conetact::bodies
           field.values.push_back(values.data()[i]);
       }
 
+      /** `initial`: none, or that of the point. */
       void
       append(const Eigen::Matrix3d &stress_here,
              const ElasticMaterial &material,
-             const InitialStrain   &initial)
+             const InitialStrain   *initial)
       {
-        const Eigen::Matrix3d strain_here =
-          strain_of(stress_here, material, initial);
+        const Eigen::Vector3d of_stress = principal(stress_here);
+        Eigen::Matrix3d strain_here     = elastic_strain(stress_here, material);
+        if (initial != nullptr)
+          strain_here = whole_strain(strain_here, material, *initial);
         append(stress, stress_here);
         von_mises.values.push_back(equivalent(stress_here));
         append(strain, strain_here);
-        append(principal_stresses, principal(stress_here));
-        append(principal_strains, principal(strain_here));
+        append(principal_stresses, of_stress);
+        // The same directions make the law that of numbers.
+        append(
+          principal_strains,
+          initial != nullptr || material.orthotropy ?
+            principal(strain_here) :
+            elastic_strain(of_stress.asDiagonal(), material).diagonal().eval());
+      }
+
+      /** Room for so many points. */
+      void
+      reserve(const std::size_t n)
+      {
+        for (VtuField *field : {&displacement,
+                                &stress,
+                                &von_mises,
+                                &strain,
+                                &principal_stresses,
+                                &principal_strains})
+          field->values.reserve(n * field->n_components);
       }
 
       std::vector<VtuField>
@@ -318,14 +332,15 @@ namespace conetact::bodies
       VtuGrid grid;
       for (const auto &place : points.places)
         grid.points.push_back(to_space(mesh.nodes[place.node]));
-      const unsigned int n     = mesh.n_cell_nodes;
-      const Parts        parts = parts_of_cell<dim>(n);
-      VtuIds             ids{"material_id", {}};
-      auto               first = points.of_cells.begin();
+      const unsigned int        n     = mesh.n_cell_nodes;
+      const Parts               parts = parts_of_cell<dim>(n);
+      VtuIds                    ids{"material_id", {}};
+      auto                      first = points.of_cells.begin();
+      std::vector<unsigned int> nodes;
       for (unsigned int c = 0; c < mesh.n_cells(); ++c, first += n)
         for (const auto &part : parts)
           {
-            std::vector<unsigned int> nodes;
+            nodes.clear();
             for (const unsigned int v : part)
               nodes.push_back(first[v]);
             grid.add_cell(shape_of<dim>(nodes.size()), nodes);
@@ -340,14 +355,16 @@ namespace conetact::bodies
   VtuGrid
   draw_continuum(const ContinuumMesh<dim>         &mesh,
                  const Phases<dim>                &phases,
+                 const CellShapes<dim>            &shapes,
                  const Eigen::VectorXd            &u,
                  const Eigen::VectorXd            &w,
                  const std::vector<InitialStrain> &initial)
   {
-    const DrawnPoints<dim> points(mesh);
-    const Eigen::MatrixXd  stresses =
-      averaged_stresses(mesh, points, phases, w, initial);
-    NodalFields fields;
+    const DrawnPoints<dim> points(mesh, phases.size());
+    NodalFields            fields;
+    fields.reserve(points.places.size());
+    const Eigen::MatrixXd stresses =
+      averaged_stresses(mesh, points, phases, shapes, w, initial);
     for (Eigen::Index i = 0; i < stresses.cols(); ++i)
       {
         const auto [phase, node] = points.places[static_cast<std::size_t>(i)];
@@ -357,7 +374,7 @@ namespace conetact::bodies
         NodalFields::append(fields.displacement, displacement);
         fields.append(tensor(stresses.col(i)),
                       phases[phase].material,
-                      initial[node]);
+                      initial.empty() ? nullptr : &initial[node]);
       }
     VtuGrid grid      = bare_grid(mesh, points);
     grid.point_fields = std::move(fields).all();
@@ -367,12 +384,14 @@ namespace conetact::bodies
   template VtuGrid
   draw_continuum<2>(const ContinuumMesh<2> &,
                     const Phases<2> &,
+                    const CellShapes<2> &,
                     const Eigen::VectorXd &,
                     const Eigen::VectorXd &,
                     const std::vector<InitialStrain> &);
   template VtuGrid
   draw_continuum<3>(const ContinuumMesh<3> &,
                     const Phases<3> &,
+                    const CellShapes<3> &,
                     const Eigen::VectorXd &,
                     const Eigen::VectorXd &,
                     const std::vector<InitialStrain> &);

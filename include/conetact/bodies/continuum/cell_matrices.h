@@ -4,7 +4,7 @@
 #ifndef conetact_bodies_continuum_cell_matrices_h
 #define conetact_bodies_continuum_cell_matrices_h
 
-#include "conetact/bodies/continuum/continuum_mesh.h"
+#include "conetact/bodies/continuum/cell_shapes.h"
 #include "conetact/bodies/continuum/elements.h"
 
 #include <vector>
@@ -41,35 +41,26 @@ namespace conetact::bodies
     void
     add_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const;
 
-    /** Cells that are no copies of each other. */
-    unsigned int
-    n_shapes() const
+    const CellShapes<dim> &
+    cell_shapes() const
     {
-      return static_cast<unsigned int>(shapes.size());
+      return shapes;
     }
 
   private:
-    /** A class of congruent cells. */
-    struct Shape
-    {
-      unsigned int first_cell;
-      unsigned int n_cells = 0;
-      int          matrix  = -1; ///< index, -1: not kept
-    };
+    using Matrix = typename Element::Matrix;
 
-    const ContinuumMesh<dim>             &mesh;
-    const Phases<dim>                    &phases;
-    bool                                  is_ring; ///< round an axis
-    double                                thickness;
-    std::vector<Shape>                    shapes;
-    std::vector<unsigned int>             shape_of_cell;
-    std::vector<typename Element::Matrix> matrices;
+    const ContinuumMesh<dim> &mesh;
+    const Phases<dim>        &phases;
+    bool                      is_ring; ///< round an axis
+    double                    thickness;
+    CellShapes<dim>           shapes;
+    std::vector<int>          kept; ///< matrix of each shape, -1: none
+    std::vector<Matrix>       matrices;
 
     /** A column for each cell, its vertices' values or forces. */
     using Columns = Eigen::MatrixXd;
 
-    void
-    find_shapes();
     /** u of cells in a row, relative to that of their first vertices. */
     Columns
     strained(const unsigned int     first,
@@ -77,7 +68,9 @@ namespace conetact::bodies
              const Eigen::VectorXd &u) const;
     void
     keep_matrices();
-    typename Element::Matrix
+    const Matrix *
+    find_kept(const unsigned int cell) const;
+    Matrix
     compute(const unsigned int cell) const;
   };
 } // namespace conetact::bodies

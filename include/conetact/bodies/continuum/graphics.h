@@ -4,7 +4,7 @@
 #ifndef conetact_bodies_continuum_graphics_h
 #define conetact_bodies_continuum_graphics_h
 
-#include "conetact/bodies/continuum/continuum_mesh.h"
+#include "conetact/bodies/continuum/cell_shapes.h"
 #include "conetact/bodies/continuum/elements.h"
 #include "conetact/bodies/continuum/material.h"
 
@@ -17,13 +17,14 @@ namespace conetact::bodies
    * `principal_stresses` and `principal_strains` (3, the largest first); and
    * `material_id` of the cells. The displacement is u. The stresses are those
    * of the deformation w, of the cells at their vertices less those of the
-   * initial strains there (one a node), averaged at the nodes of each material;
-   * all else follows from these means.
+   * initial strains there (one a node; none given: there are none), averaged at
+   * the nodes of each material; all else follows from these means.
    */
   template <int dim>
   VtuGrid
   draw_continuum(const ContinuumMesh<dim>         &mesh,
                  const Phases<dim>                &phases,
+                 const CellShapes<dim>            &shapes,
                  const Eigen::VectorXd            &u,
                  const Eigen::VectorXd            &w,
                  const std::vector<InitialStrain> &initial);
