@@ -3,6 +3,9 @@
 
 #include "conetact/backends/partition.h"
 
+#include <deal.II/base/point.h>
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -144,6 +147,32 @@ namespace conetact::backends
       const std::vector<WeighedNode> &nodes;
       std::vector<int>               &part;
     };
+    /** Some nodes in the order of a curve that fills space (Hilbert): those
+     * near each other are near in memory. */
+    std::vector<int>
+    along_curve(const std::vector<Point> &positions, std::vector<int> some)
+    {
+      std::vector<dealii::Point<3>> points;
+      for (const int i : some)
+        {
+          const Point &p = positions[static_cast<std::size_t>(i)];
+          points.emplace_back(p[0], p[1], p[2]);
+        }
+      constexpr int fine = 20; // halvings of the box
+      const auto    places =
+        dealii::Utilities::inverse_Hilbert_space_filling_curve(points, fine);
+      std::vector<std::size_t> order(some.size());
+      std::iota(order.begin(), order.end(), std::size_t(0));
+      std::stable_sort(order.begin(),
+                       order.end(),
+                       [&](const std::size_t i, const std::size_t j) {
+                         return places[i] < places[j];
+                       });
+      std::vector<int> result;
+      for (const std::size_t k : order)
+        result.push_back(some[k]);
+      return result;
+    }
   } // namespace
 
 
@@ -192,11 +221,19 @@ namespace conetact::backends
       return std::tie(a.plane, a.line, a.along, i) <
              std::tie(b.plane, b.line, b.along, j);
     });
-    std::size_t n_followers = 0;
-    for (std::size_t k = 1; k < lines.size(); ++k)
-      if (place(lines[k]).plane == place(lines[k - 1]).plane &&
-          place(lines[k]).line == place(lines[k - 1]).line)
-        ++n_followers;
-    return 2 * n_followers > lines.size() ? lines : order;
+    const auto is_on_line = [&](const std::size_t k) { // with the one before
+      return k > 0 && k < lines.size() &&
+             place(lines[k]).plane == place(lines[k - 1]).plane &&
+             place(lines[k]).line == place(lines[k - 1]).line;
+    };
+    std::vector<int> on_lines, others;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      (is_on_line(k) || is_on_line(k + 1) ? on_lines : others)
+        .push_back(lines[k]);
+    if (on_lines.size() < others.size())
+      return along_curve(positions, std::move(order));
+    others = along_curve(positions, std::move(others));
+    on_lines.insert(on_lines.end(), others.begin(), others.end());
+    return on_lines;
   }
 } // namespace conetact::backends

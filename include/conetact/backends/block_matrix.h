@@ -288,23 +288,36 @@ namespace conetact::backends
     }
 
     /** The same of rows that share numbers and came in another order: k-th was
-     * number[k]. */
+     * number[k]. Numbers are in the order of rows, too: products read them one
+     * behind the other. */
     Matrix
     finish(const std::vector<int> &number)
     {
+      rows = {};
       std::vector<std::size_t> from(number.size());
       for (std::size_t k = 0; k < number.size(); ++k)
         from[static_cast<std::size_t>(number[k])] = k;
       Matrix sorted;
       sorted.column.reserve(A.column.size());
+      sorted.value.reserve(A.value.size() + Matrix::lanes);
+      std::unordered_map<std::size_t, std::size_t> place; // of former ones
       for (const std::size_t k : from)
         {
-          sorted.first.push_back(A.first[k]);
+          const auto [found, is_new] =
+            place.emplace(A.first[k], sorted.value.size());
+          if (is_new)
+            {
+              const Number *const own = A.row(k);
+              sorted.value.insert(sorted.value.end(),
+                                  own,
+                                  own + (A.start[k + 1] - A.start[k]) *
+                                          Matrix::block_size);
+            }
+          sorted.first.push_back(found->second);
           for (std::size_t l = A.start[k]; l < A.start[k + 1]; ++l)
             sorted.column.push_back(A.column[l]);
           sorted.start.push_back(sorted.column.size());
         }
-      sorted.value.swap(A.value);
       A = std::move(sorted);
       return finish();
     }

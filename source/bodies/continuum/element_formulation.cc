@@ -119,16 +119,19 @@ namespace conetact::bodies
     StrainField b = d_linear(vertices, false);
     // K = int B^T C B with the strains that the element has improved.
     improve(vertices, b);
-    Eigen::Matrix<double, n_dofs, n_dofs> k =
-      Eigen::Matrix<double, n_dofs, n_dofs>::Zero();
-    for (std::size_t q = 0; q < b.weights.size(); ++q)
+    // of all points one below the other: one product, large enough for BLAS
+    Eigen::MatrixXd strains(n_strains * n_vertices, n_dofs),
+      stresses(n_strains * n_vertices, n_dofs);
+    for (Eigen::Index q = 0; q < n_vertices; ++q)
       {
-        const Eigen::Matrix<double, n_strains, n_dofs> of_dofs = b.at_points[q];
-        const Eigen::Matrix<double, n_strains, n_dofs> stress =
-          // Products of matrices this small are faster entry by entry.
-          (b.weights[q] * this->c).lazyProduct(of_dofs);
-        k += of_dofs.transpose().lazyProduct(stress);
+        const auto point = static_cast<std::size_t>(q);
+        const Eigen::Matrix<double, n_strains, n_dofs> of_dofs =
+          b.at_points[point];
+        strains.middleRows<n_strains>(n_strains * q) = of_dofs;
+        stresses.middleRows<n_strains>(n_strains * q) =
+          (b.weights[point] * this->c).lazyProduct(of_dofs);
       }
+    Matrix k = strains.transpose() * stresses;
     // Half of it copied: symmetric to the last bit.
     k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
     return k;

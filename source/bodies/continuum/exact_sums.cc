@@ -30,22 +30,19 @@ namespace conetact::bodies
       return sum;
     }
 
-    /** Times 2^exponent. */
-    void
-    scale(Eigen::Ref<Eigen::MatrixXd> k, const int exponent)
-    {
-      k = k.unaryExpr([&](const double x) { return std::ldexp(x, exponent); });
-    }
-
-    /** Entries become whole multiples of 2^exponent; returns the exponent. */
-    int
+    /** Entries become whole multiples of a power of two, so few bits that sums
+     * of them are exact; returns the power. Units of 1e-280 are none. */
+    double
     round_entries(Eigen::Ref<Eigen::MatrixXd> k, const int dim)
     {
       const int exponent = std::ilogb(k.cwiseAbs().maxCoeff()) + 1 + dim - bits;
-      k                  = k.unaryExpr([&](const double x) {
-        return std::nearbyint(std::ldexp(x, -exponent));
-      });
-      return exponent;
+      // what is added rounds to the nearest whole number, in fewer bits
+      constexpr double half = 1.5 * (std::size_t(1) << (bits - 1));
+      const double     unit = std::ldexp(1., exponent),
+                   per_unit = std::ldexp(1., -exponent);
+      k                     = k.unaryExpr(
+        [&](const double x) { return (x * per_unit + half) - half; });
+      return unit;
     }
   } // namespace
 
@@ -54,7 +51,7 @@ namespace conetact::bodies
   {
     if (!(k.cwiseAbs().maxCoeff() > 0))
       return;
-    const int exponent = round_entries(k, dim);
+    const double unit = round_entries(k, dim);
 
     // blocks on the diagonal will be symmetric: off the diagonal, what is not
     // adds up to zero at each node
@@ -70,7 +67,7 @@ namespace conetact::bodies
       for (Index c = 0; c < dim; ++c)
         for (Index d = 0; d < dim; ++d)
           k(j + c, j + d) = -sum_of_others(k, dim, j, c, d);
-    scale(k, exponent);
+    k *= unit;
   }
 
   void
@@ -78,7 +75,7 @@ namespace conetact::bodies
   {
     if (!(k.cwiseAbs().maxCoeff() > 0))
       return;
-    const int exponent = round_entries(k, 2);
+    const double unit = round_entries(k, 2);
     for (Index j = 0; j < k.cols(); j += 2)
       {
         // Symmetric: rows sum to zero over what moves along y, the coupling of
@@ -86,6 +83,6 @@ namespace conetact::bodies
         k(j, j + 1) = k(j + 1, j) = -sum_of_others(k, 2, j, 1, 0);
         k(j + 1, j + 1)           = -sum_of_others(k, 2, j, 1, 1);
       }
-    scale(k, exponent);
+    k *= unit;
   }
 } // namespace conetact::bodies
