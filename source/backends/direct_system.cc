@@ -14,15 +14,15 @@ namespace conetact::backends
   using Eigen::Index;
   using Triplets = std::vector<Eigen::Triplet<double>>;
 
-  DirectSystem::DirectSystem(const Elements          &for_each_element,
+  DirectSystem::DirectSystem(const Elements          &elements,
                              solvers::ContactSystem &&contact,
                              const Index              n)
     : K(n, n)
     , layout(std::move(contact))
   {
     Triplets entries;
-    for_each_element([&](const std::vector<Index> &unknowns,
-                         const double             *matrix) {
+    elements.for_each([&](const std::vector<Index> &unknowns,
+                          const double             *matrix) {
       const std::size_t size = unknowns.size();
       for (std::size_t a = 0; a < size; ++a)
         for (std::size_t b = 0; b < size; ++b)

@@ -308,12 +308,11 @@ namespace conetact::backends
       for_each(const Visit &visit) const
       {
         std::vector<int> own;
-        elements([&](const std::vector<Index> &unknowns, const double *matrix) {
-          own.clear();
-          for (const Index q : unknowns)
-            own.push_back(places[at(q)]);
-          visit(own, matrix);
-        });
+        elements.for_each(
+          [&](const std::vector<Index> &unknowns, const double *matrix) {
+            find_places(unknowns, own);
+            visit(own, matrix);
+          });
       }
       /** Of all nodes. */
       template <int block>
@@ -322,7 +321,9 @@ namespace conetact::backends
       {
         std::vector<int>    count(at(first.back() / block), 0);
         ElementNodes<block> element;
-        for_each([&](const std::vector<int> &own, const double *) {
+        std::vector<int>    own;
+        elements.for_each_connection([&](const std::vector<Index> &unknowns) {
+          find_places(unknowns, own);
           element.find(own);
           for (const int i : element.nodes)
             ++count[at(i)];
@@ -355,6 +356,14 @@ namespace conetact::backends
       }
 
     private:
+      void
+      find_places(const std::vector<Index> &unknowns,
+                  std::vector<int>         &own) const
+      {
+        own.clear();
+        for (const Index q : unknowns)
+          own.push_back(places[at(q)]);
+      }
       /** Processes but the first that have unknowns of an element. */
       void
       find_owners(const std::vector<int> &own, std::vector<int> &owners) const
@@ -380,7 +389,7 @@ namespace conetact::backends
 
   template <int block>
   BlockMatrix<block, block, double>
-  rows_of_elements(const Elements         &for_each_element,
+  rows_of_elements(const Elements         &elements,
                    const std::vector<int> &places,
                    const std::vector<int> &first,
                    const Communicator     &processes)
@@ -388,12 +397,12 @@ namespace conetact::backends
     std::vector<int> first_node;
     for (const int place : first)
       first_node.push_back(place / block);
-    const PlacedElements elements(for_each_element, places, first);
+    const PlacedElements placed(elements, places, first);
     const bool           has_elements = processes.rank() == 0;
     Eigen::VectorXi      count;
     if (has_elements)
       {
-        const auto all = elements.elements_of_nodes<block>();
+        const auto all = placed.elements_of_nodes<block>();
         count =
           Eigen::Map<const Eigen::VectorXi>(all.data(),
                                             static_cast<Index>(all.size()));
@@ -418,8 +427,8 @@ namespace conetact::backends
     if (has_elements)
       {
         // The others first: they have begun, then.
-        elements.send(processes);
-        elements.for_each(add);
+        placed.send(processes);
+        placed.for_each(add);
       }
     else
       for (Parcel parcel; parcel.receive(processes);)
@@ -429,12 +438,12 @@ namespace conetact::backends
   }
 
   template BlockMatrix<2, 2, double>
-  rows_of_elements<2>(const Elements         &for_each_element,
+  rows_of_elements<2>(const Elements         &elements,
                       const std::vector<int> &places,
                       const std::vector<int> &first,
                       const Communicator     &processes);
   template BlockMatrix<3, 3, double>
-  rows_of_elements<3>(const Elements         &for_each_element,
+  rows_of_elements<3>(const Elements         &elements,
                       const std::vector<int> &places,
                       const std::vector<int> &first,
                       const Communicator     &processes);

@@ -46,8 +46,8 @@ namespace conetact::backends
       std::vector<WeighedNode> weighed;
       for (const unsigned int i : nodes)
         weighed.push_back({given.position(i), 0});
-      given.for_each_element(
-        [&](const std::vector<Index> &unknowns, const double *) {
+      given.elements.for_each_connection(
+        [&](const std::vector<Index> &unknowns) {
           for (const Index q : unknowns)
             weighed[at(node[at(q)])].weight +=
               static_cast<double>(unknowns.size());
@@ -197,9 +197,9 @@ namespace conetact::backends
       to_whole(LargeStiffness &given) const
       {
         WholeSystem whole;
-        whole.for_each_element = std::move(given.for_each_element);
-        whole.places           = places.of;
-        whole.first            = places.first;
+        whole.elements = std::move(given.elements);
+        whole.places   = places.of;
+        whole.first    = places.first;
         whole.modes.resize(places.first.back(), given.modes.cols());
         for (Index j = 0; j < given.modes.cols(); ++j)
           whole.modes.col(j) = scatter(given.modes.col(j));

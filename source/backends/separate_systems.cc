@@ -78,6 +78,37 @@ namespace conetact::backends
       const std::vector<Part> parts;
     };
 
+    /** Numbers of unknowns in a part, -1 in others. */
+    using PartNumbers = std::shared_ptr<const std::vector<Index>>;
+
+    /** Those whose unknowns are in a part; none are in two. */
+    Elements
+    part_of(const Elements &elements, const PartNumbers &number)
+    {
+      const auto renumber = [number](const std::vector<Index> &unknowns) {
+        std::vector<Index> own;
+        for (const Index q : unknowns)
+          if ((*number)[at(q)] >= 0)
+            own.push_back((*number)[at(q)]);
+        return own;
+      };
+      Elements part;
+      part.for_each = [renumber, all = elements.for_each](const auto &visit) {
+        all([&](const std::vector<Index> &unknowns, const double *matrix) {
+          if (const auto own = renumber(unknowns); !own.empty())
+            visit(own, matrix);
+        });
+      };
+      part.for_each_connection =
+        [renumber, all = elements.for_each_connection](const auto &visit) {
+          all([&](const std::vector<Index> &unknowns) {
+            if (const auto own = renumber(unknowns); !own.empty())
+              visit(own);
+          });
+        };
+      return part;
+    }
+
     /** What `given` has of the unknowns and contact nodes of a part. */
     LargeStiffness
     part_of(const LargeStiffness &given, const Part &part)
@@ -95,20 +126,10 @@ namespace conetact::backends
         own.contact.first.push_back(own.contact.first.back() +
                                     given.contact.first[at(i) + 1] -
                                     given.contact.first[at(i)]);
-      own.contact.mu       = given.contact.mu(part.nodes);
-      own.surface          = given.surface;
-      own.position         = given.position;
-      own.for_each_element = [number,
-                              all = given.for_each_element](const auto &visit) {
-        std::vector<Index> renumbered;
-        all([&](const std::vector<Index> &unknowns, const double *matrix) {
-          renumbered.clear();
-          for (const Index q : unknowns)
-            renumbered.push_back((*number)[at(q)]);
-          if (!renumbered.empty() && renumbered.front() >= 0)
-            visit(renumbered, matrix);
-        });
-      };
+      own.contact.mu = given.contact.mu(part.nodes);
+      own.surface    = given.surface;
+      own.position   = given.position;
+      own.elements   = part_of(given.elements, number);
       return own;
     }
   } // namespace
@@ -139,7 +160,7 @@ namespace conetact::backends
       {
         LargeStiffness own = part_of(given, factorized);
         factorized.system =
-          std::make_shared<DirectSystem>(own.for_each_element,
+          std::make_shared<DirectSystem>(own.elements,
                                          std::move(own.contact),
                                          static_cast<Index>(
                                            own.node_of.size()));

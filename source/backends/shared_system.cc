@@ -119,7 +119,7 @@ namespace conetact::backends
         share.surface   = deal_surface(std::move(whole.surface));
         share.exists    = deal_places(whole.places);
         share.modes     = deal_modes(std::move(whole.modes));
-        share.K         = rows_of_elements<block>(whole.for_each_element,
+        share.K         = rows_of_elements<block>(whole.elements,
                                           whole.places,
                                           first,
                                           processes);

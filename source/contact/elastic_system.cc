@@ -89,6 +89,15 @@ namespace conetact::contact
         return end - begin == 1 && begin->factor == 1;
       });
     }
+    void
+    find_plain(const std::vector<unsigned int> &dofs,
+               const LinearMap                 &coordinates,
+               std::vector<Eigen::Index>       &unknowns)
+    {
+      unknowns.resize(dofs.size());
+      for (std::size_t i = 0; i < dofs.size(); ++i)
+        unknowns[i] = coordinates.row(dofs[i]).first->unknown;
+    }
 
     /** Unknowns of all elements, and for each unknown its elements. */
     struct Connectivity
@@ -106,13 +115,12 @@ namespace conetact::contact
       Connectivity              c;
       std::vector<Eigen::Index> unknowns;
       const ElementReduction    reduction(coordinates);
-      system.for_each_element(
-        [&](const std::vector<unsigned int> &dofs, const double *) {
-          reduction.find_unknowns(dofs, unknowns);
-          for (const Eigen::Index q : unknowns)
-            c.unknowns.push_back(static_cast<int>(q));
-          c.start.push_back(c.unknowns.size());
-        });
+      system.for_each_connection([&](const std::vector<unsigned int> &dofs) {
+        reduction.find_unknowns(dofs, unknowns);
+        for (const Eigen::Index q : unknowns)
+          c.unknowns.push_back(static_cast<int>(q));
+        c.start.push_back(c.unknowns.size());
+      });
       // Lists of elements by unknown, one behind the other: counted first, then
       // filled.
       c.element_start.assign(
@@ -287,6 +295,24 @@ namespace conetact::contact
       visit(spring.dofs, spring.matrix.data());
   }
 
+  void
+  ElasticSystem::for_each_connection(
+    const bodies::ConnectionVisitor &visit) const
+  {
+    std::vector<unsigned int> shifted;
+    for (std::size_t body = 0; body < bodies.structures.size(); ++body)
+      if (!bodies.is_at_rest(body))
+        bodies.structures[body]->for_each_connection(
+          [&](const std::vector<unsigned int> &dofs) {
+            shifted = dofs;
+            for (unsigned int &dof : shifted)
+              dof += static_cast<unsigned int>(dof_offset[body]);
+            visit(shifted);
+          });
+    for (const Spring &spring : springs)
+      visit(spring.dofs);
+  }
+
   Eigen::VectorXd
   ElasticSystem::internal_forces(const Eigen::VectorXd &u) const
   {
@@ -422,6 +448,23 @@ namespace conetact::contact
   }
 
   void
+  for_each_connection(
+    const ElasticSystem                                          &system,
+    const LinearMap                                              &coordinates,
+    const std::function<void(const std::vector<Eigen::Index> &)> &visit)
+  {
+    const ElementReduction    reduction(coordinates);
+    std::vector<Eigen::Index> unknowns;
+    system.for_each_connection([&](const std::vector<unsigned int> &dofs) {
+      if (is_plain(dofs, coordinates))
+        find_plain(dofs, coordinates, unknowns);
+      else
+        reduction.find_unknowns(dofs, unknowns);
+      visit(unknowns);
+    });
+  }
+
+  void
   for_each_element(const ElasticSystem   &system,
                    const LinearMap       &coordinates,
                    const UnknownsVisitor &visit)
@@ -439,9 +482,7 @@ namespace conetact::contact
             visit(element.unknowns, element.matrix.data());
             return;
           }
-        unknowns.resize(dofs.size());
-        for (std::size_t i = 0; i < dofs.size(); ++i)
-          unknowns[i] = coordinates.row(dofs[i]).first->unknown;
+        find_plain(dofs, coordinates, unknowns);
         visit(unknowns, matrix);
       });
   }

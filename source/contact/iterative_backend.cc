@@ -119,11 +119,16 @@ namespace conetact::contact
     VectorXd                 diagonal_of_dofs;
     if (!pins.empty() || n_bound > 0)
       diagonal_of_dofs = diagonal_of(elastic, coordinates.n_dofs());
-    const double pinned    = pins.empty() ? 0. : diagonal_of_dofs.mean();
-    given.for_each_element = [&](const UnknownsVisitor &visit) {
+    const double pinned     = pins.empty() ? 0. : diagonal_of_dofs.mean();
+    given.elements.for_each = [&](const UnknownsVisitor &visit) {
       for_each_element(elastic, coordinates, visit);
       for (const Eigen::Index pin : pins)
         visit({pin}, &pinned);
+    };
+    given.elements.for_each_connection = [&](const auto &visit) {
+      for_each_connection(elastic, coordinates, visit);
+      for (const Eigen::Index pin : pins)
+        visit({pin});
     };
     given.node_of        = nodes_of_unknowns(coordinates);
     given.modes          = rigid_modes(elastic.bodies, coordinates);

@@ -20,7 +20,7 @@ namespace conetact::backends
   {
   public:
     /** The unknowns of contact are the last ones of n. */
-    DirectSystem(const Elements          &for_each_element,
+    DirectSystem(const Elements          &elements,
                  solvers::ContactSystem &&contact,
                  const Index              n);
 

@@ -18,18 +18,18 @@ namespace conetact::backends
    */
   template <int block>
   BlockMatrix<block, block, double>
-  rows_of_elements(const Elements         &for_each_element,
+  rows_of_elements(const Elements         &elements,
                    const std::vector<int> &places,
                    const std::vector<int> &first,
                    const Communicator     &processes);
 
   extern template BlockMatrix<2, 2, double>
-  rows_of_elements<2>(const Elements         &for_each_element,
+  rows_of_elements<2>(const Elements         &elements,
                       const std::vector<int> &places,
                       const std::vector<int> &first,
                       const Communicator     &processes);
   extern template BlockMatrix<3, 3, double>
-  rows_of_elements<3>(const Elements         &for_each_element,
+  rows_of_elements<3>(const Elements         &elements,
                       const std::vector<int> &places,
                       const std::vector<int> &first,
                       const Communicator     &processes);

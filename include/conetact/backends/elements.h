@@ -11,13 +11,20 @@
 
 namespace conetact::backends
 {
-  /**
-   * Calls back with all elements of a stiffness: the unknowns of each, which
-   * are as many as its matrix has rows [force/length].
-   */
-  using Elements = std::function<void(
-    const std::function<void(const std::vector<Eigen::Index> &unknowns,
-                             const double                    *matrix)> &visit)>;
+  /** All elements of a stiffness. */
+  struct Elements
+  {
+    /** The unknowns of each, which are as many as its matrix has rows
+     * [force/length]. */
+    std::function<void(
+      const std::function<void(const std::vector<Eigen::Index> &unknowns,
+                               const double *matrix)> &visit)>
+      for_each;
+    /** The same, in the same order, without matrices. */
+    std::function<void(const std::function<void(
+                         const std::vector<Eigen::Index> &unknowns)> &visit)>
+      for_each_connection;
+  };
 } // namespace conetact::backends
 
 #endif

@@ -20,10 +20,10 @@ namespace conetact::backends
   /** What a LargeSystem is made of. */
   struct LargeStiffness
   {
-    Elements                  for_each_element; ///< of K
-    std::vector<unsigned int> node_of; ///< of each unknown, any numbers
-    Eigen::MatrixXd           modes;   ///< rigid motions, a column for each
-    solvers::ContactSystem    contact; ///< layout of the last unknowns
+    Elements                  elements; ///< of K
+    std::vector<unsigned int> node_of;  ///< of each unknown, any numbers
+    Eigen::MatrixXd           modes;    ///< rigid motions, a column for each
+    solvers::ContactSystem    contact;  ///< layout of the last unknowns
     /** Nodes that are solved for together: see SurfaceSmoother. */
     std::set<unsigned int> surface;
     /** Of a node, to share nodes among processes. */

@@ -16,7 +16,7 @@ namespace conetact::backends
   /** What the first process has of a system before others get their shares. */
   struct WholeSystem
   {
-    Elements for_each_element; ///< of K
+    Elements elements; ///< of K
     /** Of each unknown, node by node; process p has those from first[p] on. */
     std::vector<int> places;
     std::vector<int> first;

@@ -66,6 +66,11 @@ namespace conetact::bodies
       body.for_each_element(visit);
     }
     void
+    for_each_connection(const ConnectionVisitor &visit) const override
+    {
+      body.for_each_connection(visit);
+    }
+    void
     add_internal_forces(const Eigen::VectorXd &displacement,
                         Eigen::VectorXd       &f) const override
     {

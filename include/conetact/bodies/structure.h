@@ -147,6 +147,10 @@ namespace conetact::bodies
     std::function<void(const std::vector<unsigned int> &dofs,
                        const double                    *matrix)>;
 
+  /** Called for each element with the numbers of its dofs. */
+  using ConnectionVisitor =
+    std::function<void(const std::vector<unsigned int> &dofs)>;
+
   /**
    * A linear elastic body: sparse stiffness, load vectors, surfaces, its own
    * drawing. Displacement component c of node i is dof
@@ -204,6 +208,13 @@ namespace conetact::bodies
     /** All elements, in an order that is the same each time. */
     virtual void
     for_each_element(const ElementVisitor &visit) const = 0;
+    /** The same where matrices are not needed: none need be computed. */
+    virtual void
+    for_each_connection(const ConnectionVisitor &visit) const
+    {
+      for_each_element([&](const std::vector<unsigned int> &dofs,
+                           const double *) { visit(dofs); });
+    }
     /**
      * f += K u [force], such that a motion without strain costs no digits of
      * the forces.

@@ -36,6 +36,9 @@ namespace conetact::contact
     /** Elements of all bodies and springs, dofs counted over all bodies. */
     void
     for_each_element(const bodies::ElementVisitor &visit) const;
+    /** The same without their matrices. */
+    void
+    for_each_connection(const bodies::ConnectionVisitor &visit) const;
 
     /** K u, the forces that hold the displacements u [force]. */
     Eigen::VectorXd
@@ -85,7 +88,13 @@ namespace conetact::contact
     std::function<void(const std::vector<Eigen::Index> &unknowns,
                        const double                    *matrix)>;
 
-  /** All elements of the system in the unknowns of `coordinates`. */
+  /** The unknowns of all elements of the system, in those of `coordinates`. */
+  void
+  for_each_connection(
+    const ElasticSystem                                          &system,
+    const LinearMap                                              &coordinates,
+    const std::function<void(const std::vector<Eigen::Index> &)> &visit);
+  /** The same with their matrices. */
   void
   for_each_element(const ElasticSystem   &system,
                    const LinearMap       &coordinates,

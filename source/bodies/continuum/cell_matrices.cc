@@ -69,20 +69,31 @@ namespace conetact::bodies
 
   template <int dim>
   void
-  CellMatrices<dim>::for_each(const ElementVisitor &visit) const
+  CellMatrices<dim>::for_each_connection(const ConnectionVisitor &visit) const
   {
     std::vector<unsigned int> dofs(dim * mesh.n_cell_nodes);
-    Matrix                    single;
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       {
         const auto nodes = mesh.cell(cell);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           dofs[i] = dim * nodes[i / dim] + i % dim;
-        const Matrix *const matrix = find_kept(cell);
-        if (matrix == nullptr)
-          single = compute(cell);
-        visit(dofs, matrix == nullptr ? single.data() : matrix->data());
+        visit(dofs);
       }
+  }
+
+  template <int dim>
+  void
+  CellMatrices<dim>::for_each(const ElementVisitor &visit) const
+  {
+    Matrix       single;
+    unsigned int cell = 0;
+    for_each_connection([&](const std::vector<unsigned int> &dofs) {
+      const Matrix *const matrix = find_kept(cell);
+      if (matrix == nullptr)
+        single = compute(cell);
+      visit(dofs, matrix == nullptr ? single.data() : matrix->data());
+      ++cell;
+    });
   }
 
   template <int dim>

@@ -186,6 +186,13 @@ namespace conetact::bodies
 
   template <int dim>
   void
+  Continuum<dim>::for_each_connection(const ConnectionVisitor &visit) const
+  {
+    matrices.for_each_connection(visit);
+  }
+
+  template <int dim>
+  void
   Continuum<dim>::add_internal_forces(const Eigen::VectorXd &u,
                                       Eigen::VectorXd       &f) const
   {

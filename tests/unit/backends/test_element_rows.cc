@@ -41,9 +41,14 @@ namespace conetact::backends
             std::vector<Index>{1, 6, 3},    // parts of nodes
             std::vector<Index>{4}})
         elements.push_back(element(unknowns));
-      const Elements for_each_element = [&](const auto &visit) {
+      Elements all;
+      all.for_each = [&](const auto &visit) {
         for (const Element &e : elements)
           visit(e.unknowns, e.matrix.data());
+      };
+      all.for_each_connection = [&](const auto &visit) {
+        for (const Element &e : elements)
+          visit(e.unknowns);
       };
       MatrixXd expected = MatrixXd::Zero(n, n);
       for (const Element &e : elements)
@@ -54,7 +59,7 @@ namespace conetact::backends
               e.matrix(static_cast<Index>(a), static_cast<Index>(b));
 
       const auto rows =
-        rows_of_elements<2>(for_each_element, places, {0, n}, Communicator());
+        rows_of_elements<2>(all, places, {0, n}, Communicator());
       ASSERT_EQ(rows.n_block_rows(), 5u);
       MatrixXd found = MatrixXd::Zero(n, n);
       for (std::size_t i = 0; i < rows.n_block_rows(); ++i)

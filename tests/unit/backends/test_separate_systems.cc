@@ -37,7 +37,8 @@ namespace
   Elements
   elements()
   {
-    return [](const auto &visit) {
+    Elements all;
+    all.for_each = [](const auto &visit) {
       for (const auto &[body, seed] :
            {std::pair(first_body, 1u), std::pair(second_body, 2u)})
         {
@@ -45,6 +46,11 @@ namespace
           visit(std::vector<Index>(body.begin(), body.end()), matrix.data());
         }
     };
+    all.for_each_connection = [](const auto &visit) {
+      for (const auto &body : {first_body, second_body})
+        visit(std::vector<Index>(body.begin(), body.end()));
+    };
+    return all;
   }
 
   MatrixXd
@@ -69,7 +75,7 @@ namespace
   stiffness()
   {
     LargeStiffness given;
-    given.for_each_element = elements();
+    given.elements = elements();
     for (Index q = 0; q < n - n_contact; ++q)
       given.node_of.push_back(static_cast<unsigned int>(q / 2));
     for (const unsigned int node : {6u, 6u, 7u, 7u})

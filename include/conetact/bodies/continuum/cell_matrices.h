@@ -31,6 +31,8 @@ namespace conetact::bodies
 
     void
     for_each(const ElementVisitor &visit) const;
+    void
+    for_each_connection(const ConnectionVisitor &visit) const;
 
     /**
      * f += K u, all dofs. What a cell's first node moves is taken out before

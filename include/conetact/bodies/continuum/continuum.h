@@ -66,6 +66,8 @@ namespace conetact::bodies
     void
     for_each_element(const ElementVisitor &visit) const override;
     void
+    for_each_connection(const ConnectionVisitor &visit) const override;
+    void
     add_internal_forces(const Eigen::VectorXd &u,
                         Eigen::VectorXd       &f) const override;
     double
