@@ -18,7 +18,7 @@ import sys
 BELOW = {"base": (), "solvers": (), "load_path": ("solvers",),
          "reproductions": ("solvers", "load_path"), "bodies": ("base",),
          "pairing": ("base", "bodies"), "backends": ("base", "solvers"),
-         "output": ("base", "bodies", "solvers"), "exchange": ("base", "solvers"),
+         "output": ("base", "bodies", "backends", "solvers"), "exchange": ("base", "solvers"),
          "contact": ("base", "bodies", "pairing", "backends", "output", "solvers"),
          "verification": ("base", "output", "contact"),
          "application": ("base", "bodies", "pairing", "backends", "output", "contact", "solvers", "load_path"),

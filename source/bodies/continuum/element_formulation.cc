@@ -119,19 +119,21 @@ namespace conetact::bodies
     StrainField b = d_linear(vertices, false);
     // K = int B^T C B with the strains that the element has improved.
     improve(vertices, b);
-    // of all points one below the other: one product, large enough for BLAS
-    Eigen::MatrixXd strains(n_strains * n_vertices, n_dofs),
-      stresses(n_strains * n_vertices, n_dofs);
-    for (Eigen::Index q = 0; q < n_vertices; ++q)
+    Eigen::Matrix<double, n_dofs, n_dofs> k =
+      Eigen::Matrix<double, n_dofs, n_dofs>::Zero();
+    constexpr int part = 2 * dim; // what is above the diagonal is not needed
+    for (std::size_t q = 0; q < b.weights.size(); ++q)
       {
-        const auto point = static_cast<std::size_t>(q);
-        const Eigen::Matrix<double, n_strains, n_dofs> of_dofs =
-          b.at_points[point];
-        strains.middleRows<n_strains>(n_strains * q) = of_dofs;
-        stresses.middleRows<n_strains>(n_strains * q) =
-          (b.weights[point] * this->c).lazyProduct(of_dofs);
+        const Eigen::Matrix<double, n_strains, n_dofs> of_dofs = b.at_points[q];
+        const Eigen::Matrix<double, n_strains, n_dofs> stress =
+          // Products of matrices this small are faster entry by entry.
+          (b.weights[q] * this->c).lazyProduct(of_dofs);
+        for (int j = 0; j < n_dofs; j += part)
+          for (int i = j; i < n_dofs; i += part)
+            k.template block<part, part>(i, j) +=
+              of_dofs.template middleCols<part>(i).transpose().lazyProduct(
+                stress.template middleCols<part>(j));
       }
-    Matrix k = strains.transpose() * stresses;
     // Half of it copied: symmetric to the last bit.
     k.template triangularView<Eigen::StrictlyUpper>() = k.transpose();
     return k;

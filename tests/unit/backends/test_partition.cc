@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace
@@ -116,15 +117,26 @@ TEST(Partition, OrdersNodesByLines)
 
 
 
-TEST(Partition, KeepsTheOrderOfNodesWithoutLines)
+/* Neighbours along the curve are much nearer than any two nodes, .66. */
+TEST(Partition, NodesWithoutLinesFollowACurve)
 {
   std::mt19937                           random(1);
   std::uniform_real_distribution<double> number(0., 1.);
   std::vector<std::array<double, 3>>     positions;
-  for (int i = 0; i < 100; ++i)
+  for (int i = 0; i < 1000; ++i)
     positions.push_back({{number(random), number(random), number(random)}});
-  const std::vector<int> order = order_of_lines(positions);
-  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+  std::vector<int> order = order_of_lines(positions);
+  double           way   = 0;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    {
+      const auto &a = positions[static_cast<std::size_t>(order[k])];
+      const auto &b = positions[static_cast<std::size_t>(order[k - 1])];
+      way += std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+  EXPECT_LT(way, .15 * static_cast<double>(order.size()));
+  std::sort(order.begin(), order.end());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    EXPECT_EQ(order[k], static_cast<int>(k)) << "each once";
   EXPECT_EQ(order_of_lines({{{1., 2., 3.}}, {{1., 2., 3.}}}).size(), 2u);
   EXPECT_TRUE(order_of_lines({}).empty());
 }

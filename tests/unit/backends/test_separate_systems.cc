@@ -141,7 +141,8 @@ TEST(DirectSystem, FulfilsEquilibriumAndLaws)
 
 TEST(DirectSystem, HasNoStepWhereNothingResists)
 {
-  const DirectSystem none([](const auto &) {}, contact(), n);
+  const auto         nothing = [](const auto &) {};
+  const DirectSystem none({nothing, nothing}, contact(), n);
   EXPECT_FALSE(none.solve(laws(), VectorXd::Ones(n), {1e-3}));
 }
 
