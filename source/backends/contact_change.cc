@@ -223,33 +223,11 @@ namespace conetact::backends
 
 
 
-  /* Levels precondition: close to the solution Newton's steps change hardly
-     more than rounding. */
-  template <int fine, int coarse>
-  bool
-  ContactChange<fine, coarse>::is_other(
-    const std::vector<NodeState<fine>> &states) const
-  {
-    constexpr float nearly  = .02f;
-    int             n_other = last ? 0 : 1;
-    for (std::size_t i = 0; i < states.size() && n_other == 0; ++i)
-      {
-        const FineBlock more = states[i].added - (*last)[i].added;
-        if (states[i].held != (*last)[i].held ||
-            more.norm() > nearly * own[i].diagonal.norm())
-          n_other = 1;
-      }
-    return processes.sum(static_cast<double>(n_other)) > 0;
-  }
-
-
-
   template <int fine, int coarse>
   std::vector<typename ContactChange<fine, coarse>::Rows>
   ContactChange<fine, coarse>::change(
-    const std::vector<NodeState<fine>> &states)
+    const std::vector<NodeState<fine>> &states) const
   {
-    last                     = states;
     std::vector<Rows> result = {first_level(states)};
     for (const Level &level : levels)
       {

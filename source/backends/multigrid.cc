@@ -200,8 +200,6 @@ namespace conetact::backends
   CoarseLevels<fine, coarse>::set_states(
     const std::vector<NodeState<fine>> &states)
   {
-    if (!contact.is_other(states))
-      return;
     const auto changes = contact.change(states);
     for (std::size_t l = 0; l + 1 < below.size(); ++l)
       change_rows(below[l], changes[l]);

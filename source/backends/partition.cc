@@ -147,31 +147,26 @@ namespace conetact::backends
       const std::vector<WeighedNode> &nodes;
       std::vector<int>               &part;
     };
-    /** Some nodes in the order of a curve that fills space (Hilbert): those
-     * near each other are near in memory. */
+    /** Nodes in the order of a curve that fills space (Hilbert): those near
+     * each other are near in memory. */
     std::vector<int>
-    along_curve(const std::vector<Point> &positions, std::vector<int> some)
+    along_curve(const std::vector<Point> &positions)
     {
       std::vector<dealii::Point<3>> points;
-      for (const int i : some)
-        {
-          const Point &p = positions[static_cast<std::size_t>(i)];
-          points.emplace_back(p[0], p[1], p[2]);
-        }
+      for (const Point &p : positions)
+        points.emplace_back(p[0], p[1], p[2]);
       constexpr int fine = 20; // halvings of the box
       const auto    places =
         dealii::Utilities::inverse_Hilbert_space_filling_curve(points, fine);
-      std::vector<std::size_t> order(some.size());
-      std::iota(order.begin(), order.end(), std::size_t(0));
+      std::vector<int> order(positions.size());
+      std::iota(order.begin(), order.end(), 0);
       std::stable_sort(order.begin(),
                        order.end(),
-                       [&](const std::size_t i, const std::size_t j) {
-                         return places[i] < places[j];
+                       [&](const int i, const int j) {
+                         return places[static_cast<std::size_t>(i)] <
+                                places[static_cast<std::size_t>(j)];
                        });
-      std::vector<int> result;
-      for (const std::size_t k : order)
-        result.push_back(some[k]);
-      return result;
+      return order;
     }
   } // namespace
 
@@ -221,19 +216,11 @@ namespace conetact::backends
       return std::tie(a.plane, a.line, a.along, i) <
              std::tie(b.plane, b.line, b.along, j);
     });
-    const auto is_on_line = [&](const std::size_t k) { // with the one before
-      return k > 0 && k < lines.size() &&
-             place(lines[k]).plane == place(lines[k - 1]).plane &&
-             place(lines[k]).line == place(lines[k - 1]).line;
-    };
-    std::vector<int> on_lines, others;
-    for (std::size_t k = 0; k < lines.size(); ++k)
-      (is_on_line(k) || is_on_line(k + 1) ? on_lines : others)
-        .push_back(lines[k]);
-    if (on_lines.size() < others.size())
-      return along_curve(positions, std::move(order));
-    others = along_curve(positions, std::move(others));
-    on_lines.insert(on_lines.end(), others.begin(), others.end());
-    return on_lines;
+    std::size_t n_followers = 0;
+    for (std::size_t k = 1; k < lines.size(); ++k)
+      if (place(lines[k]).plane == place(lines[k - 1]).plane &&
+          place(lines[k]).line == place(lines[k - 1]).line)
+        ++n_followers;
+    return 2 * n_followers > lines.size() ? lines : along_curve(positions);
   }
 } // namespace conetact::backends

@@ -7,7 +7,6 @@
 #include "conetact/backends/shared_rows.h"
 #include "conetact/base/index.h"
 
-#include <optional>
 #include <vector>
 
 namespace conetact::backends
@@ -61,13 +60,9 @@ namespace conetact::backends
     {
       return level == 0 ? first_change : levels[at(level - 1)].change;
     }
-    /** Whether states of the contact nodes of this process, or of another one,
-     * make a difference beside those of the last change. */
-    bool
-    is_other(const std::vector<NodeState<fine>> &states) const;
     /** Of all levels, for the contact nodes of this process. */
     std::vector<Rows>
-    change(const std::vector<NodeState<fine>> &states);
+    change(const std::vector<NodeState<fine>> &states) const;
 
   private:
     using FineBlock   = Eigen::Matrix<float, fine, fine>;
@@ -102,7 +97,6 @@ namespace conetact::backends
     SomeRows<fine, coarse> AP;           ///< of own ones
     Rows                   first_change; ///< zero
     std::vector<Level>     levels;       ///< below the first coarse one
-    std::optional<std::vector<NodeState<fine>>> last;
   };
 
   extern template class ContactChange<2, 3>;

@@ -28,8 +28,8 @@ namespace conetact::backends
   /**
    * Numbers of nodes in the order of the lines of a regular mesh along the
    * axes, of which the longest come first: rows of a matrix make runs then
-   * (RowRuns). Those that have no line in common with others come behind, along
-   * a curve that fills space; where they are most, all nodes do.
+   * (RowRuns). Where most nodes have no line in common, all follow a curve that
+   * fills space.
    */
   std::vector<int>
   order_of_lines(const std::vector<std::array<double, 3>> &positions);

@@ -469,6 +469,8 @@ namespace conetact::bodies
     for (const GeneratorRow &row : generator_table())
       names.emplace_back(row.name);
     const std::string other = nearest(name, names);
+    if (other == name)
+      return "There is one of the other dimension. ";
     return other.empty() ? "" : "Did you mean '" + other + "'? ";
   }
 

@@ -12,6 +12,7 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_in.h>
+#include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
@@ -423,6 +424,17 @@ namespace conetact::bodies
           }
     }
 
+    /** It asks the coarse cells of the mesh that it was made for. Inside of
+     * simplices, where such manifolds are, edges are straight. */
+    template <int dim>
+    bool
+    belongs_to_mesh(const dealii::Manifold<dim> &manifold)
+    {
+      return dynamic_cast<
+               const dealii::TransfiniteInterpolationManifold<dim> *>(
+               &manifold) != nullptr;
+    }
+
     /** Each quadrilateral into 8 triangles, each hexahedron 24 tetrahedra. */
     template <int dim>
     std::unique_ptr<Triangulation<dim>>
@@ -436,8 +448,10 @@ namespace conetact::bodies
       auto result = std::make_unique<Triangulation<dim>>();
       dealii::GridGenerator::convert_hypercube_to_simplex_mesh(mesh, *result);
       for (const auto id : mesh.get_manifold_ids())
-        if (id != dealii::numbers::flat_manifold_id)
-          result->set_manifold(id, mesh.get_manifold(id));
+        if (const auto &manifold = mesh.get_manifold(id);
+            id != dealii::numbers::flat_manifold_id &&
+            !belongs_to_mesh(manifold))
+          result->set_manifold(id, manifold);
       return result;
     }
 

@@ -202,6 +202,22 @@ TEST(MeshInput, CurvedBodiesAreRefinedOnTheirShape)
     EXPECT_NEAR(node.position.distance(Point<3>(0, 3, 0)), 3, 1e-14);
 }
 
+/* Inside, its manifold belongs to the mesh of quadrilaterals. */
+TEST(MeshInput, PlatesWithHolesAreDividedIntoTriangles)
+{
+  const auto body  = make_body(2,
+                              "Generator = plate_with_a_hole|"
+                               "Arguments = 0.4 : 1 : 0.5 : 0.5 : 0.5 : 0.5 : "
+                               "3, 1 : 0 : 1 : 1 : 2 : true|"
+                               "Global refinements = 1",
+                              "Young modulus = 5|Poisson ratio = 0.3",
+                              "P1");
+  const auto nodes = body->surface({4}).nodes;
+  EXPECT_EQ(nodes.size(), 32u);
+  for (const SurfaceNode &node : nodes)
+    EXPECT_NEAR(node.position.distance(Point<3>(3, 1, 0)), .4, 1e-12);
+}
+
 TEST(MeshInput, BoxesRefineWhatTheyReachInto)
 {
   const std::string mesh  = square + "|Global refinements = 1|Scale = 8|";
