@@ -147,6 +147,7 @@ namespace conetact::backends
       const std::vector<WeighedNode> &nodes;
       std::vector<int>               &part;
     };
+
     /** Nodes in the order of a curve that fills space (Hilbert): those near
      * each other are near in memory. */
     std::vector<int>
@@ -189,10 +190,10 @@ namespace conetact::backends
   std::vector<int>
   order_of_lines(const std::vector<Point> &positions)
   {
-    std::vector<int> order(positions.size());
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<int> lines(positions.size());
+    std::iota(lines.begin(), lines.end(), 0);
     if (positions.empty())
-      return order;
+      return lines;
     Box box(positions.front());
     for (const Point &p : positions)
       box.add(p);
@@ -210,7 +211,6 @@ namespace conetact::backends
     const auto place = [&](const int i) -> const Place & {
       return places[static_cast<std::size_t>(i)];
     };
-    std::vector<int> lines = order;
     std::sort(lines.begin(), lines.end(), [&](const int i, const int j) {
       const Place &a = place(i), &b = place(j);
       return std::tie(a.plane, a.line, a.along, i) <

@@ -104,7 +104,23 @@ namespace conetact
         compressor;
     };
 
-    /** What a field is to readers; `tag`: of arrays, or of those of parts. */
+    std::string
+    opening(const std::string &type)
+    {
+      return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type +
+             "\" version=\"0.1\" byte_order=\"LittleEndian\" "
+             "compressor=\"vtkZLibDataCompressor\">\n";
+    }
+
+    /** `tag`: of arrays, or of those of parts. */
+    template <typename T>
+    std::string
+    begin_array(const std::string &tag, const std::string &name)
+    {
+      return '<' + tag + " type=\"" + type_name<T> + "\" Name=\"" + name + '"';
+    }
+
+    /** What a field is to readers. */
     template <typename T>
     std::string
     heading(const std::string              &tag,
@@ -112,8 +128,7 @@ namespace conetact
             const unsigned int              n_components = 1,
             const std::vector<std::string> &components   = {})
     {
-      std::string text = '<' + tag + " type=\"" + type_name<T> + "\" Name=\"" +
-                         name + "\" NumberOfComponents=\"" +
+      std::string text = begin_array<T>(tag, name) + " NumberOfComponents=\"" +
                          std::to_string(n_components) + '"';
       for (std::size_t c = 0; c < components.size(); ++c)
         text +=
@@ -157,8 +172,7 @@ namespace conetact
       void
       add_single(const std::string &name, const T value)
       {
-        add(std::string("<DataArray type=\"") + type_name<T> + "\" Name=\"" +
-            name + "\" NumberOfTuples=\"1\"");
+        add(begin_array<T>("DataArray", name) + " NumberOfTuples=\"1\"");
         add_values(std::vector<T>{value});
       }
       std::string
@@ -337,11 +351,8 @@ namespace conetact
                           const ArrayVisitor &visit) const
   {
     Writer writer(visit);
-    writer.add(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-      "byte_order=\"LittleEndian\" compressor=\"vtkZLibDataCompressor\">\n"
-      "<UnstructuredGrid>\n<FieldData>\n");
+    writer.add(opening("UnstructuredGrid") +
+               "<UnstructuredGrid>\n<FieldData>\n");
     writer.add_single("TIME", time);
     writer.add_single("TimeValue", time);
     writer.add_single("CYCLE", static_cast<int>(increment));
@@ -386,13 +397,10 @@ namespace conetact
   std::string
   VtuGrid::text_of_parts(const std::vector<std::string> &files) const
   {
-    std::string text =
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" "
-      "byte_order=\"LittleEndian\" compressor=\"vtkZLibDataCompressor\">\n"
-      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
-      heading<double>("PDataArray", "Points", 3) +
-      "/>\n</PPoints>\n<PPointData>\n";
+    std::string text = opening("PUnstructuredGrid") +
+                       "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
+                       heading<double>("PDataArray", "Points", 3) +
+                       "/>\n</PPoints>\n<PPointData>\n";
     const auto add = [&](const std::vector<VtuField> &fields) {
       for (const VtuField &field : fields)
         text += heading<double>("PDataArray",

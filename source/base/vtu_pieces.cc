@@ -102,36 +102,23 @@ namespace conetact
 
 
 
-  std::vector<std::string>
-  names_of_pieces(const std::string &stem, const int n_pieces)
-  {
-    std::vector<std::string> names;
-    for (int p = 0; p < n_pieces; ++p)
-      names.push_back(stem + '.' + std::to_string(p) + ".vtu");
-    return names;
-  }
-
-
-
   std::string
-  write_pieces(const fs::path                               &stem,
+  write_pieces(const fs::path                               &folder,
+               const std::vector<std::string>               &files,
                const VtuGrid                                &grid,
                const std::vector<std::vector<unsigned int>> &cells,
                const double                                  time,
                const unsigned int                            increment,
                const Communicator                           &processes)
   {
-    const fs::path folder = stem.parent_path();
-    const auto     names =
-      names_of_pieces(stem.filename().string(), processes.size());
     for (int p = 1; p < processes.size(); ++p)
-      send_piece(folder / names[at(p)],
+      send_piece(folder / files[at(p)],
                  grid.part(cells[at(p)]),
                  time,
                  increment,
                  p,
                  processes);
-    std::string why = try_to_write(folder / names[0],
+    std::string why = try_to_write(folder / files[0],
                                    grid.part(cells[0]).text(time, increment));
     for (int p = 1; p < processes.size(); ++p)
       {

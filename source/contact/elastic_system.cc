@@ -99,6 +99,21 @@ namespace conetact::contact
         unknowns[i] = coordinates.row(dofs[i]).first->unknown;
     }
 
+    /** Dofs of a body among those of all. Scenes of one body, and first bodies,
+     * need no copies. */
+    const std::vector<unsigned int> &
+    among_all(const std::vector<unsigned int> &dofs,
+              const Eigen::Index               offset,
+              std::vector<unsigned int>       &shifted)
+    {
+      if (offset == 0)
+        return dofs;
+      shifted = dofs;
+      for (unsigned int &dof : shifted)
+        dof += static_cast<unsigned int>(offset);
+      return shifted;
+    }
+
     /** Unknowns of all elements, and for each unknown its elements. */
     struct Connectivity
     {
@@ -274,22 +289,11 @@ namespace conetact::contact
   {
     std::vector<unsigned int> shifted;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
-      {
-        if (bodies.is_at_rest(body))
-          continue;
-        const auto offset = static_cast<unsigned int>(dof_offset[body]);
-        // Scenes of one body, and first bodies, need no copies of their dofs.
-        if (offset == 0)
-          bodies.structures[body]->for_each_element(visit);
-        else
-          bodies.structures[body]->for_each_element(
-            [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-              shifted = dofs;
-              for (unsigned int &dof : shifted)
-                dof += offset;
-              visit(shifted, matrix);
-            });
-      }
+      if (!bodies.is_at_rest(body))
+        bodies.structures[body]->for_each_element(
+          [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+            visit(among_all(dofs, dof_offset[body], shifted), matrix);
+          });
     for (const Spring &spring : springs)
       // Springs of foundations are elements of their body like others.
       visit(spring.dofs, spring.matrix.data());
@@ -304,10 +308,7 @@ namespace conetact::contact
       if (!bodies.is_at_rest(body))
         bodies.structures[body]->for_each_connection(
           [&](const std::vector<unsigned int> &dofs) {
-            shifted = dofs;
-            for (unsigned int &dof : shifted)
-              dof += static_cast<unsigned int>(dof_offset[body]);
-            visit(shifted);
+            visit(among_all(dofs, dof_offset[body], shifted));
           });
     for (const Spring &spring : springs)
       visit(spring.dofs);

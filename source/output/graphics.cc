@@ -37,6 +37,15 @@ namespace conetact::output
       return numbered(stem, increment) + ".vtu";
     }
 
+    std::vector<std::string>
+    names_of_pieces(const std::string &stem, const int n_pieces)
+    {
+      std::vector<std::string> files;
+      for (int p = 0; p < n_pieces; ++p)
+        files.push_back(stem + '.' + std::to_string(p) + ".vtu");
+      return files;
+    }
+
     /** The increment of one of our files, 0 of others. */
     unsigned long
     increment_of(const std::string &name)
@@ -253,10 +262,12 @@ namespace conetact::output
     auto &cells = pieces[body];
     if (cells.empty())
       cells = cells_of_pieces(grid, n_pieces);
+    const auto  files = names_of_pieces(stem, n_pieces);
     std::string why;
     {
       const backends::Together together({backends::Command::draw, 0, n_pieces});
-      why = write_pieces(run.folder / stem,
+      why = write_pieces(run.folder,
+                         files,
                          grid,
                          cells,
                          record.time,
@@ -265,8 +276,7 @@ namespace conetact::output
     }
     if (!why.empty())
       throw WriteError(why);
-    write_atomically(run.folder / (stem + ".pvtu"),
-                     grid.text_of_parts(names_of_pieces(stem, n_pieces)));
+    write_atomically(run.folder / (stem + ".pvtu"), grid.text_of_parts(files));
     return stem + ".pvtu";
   }
 

@@ -11,17 +11,14 @@
 
 namespace conetact
 {
-  /** File names of the pieces of a picture: STEM.0.vtu, STEM.1.vtu, ... */
-  std::vector<std::string>
-  names_of_pieces(const std::string &stem, const int n_pieces);
-
   /**
    * On the first of some processes: writes the pieces of a picture, one by each
-   * of them, in a folder that is there for all. `cells`: those of each piece.
-   * Returns a sentence if that failed for one of them.
+   * of them, in a folder that is there for all. `files` and `cells`: those of
+   * each piece. Returns a sentence if that failed for one of them.
    */
   std::string
-  write_pieces(const std::filesystem::path                  &stem,
+  write_pieces(const std::filesystem::path                  &folder,
+               const std::vector<std::string>               &files,
                const VtuGrid                                &grid,
                const std::vector<std::vector<unsigned int>> &cells,
                const double                                  time,
