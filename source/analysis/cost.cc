@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace conetact::analysis
 {
@@ -62,6 +63,9 @@ namespace conetact::analysis
     constexpr double sparse_over_dense = 1.6; // factorisation
     constexpr double lu_over_dense     = 2;   // of contact unknowns
     constexpr double lus_an_increment  = .15; // after the first
+    // The same for an unknown in an iteration of the iterative backend, with
+    // what Newton's steps take besides: 64^3 cells.
+    constexpr double iteration_of_unknown = 2500;
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
     // 32^3 and 64^3 cells (space), 50^2 (plane). What processes share, what the
@@ -102,6 +106,17 @@ namespace conetact::analysis
 
     // Seconds for each dof: to recover and check an increment, to draw it.
     constexpr double check_of_dof = 1e-6, drawing_of_dof = 1e-6;
+
+    /** Of matrices of contact unknowns, in all increments. */
+    double
+    flops_of_contact(const contact::ContactModel &model,
+                     const double                 n_increments)
+    {
+      const auto n =
+        static_cast<double>(model.working_set().layout().n_unknowns());
+      return lu_over_dense * 2. / 3. * std::pow(n, 3) *
+             (1 + lus_an_increment * (n_increments - 1));
+    }
 
     /** To recover, check and draw increments, whichever way they are solved. */
     double
@@ -195,13 +210,11 @@ namespace conetact::analysis
     const double factor_bytes =
       cost.factor.working_bytes / n_processes * (shares ? larger_if_shared : 1);
     cost.memory_bytes = peak_memory() + factor_bytes + 2 * cost.stiffness_bytes;
-    const double lu_flops = 2. / 3. * std::pow(n_contact, 3) *
-                            (1 + lus_an_increment * (increments - 1));
-    const double rate          = dense_rate();
+    const double rate = dense_rate();
     const double factorisation = sparse_over_dense * cost.factor.flops / rate /
                                  n_processes * (shares ? longer_if_shared : 1);
     cost.seconds = cpu_seconds() + factorisation +
-                   lu_over_dense * lu_flops / rate +
+                   flops_of_contact(model, increments) / rate +
                    seconds_of_results(model, increments, n_drawings);
     if (shares)
       {
@@ -295,6 +308,22 @@ namespace conetact::analysis
       return false; // to ask how much would take long, too
     return estimate_cost(model, n_increments, n_drawings).memory_bytes <=
            machine_memory();
+  }
+
+
+
+  double
+  iterations_of_condensing(const contact::ContactModel &model,
+                           const std::size_t            n_increments,
+                           const std::size_t            n_drawings)
+  {
+    if (!fits_condensed(model, n_increments, n_drawings))
+      return std::numeric_limits<double>::infinity();
+    const double longer = 1 + (longer_if_unequal - 1) * unequal_part(model);
+    return (sparse_over_dense * model.estimate_factor().flops +
+            flops_of_contact(model, static_cast<double>(n_increments))) /
+           (iteration_of_unknown * longer *
+            static_cast<double>(model.coordinates.n_unknowns()));
   }
 
 

@@ -19,16 +19,28 @@ namespace conetact::analysis
 {
   namespace
   {
-    /** Without condensation an increment is solved as a whole, to begin with.
+    /**
+     * Without condensation an increment is solved as a whole, to begin with,
+     * and left to condensed bodies once these are the faster way.
      */
     std::unique_ptr<solvers::ContactSolver>
-    solver_of(const solvers::SolverOptions &options,
-              const contact::ContactModel  &model)
+    solver_of(const application::Scene    &scene,
+              const contact::ContactModel &model)
     {
+      constexpr double few = 500; // to ask what condensing takes
       if (!model.is_iterative())
-        return solvers::make_solver(options);
-      solvers::SolverOptions whole = options;
+        return solvers::make_solver(scene.solver);
+      solvers::SolverOptions whole = scene.solver;
       whole.max_substeps           = 1;
+      whole.leaves = [&, worth = 0.](const unsigned int n_iterations) mutable {
+        if (n_iterations < few)
+          return false;
+        if (worth == 0)
+          worth = iterations_of_condensing(model,
+                                           scene.times.size(),
+                                           scene.n_drawings());
+        return n_iterations > worth;
+      };
       return std::make_unique<solvers::LargeNewton>(whole);
     }
 
@@ -41,7 +53,7 @@ namespace conetact::analysis
 
   IncrementAnalysis::IncrementAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
-    , solver(solver_of(scene.solver, model))
+    , solver(solver_of(scene, model))
     , search(scene.sliding_contacts(), model)
   {
     if (scene.restart)
@@ -187,7 +199,7 @@ namespace conetact::analysis
     model.lock_cuts(begin(k), acceptance.accepted_displacements());
     history.forget_motions();
     existence.reset();
-    solver = solver_of(scene.solver, model);
+    solver = solver_of(scene, model);
     log.note("increment " + std::to_string(k) + ": preloads are locked");
   }
 
@@ -635,10 +647,11 @@ namespace conetact::analysis
   {
     log.say(why +
             " From here on bodies are condensed, which has more methods.");
+    log.time("an increment that has not been solved");
     model.solve_condensed();
     history.see_condensation();
     existence.reset();
-    solver = solver_of(scene.solver, model);
+    solver = solver_of(scene, model);
     try
       {
         condense();

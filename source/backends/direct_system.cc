@@ -72,11 +72,11 @@ namespace conetact::backends
 
   std::optional<DirectSystem::Step>
   DirectSystem::solve(const std::vector<solvers::NodeLaw> &laws,
-                      const Array                         &f,
+                      const Kept                          &f,
                       const Precision &) const
   {
     Matrix      matrix = newton_matrix(laws);
-    Array       b      = -f;
+    Array       b      = -array(f);
     const Index begin  = n_unknowns() - layout.n_unknowns();
     for (std::size_t i = 0; i < laws.size(); ++i)
       b.segment(begin + layout.first[i], laws[i].h.size()) = laws[i].h;
@@ -94,15 +94,13 @@ namespace conetact::backends
     Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
     if (solver.info() != Eigen::Success)
       return {};
-    Step step;
-    step.du       = solver.solve(b);
-    const Array r = b - matrix * step.du;
-    step.du += solver.solve(r);
-    step.iterations   = 1;
-    const double size = b.norm();
-    step.error        = size > 0 ? (b - matrix * step.du).norm() / size : 0.;
-    if (!step.du.allFinite())
+    Array       du = solver.solve(b);
+    const Array r  = b - matrix * du;
+    du += solver.solve(r);
+    const double size  = b.norm();
+    const double error = size > 0 ? (b - matrix * du).norm() / size : 0.;
+    if (!du.allFinite())
       return {};
-    return step;
+    return Step{keep(du), 1, error};
   }
 } // namespace conetact::backends

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace conetact::backends
 {
@@ -131,6 +132,25 @@ namespace conetact::backends
       return places;
     }
 
+    /** The number of a vector that processes keep. */
+    struct KeptVector : solvers::LargeVector
+    {
+      KeptVector(const int n, std::shared_ptr<std::vector<int>> list)
+        : number(n)
+        , forgotten(std::move(list))
+      {}
+      ~KeptVector() override
+      {
+        forgotten->push_back(number);
+      }
+      KeptVector(const KeptVector &) = delete;
+      KeptVector &
+      operator=(const KeptVector &) = delete;
+
+      const int                               number;
+      const std::shared_ptr<std::vector<int>> forgotten;
+    };
+
     /** As the first process sees it. */
     class FirstPart : public solvers::LargeSystem
     {
@@ -142,7 +162,7 @@ namespace conetact::backends
       {
         WholeSystem whole = to_whole(given);
         const auto  together =
-          call(dim == 2 ? Command::make_plane : Command::make_space);
+          call(on(dim == 2 ? Command::make_plane : Command::make_space));
         system = share_system(std::move(whole),
                               dim,
                               n_parts > 1 ? Communicator::of_first(n_parts) :
@@ -151,7 +171,7 @@ namespace conetact::backends
       ~FirstPart() override
       {
         if (Together::is_possible())
-          call(Command::forget);
+          call(on(Command::forget));
       }
 
       Index
@@ -159,39 +179,110 @@ namespace conetact::backends
       {
         return static_cast<Index>(places.of.size());
       }
-      Array
-      multiply(const Array &u) const override
+      Kept
+      keep(const Array &x) const override
       {
-        const auto together = call(Command::multiply);
-        return gather(system->multiply(scatter(u)));
+        return make(on(Command::keep),
+                    [&](const int to) { system->keep(scatter(x), to); });
+      }
+      Array
+      numbers(const Kept &x) const override
+      {
+        const auto together = call(on(Command::numbers, of(x)));
+        return gather(system->numbers(of(x)));
+      }
+      Array
+      of_contact(const Kept &x) const override
+      {
+        const auto together = call(on(Command::of_contact, of(x)));
+        return system->of_contact(of(x));
+      }
+      Kept
+      add(const Kept &x, const double factor, const Kept &y) const override
+      {
+        return make(on(Command::add, of(x), of(y), factor), [&](const int to) {
+          system->add(of(x), factor, of(y), to);
+        });
+      }
+      double
+      product_elsewhere(const Kept &x, const Kept &y) const override
+      {
+        const auto together =
+          call(on(Command::product_elsewhere, of(x), of(y)));
+        return system->product_elsewhere(of(x), of(y));
+      }
+      Kept
+      multiply(const Kept &u) const override
+      {
+        return make(on(Command::multiply, of(u)),
+                    [&](const int to) { system->multiply(of(u), to); });
       }
       Array
       diagonal() const override
       {
-        const auto together = call(Command::diagonal);
+        const auto together = call(on(Command::diagonal));
         return gather(system->diagonal());
       }
       std::optional<Step>
       solve(const std::vector<NodeLaw> &laws,
-            const Array                &f,
+            const Kept                 &f,
             const Precision            &precision) const override
       {
-        const auto together = call(Command::solve);
-        Step       step     = system->solve(laws, scatter(f), precision);
-        if (!step.du.allFinite())
+        std::optional<SharedSystem::Found> found;
+        const Kept du = make(on(Command::solve, of(f)), [&](const int to) {
+          found = system->solve(laws, of(f), precision, to);
+        });
+        if (!found)
           return {};
-        step.du = gather(step.du);
-        return step;
+        return Step{du, found->iterations, found->error};
       }
 
     private:
-      /** Asks the other processes, if they have parts of it. */
-      std::unique_ptr<Together>
-      call(const Command command) const
+      static Order
+      on(const Command command,
+         const int     x      = 0,
+         const int     y      = 0,
+         const double  factor = 0)
       {
-        return number == 0 ?
-                 nullptr :
-                 std::make_unique<Together>(Order{command, number, n_parts});
+        return {command, 0, 0, 0, x, y, factor};
+      }
+      static int
+      of(const Kept &x)
+      {
+        return static_cast<const KeptVector &>(*x).number;
+      }
+      /** Asks the other processes, if they have parts of it, for what they do
+       * with its vectors. */
+      std::unique_ptr<Together>
+      call(Order order) const
+      {
+        if (number == 0)
+          return nullptr;
+        order.number = number;
+        order.value  = n_parts;
+        return std::make_unique<Together>(order);
+      }
+      /** All forget what nobody refers to any more. */
+      void
+      forget_vectors() const
+      {
+        for (const int x : std::exchange(*forgotten, {}))
+          {
+            const auto together = call(on(Command::forget_vector, x));
+            system->forget(x);
+          }
+      }
+      /** A vector that do(its number) makes, as others do by this order. */
+      template <typename Do>
+      Kept
+      make(Order order, const Do &make_vector) const
+      {
+        forget_vectors();
+        const auto made     = std::make_shared<KeptVector>(++n_kept, forgotten);
+        order.to            = made->number;
+        const auto together = call(order);
+        make_vector(made->number);
+        return made;
       }
       WholeSystem
       to_whole(LargeStiffness &given) const
@@ -235,11 +326,14 @@ namespace conetact::backends
         return u;
       }
 
-      static inline int             n_made = 0; ///< with others
-      const int                     n_parts;
-      const int                     number; ///< among those; 0: alone
-      const Places                  places;
-      std::unique_ptr<SharedSystem> system;
+      static inline int                       n_made = 0; ///< with others
+      const int                               n_parts;
+      const int                               number; ///< among those; 0: alone
+      const Places                            places;
+      std::unique_ptr<SharedSystem>           system;
+      mutable int                             n_kept = 0;
+      const std::shared_ptr<std::vector<int>> forgotten =
+        std::make_shared<std::vector<int>>();
     };
   } // namespace
 
@@ -253,32 +347,37 @@ namespace conetact::backends
       systems[order.number] = share_system({}, dim, processes);
   }
 
-  const SharedSystem *
-  SystemParts::find(const Order &order) const
+  void
+  SystemParts::go_along(const Order &order) const
   {
     const auto it = systems.find(order.number);
-    return it == systems.end() ? nullptr : it->second.get();
-  }
-
-  void
-  SystemParts::multiply(const Order &order) const
-  {
-    if (const SharedSystem *const system = find(order))
-      system->multiply({});
-  }
-
-  void
-  SystemParts::diagonal(const Order &order) const
-  {
-    if (const SharedSystem *const system = find(order))
-      system->diagonal();
-  }
-
-  void
-  SystemParts::solve(const Order &order) const
-  {
-    if (const SharedSystem *const system = find(order))
-      system->solve({}, {}, {});
+    if (it == systems.end())
+      return;
+    SharedSystem &system = *it->second;
+    const int     to = order.to, x = order.x, y = order.y;
+    switch (order.command)
+      {
+        case Command::keep:
+          return system.keep({}, to);
+        case Command::numbers:
+          return (void)system.numbers(x);
+        case Command::of_contact:
+          return (void)system.of_contact(x);
+        case Command::add:
+          return system.add(x, order.factor, y, to);
+        case Command::product_elsewhere:
+          return (void)system.product_elsewhere(x, y);
+        case Command::multiply:
+          return system.multiply(x, to);
+        case Command::diagonal:
+          return (void)system.diagonal();
+        case Command::solve:
+          return (void)system.solve({}, x, {}, to);
+        case Command::forget_vector:
+          return system.forget(x);
+        default:
+          break;
+      }
   }
 
   void

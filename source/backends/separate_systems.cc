@@ -20,11 +20,18 @@ namespace conetact::backends
       std::shared_ptr<const solvers::LargeSystem> system;
     };
 
+    /** What the systems have of it, in their order. */
+    struct Vectors : solvers::LargeVector
+    {
+      std::vector<solvers::LargeSystem::Kept> of;
+    };
+
     class SeparateSystems : public solvers::LargeSystem
     {
     public:
-      explicit SeparateSystems(std::vector<Part> all)
+      explicit SeparateSystems(std::vector<Part> all, const Index n)
         : parts(std::move(all))
+        , n_contact_unknowns(n)
       {}
 
       Index
@@ -35,13 +42,58 @@ namespace conetact::backends
           n += part.unknowns.size();
         return static_cast<Index>(n);
       }
-      Array
-      multiply(const Array &u) const override
+      Kept
+      keep(const Array &x) const override
       {
-        Array y(n_unknowns());
-        for (const Part &part : parts)
-          y(part.unknowns) = part.system->multiply(u(part.unknowns));
-        return y;
+        return of_parts([&](const Part &part, const std::size_t) {
+          return part.system->keep(x(part.unknowns));
+        });
+      }
+      Array
+      numbers(const Kept &x) const override
+      {
+        Array all(n_unknowns());
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          all(parts[i].unknowns) = parts[i].system->numbers(in_part(x, i));
+        return all;
+      }
+      Array
+      of_contact(const Kept &x) const override
+      {
+        Array       all(n_contact_unknowns);
+        const Index begin = n_unknowns() - n_contact_unknowns;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          {
+            const Array       own = parts[i].system->of_contact(in_part(x, i));
+            const auto *const place =
+              parts[i].unknowns.data() + parts[i].unknowns.size() - own.size();
+            for (Index k = 0; k < own.size(); ++k)
+              all[place[k] - begin] = own[k];
+          }
+        return all;
+      }
+      Kept
+      add(const Kept &x, const double factor, const Kept &y) const override
+      {
+        return of_parts([&](const Part &part, const std::size_t i) {
+          return part.system->add(in_part(x, i), factor, in_part(y, i));
+        });
+      }
+      double
+      product_elsewhere(const Kept &x, const Kept &y) const override
+      {
+        double sum = 0;
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          sum +=
+            parts[i].system->product_elsewhere(in_part(x, i), in_part(y, i));
+        return sum;
+      }
+      Kept
+      multiply(const Kept &u) const override
+      {
+        return of_parts([&](const Part &part, const std::size_t i) {
+          return part.system->multiply(in_part(u, i));
+        });
       }
       Array
       diagonal() const override
@@ -53,29 +105,47 @@ namespace conetact::backends
       }
       std::optional<Step>
       solve(const std::vector<NodeLaw> &laws,
-            const Array                &f,
+            const Kept                 &f,
             const Precision            &precision) const override
       {
-        Step sum;
-        sum.du.resize(n_unknowns());
-        for (const Part &part : parts)
+        Step       sum;
+        const auto du = std::make_shared<Vectors>();
+        for (std::size_t k = 0; k < parts.size(); ++k)
           {
             std::vector<NodeLaw> own;
-            for (const Index i : part.nodes)
+            for (const Index i : parts[k].nodes)
               own.push_back(laws[at(i)]);
             const auto step =
-              part.system->solve(own, f(part.unknowns), precision);
+              parts[k].system->solve(own, in_part(f, k), precision);
             if (!step)
               return {};
-            sum.du(part.unknowns) = step->du;
+            du->of.push_back(step->du);
             sum.iterations += step->iterations;
             sum.error = std::max(sum.error, step->error);
           }
+        sum.du = du;
         return sum;
       }
 
     private:
+      /** Made of f(part, its number). */
+      template <typename F>
+      Kept
+      of_parts(const F &f) const
+      {
+        const auto made = std::make_shared<Vectors>();
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          made->of.push_back(f(parts[i], i));
+        return made;
+      }
+      static const Kept &
+      in_part(const Kept &x, const std::size_t i)
+      {
+        return static_cast<const Vectors &>(*x).of[i];
+      }
+
       const std::vector<Part> parts;
+      const Index             n_contact_unknowns;
     };
 
     /** Numbers of unknowns in a part, -1 in others. */
@@ -171,6 +241,7 @@ namespace conetact::backends
         iterated.system = make_large_system(part_of(given, iterated), dim);
         parts.push_back(std::move(iterated));
       }
-    return std::make_shared<SeparateSystems>(std::move(parts));
+    return std::make_shared<SeparateSystems>(std::move(parts),
+                                             given.contact.n_unknowns());
   }
 } // namespace conetact::backends

@@ -8,6 +8,7 @@
 #include "conetact/base/index.h"
 
 #include <algorithm>
+#include <map>
 
 namespace conetact::backends
 {
@@ -108,14 +109,16 @@ namespace conetact::backends
       {
         first = whole.first;
         processes.broadcast(first);
-        ContactShare contact = deal_contact(whole.contact, first, processes);
-        laws_begin           = std::move(contact.law);
-        for (const std::vector<int> &node : contact.places)
+        ContactShare contact_share =
+          deal_contact(whole.contact, first, processes);
+        laws_begin = std::move(contact_share.law);
+        for (const std::vector<int> &node : contact_share.places)
           sizes.push_back(static_cast<Index>(node.size()));
+        take_contact(contact_share.places, whole.contact);
         BlockShare<block> share;
         share.processes = processes;
         share.first     = first;
-        share.contact   = std::move(contact.places);
+        share.contact   = std::move(contact_share.places);
         share.surface   = deal_surface(std::move(whole.surface));
         share.exists    = deal_places(whole.places);
         share.modes     = deal_modes(std::move(whole.modes));
@@ -126,31 +129,102 @@ namespace conetact::backends
         system = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
 
-      Array
-      multiply(Array x) const override
+      void
+      keep(Array x, const int to) override
       {
-        const Array own = processes.scatter(std::move(x), first);
-        return processes.gather(system->multiply(own), first);
+        kept[to] = processes.scatter(std::move(x), first);
+      }
+      Array
+      numbers(const int x) const override
+      {
+        return processes.gather(kept.at(x), first);
+      }
+      Array
+      of_contact(const int x) const override
+      {
+        const Array all =
+          processes.gather(Array(kept.at(x)(contact)), first_contact);
+        return all(contact_order);
+      }
+      void
+      add(const int x, double factor, const int y, const int to) override
+      {
+        kept[to] = kept.at(x) + factor * kept.at(y);
+      }
+      double
+      product_elsewhere(const int x, const int y) const override
+      {
+        const Array &a = kept.at(x), &b = kept.at(y);
+        double       sum   = 0;
+        Index        begin = 0;
+        const auto   add   = [&](const Index end) {
+          sum +=
+            a.segment(begin, end - begin).dot(b.segment(begin, end - begin));
+          begin = end + 1;
+        };
+        for (const int p : ascending_contact)
+          add(p);
+        add(a.size());
+        return processes.sum(sum);
+      }
+      void
+      multiply(const int x, const int to) override
+      {
+        kept[to] = system->multiply(kept.at(x));
+      }
+      void
+      forget(const int x) override
+      {
+        kept.erase(x);
       }
       Array
       diagonal() const override
       {
         return processes.gather(system->diagonal(), first);
       }
-      Step
+      std::optional<Found>
       solve(const std::vector<NodeLaw> &laws,
-            Array                       f,
-            const Precision            &precision) const override
+            const int                   f,
+            const Precision            &precision,
+            const int                   to) override
       {
         std::vector<double> asked = {precision.relative, precision.forces};
         processes.broadcast(asked);
-        const Array own = processes.scatter(std::move(f), first);
-        Step step = system->solve(deal_laws(laws), own, {asked[0], asked[1]});
-        step.du   = processes.gather(std::move(step.du), first);
-        return step;
+        auto step =
+          system->solve(deal_laws(laws), kept.at(f), {asked[0], asked[1]});
+        if (processes.sum(step.du.allFinite() ? 0. : 1.) > 0)
+          return {};
+        kept[to] = std::move(step.du);
+        return Found{step.iterations, step.error};
       }
 
     private:
+      /** Which unknowns of contact are this process's, and the order of all. */
+      void
+      take_contact(const std::vector<std::vector<int>> &own,
+                   const std::vector<std::vector<int>> &all)
+      {
+        for (const std::vector<int> &node : own)
+          contact.insert(contact.end(), node.begin(), node.end());
+        ascending_contact = contact;
+        std::sort(ascending_contact.begin(), ascending_contact.end());
+        // each process has its nodes in the order of all
+        std::vector<int> n_of(at(processes.size()), 0);
+        const auto       owner = [&](const int place) {
+          return at(std::upper_bound(first.begin(), first.end(), place) -
+                    first.begin() - 1);
+        };
+        for (const std::vector<int> &node : all)
+          n_of[owner(node.at(0))] += static_cast<int>(node.size());
+        first_contact = {0};
+        for (const int n : n_of)
+          first_contact.push_back(first_contact.back() + n);
+        std::vector<int> next = first_contact;
+        for (const std::vector<int> &node : all)
+          for (std::size_t k = 0; k < node.size(); ++k)
+            contact_order.push_back(next[owner(node.at(0))]++);
+        processes.broadcast(first_contact);
+      }
       /** 1 where there is an unknown. */
       Array
       deal_places(const std::vector<int> &places) const
@@ -199,10 +273,16 @@ namespace conetact::backends
         return own;
       }
 
-      const Communicator                        processes;
-      std::vector<int>                          first;
-      std::vector<std::size_t>                  laws_begin;
-      std::vector<Index>                        sizes; ///< of own contact nodes
+      const Communicator       processes;
+      std::vector<int>         first;
+      std::vector<std::size_t> laws_begin;
+      std::vector<Index>       sizes;              ///< of own contact nodes
+      std::vector<int> contact, ascending_contact; ///< own places of contact
+      std::vector<int> first_contact; ///< of each process, among those of all
+      /** Of each unknown of contact, among those of all processes one behind
+       * the other; on the first one. */
+      std::vector<int>                          contact_order;
+      std::map<int, Array>                      kept;
       std::unique_ptr<const BlockSystem<block>> system;
     };
   } // namespace

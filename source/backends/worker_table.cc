@@ -26,12 +26,19 @@ namespace conetact::backends
   {
     SystemParts parts;
     MumpsParts  solvers;
+    const auto  go_along = [&](const Order &o) { parts.go_along(o); };
     wait_for_orders({
       {Command::make_plane, [&](const Order &o) { parts.make(o, 2); }},
       {Command::make_space, [&](const Order &o) { parts.make(o, 3); }},
-      {Command::multiply, [&](const Order &o) { parts.multiply(o); }},
-      {Command::diagonal, [&](const Order &o) { parts.diagonal(o); }},
-      {Command::solve, [&](const Order &o) { parts.solve(o); }},
+      {Command::keep, go_along},
+      {Command::numbers, go_along},
+      {Command::of_contact, go_along},
+      {Command::add, go_along},
+      {Command::product_elsewhere, go_along},
+      {Command::multiply, go_along},
+      {Command::diagonal, go_along},
+      {Command::solve, go_along},
+      {Command::forget_vector, go_along},
       {Command::forget, [&](const Order &o) { parts.forget(o); }},
       {Command::make_mumps, [&](const Order &o) { solvers.make(o); }},
       {Command::call_mumps, [&](const Order &o) { solvers.call(o); }},

@@ -123,7 +123,7 @@ namespace conetact::contact
       for (const ContactPoint &point : *points)
         {
           const unsigned int n = number(point.node->body, point.node->node);
-          first_contact[n]     = n_free + point.first;
+          first_contact[n]     = static_cast<int>(n_free + point.first);
           node_of_unknown.insert(node_of_unknown.end(), point.dual.size(), n);
         }
     set_n_unknowns(n_free + n_contact_unknowns());
@@ -136,7 +136,7 @@ namespace conetact::contact
     const std::size_t        n         = node_offset[body] + node;
     const NodeRule          *rule      = rule_of_node[n];
     const Eigen::Index       before    = n_free;
-    first_unknown[n]                   = n_free;
+    first_unknown[n]                   = static_cast<int>(n_free);
     // Bodies that nothing reaches are not solved.
     if (!bodies.deforms(body))
       return;
@@ -153,7 +153,8 @@ namespace conetact::contact
          ++c)
       if (structure.has_dof(node, c) &&
           !(rule != nullptr && rule->holds_rotation(c)))
-        own_unknown[static_cast<std::size_t>(dof(body, node)) + c] = n_free++;
+        own_unknown[static_cast<std::size_t>(dof(body, node)) + c] =
+          static_cast<int>(n_free++);
     // Orders of elimination keep the unknowns of a node together.
     node_of_unknown.insert(node_of_unknown.end(),
                            static_cast<std::size_t>(n_free - before),

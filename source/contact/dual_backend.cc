@@ -27,13 +27,9 @@ namespace conetact::contact
     {
       for (unsigned int c = 0; c < dim; ++c)
         if (direction[c] != 0)
-          {
-            const auto [begin, end] = own.row(dof + c);
-            for (const auto *entry = begin; entry != end; ++entry)
-              entries.emplace_back(row,
-                                   entry->unknown,
-                                   direction[c] * entry->factor);
-          }
+          own.for_row(dof + c, [&](const Index unknown, const double factor) {
+            entries.emplace_back(row, unknown, direction[c] * factor);
+          });
     }
 
     /** Distance of p from a point, or from the line through two. */
@@ -175,11 +171,10 @@ namespace conetact::contact
     for (const auto &[of, node] : elastic.bodies.nodes_to_keep)
       if (of == body)
         for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
-          {
-            const auto [begin, end] = own.row(coordinates.dof(body, node) + c);
-            for (const auto *entry = begin; entry != end; ++entry)
-              kept[at(entry->unknown - own.begin(body))] = true;
-          }
+          own.for_row(coordinates.dof(body, node) + c,
+                      [&](const Index unknown, double) {
+                        kept[at(unknown - own.begin(body))] = true;
+                      });
     if (std::count(motions.body_of_own().begin(),
                    motions.body_of_own().end(),
                    body) > 0)

@@ -38,11 +38,9 @@ namespace conetact::contact
       {
         unknowns.clear();
         for (const unsigned int dof : dofs)
-          {
-            const auto [begin, end] = coordinates.row(dof);
-            for (const auto *entry = begin; entry != end; ++entry)
-              unknowns.push_back(entry->unknown);
-          }
+          coordinates.for_row(dof, [&](const Eigen::Index unknown, double) {
+            unknowns.push_back(unknown);
+          });
         std::sort(unknowns.begin(), unknowns.end());
         unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
                        unknowns.end());
@@ -59,16 +57,15 @@ namespace conetact::contact
         const auto m = static_cast<Eigen::Index>(element.unknowns.size());
         map.setZero(n, m);
         for (Eigen::Index i = 0; i < n; ++i)
-          {
-            const auto [begin, end] =
-              coordinates.row(dofs[static_cast<std::size_t>(i)]);
-            for (const auto *entry = begin; entry != end; ++entry)
-              map(i,
-                  std::lower_bound(element.unknowns.begin(),
-                                   element.unknowns.end(),
-                                   entry->unknown) -
-                    element.unknowns.begin()) += entry->factor;
-          }
+          coordinates.for_row(dofs[static_cast<std::size_t>(i)],
+                              [&](const Eigen::Index unknown,
+                                  const double       factor) {
+                                map(i,
+                                    std::lower_bound(element.unknowns.begin(),
+                                                     element.unknowns.end(),
+                                                     unknown) -
+                                      element.unknowns.begin()) += factor;
+                              });
         // C^T k C, the element in the unknowns.
         half.noalias() = Eigen::Map<const RowMajorMatrix>(matrix, n, n) * map;
         element.matrix.noalias() = map.transpose() * half;
@@ -85,8 +82,7 @@ namespace conetact::contact
              const LinearMap                 &coordinates)
     {
       return std::all_of(dofs.begin(), dofs.end(), [&](const unsigned int dof) {
-        const auto [begin, end] = coordinates.row(dof);
-        return end - begin == 1 && begin->factor == 1;
+        return coordinates.plain(dof) >= 0;
       });
     }
     void
@@ -96,7 +92,7 @@ namespace conetact::contact
     {
       unknowns.resize(dofs.size());
       for (std::size_t i = 0; i < dofs.size(); ++i)
-        unknowns[i] = coordinates.row(dofs[i]).first->unknown;
+        unknowns[i] = coordinates.plain(dofs[i]);
     }
 
     /** Dofs of a body among those of all. Scenes of one body, and first bodies,

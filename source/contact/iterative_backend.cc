@@ -289,12 +289,14 @@ namespace conetact::contact
     if (set.layout().n_unknowns() > 0)
       return primal;
     // Where nothing may touch no solver has been asked.
-    VectorXd u = VectorXd::Zero(load.f.size());
+    const solvers::LargeSystem &large = *contact_system->large;
+    const auto                  f     = large.keep(load.f);
+    auto                        u = large.keep(VectorXd::Zero(load.f.size()));
     for (unsigned int i = 0; i < 2; ++i) // and the rounding of that
-      if (const auto step = contact_system->large->solve(
-            {}, contact_system->large->multiply(u) - load.f, {to_the_end}))
-        u += step->du;
-    return u;
+      if (const auto step =
+            large.solve({}, large.add(large.multiply(u), -1, f), {to_the_end}))
+        u = large.add(u, 1, step->du);
+    return large.numbers(u);
   }
 
   Eigen::MatrixXd

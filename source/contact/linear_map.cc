@@ -5,16 +5,29 @@
 
 namespace conetact::contact
 {
+  void
+  LinearMap::end_row()
+  {
+    if (entries.size() == start.back() + 1 && entries.back().factor == 1)
+      {
+        rows.push_back(entries.back().unknown);
+        entries.pop_back();
+        return;
+      }
+    rows.push_back(-static_cast<int>(start.size()));
+    start.push_back(entries.size());
+  }
+
   Eigen::VectorXd
   LinearMap::expand(const Eigen::VectorXd &q) const
   {
-    Eigen::VectorXd u(static_cast<Eigen::Index>(row_start.size()) - 1);
+    Eigen::VectorXd u(n_rows());
     for (Eigen::Index i = 0; i < u.size(); ++i)
       {
-        double sum              = 0;
-        const auto [begin, end] = row(i);
-        for (const Entry *entry = begin; entry != end; ++entry)
-          sum += entry->factor * q[entry->unknown];
+        double sum = 0;
+        for_row(i, [&](const Eigen::Index unknown, const double factor) {
+          sum += factor * q[unknown];
+        });
         u[i] = sum;
       }
     return u;
@@ -24,11 +37,9 @@ namespace conetact::contact
   {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(columns);
     for (Eigen::Index i = 0; i < f.size(); ++i)
-      {
-        const auto [begin, end] = row(i);
-        for (const Entry *entry = begin; entry != end; ++entry)
-          result[entry->unknown] += entry->factor * f[i];
-      }
+      for_row(i, [&](const Eigen::Index unknown, const double factor) {
+        result[unknown] += factor * f[i];
+      });
     return result;
   }
 } // namespace conetact::contact

@@ -88,9 +88,11 @@ namespace conetact::solvers
     {
       const ContactSystem &system = *problem.system;
       const VectorXd       u      = elastic_part(problem, state);
-      const VectorXd       r =
-        system.large ? system.large->multiply(u) : multiply(system, u);
-      return (r - problem.load).tail(system.n_unknowns());
+      if (system.large)
+        return system.large->of_contact(
+                 system.large->multiply(system.large->keep(u))) -
+               problem.load.tail(system.n_unknowns());
+      return multiply(system, u) - problem.load;
     }
 
     /** Residual of the linear relation, as forces. */

@@ -70,14 +70,6 @@ namespace conetact::solvers
       return state;
     }
 
-    /** Whether a state is that of u and r. Displacements may count from another
-     * place than last time. */
-    bool
-    is_at(const ContactState &state, const VectorXd &u, const VectorXd &r)
-    {
-      return state.u == u || (state.r == r && !r.isZero(0));
-    }
-
     /** What has moved contacts without strain since the start. */
     VectorXd
     change_of_offset(const ContactProblem &problem, const ContactState &start)
@@ -104,29 +96,43 @@ namespace conetact::solvers
         last.reset();
       }
     relation->set_load(of_contact(problem));
-    body = problem.system->large;
-    load = problem.load;
+    body            = problem.system->large;
+    load            = body->keep(problem.load);
+    load_of_contact = problem.load.tail(problem.system->n_unknowns());
+  }
+
+
+
+  double
+  LargeNewton::product(const Kept &x, const Kept &y) const
+  {
+    return body->product_elsewhere(x, y) +
+           body->of_contact(x).dot(body->of_contact(y));
+  }
+
+  double
+  LargeNewton::norm(const Kept &x) const
+  {
+    return std::sqrt(product(x, x));
   }
 
 
 
   LargeNewton::Point
-  LargeNewton::point_at(Array given_u, Array given_f) const
+  LargeNewton::point_at(Kept u, Kept f) const
   {
-    Point point;
-    point.u        = std::move(given_u);
-    point.f        = std::move(given_f);
-    const Array &u = point.u, &f = point.f;
-    const Index  n = relation->system().n_unknowns(), m = u.size() - n;
-    relation->to_scaled({{}, f.tail(n), {}, u.tail(n)}, point.p, point.d);
+    Point       point;
+    const Array r = body->of_contact(f);
+    relation->to_scaled({{}, r, {}, body->of_contact(u)}, point.p, point.d);
     point.law    = law_residual(*relation, point.p, point.d);
-    double scale = largest_norm(f.tail(n), load.tail(n), force);
+    double scale = largest_norm(r, load_of_contact, force);
     if (scale == 0) // nothing touches, and nothing ever has
-      scale = load.norm();
-    const double left = f.head(m).norm();
+      scale = norm(load);
+    const double left = std::sqrt(body->product_elsewhere(f, f));
     point.balance     = left > 0 ? left / scale : 0.;
-    if (const double there = largest_norm(f.tail(n), load.tail(n), 0);
-        there > 0)
+    point.u           = std::move(u);
+    point.f           = std::move(f);
+    if (const double there = largest_norm(r, load_of_contact, 0); there > 0)
       point.scale = std::max(scale / there, 1.);
     return point;
   }
@@ -134,10 +140,9 @@ namespace conetact::solvers
 
 
   LargeNewton::Point
-  LargeNewton::point_at(Array u) const
+  LargeNewton::point_at(Kept u) const
   {
-    Array f = body->multiply(u);
-    f -= load;
+    Kept f = body->add(body->multiply(u), -1, load);
     return point_at(std::move(u), std::move(f));
   }
 
@@ -198,14 +203,15 @@ namespace conetact::solvers
       return {};
     report.krylov += found->iterations;
     ++report.iterations;
-    Point trial = point_at(point.u + found->du);
+    Point trial = point_at(body->add(point.u, 1, found->du));
     if (manner.damped)
       {
-        const Array Kdu = trial.f - point.f;
+        const Kept Kdu = body->add(trial.f, -1, point.f);
         for (double tau = .5;
              tau > .02 && !(trial.residual() < point.residual());
              tau /= 2)
-          trial = point_at(point.u + tau * found->du, point.f + tau * Kdu);
+          trial = point_at(body->add(point.u, tau, found->du),
+                           body->add(point.f, tau, Kdu));
         trial = point_at(trial.u); // sums of steps round
       }
     if (!std::isfinite(trial.residual()))
@@ -332,9 +338,10 @@ namespace conetact::solvers
     relation->from_scaled(point.p, point.d, state);
     // Exact zeros of v = u + o are those of u without offset; of a large one
     // they are rounded, and would take u out of its balance.
-    if (state.u.size() != n)
-      point.u.tail(n) = state.v;
-    state.u          = point.u;
+    const bool has_offset = state.u.size() == n;
+    state.u               = body->numbers(point.u);
+    if (!has_offset)
+      state.u.tail(n) = state.v;
     state.node       = classify(problem, state, 0);
     report.residual  = contact_residual(problem, state);
     report.converged = report.residual <= options.tolerance &&
@@ -353,31 +360,45 @@ namespace conetact::solvers
 
   std::optional<LargeNewton::Point>
   LargeNewton::predict(const ContactProblem &problem,
-                       const ContactState   &state) const
+                       const ContactState   &state,
+                       const Kept           &u) const
   {
-    if (!last || last->end_u.size() != state.u.size())
+    if (!last)
       return {};
     // one increment once more, with a load that is a little better
-    if (is_at(state, last->start_u, last->start_r))
-      return point_at(last->end_u + (state.u - last->start_u));
-    if (!is_at(state, last->end_u, last->end_r))
+    if (is_at(state, u, last->start_u, last->start_r))
+      return point_at(
+        body->add(u, 1, body->add(last->end_u, -1, last->start_u)));
+    if (!is_at(state, u, last->end_u, last->end_r))
       return {};
     // obstacles and supports that move are loads, too
     const double c         = relation->system().diagonal().mean();
-    const Array  of_load   = load - last->end_load;
+    const Kept   of_load   = body->add(load, -1, last->end_load);
     const Array  of_offset = c * change_of_offset(problem, state);
     const double along =
-      of_load.dot(last->load) + c * of_offset.dot(last->offset);
+      product(of_load, last->load) + c * of_offset.dot(last->offset);
     const double size =
-      last->load.squaredNorm() + c * c * last->offset.squaredNorm();
+      product(last->load, last->load) + c * c * last->offset.squaredNorm();
     if (!(size > 0))
       return {};
     const double s    = along / size;
-    const double rest = std::hypot((of_load - s * last->load).norm(),
+    const double rest = std::hypot(norm(body->add(of_load, -s, last->load)),
                                    (of_offset - s * c * last->offset).norm());
-    if (rest > same_way * std::hypot(of_load.norm(), of_offset.norm()))
+    if (rest > same_way * std::hypot(norm(of_load), of_offset.norm()))
       return {};
-    return point_at(state.u + s * last->u);
+    return point_at(body->add(u, s, last->u));
+  }
+
+
+
+  bool
+  LargeNewton::is_at(const ContactState &state,
+                     const Kept         &of_state,
+                     const Kept         &u,
+                     const Array        &r) const
+  {
+    return (state.r == r && !r.isZero(0)) ||
+           norm(body->add(of_state, -1, u)) == 0;
   }
 
 
@@ -387,23 +408,32 @@ namespace conetact::solvers
                         const ContactState   &start,
                         const ContactState   &end)
   {
-    const bool follows = last && last->end_u.size() == start.u.size() &&
-                         is_at(start, last->end_u, last->end_r);
+    const Kept start_u = body->keep(start.u);
+    const bool follows =
+      last && is_at(start, start_u, last->end_u, last->end_r);
     if (!follows && !start.u.isZero(0))
       {
         last.reset(); // the load that it started from is not known
         return;
       }
     Last next;
-    next.start_u  = start.u;
+    next.start_u  = start_u;
     next.start_r  = start.r;
     next.end_load = load;
-    next.end_u    = end.u;
+    next.end_u    = body->keep(end.u);
     next.end_r    = end.r;
-    next.u        = end.u - start.u;
-    next.load     = follows ? Array(load - last->end_load) : load;
+    next.u        = body->add(next.end_u, -1, start_u);
+    next.load     = follows ? body->add(load, -1, last->end_load) : load;
     next.offset   = change_of_offset(problem, start);
     last          = std::move(next);
+  }
+
+
+
+  bool
+  LargeNewton::leaves(const SolverReport &report) const
+  {
+    return options.leaves && options.leaves(report.krylov);
   }
 
 
@@ -413,8 +443,9 @@ namespace conetact::solvers
   {
     attach(problem);
     const Array           nearby = std::exchange(state.nearby, Array());
-    const ContactState    start  = state;
+    const Kept            u      = body->keep(state.u);
     const Index           n      = relation->system().n_unknowns();
+    const ContactState    start  = of_contact(std::move(state), n);
     SolverReport          report, sum;
     std::set<std::string> known;
     const auto            took = [&](const SolverReport &attempt) {
@@ -429,34 +460,35 @@ namespace conetact::solvers
       return took(run(problem, std::move(point), state, exactly));
     };
     const auto tried_exactly = [&](const NodeSets &sets) {
-      Point point = point_at(start.u);
+      Point point = point_at(u);
       point.sets  = sets;
       return known.insert(signature(sets)).second &&
              tried(std::move(point), true);
     };
-    auto guess = nearby.size() > 0 ? point_at(nearby) : predict(problem, start);
+    auto guess = nearby.size() > 0 ? point_at(body->keep(nearby)) :
+                                     predict(problem, start, u);
     if (guess)
       {
         guess->sets = sets_of_point(*relation, guess->p, guess->d);
         if (tried(std::move(*guess), false))
           return report;
       }
-    Point point      = point_at(start.u);
+    Point point      = point_at(u);
     point.sets       = sets_of_point(*relation, point.p, point.d);
     const bool stays = point.residual() <= aim * options.tolerance;
     if (!stays)
-      point.sets = sets_of_state(*relation, of_contact(start, n));
+      point.sets = sets_of_state(*relation, start);
     const NodeSets before = point.sets;
-    if (tried(std::move(point), false))
+    if (tried(std::move(point), false) || leaves(report))
       return report;
     state = start;
-    if (took(solve_with_falling_friction(problem, state)))
+    if (took(solve_with_falling_friction(problem, u, state)) || leaves(report))
       return report;
     ContactState cold = all_stuck(start);
     if (tried_exactly(before) || tried_exactly(sets_of_state(*relation, cold)))
       return report;
     // only those whose gaps are closed, or are driven to close
-    cold.node = driven_states(start);
+    cold.node = driven_states(start, u);
     tried_exactly(sets_of_state(*relation, cold));
     return report;
   }
@@ -467,7 +499,7 @@ namespace conetact::solvers
   ContactState
   LargeNewton::all_stuck(const ContactState &start) const
   {
-    ContactState state = of_contact(start, relation->system().n_unknowns());
+    ContactState state = start;
     state.node.clear();
     return state;
   }
@@ -477,10 +509,10 @@ namespace conetact::solvers
   /* Of bodies that float: with all contacts stuck their reactions balance the
      load, which moves them the other way. */
   std::vector<NodeState>
-  LargeNewton::driven_states(const ContactState &start)
+  LargeNewton::driven_states(const ContactState &start, const Kept &u)
   {
     const ContactSystem &system  = relation->system();
-    Point                point   = point_at(start.u);
+    Point                point   = point_at(u);
     Array                opening = relation->displacements(point.p, point.d);
     ContactState         stuck   = all_stuck(start);
     stuck.node.assign(static_cast<std::size_t>(system.n_nodes()),
@@ -489,7 +521,7 @@ namespace conetact::solvers
     point.sets = sets_of_state(*relation, stuck);
     if (system.null_space.cols() > 0 && step(point, {false, exact}, report))
       {
-        const Array r = point.f.tail(system.n_unknowns());
+        const Array r = body->of_contact(point.f);
         opening =
           -system.null_space * (system.null_space.transpose() * r).eval();
         opening.array() += 1e-6 * solvers::largest(opening);
@@ -504,13 +536,14 @@ namespace conetact::solvers
 
   SolverReport
   LargeNewton::solve_with_falling_friction(const ContactProblem &problem,
+                                           const Kept           &start_u,
                                            ContactState         &state)
   {
     // of what is on the way states matter only
     constexpr double   least_ratio = 1.1, enough = 1e-6;
     const ContactState start = state;
     ContactProblem     easier(problem);
-    Array              u = state.u; // of the last factor that is solved
+    Kept               u = start_u; // of the last factor that is solved
     SolverReport       report, sum;
     double             solved = 0;
     if (problem.system->n_nodes() == 0 || problem.system->mu.maxCoeff() == 0)
@@ -530,15 +563,16 @@ namespace conetact::solvers
           {
             report        = {};
             report.reason = iterate(point, report, true, enough);
-            state.u       = point.u;
           }
         else
-          report = run(problem, std::move(point), state, true);
+          report = run(problem, point, state, true);
         add_work(sum, report);
+        if (leaves(sum))
+          break;
         if (report.reason.empty())
           {
             solved = factor;
-            u      = state.u;
+            u      = point.u;
           }
         else
           ratio = solved > 0 ? std::sqrt(solved / factor) : 1;
@@ -559,7 +593,8 @@ namespace conetact::solvers
                               ContactState         &state)
   {
     // What the start of the increment and its end differ in.
-    Array of_load = problem.load - body->multiply(state.u);
+    Array of_load =
+      problem.load - body->numbers(body->multiply(body->keep(state.u)));
     of_load.tail(problem.system->n_unknowns()) += state.r;
     const Array of_offset = change_of_offset(problem, state);
 
@@ -597,7 +632,7 @@ namespace conetact::solvers
       {
         if (nearest && nearest->residual() <= near_enough)
           {
-            state.nearby = std::move(nearest->u);
+            state.nearby = body->numbers(nearest->u);
             state.node.clear();
             for (const NodeSet &set : nearest->sets)
               state.node.push_back(set.state);

@@ -180,38 +180,36 @@ namespace conetact::verification
         for (Index dof = plain.offset(body); dof < plain.offset(body + 1);
              ++dof)
           {
-            const auto [begin, end] = plain.row(dof);
             const bool turns = (dof - plain.offset(body)) % n_c >= bodies.dim;
-            for (const auto *entry = begin; entry != end; ++entry)
-              {
-                // A moment becomes a force by the extent of the body.
-                const double error = std::abs(free[entry->unknown]) /
-                                     (turns ? 2 * motions.size(body) : 1.);
-                const double scale = scales.nodal[body];
-                if (error <= std::max(.1 * scales.noise, out.rounding[body]))
-                  continue;
-                // Far below the limit there is no need for |K| |w|.
-                if (error <= .1 * tolerance * scale)
-                  {
-                    out.equilibrium = std::max(out.equilibrium, error / scale);
-                    continue;
-                  }
-                if (terms.size() == 0) // only where they may matter
-                  terms = elastic.terms(claim.w);
-                // The rounding of K w is no fault of the solution. As w carries
-                // no rigid motion this is no loophole: a body that floats away
-                // gains nothing by it.
-                double left = error - 8 * eps * terms[dof] - scales.noise;
-                if (out.carried.size() > 0)
-                  left -= out.carried[dof];
-                const double e  = relative(left, scale);
-                out.equilibrium = std::max(out.equilibrium, e);
-                if (e > tolerance && out.why.empty())
-                  out.why = "forces at a node of body '" + bodies.names[body] +
-                            "' are out of balance by " + to_text(e) +
-                            " of the largest force on a node of it" +
-                            loose_pieces(*bodies.structures[body]);
-              }
+            plain.for_row(dof, [&](const Index unknown, double) {
+              // A moment becomes a force by the extent of the body.
+              const double error =
+                std::abs(free[unknown]) / (turns ? 2 * motions.size(body) : 1.);
+              const double scale = scales.nodal[body];
+              if (error <= std::max(.1 * scales.noise, out.rounding[body]))
+                return;
+              // Far below the limit there is no need for |K| |w|.
+              if (error <= .1 * tolerance * scale)
+                {
+                  out.equilibrium = std::max(out.equilibrium, error / scale);
+                  return;
+                }
+              if (terms.size() == 0) // only where they may matter
+                terms = elastic.terms(claim.w);
+              // The rounding of K w is no fault of the solution. As w carries
+              // no rigid motion this is no loophole: a body that floats away
+              // gains nothing by it.
+              double left = error - 8 * eps * terms[dof] - scales.noise;
+              if (out.carried.size() > 0)
+                left -= out.carried[dof];
+              const double e  = relative(left, scale);
+              out.equilibrium = std::max(out.equilibrium, e);
+              if (e > tolerance && out.why.empty())
+                out.why = "forces at a node of body '" + bodies.names[body] +
+                          "' are out of balance by " + to_text(e) +
+                          " of the largest force on a node of it" +
+                          loose_pieces(*bodies.structures[body]);
+            });
           }
       }
   }

@@ -63,6 +63,16 @@ namespace conetact::analysis
                  const std::size_t            n_increments,
                  const std::size_t            n_drawings);
 
+  /**
+   * Linear iterations of the iterative backend that take as long as to condense
+   * the bodies and solve all increments then, by floating-point operations;
+   * infinity: this machine has not the memory.
+   */
+  double
+  iterations_of_condensing(const contact::ContactModel &model,
+                           const std::size_t            n_increments,
+                           const std::size_t            n_drawings);
+
   /** "12.3 MB". */
   std::string
   megabytes(const double bytes);

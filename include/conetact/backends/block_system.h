@@ -46,8 +46,15 @@ namespace conetact::backends
     using Index     = Eigen::Index;
     using Array     = Eigen::VectorXd;
     using NodeLaw   = solvers::NodeLaw;
-    using Step      = solvers::LargeSystem::Step;
     using Precision = solvers::LargeSystem::Precision;
+
+    /** As LargeSystem::Step has it. */
+    struct Step
+    {
+      Array        du;
+      unsigned int iterations = 0;
+      double       error      = 0;
+    };
 
     explicit BlockSystem(BlockShare<block> given);
 

@@ -6,6 +6,7 @@
 
 #include "conetact/backends/shared_system.h"
 #include "conetact/solvers/contact_problem.h"
+#include "conetact/solvers/local_system.h"
 
 #include <Eigen/SparseCore>
 
@@ -16,7 +17,7 @@ namespace conetact::backends
    * step factorises with the laws of its nodes. In double precision: the
    * stiffness of slender members spans more digits than single precision has.
    */
-  class DirectSystem : public solvers::LargeSystem
+  class DirectSystem : public solvers::LocalSystem
   {
   public:
     /** The unknowns of contact are the last ones of n. */
@@ -29,10 +30,10 @@ namespace conetact::backends
     {
       return K.rows();
     }
-    Array
-    multiply(const Array &u) const override
+    Kept
+    multiply(const Kept &u) const override
     {
-      return K * u;
+      return keep(K * array(u));
     }
     Array
     diagonal() const override
@@ -41,8 +42,15 @@ namespace conetact::backends
     }
     std::optional<Step>
     solve(const std::vector<solvers::NodeLaw> &laws,
-          const Array                         &f,
+          const Kept                          &f,
           const Precision                     &precision) const override;
+
+  protected:
+    Index
+    n_contact_unknowns() const override
+    {
+      return layout.n_unknowns();
+    }
 
   private:
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;

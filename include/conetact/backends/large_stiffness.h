@@ -61,20 +61,13 @@ namespace conetact::backends
   public:
     void
     make(const Order &order, const unsigned int dim);
+    /** Does what the first process does with a system, if it has a part. */
     void
-    multiply(const Order &order) const;
-    void
-    diagonal(const Order &order) const;
-    void
-    solve(const Order &order) const;
+    go_along(const Order &order) const;
     void
     forget(const Order &order);
 
   private:
-    /** Null: others share it. */
-    const SharedSystem *
-    find(const Order &order) const;
-
     std::map<int, std::unique_ptr<SharedSystem>> systems;
   };
 } // namespace conetact::backends

@@ -9,6 +9,7 @@
 #include "conetact/solvers/large_system.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace conetact::backends
@@ -28,25 +29,44 @@ namespace conetact::backends
   };
 
   /**
-   * A BlockSystem whose vectors are those of all places on the first process.
-   * All processes call the same functions; what others give and get is empty.
+   * A BlockSystem and vectors of it that are kept: numbers name them, of which
+   * each process has its places. All processes call the same functions; Arrays
+   * that others than the first one give and get are empty.
    */
   class SharedSystem
   {
   public:
     using Array     = Eigen::VectorXd;
-    using Step      = solvers::LargeSystem::Step;
     using Precision = solvers::LargeSystem::Precision;
 
     virtual ~SharedSystem() = default;
+    virtual void
+    keep(Array x, const int to) = 0;
     virtual Array
-    multiply(Array x) const = 0;
+    numbers(const int x) const = 0;
+    virtual Array
+    of_contact(const int x) const = 0;
+    virtual void
+    add(const int x, double factor, const int y, const int to) = 0;
+    virtual double
+    product_elsewhere(const int x, const int y) const = 0;
+    virtual void
+    multiply(const int x, const int to) = 0;
+    virtual void
+    forget(const int x) = 0;
     virtual Array
     diagonal() const = 0;
-    virtual Step
+    /** What was found; nothing if it is not finite. */
+    struct Found
+    {
+      unsigned int iterations = 0;
+      double       error      = 0;
+    };
+    virtual std::optional<Found>
     solve(const std::vector<solvers::NodeLaw> &laws,
-          Array                                f,
-          const Precision                     &precision) const = 0;
+          const int                            f,
+          const Precision                     &precision,
+          const int                            to) = 0;
   };
 
   /** The other processes give nothing: an empty system. */

@@ -20,10 +20,16 @@ namespace conetact::backends
   {
     make_plane, ///< a large system with nodes of 2 unknowns,
     make_space, ///< 3 unknowns, by `value` processes
+    keep,       ///< vectors of it, and what LargeSystem does with them
+    numbers,
+    of_contact,
+    add,
+    product_elsewhere,
     multiply,
     diagonal,
     solve,
-    forget,
+    forget_vector,
+    forget,     ///< the system
     make_mumps, ///< an instance of `value` processes
     call_mumps, ///< its job `value`
     draw,       ///< a picture in `value` pieces
@@ -37,6 +43,8 @@ namespace conetact::backends
     Command command = Command::end;
     int     number  = 0;
     int     value   = 0;
+    int     to = 0, x = 0, y = 0; ///< vectors of the system
+    double  factor = 0;
   };
 
   /**

@@ -198,9 +198,9 @@ namespace conetact::contact
     std::vector<BoundDirection> all_bound_directions;
 
     Eigen::Index              n_free = 0;
-    std::vector<Eigen::Index> first_unknown; ///< of a node's free ones
-    std::vector<Eigen::Index> first_contact; ///< of a node's contact ones
-    std::vector<Eigen::Index> own_unknown;   ///< of each dof, or -1
+    std::vector<int>          first_unknown; ///< of a node's free ones
+    std::vector<int>          first_contact; ///< of a node's contact ones
+    std::vector<int>          own_unknown;   ///< of each dof, or -1
     std::vector<unsigned int> node_of_unknown;
   };
 } // namespace conetact::contact

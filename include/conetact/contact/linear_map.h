@@ -4,34 +4,48 @@
 #ifndef conetact_contact_linear_map_h
 #define conetact_contact_linear_map_h
 
+#include "conetact/base/index.h"
+
 #include <Eigen/Core>
 
-#include <utility>
 #include <vector>
 
 namespace conetact::contact
 {
-  /** A sparse linear map @f$ u = C q @f$, written row by row. */
+  /**
+   * A sparse linear map @f$ u = C q @f$, written row by row. Most rows are one
+   * unknown, as it is, and take the memory of one number.
+   */
   class LinearMap
   {
   public:
-    struct Entry
-    {
-      Eigen::Index unknown;
-      double       factor;
-    };
-
     Eigen::Index
     n_unknowns() const
     {
       return columns;
     }
-    /** Row i of C: its first entry and one past its last. */
-    std::pair<const Entry *, const Entry *>
-    row(const Eigen::Index i) const
+    Eigen::Index
+    n_rows() const
     {
-      const auto k = static_cast<std::size_t>(i);
-      return {entries.data() + row_start[k], entries.data() + row_start[k + 1]};
+      return static_cast<Eigen::Index>(rows.size());
+    }
+    /** The unknown that row i is; negative if it is anything else. */
+    Eigen::Index
+    plain(const Eigen::Index i) const
+    {
+      return rows[at(i)];
+    }
+    /** Calls f(unknown, factor) for all entries of row i of C. */
+    template <typename F>
+    void
+    for_row(const Eigen::Index i, const F &f) const
+    {
+      const int row = rows[at(i)];
+      if (row >= 0)
+        return f(Eigen::Index(row), 1.);
+      const auto k = at(-1 - row);
+      for (std::size_t e = start[k]; e < start[k + 1]; ++e)
+        f(Eigen::Index(entries[e].unknown), entries[e].factor);
     }
     /** C q. */
     Eigen::VectorXd
@@ -43,29 +57,32 @@ namespace conetact::contact
     void
     append(const Eigen::Index unknown, const double factor)
     {
-      entries.push_back({unknown, factor});
+      entries.push_back({static_cast<int>(unknown), factor});
     }
     void
-    end_row()
-    {
-      row_start.push_back(entries.size());
-    }
+    end_row();
     void
     set_n_unknowns(const Eigen::Index number)
     {
       columns = number;
     }
     void
-    reserve(const std::size_t n_rows)
+    reserve(const std::size_t number)
     {
-      entries.reserve(n_rows);
-      row_start.reserve(n_rows + 1);
+      rows.reserve(number);
     }
 
   private:
+    struct Entry
+    {
+      int    unknown;
+      double factor;
+    };
+
     Eigen::Index             columns = 0;
-    std::vector<Entry>       entries;
-    std::vector<std::size_t> row_start = {0};
+    std::vector<int>         rows;        ///< an unknown, or -1 - k: see start
+    std::vector<Entry>       entries;     ///< of all other rows
+    std::vector<std::size_t> start = {0}; ///< of the k-th of these
   };
 } // namespace conetact::contact
 

@@ -60,6 +60,13 @@ namespace conetact::solvers
      * what it has and the report of a failure (a limit of time).
      */
     std::function<bool()> stop = {};
+
+    /**
+     * Of large systems: asked where one way to an increment has failed after so
+     * many linear iterations, and others take more of them. True: the increment
+     * is left to another backend.
+     */
+    std::function<bool(unsigned int n_iterations)> leaves = {};
   };
 
   /**

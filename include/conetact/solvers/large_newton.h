@@ -22,7 +22,8 @@ namespace conetact::solvers
    * systems solved to the end; where that does not help the increment is
    * solved in parts.
    *
-   * Loads of its problems and u of its states are those of all unknowns.
+   * Loads of its problems and u of its states are those of all unknowns. In
+   * between they are where the system keeps them.
    */
   class LargeNewton : public ContactSolver
   {
@@ -35,11 +36,12 @@ namespace conetact::solvers
   private:
     using Index = Eigen::Index;
     using Array = Eigen::VectorXd;
+    using Kept  = LargeSystem::Kept;
 
     /** Where the iteration stands; p and d as in LinearRelation. */
     struct Point
     {
-      Array    u, f; ///< displacements and K u - b, all unknowns
+      Kept     u, f; ///< displacements and K u - b, all unknowns
       Array    p, d;
       NodeSets sets;
       double   law = 0, balance = 0; ///< residuals over the scale of forces
@@ -60,9 +62,13 @@ namespace conetact::solvers
     void
     attach(const ContactProblem &problem);
     Point
-    point_at(Array u, Array f) const;
+    point_at(Kept u, Kept f) const;
     Point
-    point_at(Array u) const;
+    point_at(Kept u) const;
+    double
+    product(const Kept &x, const Kept &y) const;
+    double
+    norm(const Kept &x) const;
     std::vector<NodeLaw>
     laws(const Point &point, NodeSets sets) const;
     /** What to take nodes for, one after the other, until it holds bodies. */
@@ -86,7 +92,12 @@ namespace conetact::solvers
         ContactState         &state,
         const bool            exact);
     std::optional<Point>
-    predict(const ContactProblem &problem, const ContactState &state) const;
+    predict(const ContactProblem &problem,
+            const ContactState   &state,
+            const Kept           &u) const;
+    /** Whether another backend is to solve the increment after this work. */
+    bool
+    leaves(const SolverReport &report) const;
     SolverReport
     solve_whole(const ContactProblem &problem, ContactState &state);
     ContactState
@@ -94,13 +105,21 @@ namespace conetact::solvers
     /** Closed where no gap is, or where loads drive bodies that float, and
      * nowhere else. */
     std::vector<NodeState>
-    driven_states(const ContactState &start);
+    driven_states(const ContactState &start, const Kept &u);
     /** From so much friction that what holds bodies sticks. */
     SolverReport
     solve_with_falling_friction(const ContactProblem &problem,
+                                const Kept           &start_u,
                                 ContactState         &state);
     SolverReport
     solve_in_parts(const ContactProblem &problem, ContactState &state);
+    /** Whether a state, displacements and all, is that of u and r.
+     * Displacements may count from another place than last time. */
+    bool
+    is_at(const ContactState &state,
+          const Kept         &of_state,
+          const Kept         &u,
+          const Array        &r) const;
     void
     remember(const ContactProblem &problem,
              const ContactState   &start,
@@ -109,14 +128,17 @@ namespace conetact::solvers
     SolverOptions                      options;
     std::optional<LinearRelation>      relation;
     std::shared_ptr<const LargeSystem> body;
-    Array                              load;      ///< b of the problem at hand
-    double                             force = 0; ///< scale [force]
+    Kept                               load; ///< b of the problem at hand
+    Array                              load_of_contact; ///< that part of it
+    double                             force = 0;       ///< scale [force]
 
     /** The last increment: where it ended, how far it went. */
     struct Last
     {
-      Array start_u, start_r, end_load, end_u, end_r;
-      Array load, offset, u; ///< changes of them
+      Kept  start_u, end_u, end_load;
+      Array start_r, end_r;
+      Kept  load, u; ///< changes of them
+      Array offset;
     };
     std::optional<Last> last;
     /** What came nearest to a solution. */

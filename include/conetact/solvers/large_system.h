@@ -6,32 +6,60 @@
 
 #include "conetact/solvers/node_law.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace conetact::solvers
 {
+  /** Numbers for all unknowns of a LargeSystem, where that has them. */
+  class LargeVector
+  {
+  public:
+    virtual ~LargeVector() = default;
+  };
+
   /**
    * An elastic system @f$K u = b + H^T r@f$ in all its unknowns, too large to
    * be condensed: the unknowns of contact are the last ones of u, as a
    * ContactSystem numbers them, K is symmetric and positive semidefinite. It
    * does the linear algebra of a Newton step as NewtonSystem does that of
    * condensed systems. Forces [force], displacements [length].
+   *
+   * It keeps vectors where it computes with them, which may be in the memory of
+   * many processes: they cost messages only as they come and go. They are of
+   * use to the system that made them, no longer than it lives.
    */
   class LargeSystem
   {
   public:
     using Index = Eigen::Index;
     using Array = Eigen::VectorXd;
+    using Kept  = std::shared_ptr<const LargeVector>;
 
     virtual ~LargeSystem() = default;
 
     virtual Index
     n_unknowns() const = 0;
 
-    /** K u. */
+    virtual Kept
+    keep(const Array &x) const = 0;
+    /** All of them. */
     virtual Array
-    multiply(const Array &u) const = 0;
+    numbers(const Kept &x) const = 0;
+    /** Those of the unknowns of contact. */
+    virtual Array
+    of_contact(const Kept &x) const = 0;
+    /** x + factor y. */
+    virtual Kept
+    add(const Kept &x, const double factor, const Kept &y) const = 0;
+    /** The scalar product of what is not of contact. */
+    virtual double
+    product_elsewhere(const Kept &x, const Kept &y) const = 0;
+
+    /** K u. */
+    virtual Kept
+    multiply(const Kept &u) const = 0;
 
     /** Diagonal of K. */
     virtual Array
@@ -40,7 +68,7 @@ namespace conetact::solvers
     /** A change of u, and how many linear iterations it took. */
     struct Step
     {
-      Array        du;
+      Kept         du;
       unsigned int iterations = 0;
       double       error = 0; ///< what is left of the right-hand side, relative
     };
@@ -66,7 +94,7 @@ namespace conetact::solvers
      */
     virtual std::optional<Step>
     solve(const std::vector<NodeLaw> &laws,
-          const Array                &f,
+          const Kept                 &f,
           const Precision            &precision) const = 0;
   };
 } // namespace conetact::solvers

@@ -3,6 +3,7 @@
 
 #include "conetact/solvers/active_set.h"
 #include "conetact/solvers/large_newton.h"
+#include "conetact/solvers/local_system.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using namespace conetact::solvers;
 namespace
 {
   /** A dense one: a Schur complement with unknowns in front of it. */
-  class DenseSystem : public LargeSystem
+  class DenseSystem : public LocalSystem
   {
   public:
     DenseSystem(const Eigen::MatrixXd &S, const Eigen::Index n_free)
@@ -37,10 +38,10 @@ namespace
     {
       return K.rows();
     }
-    Array
-    multiply(const Array &u) const override
+    Kept
+    multiply(const Kept &u) const override
     {
-      return K * u;
+      return keep(K * array(u));
     }
     Array
     diagonal() const override
@@ -49,11 +50,11 @@ namespace
     }
     std::optional<Step>
     solve(const std::vector<NodeLaw> &laws,
-          const Array                &f,
+          const Kept                 &f,
           const Precision            &precision) const override
     {
       Eigen::MatrixXd A     = K;
-      Array           b     = -f;
+      Array           b     = -array(f);
       Index           first = m;
       for (const NodeLaw &law : laws)
         {
@@ -63,10 +64,15 @@ namespace
           b.segment(first, n) = law.h;
           first += n;
         }
-      Step step{A.partialPivLu().solve(b), 1, precision.relative};
       // as inexact as it may be
-      step.du *= 1 + .5 * precision.relative;
-      return step;
+      const Array du =
+        (1 + .5 * precision.relative) * A.partialPivLu().solve(b);
+      return Step{keep(du), 1, precision.relative};
+    }
+    Index
+    n_contact_unknowns() const override
+    {
+      return K.rows() - m;
     }
 
     Eigen::MatrixXd K;
