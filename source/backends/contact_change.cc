@@ -234,7 +234,9 @@ namespace conetact::backends
         const Rows                &above = result.back();
         Rows                       below = level.change;
         std::map<int, CoarseBlock> row;
-        for (std::size_t i = 0; i < above.number.size(); ++i)
+        // each process a part of the rows, as far apart as they come
+        for (std::size_t i = at(processes.rank()); i < above.number.size();
+             i += at(processes.size()))
           {
             row.clear();
             above.for_row(i, [&](const int j, const auto &block) {
@@ -251,6 +253,8 @@ namespace conetact::backends
                   of_i.transpose() * block;
             });
           }
+        processes.sum(below.blocks.value.data(),
+                      static_cast<Eigen::Index>(below.blocks.value.size()));
         result.push_back(std::move(below));
       }
     return result;
