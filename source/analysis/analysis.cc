@@ -290,17 +290,13 @@ namespace conetact::analysis
   }
 
   std::size_t
-  Analysis::most_at_once(const unsigned int n_finished) const
+  Analysis::most_at_once() const
   {
     // Recovering displacements of several increments in one solve is cheaper;
-    // large scenes write each increment sooner. Each batch rewrites the tables:
-    // as batches grow with a long history, all that is written does not grow
-    // with its square.
+    // large scenes write each increment sooner.
     const Eigen::Index n = model.coordinates.n_unknowns();
     return static_cast<std::size_t>(
-      std::clamp<Eigen::Index>(16000000 / std::max<Eigen::Index>(n, 1),
-                               1,
-                               std::max(16u, n_finished / 8)));
+      std::clamp<Eigen::Index>(16000000 / std::max<Eigen::Index>(n, 1), 1, 16));
   }
 
   void

@@ -136,7 +136,7 @@ namespace conetact::analysis
     // nor is anything gained where nothing is condensed
     if (correcting || search.is_needed() || model.is_iterative())
       return 1;
-    std::size_t most = most_at_once(n_finished);
+    std::size_t most = most_at_once();
     if (const unsigned int every = scene.checkpoint_every; every > 0)
       most = std::min<std::size_t>(most, every - n_finished % every);
     // what follows an increment in which a node is missing is solved in vain

@@ -401,7 +401,7 @@ namespace conetact::analysis
     if (point.jump || point.plateau)
       on_the_way += std::string(" after a ") +
                     (point.jump ? "jump" : "plateau") + " at p = " + to_text(t);
-    if (waiting.size() >= most_at_once(n_records))
+    if (waiting.size() >= most_at_once())
       flush();
   }
 

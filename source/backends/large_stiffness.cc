@@ -251,8 +251,7 @@ namespace conetact::backends
       {
         return static_cast<const KeptVector &>(*x).number;
       }
-      /** Asks the other processes, if they have parts of it, for what they do
-       * with its vectors. */
+      /** Asks the other processes, if they have parts of it. */
       std::unique_ptr<Together>
       call(Order order) const
       {
@@ -272,7 +271,8 @@ namespace conetact::backends
             system->forget(x);
           }
       }
-      /** A vector that do(its number) makes, as others do by this order. */
+      /** A vector that make_vector(its number) makes here, and this order in
+       * other processes. */
       template <typename Do>
       Kept
       make(Order order, const Do &make_vector) const

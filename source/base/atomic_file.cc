@@ -20,26 +20,16 @@ namespace conetact
     namespace fs = std::filesystem;
 
     [[noreturn]] void
-    fail(const fs::path &file, const std::error_code &error)
-    {
-      throw WriteError("Cannot write " + file.string() + " (" +
-                       error.message() +
-                       "): free some disk space or choose another folder; "
-                       "what was written before is intact.");
-    }
-
-    [[noreturn]] void
     fail(const fs::path &file)
     {
-      fail(file, std::error_code(errno, std::generic_category()));
+      fail_to_write(file, std::error_code(errno, std::generic_category()));
     }
 
     // POSIX calls, because streams hide why a write failed.
     void
-    write_file(const fs::path &file, const std::string_view text)
+    write_file(const fs::path &file, const std::string_view text, const int how)
     {
-      const int fd =
-        ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+      const int fd = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | how, 0666);
       if (fd < 0)
         fail(file);
       for (std::string_view rest = text; !rest.empty();)
@@ -51,7 +41,7 @@ namespace conetact
             {
               const std::error_code error(errno, std::generic_category());
               ::close(fd);
-              fail(file, error);
+              fail_to_write(file, error);
             }
           rest.remove_prefix(static_cast<std::size_t>(n));
         }
@@ -60,6 +50,24 @@ namespace conetact
         fail(file);
     }
   } // namespace
+
+
+
+  void
+  fail_to_write(const fs::path &file, const std::error_code &error)
+  {
+    throw WriteError("Cannot write " + file.string() + " (" + error.message() +
+                     "): free some disk space or choose another folder; "
+                     "what was written before is intact.");
+  }
+
+
+
+  void
+  append_to_file(const fs::path &file, const std::string_view text)
+  {
+    write_file(file, text, O_APPEND);
+  }
 
 
 
@@ -82,7 +90,7 @@ namespace conetact
         write(temporary);
         fs::rename(temporary, file, error);
         if (error)
-          fail(file, error);
+          fail_to_write(file, error);
       }
     catch (...)
       {
@@ -97,7 +105,7 @@ namespace conetact
   write_atomically(const fs::path &file, const std::string_view text)
   {
     write_atomically(file, [text](const fs::path &temporary) {
-      write_file(temporary, text);
+      write_file(temporary, text, O_CREAT | O_TRUNC);
     });
   }
 } // namespace conetact

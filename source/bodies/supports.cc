@@ -28,6 +28,10 @@ namespace conetact::bodies
         direction[static_cast<unsigned int>(axis)] = 1;
       else if (!text.empty() && text.front() == '(')
         direction = to_vector(text, dim, entry);
+      else if (text == "normal")
+        throw InputError(entry + ": normal stands alone. Let one support hold "
+                                 "along the normal and another one along other "
+                                 "directions.");
       else
         throw InputError(entry + ": '" + text + "' is not a direction. Give " +
                          (dim == 2 ? "x, y, rz" : "x, y, z, rx, ry, rz") +

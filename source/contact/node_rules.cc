@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/solvers/contact_problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -291,6 +292,9 @@ namespace conetact::contact
       {
         const NodeRule *rule = find(r.body, r.node);
         const Point<3>  p    = bodies.structures[r.body]->position(r.node);
+        // what zeros of expressions are known to
+        const double rounding = solvers::position_rounding *
+                                bodies::reach(*bodies.structures[r.body]);
         for (const double t : times)
           {
             const double wanted = displacement(r.held, p, t);
@@ -303,7 +307,7 @@ namespace conetact::contact
                 given += u * (held.direction * r.held.direction);
                 size = std::max(size, std::abs(u));
               }
-            if (std::abs(given - wanted) > 1e-9 * size)
+            if (std::abs(given - wanted) > 1e-9 * size + rounding)
               throw InputError(
                 "Support '" +
                 bodies.supports[r.held.terms.front().support].name +
@@ -311,7 +315,11 @@ namespace conetact::contact
                 bodies.names[r.body] + "' should move by " + to_text(wanted) +
                 " along " + to_text(r.held.direction) +
                 " at t = " + to_text(t) + ", but another support moves it by " +
-                to_text(given) + ". Let the supports agree where they meet.");
+                to_text(given) +
+                (to_text(given) == to_text(wanted) ?
+                   " (they differ by " + to_text(given - wanted) + ")" :
+                   "") +
+                ". Let the supports agree where they meet.");
           }
       }
   }

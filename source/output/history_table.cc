@@ -39,9 +39,12 @@ namespace conetact::output
 
   HistoryTable::HistoryTable(const RunDescription &description)
     : run(description)
-    , text(header(run) + former_rows(run, "history.csv", header(run)))
+    , file(run.folder / "history.csv")
   {
-    rewrite();
+    const std::string text =
+      header(run) + former_rows(run, "history.csv", header(run));
+    write_atomically(run.folder / "history.csv", text);
+    beginning = text.size();
   }
 
 
@@ -49,9 +52,11 @@ namespace conetact::output
   void
   HistoryTable::write(const std::vector<IncrementRecord> &finished)
   {
+    std::string text;
     for (const IncrementRecord &record : finished)
-      append(record);
-    rewrite();
+      append(record, text);
+    file.add(text);
+    file.publish();
   }
 
 
@@ -59,13 +64,13 @@ namespace conetact::output
   OutputWork
   HistoryTable::work() const
   {
-    return {0, bytes};
+    return {0, beginning + file.n_bytes()};
   }
 
 
 
   void
-  HistoryTable::append(const IncrementRecord &record)
+  HistoryTable::append(const IncrementRecord &record, std::string &text) const
   {
     const std::string where = "Increment " + std::to_string(record.increment);
     const LargestDisplacement &moved   = record.largest_displacement;
@@ -86,12 +91,4 @@ namespace conetact::output
     csv.end();
   }
 
-
-
-  void
-  HistoryTable::rewrite()
-  {
-    write_atomically(run.folder / "history.csv", text);
-    bytes += text.size();
-  }
 } // namespace conetact::output

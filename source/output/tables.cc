@@ -10,15 +10,25 @@
 namespace conetact::output
 {
   Tables::Tables(const RunDescription &run)
-    : folder(run.folder)
-    , reactions(run)
+    : reactions(run)
     , increments(run)
-    , reactions_text(reactions.header() +
-                     former_rows(run, "reactions.csv", reactions.header()))
-    , increments_text(increments.header() +
-                      former_rows(run, "increments.csv", increments.header()))
+    , reactions_file(run.folder / "reactions.csv")
+    , increments_file(run.folder / "increments.csv")
   {
-    rewrite();
+    const std::string first_reactions =
+      reactions.header() +
+      former_rows(run, "reactions.csv", reactions.header());
+    const std::string first_increments =
+      increments.header() +
+      former_rows(run, "increments.csv", increments.header());
+    // one rename right after the other
+    write_atomically(run.folder / "reactions.csv",
+                     [&](const std::filesystem::path &temporary) {
+                       write_atomically(temporary, first_reactions);
+                       write_atomically(run.folder / "increments.csv",
+                                        first_increments);
+                     });
+    beginning = first_reactions.size() + first_increments.size();
   }
 
 
@@ -26,17 +36,37 @@ namespace conetact::output
   void
   Tables::write(const std::vector<IncrementRecord> &finished)
   {
+    std::string new_reactions, new_increments;
+    const auto  publish = [&] {
+      try
+        {
+          reactions_file.add(new_reactions);
+          increments_file.add(new_increments);
+          reactions_file.publish();
+          increments_file.publish();
+        }
+      catch (const WriteError &)
+        {
+          reactions_file.clear();
+          increments_file.clear();
+          throw;
+        }
+    };
     try
       {
         for (const IncrementRecord &record : finished)
-          append(record);
+          {
+            const std::string rows = reactions.rows(record);
+            new_increments += increments.row(record);
+            new_reactions += rows;
+          }
       }
     catch (const AnalysisError &)
       {
-        rewrite(); // with those before it
+        publish(); // those before it
         throw;
       }
-    rewrite();
+    publish();
   }
 
 
@@ -44,31 +74,7 @@ namespace conetact::output
   OutputWork
   Tables::work() const
   {
-    return {0, bytes};
-  }
-
-
-
-  void
-  Tables::append(const IncrementRecord &record)
-  {
-    const std::string rows = reactions.rows(record);
-    increments_text += increments.row(record);
-    reactions_text += rows;
-  }
-
-
-
-  void
-  Tables::rewrite()
-  {
-    // one rename right after the other
-    write_atomically(folder / "reactions.csv",
-                     [this](const std::filesystem::path &temporary) {
-                       write_atomically(temporary, reactions_text);
-                       write_atomically(folder / "increments.csv",
-                                        increments_text);
-                     });
-    bytes += reactions_text.size() + increments_text.size();
+    return {0,
+            beginning + reactions_file.n_bytes() + increments_file.n_bytes()};
   }
 } // namespace conetact::output

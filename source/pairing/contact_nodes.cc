@@ -287,7 +287,7 @@ namespace conetact::pairing
     }
 
     /** Throws InputError where a body is inside of its obstacle: a normal that
-     * is turned the wrong way. */
+     * is turned the wrong way. Outside, faces that slide may turn to it. */
     void
     refuse_inside(const Contact                  &contact,
                   const std::vector<std::string> &bodies,
@@ -300,6 +300,11 @@ namespace conetact::pairing
         return;
       const bodies::Surface surface = body.surface(contact.ids);
       if (surface.two_sided || surface.faces.empty())
+        return;
+      if (contact.slides &&
+          std::all_of(found.nodes.begin(),
+                      found.nodes.end(),
+                      [](const ContactNode &node) { return node.gap > 0; }))
         return;
       std::map<unsigned int, Tensor<1, 3>> towards;
       for (const ContactNode &node : found.nodes)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace conetact::pairing
 {
@@ -20,6 +21,13 @@ namespace conetact::pairing
      * corner has is below 0 or cancels, and means over it reach far.
      */
     constexpr double next_to_cancelled = .1;
+    /** Whether a part is larger than another one, beyond rounding: who is next
+     * to two that are covered alike gives to both, whatever units and axes. */
+    bool
+    is_more(const double a, const double b)
+    {
+      return a > b + 1e-9 * std::max(std::abs(a), std::abs(b));
+    }
 
     double
     area_of(const FaceNet::Face &face, const bool axisymmetric)
@@ -186,33 +194,58 @@ namespace conetact::pairing
         }
   }
 
+  /** Neighbours that are covered most, alike up to rounding; none if the row
+   * itself is. */
+  std::vector<std::size_t>
+  MortarRows::takers_of(const std::size_t          row,
+                        const std::vector<double> &covered) const
+  {
+    double most = covered[row];
+    for (const std::size_t other : rows[row].neighbours)
+      most = std::max(most, covered[other]);
+    std::vector<std::size_t> takers;
+    for (const std::size_t other : rows[row].neighbours)
+      if (is_more(covered[other], covered[row]) && covered[other] > 0 &&
+          !is_more(most, covered[other]))
+        takers.push_back(other);
+    return takers;
+  }
+
   void
   MortarRows::give_up_small()
   {
-    const auto covered = [&](const std::size_t i) {
-      return rows[i].area / rows[i].whole;
-    };
+    std::vector<double>      covered(rows.size(), 0.);
     std::vector<std::size_t> small;
     for (std::size_t i = 0; i < rows.size(); ++i)
-      if (rows[i].area != 0 && covered(i) < rows[i].least)
-        small.push_back(i);
+      if (rows[i].area != 0)
+        {
+          covered[i] = rows[i].area / rows[i].whole;
+          if (covered[i] < rows[i].least)
+            small.push_back(i);
+        }
     // The least covered first: its neighbour may be small as well and then has
     // more to give on.
     std::stable_sort(small.begin(),
                      small.end(),
                      [&](const std::size_t a, const std::size_t b) {
-                       return covered(a) < covered(b);
+                       return covered[a] < covered[b];
                      });
-    for (const std::size_t i : small)
+    for (auto begin = small.begin(); begin != small.end();)
       {
-        std::size_t best = i;
-        for (const std::size_t other : rows[i].neighbours)
-          if (rows[other].area > 0 && covered(other) > covered(best))
-            best = other;
-        if (best == i)
-          continue; // nobody around has more
-        give(i, best, 1);
-        rows[i].area = 0;
+        // Those that are covered alike do not see what the others give: what is
+        // symmetric stays so.
+        std::vector<std::pair<std::size_t, std::vector<std::size_t>>> gifts;
+        const double first = covered[*begin];
+        for (; begin != small.end() && !is_more(covered[*begin], first);
+             ++begin)
+          gifts.emplace_back(*begin, takers_of(*begin, covered));
+        for (const auto &[from, takers] : gifts)
+          {
+            for (const std::size_t to : takers)
+              give(from, to, 1. / static_cast<double>(takers.size()));
+            if (!takers.empty()) // else nobody around has more
+              rows[from].area = 0;
+          }
       }
   }
 } // namespace conetact::pairing

@@ -449,7 +449,10 @@ namespace conetact::solvers
     SolverReport          report, sum;
     std::set<std::string> known;
     const auto            took = [&](const SolverReport &attempt) {
-      report = attempt;
+      const std::string before = report.reason;
+      report                   = attempt;
+      if (!report.converged && report.reason.empty()) // nothing was tried
+        report.reason = before;
       add_work(sum, report);
       report.iterations = sum.iterations;
       report.krylov     = sum.krylov;

@@ -130,6 +130,23 @@ namespace conetact::verification
     return way.isZero(0) ? VectorXd() : VectorXd(16 * eps * elastic.terms(way));
   }
 
+  /* What supports carry along is strained by the rounding of how far that is,
+     or was when the increment began. Of what is prescribed only, as above. */
+  VectorXd
+  Verification::rounding_of_supports(const double t) const
+  {
+    VectorXd way =
+      plain.prescribed(t).cwiseAbs() + plain.prescribed(last.t).cwiseAbs();
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      {
+        const Index first = plain.offset(body);
+        const Index n     = plain.offset(body + 1) - first;
+        way.segment(first, n).setConstant(
+          solvers::largest(way.segment(first, n)));
+      }
+    return 16 * eps * elastic.terms(way);
+  }
+
   Verification::Scales
   Verification::scales(const Claim &claim, const Finding &out) const
   {
@@ -438,7 +455,7 @@ namespace conetact::verification
                             const Claim       &claim,
                             const Balance     &balance,
                             const VectorXd    &carried,
-                            VectorXd          &terms) const
+                            VectorXd          &rounding) const
   {
     const Index first = plain.offset(body);
     const Index n     = plain.offset(body + 1) - first;
@@ -456,12 +473,13 @@ namespace conetact::verification
       return noise * largest[0];
     if (balance.error() <= tolerance)
       return 0;
-    if (terms.size() == 0) // only where they may matter
-      terms = elastic.terms(claim.w);
+    if (rounding.size() == 0) // only where it may matter
+      rounding =
+        8 * eps * elastic.terms(claim.w) + rounding_of_supports(claim.t);
     double sum[2] = {0, 0};
     for (Index i = 0; i < n; ++i)
-      sum[is_turn(i)] += 8 * eps * terms[first + i] +
-                         (carried.size() > 0 ? carried[first + i] : 0.);
+      sum[is_turn(i)] +=
+        rounding[first + i] + (carried.size() > 0 ? carried[first + i] : 0.);
     return balance.forces <= sum[0] && balance.largest_moment <= sum[1] ?
              sum[0] :
              0;
@@ -470,10 +488,10 @@ namespace conetact::verification
   bool
   Verification::find_rounding(const Claim &claim, Finding &out) const
   {
-    VectorXd terms;
+    VectorXd rounding; // of all dofs
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       out.rounding.push_back(rounding_of(
-        body, claim, out.external.bodies[body], out.carried, terms));
+        body, claim, out.external.bodies[body], out.carried, rounding));
     return *std::max_element(out.rounding.begin(), out.rounding.end()) > 0;
   }
 

@@ -76,6 +76,19 @@ def pairs(laws):
                     "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}})
 
 
+def carried(laws):
+    """A body that a support moves without touching anything: what strains it is rounding, and counts as nothing."""
+    for way in ("0 ; 0 ; if(t > 1.5, -0.01, 0.02*t)", "0.02*sin(pi/2*t) ; 0 ; 0.001"):
+        compare(laws, f"3D, a ram moved by {way}", {
+            "Dimension": 3, "Body block": box((8, 8, 8), (1.0, 1.0, 1.0), young=100.0),
+            "Body ram": box((4, 4, 4), (.5, .5, .5), (.25, .25, 1.0)),
+            "Contact top": joint("block", 5, "ram", 4, **{"Friction coefficient": .3}),
+            "Support ground": support(4, "x, y, z", body="block"),
+            "Support grip": support(5, "x, y, z", way, body="ram"),
+            "Load weight": load("body force", "0 ; 0 ; -0.5", body="block"),
+            "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}})
+
+
 def hard_slaves(laws):
     """Slaves that are hard on a soft master: masters that they hardly see are smoothed with them."""
     for dim, mu in ((2, .3), (3, 0.0), (3, .3)):
@@ -272,6 +285,7 @@ def iterative(laws):
 
 def iterative_pairs(laws):
     pairs(laws)
+    carried(laws)
     hard_slaves(laws)
 
 

@@ -16,7 +16,7 @@ from laws.tie import bar, bars, both_sides, pulled, stress_error
 from support import half_space, manufactured
 from support.checks import orders
 from support.meshes import distorted
-from support.scenes import box, load, merge, press_and_shear, with_element
+from support.scenes import box, load, merge, press_and_shear, support, with_element
 
 Q1, Q2, P2 = ({"Element": element} for element in ("Q1", "Q2", "P2"))
 
@@ -94,7 +94,24 @@ def pairs(laws):
     hanging_pairs(laws)
     covered_in_plane(laws)
     covered_in_space(laws)
+    symmetric_rims(laws)
     tied(laws)
+
+
+def symmetric_rims(laws):
+    """A slave that reaches beyond its master on all four sides alike: nodes at the rim give up alike."""
+    for half in (.41, .45, .49):
+        lower = merge(box((3, 3, 2), (1.2, 1.2, .6), (-.6, -.6, 0.0)), Q2)
+        upper = merge(box((2, 2, 2), (2 * half, 2 * half, .6), (-half, -half, .6)), Q2)
+        scene = stacked(3, lower, upper, True, mu=.5)
+        for wall in ("Support wall lower", "Support wall upper"):
+            del scene[wall]
+        scene["Support ground"] = support(4, "x, y, z", body="lower")
+        forces = {(round(row["x"], 6) + 0.0, round(row["y"], 6) + 0.0): row["r_n"] for row in laws.run(scene).rows}
+        largest = max(forces.values())
+        laws.check(f"3D: rim of a slave, master of half width {half}: asymmetry of {len(forces)} forces",
+                   max(abs(force - forces[place]) for (x, y), force in forces.items()
+                       for place in ((-x + 0.0, y), (x, -y + 0.0), (y, x))) / largest, 1e-10)
 
 
 def distorted_pairs(laws):

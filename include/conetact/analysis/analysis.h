@@ -100,7 +100,7 @@ namespace conetact::analysis
                    const bool                   quiet);
     /** Increments whose displacements are recovered together. */
     std::size_t
-    most_at_once(const unsigned int n_finished) const;
+    most_at_once() const;
     /** Loads and prestress at the increment's time, and what they reduce to. */
     void
     apply_loads(PendingIncrement &increment);

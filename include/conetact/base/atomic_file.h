@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <system_error>
 
 namespace conetact
 {
@@ -17,6 +18,17 @@ namespace conetact
    */
   void
   take_size_limits_as_errors();
+
+  /** Throws a WriteError that says so of this file. */
+  [[noreturn]] void
+  fail_to_write(const std::filesystem::path &file,
+                const std::error_code       &error);
+
+  /** Adds to a file that is there; no more of it may be seen as whole if that
+   * fails. Throws WriteError. */
+  void
+  append_to_file(const std::filesystem::path &file,
+                 const std::string_view       text);
 
   /**
    * Replaces a file by `text`: written under a temporary name in the same

@@ -4,8 +4,10 @@
 #ifndef conetact_output_history_table_h
 #define conetact_output_history_table_h
 
+#include "conetact/base/growing_file.h"
 #include "conetact/output/output.h"
 
+#include <cstdint>
 #include <string>
 
 namespace conetact::output
@@ -14,7 +16,7 @@ namespace conetact::output
    * `history.csv`: a row an increment with what is plotted most: the largest
    * displacement and its body and undeformed place [length], the largest
    * contact pressure [stress] and its contact and place, and the displacement
-   * of each chosen point, `NAME_u_x` ... [length]. Written whole each time.
+   * of each chosen point, `NAME_u_x` ... [length].
    */
   class HistoryTable : public Output
   {
@@ -27,13 +29,11 @@ namespace conetact::output
 
   private:
     void
-    append(const IncrementRecord &record);
-    void
-    rewrite();
+    append(const IncrementRecord &record, std::string &text) const;
 
     const RunDescription run;
-    std::string          text;
-    std::uint64_t        bytes = 0;
+    GrowingFile          file;
+    std::uint64_t        beginning = 0; ///< bytes that the constructor wrote
   };
 } // namespace conetact::output
 

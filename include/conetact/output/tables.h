@@ -4,20 +4,20 @@
 #ifndef conetact_output_tables_h
 #define conetact_output_tables_h
 
+#include "conetact/base/growing_file.h"
 #include "conetact/output/increment_table.h"
 #include "conetact/output/output.h"
 #include "conetact/output/reaction_table.h"
 
-#include <string>
+#include <cstdint>
 
 namespace conetact::output
 {
   /**
-   * `reactions.csv` and `increments.csv`, rewritten from the text of all
-   * finished increments once for those that finish together, and replaced
-   * together. The constructor writes them without rows, or with those of the
-   * run that is continued, so that old tables do not pass for those of this
-   * run.
+   * `reactions.csv` and `increments.csv`, which grow together, once for
+   * increments that finish together. The constructor writes them without rows,
+   * or with those of the run that is continued, so that old tables do not pass
+   * for those of this run.
    */
   class Tables : public Output
   {
@@ -30,16 +30,10 @@ namespace conetact::output
     work() const override;
 
   private:
-    void
-    append(const IncrementRecord &record);
-    void
-    rewrite();
-
-    const std::filesystem::path folder;
-    ReactionTable               reactions;
-    IncrementTable              increments;
-    std::string                 reactions_text, increments_text;
-    std::uint64_t               bytes = 0;
+    ReactionTable  reactions;
+    IncrementTable increments;
+    GrowingFile    reactions_file, increments_file;
+    std::uint64_t  beginning = 0; ///< bytes that the constructor wrote
   };
 } // namespace conetact::output
 

@@ -57,7 +57,7 @@ namespace conetact::pairing
     /** Hanging nodes have no rows: those that they follow take theirs. */
     void
     give_up(const std::vector<bodies::HangingNode> &hanging);
-    /** Rows of next to no area give it to neighbours. */
+    /** Rows of next to no area give it to the neighbours that have most. */
     void
     give_up_small();
 
@@ -66,6 +66,8 @@ namespace conetact::pairing
     add_row(const unsigned int node);
     void
     give(const std::size_t from, const std::size_t to, const double part);
+    std::vector<std::size_t>
+    takers_of(const std::size_t row, const std::vector<double> &covered) const;
     std::size_t
     row_like(const MortarRow &row, const unsigned int node);
 

@@ -128,6 +128,8 @@ namespace conetact::verification
     struct Scales;
     Eigen::VectorXd
     rounding_of_springs(const Finding &out) const;
+    Eigen::VectorXd
+    rounding_of_supports(const double t) const;
     Scales
     scales(const Claim &claim, const Finding &out) const;
     double
@@ -135,7 +137,7 @@ namespace conetact::verification
                 const Claim           &claim,
                 const Balance         &balance,
                 const Eigen::VectorXd &carried,
-                Eigen::VectorXd       &terms) const;
+                Eigen::VectorXd       &rounding) const;
     bool
     find_rounding(const Claim &claim, Finding &out) const;
     void

@@ -182,6 +182,25 @@ TEST(MortarRows, WhatIsHardlyCoveredGoesToANeighbourAndNothingIsLost)
 
 
 
+// However the areas are rounded.
+TEST(MortarRows, WhoIsNextToTwoAlikeGivesToBoth)
+{
+  for (const double rounded : {1 - 1e-15, 1., 1 + 1e-15})
+    {
+      MortarRows rows(faces_of(strip(4)), sharp);
+      cover(rows, 0, 1, 10);
+      cover(rows, 1, 1e-4, 11);
+      cover(rows, 2, 1e-4, 12);
+      cover(rows, 3, rounded, 13);
+      rows.give_up_small();
+      EXPECT_EQ(rows.all()[2].area, 0);
+      EXPECT_NEAR(rows.all()[1].area, .5 + 1e-4, 1e-14);
+      EXPECT_NEAR(rows.all()[3].area, .5 + 1e-4, 1e-14);
+    }
+}
+
+
+
 TEST(MortarRows, WhoHasNoNeighbourWithMoreKeepsTheLittleThereIs)
 {
   MortarRows rows(faces_of(strip(1)), sharp);
