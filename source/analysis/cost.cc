@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 
 namespace conetact::analysis
 {
@@ -299,15 +300,29 @@ namespace conetact::analysis
 
 
 
+  namespace
+  {
+    /** Nothing if this machine has not the memory. */
+    std::optional<Cost>
+    cost_if_it_fits(const contact::ContactModel &model,
+                    const std::size_t            n_increments,
+                    const std::size_t            n_drawings)
+    {
+      if (model.bodies.dim == 3 && largest_system(model) > huge_body)
+        return {}; // to ask how much would take long, too
+      const Cost cost = estimate_cost(model, n_increments, n_drawings);
+      if (cost.memory_bytes > machine_memory())
+        return {};
+      return cost;
+    }
+  } // namespace
+
   bool
   fits_condensed(const contact::ContactModel &model,
                  const std::size_t            n_increments,
                  const std::size_t            n_drawings)
   {
-    if (model.bodies.dim == 3 && largest_system(model) > huge_body)
-      return false; // to ask how much would take long, too
-    return estimate_cost(model, n_increments, n_drawings).memory_bytes <=
-           machine_memory();
+    return cost_if_it_fits(model, n_increments, n_drawings).has_value();
   }
 
 
@@ -317,10 +332,11 @@ namespace conetact::analysis
                            const std::size_t            n_increments,
                            const std::size_t            n_drawings)
   {
-    if (!fits_condensed(model, n_increments, n_drawings))
+    const auto cost = cost_if_it_fits(model, n_increments, n_drawings);
+    if (!cost)
       return std::numeric_limits<double>::infinity();
     const double longer = 1 + (longer_if_unequal - 1) * unequal_part(model);
-    return (sparse_over_dense * model.estimate_factor().flops +
+    return (sparse_over_dense * cost->factor.flops +
             flops_of_contact(model, static_cast<double>(n_increments))) /
            (iteration_of_unknown * longer *
             static_cast<double>(model.coordinates.n_unknowns()));

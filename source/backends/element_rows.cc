@@ -3,6 +3,7 @@
 
 #include "conetact/backends/element_rows.h"
 
+#include "conetact/backends/partition.h"
 #include "conetact/base/index.h"
 
 #include <algorithm>
@@ -372,9 +373,7 @@ namespace conetact::backends
         for (const int place : own)
           if (place >= first[1])
             {
-              const int p = static_cast<int>(
-                std::upper_bound(first.begin(), first.end(), place) -
-                first.begin() - 1);
+              const int p = owner_of(place, first);
               if (std::find(owners.begin(), owners.end(), p) == owners.end())
                 owners.push_back(p);
             }

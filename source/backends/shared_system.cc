@@ -5,6 +5,7 @@
 
 #include "conetact/backends/block_system.h"
 #include "conetact/backends/element_rows.h"
+#include "conetact/backends/partition.h"
 #include "conetact/base/index.h"
 
 #include <algorithm>
@@ -59,11 +60,9 @@ namespace conetact::backends
       int                           law = 0;
       for (const std::vector<int> &node : contact)
         {
-          const int  n = static_cast<int>(node.size());
-          const auto owner =
-            at(std::upper_bound(first.begin(), first.end(), node.at(0)) -
-               first.begin() - 1);
-          std::vector<int> &list = numbers[owner];
+          const int         n     = static_cast<int>(node.size());
+          const auto        owner = at(owner_of(node.at(0), first));
+          std::vector<int> &list  = numbers[owner];
           list.push_back(law);
           list.push_back(n);
           for (const int p : node)
@@ -210,19 +209,16 @@ namespace conetact::backends
         std::sort(ascending_contact.begin(), ascending_contact.end());
         // each process has its nodes in the order of all
         std::vector<int> n_of(at(processes.size()), 0);
-        const auto       owner = [&](const int place) {
-          return at(std::upper_bound(first.begin(), first.end(), place) -
-                    first.begin() - 1);
-        };
         for (const std::vector<int> &node : all)
-          n_of[owner(node.at(0))] += static_cast<int>(node.size());
+          n_of[at(owner_of(node.at(0), first))] +=
+            static_cast<int>(node.size());
         first_contact = {0};
         for (const int n : n_of)
           first_contact.push_back(first_contact.back() + n);
         std::vector<int> next = first_contact;
         for (const std::vector<int> &node : all)
           for (std::size_t k = 0; k < node.size(); ++k)
-            contact_order.push_back(next[owner(node.at(0))]++);
+            contact_order.push_back(next[at(owner_of(node.at(0), first))]++);
         processes.broadcast(first_contact);
       }
       /** 1 where there is an unknown. */

@@ -3,6 +3,7 @@
 
 #include "conetact/backends/smoothed_aggregation.h"
 
+#include "conetact/backends/partition.h"
 #include "conetact/base/index.h"
 
 #include <algorithm>
@@ -378,12 +379,6 @@ namespace conetact::backends
       {
         return static_cast<int>(above.A.own_part().n_block_rows());
       }
-      int
-      owner(const int a) const
-      {
-        return static_cast<int>(
-          std::upper_bound(first.begin(), first.end(), a) - first.begin() - 1);
-      }
 
       void
       find_columns()
@@ -417,8 +412,12 @@ namespace conetact::backends
         for (const int a : others)
           {
             const std::vector<int> &row = columns[place(a)];
-            pack<double>(
-              a, row.data(), row.size(), nullptr, 0, lists[at(owner(a))]);
+            pack<double>(a,
+                         row.data(),
+                         row.size(),
+                         nullptr,
+                         0,
+                         lists[at(owner_of(a, first))]);
           }
         for (const std::vector<int> &list : processes.exchange(lists))
           unpack<double>(list,
@@ -494,7 +493,7 @@ namespace conetact::backends
                  n,
                  sums.block(from).data(),
                  n * sums.block_size,
-                 lists[at(owner(a))]);
+                 lists[at(owner_of(a, first))]);
           }
         sums.start.resize(at(n_own) + 1);
         sums.column.resize(sums.start.back());

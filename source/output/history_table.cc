@@ -90,5 +90,4 @@ namespace conetact::output
       add(csv, "the displacement of a probe", displacement);
     csv.end();
   }
-
 } // namespace conetact::output

@@ -4,6 +4,7 @@
 #ifndef conetact_backends_partition_h
 #define conetact_backends_partition_h
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -33,6 +34,15 @@ namespace conetact::backends
    */
   std::vector<int>
   order_of_lines(const std::vector<std::array<double, 3>> &positions);
+
+  /** The process that has place i, where process p has first[p], ...,
+   * first[p + 1] - 1. */
+  inline int
+  owner_of(const int i, const std::vector<int> &first)
+  {
+    return static_cast<int>(std::upper_bound(first.begin(), first.end(), i) -
+                            first.begin() - 1);
+  }
 } // namespace conetact::backends
 
 #endif
