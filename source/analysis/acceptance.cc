@@ -117,10 +117,9 @@ namespace conetact::analysis
                     const Eigen::VectorXd  &w) const
   {
     verification::Claim claim;
-    claim.amounts = amounts(increment);
-    claim.w       = w;
-    claim.r.resize(model.points.n_all_unknowns());
-    claim.r << increment.state.r, increment.bound.r;
+    claim.amounts    = amounts(increment);
+    claim.w          = w;
+    claim.r          = reactions(increment);
     claim.states     = increment.state.node;
     claim.loads      = increment.forces;
     claim.mechanical = increment.mechanical;
@@ -137,6 +136,14 @@ namespace conetact::analysis
     claim.incremental =
       !scene.path.follows || scene.path.law == load_path::PathLaw::incremental;
     return claim;
+  }
+
+  Eigen::VectorXd
+  Acceptance::reactions(const PendingIncrement &increment) const
+  {
+    Eigen::VectorXd r(model.points.n_all_unknowns());
+    r << increment.state.r, increment.bound.r;
+    return r;
   }
 
   verification::Finding
@@ -351,9 +358,9 @@ namespace conetact::analysis
         !why.empty())
       return why;
     // From here on the increment is history: the next one is judged against it.
-    const verification::Claim accepted = claim(increment, w);
-    verification.accept(accepted, finding);
-    energies.add(model.points, accepted, finding, record);
+    verification.accept(record.time, finding);
+    energies.add(
+      model.points, reactions(increment), record.time, finding, record);
     solvers::ContactState told = increment.state;
     told.r                     = finding.r.head(told.r.size());
     record.rows                = contact_rows.rows(told,
@@ -361,12 +368,12 @@ namespace conetact::analysis
                                     finding.r.tail(increment.bound.r.size()),
                                     finding.u,
                                     record.time,
-                                    accepted.whole);
+                                    record.report.substeps <= 1);
     const auto &states         = increment.state.node;
     record.determinate =
       warnings.is_determinate(states) &&
       warnings.are_forces_determinate(states, increment.state.r);
-    warnings.check_size(accepted.amounts, w);
+    warnings.check_size(amounts(increment), w);
     observe(record, finding.u);
     if (drawn)
       add_displacements(record, finding.u, w);

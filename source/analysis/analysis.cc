@@ -329,8 +329,10 @@ namespace conetact::analysis
   {
     const double                     t      = increment.record.time;
     const bodies::NodalLoads::Acting acting = loads.acting(t);
-    const Eigen::VectorXd others = prestress + scene.obstacle_forces(t);
-    increment.thermal            = acting.thermal;
+    Eigen::VectorXd                  others = scene.obstacle_forces(t);
+    if (prestress.size() > 0)
+      others += prestress;
+    increment.thermal = acting.thermal;
     increment.record.each_load.clear();
     if (model.bodies.frames().empty())
       {

@@ -498,8 +498,9 @@ namespace conetact::analysis
   ContactSearch::master_comes_between(const Eigen::VectorXd &u,
                                       const double           deep)
   {
-    if (clearance == std::numeric_limits<double>::max())
-      return ""; // there are no masters
+    constexpr double without_masters = std::numeric_limits<double>::max();
+    if (clearance == without_masters)
+      return "";
     const auto at = [&](const unsigned int b, const unsigned int i) {
       return model.displacement(u, b, i);
     };
@@ -510,8 +511,9 @@ namespace conetact::analysis
     if (!clear_at.empty() && approach(clear_at, now) < clearance)
       return "";
     const auto found = contacts.master_in_slave(at, deep);
-    clear_at         = std::move(now);
     clearance        = found.clearance;
+    if (clearance != without_masters)
+      clear_at = std::move(now);
     if (!found.deep)
       return "";
     const pairing::Contact &contact = contacts.contact(found.deep->contact);

@@ -80,7 +80,7 @@ namespace conetact::analysis
             case Outcome::accepted:
               break;
             case Outcome::corrected:
-              correcting = true;
+              one_by_one = true;
               break;
             case Outcome::needs_more_nodes:
               extend_set(step.gaps);
@@ -108,7 +108,7 @@ namespace conetact::analysis
                                     scene.times.begin() + n_on_disk));
     const auto &nodes = model.working_set().nodes();
     archive.put("working set", std::vector<double>(nodes.begin(), nodes.end()));
-    archive.put("correcting", correcting ? 1. : 0.);
+    archive.put("one by one", one_by_one ? 1. : 0.);
     archive.put("iterative", model.is_iterative() ? 1. : 0.);
     history.save(archive);
     acceptance.save(archive);
@@ -120,9 +120,9 @@ namespace conetact::analysis
   IncrementAnalysis::restore_state()
   {
     const Archive &archive = scene.restart->state;
-    double         exact   = 0;
-    archive.fill("correcting", exact);
-    correcting = exact > 0;
+    double         one     = 0;
+    archive.fill("one by one", one);
+    one_by_one = one > 0;
     history.restore(archive);
     Eigen::VectorXd u(model.coordinates.n_dofs()); // meshes may be other ones
     archive.fill("energies/u", u);
@@ -134,7 +134,7 @@ namespace conetact::analysis
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
     // nor is anything gained where nothing is condensed
-    if (correcting || search.is_needed() || model.is_iterative())
+    if (one_by_one || search.is_needed() || model.is_iterative())
       return 1;
     std::size_t most = most_at_once();
     if (const unsigned int every = scene.checkpoint_every; every > 0)
@@ -159,8 +159,18 @@ namespace conetact::analysis
         batch.push_back(start(k));
         std::string why = search.turns_too_far(batch.back().record.time);
         lost_contacts   = !why.empty();
+        start_is_known  = batch.size() == 1;
         if (why.empty())
           why = solve_contact(batch.back(), history.start());
+        if (why.empty() && !start_is_known &&
+            open_motions(batch.back()).exist())
+          {
+            // how long its way is says the end of the one before
+            history    = batch.back().before;
+            one_by_one = true;
+            batch.pop_back();
+            break;
+          }
         if (why.empty() && search.is_needed())
           {
             why           = try_to_settle(batch.back());
@@ -260,7 +270,44 @@ namespace conetact::analysis
     if (report.substeps > 1 && !model.working_set().is_all())
       return "it was solved in parts";
     take_result(increment, problem);
+    if (start_is_known)
+      shorten_way(increment, problem);
     return "";
+  }
+
+  contact::OpenMotions
+  IncrementAnalysis::open_motions(const PendingIncrement &increment) const
+  {
+    return {model.motions,
+            model.points,
+            increment.state,
+            history.largest_force()};
+  }
+
+  /* Any end that open motions lead to is a solution; the shortest way is what
+     is promised. */
+  void
+  IncrementAnalysis::shorten_way(PendingIncrement              &increment,
+                                 const solvers::ContactProblem &problem)
+  {
+    const contact::OpenMotions open = open_motions(increment);
+    if (!open.exist())
+      return;
+    const contact::Coordinates &coordinates = model.coordinates;
+    const Eigen::VectorXd       w =
+      model.condense().expand({&increment.load}, {increment.primal});
+    Eigen::VectorXd way =
+      coordinates.in_frames(acceptance.displacements(increment, w));
+    const Eigen::VectorXd &start = acceptance.accepted_displacements();
+    way -= coordinates.in_frames(
+      start.size() > 0 ? start : Eigen::VectorXd::Zero(way.size()).eval());
+    const Eigen::VectorXd change = open.shortening(way);
+    if (change.size() == 0)
+      return;
+    history = increment.before;
+    history.linearise_at(increment.base);
+    history.move(increment.end, change);
+    take_result(increment, problem);
   }
 
   /* Where all contacts are bound, foundations alone hold what floats. */
@@ -348,13 +395,14 @@ namespace conetact::analysis
     unsigned int           n_slow = 1;
     for (unsigned int &n = increment.record.pairings;;)
       {
-        const Eigen::VectorXd u =
-          acceptance.displacements(increment,
-                                   model.condense().expand({&increment.load},
-                                                           {increment.primal}));
-        ContactSearch::Nodes found = search.find(u, increment.record.time);
+        const Eigen::VectorXd w =
+          model.condense().expand({&increment.load}, {increment.primal});
+        const Eigen::VectorXd u     = acceptance.displacements(increment, w);
+        ContactSearch::Nodes  found = search.find(u, increment.record.time);
         const ContactSearch::Change change = search.change(increment, u, found);
-        const Eigen::VectorXd       moved  = acceptance.amounts(increment);
+        const Eigen::VectorXd       moved =
+          acceptance.amounts(increment) +
+          model.motions.of_free(model.motions.free_in(w));
         // cos a - 1 is what a small rotation by a strains its body
         const double angle   = model.turn_of_frames(moved);
         const double turn    = .5 * angle * angle / strain;
@@ -544,7 +592,8 @@ namespace conetact::analysis
   IncrementAnalysis::Step
   IncrementAnalysis::finish(std::vector<PendingIncrement> &batch)
   {
-    using Outcome = Step::Outcome;
+    using Outcome  = Step::Outcome;
+    start_is_known = true;
     if (batch.empty())
       return {};
     const Eigen::MatrixXd                w       = deformations(batch);

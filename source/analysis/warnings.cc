@@ -5,6 +5,7 @@
 
 #include "conetact/base/text.h"
 #include "conetact/contact/force_shares.h"
+#include "conetact/contact/open_motions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,41 +38,25 @@ namespace conetact::analysis
   bool
   Warnings::is_determinate(const std::vector<solvers::NodeState> &states)
   {
-    const Eigen::MatrixXd G = model.motions.null_space();
-    if (G.cols() == 0)
+    if (model.motions.null_space().cols() == 0)
       return true;
-    const solvers::ContactSystem &layout = model.points.layout();
-    std::vector<Index>            opposing;
-    for (Index i = 0; i < layout.n_nodes(); ++i)
-      {
-        const solvers::NodeState state = states[static_cast<std::size_t>(i)];
-        if (state == solvers::NodeState::open)
-          continue;
-        opposing.push_back(layout.normal(i));
-        if (state == solvers::NodeState::stick)
-          for (Index k = 0; k < layout.n_tangents(i); ++k)
-            opposing.push_back(layout.first[static_cast<std::size_t>(i)] + k);
-      }
-    Eigen::MatrixXd rows = G(opposing, Eigen::all);
-    if (rows.rows() < rows.cols())
-      {
-        rows.conservativeResize(rows.cols(), rows.cols());
-        rows.bottomRows(rows.rows() - static_cast<Index>(opposing.size()))
-          .setZero();
-      }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-    const double least = svd.singularValues().minCoeff();
-    if (least > 1e-9 * std::max(1., svd.singularValues().maxCoeff()))
+    const Eigen::MatrixXd open =
+      contact::unopposed_motions(model.motions, model.points, states);
+    if (open.cols() == 0)
       return true;
+    const bool is_free =
+      std::all_of(states.begin(), states.end(), [](const auto state) {
+        return state == solvers::NodeState::open;
+      });
     const contact::RigidMotions::Motion motion =
-      model.motions.motion(svd.matrixV().rightCols(1));
+      model.motions.motion(open.rightCols(1));
     once("position",
          model.bodies.called(motion.body) + " may move " + describe(motion) +
            ", which nothing opposes: " +
-           (opposing.empty() ? "nothing presses it, and its position is not "
-                               "determined; " :
-                               "forces are determined, its position is not, "
-                               "and ") +
+           (is_free ? "nothing presses it, and its position is not "
+                      "determined; " :
+                      "forces are determined, its position is not, "
+                      "and ") +
            "the shortest motion is taken.");
     return false;
   }

@@ -166,10 +166,12 @@ namespace conetact::application
     std::vector<Eigen::Index> offset = {0};
     for (const bodies::Structure *structure : bodies.structures)
       offset.push_back(offset.back() + structure->n_dofs());
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(offset.back());
-    const auto      add    = [&](const unsigned int  body,
+    Eigen::VectorXd forces; // empty: none
+    const auto      add = [&](const unsigned int  body,
                          const unsigned int  node,
                          const Tensor<1, 3> &force) {
+      if (forces.size() == 0)
+        forces.setZero(offset.back());
       for (unsigned int c = 0; c < bodies.dim; ++c)
         forces[offset[body] +
                node * static_cast<Eigen::Index>(

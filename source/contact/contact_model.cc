@@ -805,6 +805,22 @@ namespace conetact::contact
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
   }
 
+  void
+  ContactHistory::move(solvers::ContactState &end,
+                       const Eigen::VectorXd &amounts) const
+  {
+    const WorkingSet     &set = model->working_set();
+    const Eigen::VectorXd seen =
+      set.gather(Eigen::VectorXd(model->motions.seen() * amounts));
+    end.v.head(seen.size()) += seen;
+    if (model->is_iterative())
+      end.u += model->iterative_backend().values_of_motions(amounts);
+    else if (model->condense().system()->form == solvers::Form::compliance)
+      end.r.tail(amounts.size()) += amounts;
+    else
+      end.u += seen;
+  }
+
   /* What moves bodies as a whole would cost the digits of what strains them:
      amounts of their own have it. */
   void

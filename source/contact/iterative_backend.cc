@@ -111,7 +111,6 @@ namespace conetact::contact
     , nowhere(unresisted_fields(motions, coordinates))
     , n_bound(points.n_bound_unknowns())
     , contacts(describe_contacts())
-    , motions_squared(gram_of_motions())
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
     backends::LargeStiffness given;
@@ -341,35 +340,10 @@ namespace conetact::contact
     return w - nowhere * (nowhere.transpose() * w).eval();
   }
 
-  /* One motion of all bodies at a time: they do not see each other. */
-  Eigen::MatrixXd
-  IterativeBackend::gram_of_motions() const
-  {
-    const Eigen::MatrixXd &free = motions.free();
-    const auto             n_bodies =
-      static_cast<Eigen::Index>(elastic.bodies.structures.size());
-    const Eigen::Index n_one = free.rows() / n_bodies;
-    Eigen::MatrixXd    gram  = Eigen::MatrixXd::Zero(free.rows(), free.rows());
-    for (Eigen::Index k = 0; k < n_one && free.cols() > 0; ++k)
-      {
-        RigidMotions::Amounts one = motions.none();
-        for (Eigen::Index b = 0; b < n_bodies; ++b)
-          one[b * n_one + k] = 1;
-        const RigidMotions::Amounts products =
-          motions.resultants(motions.field(one));
-        for (Eigen::Index b = 0; b < n_bodies; ++b)
-          gram.col(b * n_one + k).segment(b * n_one, n_one) =
-            products.segment(b * n_one, n_one);
-      }
-    return free.transpose() * gram * free;
-  }
-
   VectorXd
   IterativeBackend::motions_in(const VectorXd &values) const
   {
-    const VectorXd u = without_motion(coordinates.expand(values));
-    return motions_squared.solve(motions.free().transpose() *
-                                 motions.resultants(u));
+    return motions.free_in(without_motion(coordinates.expand(values)));
   }
 
   VectorXd

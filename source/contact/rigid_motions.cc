@@ -151,6 +151,7 @@ namespace conetact::contact
     find_held_and_free();
     tie(points);
     find_resisted();
+    multiply_free();
     see_contacts(points);
   }
 
@@ -382,6 +383,25 @@ namespace conetact::contact
                 springs.block(first, first, n_one, n_one) += r.transpose() * r;
               }
     without_springs = split(free_modes.transpose() * springs * free_modes).null;
+  }
+
+  /* One motion of all bodies at a time: they do not see each other. */
+  void
+  RigidMotions::multiply_free()
+  {
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(held.rows(), held.cols());
+    for (Index k = 0; k < n_one && free_modes.cols() > 0; ++k)
+      {
+        Amounts one = none();
+        for (Index first = 0; first < one.size(); first += n_one)
+          one[first + k] = 1;
+        const Amounts products = resultants(field(one));
+        for (Index first = 0; first < one.size(); first += n_one)
+          gram.col(first + k).segment(first, n_one) =
+            products.segment(first, n_one);
+      }
+    free_products = free_modes.transpose() * gram * free_modes;
+    free_factors.compute(free_products);
   }
 
   /* G = H R, with masters as the other side. */

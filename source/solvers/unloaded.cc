@@ -17,60 +17,44 @@ namespace conetact::solvers
 
     /** Of the largest interference: what is less is rounding. */
     constexpr double rounding = 1e-14;
-
-    /** G of the normals of some nodes. */
-    MatrixXd
-    motions_at(const ContactSystem &system, const std::vector<Index> &nodes)
-    {
-      std::vector<Index> rows;
-      for (const Index i : nodes)
-        rows.push_back(system.normal(i));
-      return system.matrix(rows,
-                           Eigen::seqN(system.n_contact_unknowns(),
-                                       system.n_motions));
-    }
-
-    /** Nodes join that the motion pushes in, until there are none. */
-    std::optional<VectorXd>
-    way_out(const ContactSystem &system, const VectorXd &gap)
-    {
-      const double       zero = rounding * gap.cwiseAbs().maxCoeff();
-      std::vector<Index> nodes;
-      std::vector<bool>  joined(static_cast<std::size_t>(gap.size()), false);
-      VectorXd           a   = VectorXd::Zero(system.n_motions);
-      VectorXd           now = gap;
-      while (true)
-        {
-          const std::size_t before = nodes.size();
-          for (Index i = 0; i < gap.size(); ++i)
-            if (now(i) < -zero && !joined[static_cast<std::size_t>(i)])
-              {
-                joined[static_cast<std::size_t>(i)] = true;
-                nodes.push_back(i);
-              }
-          if (nodes.size() == before)
-            break;
-          const MatrixXd G = motions_at(system, nodes);
-          VectorXd       z;
-          // The shortest a under G_n a + gap >= 0: its multipliers z are those
-          // of the nodes that push.
-          if (!solve_lcp(G * G.transpose(),
-                         gap(nodes),
-                         VectorXd::Ones(G.rows()),
-                         Eigen::VectorXi::Zero(G.rows()),
-                         z))
-            return {};
-          a   = G.transpose() * z;
-          now = gap;
-          for (Index i = 0; i < gap.size(); ++i)
-            now(i) +=
-              system.matrix.row(system.normal(i)).tail(system.n_motions).dot(a);
-        }
-      if (now.size() > 0 && now.minCoeff() < -1e3 * zero)
-        return {};
-      return a;
-    }
   } // namespace
+
+  /* Rows join that the motion pushes in, until there are none. */
+  std::optional<VectorXd>
+  shortest_way_out(const MatrixXd &rows, const VectorXd &gap)
+  {
+    VectorXd           a = VectorXd::Zero(rows.cols()), now = gap;
+    std::vector<Index> pushing;
+    std::vector<bool>  joined(static_cast<std::size_t>(gap.size()), false);
+    if (gap.size() == 0)
+      return a;
+    const double zero = rounding * gap.cwiseAbs().maxCoeff();
+    while (true)
+      {
+        const std::size_t before = pushing.size();
+        for (Index i = 0; i < gap.size(); ++i)
+          if (now(i) < -zero && !joined[static_cast<std::size_t>(i)])
+            {
+              joined[static_cast<std::size_t>(i)] = true;
+              pushing.push_back(i);
+            }
+        if (pushing.size() == before)
+          break;
+        const MatrixXd G = rows(pushing, Eigen::all);
+        VectorXd       z; // multipliers of those that push
+        if (!solve_lcp(G * G.transpose(),
+                       gap(pushing),
+                       VectorXd::Ones(G.rows()),
+                       Eigen::VectorXi::Zero(G.rows()),
+                       z))
+          return {};
+        a   = G.transpose() * z;
+        now = gap + rows * a;
+      }
+    if (now.minCoeff() < -1e3 * zero)
+      return {};
+    return a;
+  }
 
   std::optional<ContactState>
   stay_without_load(const ContactProblem &problem, const ContactState &start)
@@ -105,10 +89,11 @@ namespace conetact::solvers
         !system.matrix.bottomRightCorner(k, k).isZero(0) ||
         !start.r.head(n).isZero(0)) // what is pressed already may be jammed
       return {};
-    VectorXd gap(system.n_nodes());
-    for (Index i = 0; i < gap.size(); ++i)
-      gap(i) = problem.load(system.normal(i));
-    const auto a = way_out(system, gap);
+    std::vector<Index> normals;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      normals.push_back(system.normal(i));
+    const auto a = shortest_way_out(system.matrix(normals, Eigen::seqN(n, k)),
+                                    problem.load(normals));
     if (!a)
       return {};
     ContactState state;
@@ -116,8 +101,8 @@ namespace conetact::solvers
     state.r.tail(k) = *a;
     state.v         = problem.load;
     state.v.head(n) += system.matrix.topRightCorner(n, k) * *a;
-    for (Index i = 0; i < gap.size(); ++i)
-      state.v(system.normal(i)) = std::max(0., state.v(system.normal(i)));
+    for (const Index normal : normals)
+      state.v(normal) = std::max(0., state.v(normal));
     return state;
   }
 } // namespace conetact::solvers

@@ -33,89 +33,93 @@ namespace conetact::verification
 
   void
   Energies::add(const contact::ContactPoints &points,
-                const Claim                  &claim,
+                const VectorXd               &r,
+                const double                  t,
                 const Finding                &finding,
                 output::IncrementRecord      &record)
   {
-    State now;
-    now.u           = finding.u;
-    now.forces      = finding.acting;
-    now.foundations = finding.foundations;
-    now.r           = claim.r;
-    fill(last.u, now.u.size());
-    fill(last.forces, now.forces.size());
-    fill(last.r, now.r.size());
-    now.t               = claim.t;
-    const bool is_first = last.reactions.empty();
-    last.reactions.resize(points.all().size());
-    last.foundations.resize(now.foundations.size());
+    fill(last_u, finding.u.size());
+    fill(last_forces, finding.acting.size());
+    fill(last_r, r.size());
+    const bool is_first = last_reactions.empty();
+    last_reactions.resize(points.all().size());
+    last_foundations.resize(finding.foundations.size());
 
-    // Of w alone: a rigid motion has no energy.
-    record.strain_energy = .5 * claim.w.dot(finding.internal);
-    record.external_work = trapezoid(last.forces, now.forces, last.u, now.u);
-    for (std::size_t s = 0; s < now.foundations.size(); ++s)
-      if (contact::Foundation &f = now.foundations[s]; f.forces.size() > 0)
+    record.strain_energy = finding.strain_energy;
+    record.external_work =
+      trapezoid(last_forces, finding.acting, last_u, finding.u);
+    for (std::size_t s = 0; s < finding.foundations.size(); ++s)
+      if (const contact::Foundation &f = finding.foundations[s];
+          f.forces.size() > 0)
         {
-          fill(last.foundations[s].forces, f.forces.size());
-          fill(last.foundations[s].ground, f.forces.size());
+          fill(last_foundations[s].forces, f.forces.size());
+          fill(last_foundations[s].ground, f.forces.size());
           // Springs between body and ground. On the whole they are inside: only
           // the ground that moves does work from outside.
-          record.strain_energy += .5 * f.forces.dot(f.ground - now.u);
-          record.external_work += trapezoid(last.foundations[s].forces,
+          record.strain_energy += .5 * f.forces.dot(f.ground - finding.u);
+          record.external_work += trapezoid(last_foundations[s].forces,
                                             f.forces,
-                                            last.foundations[s].ground,
+                                            last_foundations[s].ground,
                                             f.ground);
         }
     record.dissipation = record.contact_work_normal = 0;
     for (std::size_t i = 0; i < points.all().size(); ++i)
       {
-        const contact::ContactPoint &point = points.all()[i];
-        now.reactions.push_back(contact::force_of(point, claim.r));
-        now.nodes.push_back(*point.node);
+        const contact::ContactPoint &point    = points.all()[i];
+        const Tensor<1, 3>           reaction = contact::force_of(point, r);
         // A reaction acts on the body; an obstacle that moves with it does
         // work, and so does an interference that grows. Where nodes slide each
         // of both reactions goes with the point that it met.
         const auto moved = [&](const pairing::ContactNode &node) {
-          Tensor<1, 3> d = node.opponent_displacement(now.t);
+          Tensor<1, 3> d = node.opponent_displacement(t);
           if (!is_first)
-            d -= node.opponent_displacement(last.t);
+            d -= node.opponent_displacement(last_t);
           return d;
         };
         const pairing::ContactNode &before =
-          last.nodes.empty() ? *point.node : last.nodes[i];
-        record.external_work += .5 * (last.reactions[i] * moved(before) +
-                                      now.reactions[i] * moved(*point.node));
+          last_nodes.empty() ? *point.node : last_nodes[i];
+        record.external_work += .5 * (last_reactions[i] * moved(before) +
+                                      reaction * moved(*point.node));
         const auto nt   = static_cast<Index>(point.dual.size()) - 1;
         const auto work = [&](const Index first, const Index size) {
           // Friction opposes the slip: its work on the bodies is negative, and
           // what is lost positive.
-          return -.5 * (last.r.segment(first, size)
+          return -.5 * (last_r.segment(first, size)
                           .dot(finding.change_as_before.segment(first, size)) +
-                        now.r.segment(first, size)
+                        r.segment(first, size)
                           .dot(finding.change.segment(first, size)));
         };
         record.dissipation += work(point.first, nt);
         record.contact_work_normal += work(point.first + nt, 1);
+        last_reactions[i] = reaction;
       }
-    last = std::move(now);
+    last_u           = finding.u;
+    last_forces      = finding.acting;
+    last_foundations = finding.foundations;
+    last_r           = r;
+    last_t           = t;
+    last_nodes.clear();
+    if (points.slide())
+      for (const contact::ContactPoint &point : points.all())
+        last_nodes.push_back(*point.node);
   }
 
   void
   Energies::save(Archive                        &archive,
                  const std::vector<std::string> &supports) const
   {
-    archive.put("energies/u", last.u);
-    archive.put("energies/forces", last.forces);
-    archive.put("energies/t", last.t);
-    archive.put("energies/r", last.r);
-    archive.put("energies/reactions", last.reactions);
-    archive.put("energies/points", static_cast<double>(last.reactions.size()));
-    for (std::size_t s = 0; s < last.foundations.size(); ++s)
-      if (last.foundations[s].forces.size() > 0)
+    archive.put("energies/u", last_u);
+    archive.put("energies/forces", last_forces);
+    archive.put("energies/t", last_t);
+    archive.put("energies/r", last_r);
+    archive.put("energies/reactions", last_reactions);
+    archive.put("energies/points", static_cast<double>(last_reactions.size()));
+    for (std::size_t s = 0; s < last_foundations.size(); ++s)
+      if (last_foundations[s].forces.size() > 0)
         {
           const std::string name = foundation + supports[s];
-          archive.put(name + "/forces", last.foundations[s].forces);
-          archive.put(name + "/ground", last.foundations[s].ground);
+          archive.put(name + "/forces", last_foundations[s].forces);
+          archive.put(name + "/ground", last_foundations[s].ground);
         }
   }
 
@@ -128,19 +132,19 @@ namespace conetact::verification
       archive.fill(name, value);
       return static_cast<std::size_t>(value);
     };
-    archive.fill_any("energies/u", last.u);
-    archive.fill_any("energies/forces", last.forces);
-    archive.fill("energies/t", last.t);
-    archive.fill_any("energies/r", last.r);
-    last.reactions.resize(number("energies/points"));
-    archive.fill("energies/reactions", last.reactions);
-    last.foundations.resize(supports.size());
+    archive.fill_any("energies/u", last_u);
+    archive.fill_any("energies/forces", last_forces);
+    archive.fill("energies/t", last_t);
+    archive.fill_any("energies/r", last_r);
+    last_reactions.resize(number("energies/points"));
+    archive.fill("energies/reactions", last_reactions);
+    last_foundations.resize(supports.size());
     for (std::size_t s = 0; s < supports.size(); ++s)
       if (const std::string name = foundation + supports[s];
           archive.has(name + "/forces"))
         {
-          archive.fill_any(name + "/forces", last.foundations[s].forces);
-          archive.fill_any(name + "/ground", last.foundations[s].ground);
+          archive.fill_any(name + "/forces", last_foundations[s].forces);
+          archive.fill_any(name + "/ground", last_foundations[s].ground);
         }
   }
 } // namespace conetact::verification

@@ -533,9 +533,10 @@ namespace conetact::verification
     // u = R a + w. Gaps see all of it, forces only w: K R = 0 is exact where
     // nobody computes it.
     out.u = plain.displacements(motions.field(claim.amounts) + claim.w);
-    out.foundations = elastic.foundations(out.u, claim.t);
-    out.internal    = elastic.structure_forces(claim.w);
-    VectorXd rest   = out.internal - claim.loads;
+    out.foundations   = elastic.foundations(out.u, claim.t);
+    VectorXd rest     = elastic.structure_forces(claim.w);
+    out.strain_energy = .5 * claim.w.dot(rest);
+    rest -= claim.loads;
     for (const contact::Foundation &foundation : out.foundations)
       if (foundation.forces.size() > 0)
         rest -= foundation.forces;
@@ -608,10 +609,10 @@ namespace conetact::verification
   }
 
   void
-  Verification::accept(const Claim &claim, const Finding &finding)
+  Verification::accept(const double t, const Finding &finding)
   {
     // The slip of the next increment starts here.
-    last = {finding.u, claim.t, {}, {}};
+    last = {finding.u, t, {}, {}};
     if (points.slide())
       {
         last.nodes  = points.nodes();

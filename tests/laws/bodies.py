@@ -5,6 +5,7 @@ import re
 
 from support.scenes import box, contact, load, press_and_shear, ring, support
 from support.tables import Run
+from support.vectors import apply, rotation
 
 
 def shortest_way_out(laws):
@@ -19,6 +20,25 @@ def shortest_way_out(laws):
         turns.append(sorted(row["u_t1"] for row in run.last()))
     laws.check("slips of all nodes, whatever friction and stiffness",
                max(abs(u - v) for turn in turns for u, v in zip(turn, turns[0])) / abs(turns[0][0]), 1e-9)
+
+
+def shortest_way(laws):
+    """A block pressed uniformly on a plane without friction: what nothing opposes stays where it is on the average, so that
+    the block spreads to both sides alike, however the scene is turned."""
+    for axis, degrees in (((0, 0, 1), 0.0), ((1, -2, .5), 1.0), ((1, -2, .5), 49.0), ((1, 1, 1), 120.0)):
+        turn = rotation(axis, degrees)
+        corner = apply(turn, (2.0, 3.0, 1.0))
+        scene = {"Dimension": 3, "Body block": box((3, 4, 2), (2.0, 3.0, 1.0)), "Obstacle floor": {
+            "Shape": "half space", "Normal": apply(turn, (0, 0, 1))}, "Contact bottom": contact("block", 4, "floor", 0),
+            "Load weight": load("pressure", "5*t", 5), "Time": {"Times": "0.5, 1"},
+            "Output": {"VTU": 0, "Probes": "corner: " + ", ".join(map(repr, corner))}}
+        scene["Body block"]["Mesh"]["Rotation"] = (*axis, degrees)
+        for name in ("condensed", "iterative"):
+            run = laws.run(scene, "-s", f"Solver/Backend={name}")
+            u = apply(tuple(zip(*turn)), run.probe("corner"))
+            laws.check(f"{name}, turned by {degrees}: it spreads to both sides alike",
+                       max(abs(a / 5e-3 - b) for a, b in zip(u, (.3, .45, -1))), 1e-9)
+            laws.demand("  of many solutions", run.increments[-1]["determinate"] == "no")
 
 
 def turned_apart(laws):
@@ -37,6 +57,7 @@ def turned_apart(laws):
 
 def bodies(laws):
     turned_apart(laws)
+    shortest_way(laws)
     shortest_way_out(laws)
     for dim in (2, 3):
         left = press_and_shear(dim)

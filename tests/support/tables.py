@@ -30,6 +30,12 @@ class Run:
     def last(self):
         return [row for row in self.rows if row["increment"] == self.rows[-1]["increment"]]
 
+    def probe(self, name):
+        """Its displacement at the end."""
+        with open(self.folder / "history.csv", newline="") as stream:
+            row = list(csv.DictReader(stream))[-1]
+        return tuple(float(row[f"{name}_u_{c}"]) for c in "xyz")
+
     def largest(self, *columns):
         return max(max(abs(row[c]) for c in columns) for row in self.rows)
 

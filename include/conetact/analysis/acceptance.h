@@ -82,6 +82,9 @@ namespace conetact::analysis
     /** Of all rigid motions. */
     verification::Claim
     claim(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    /** Of all contact unknowns. */
+    Eigen::VectorXd
+    reactions(const PendingIncrement &increment) const;
     std::string
     wrong_gap(const PendingIncrement      &increment,
               const verification::Finding &finding,

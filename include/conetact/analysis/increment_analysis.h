@@ -7,6 +7,7 @@
 #include "conetact/analysis/analysis.h"
 #include "conetact/analysis/contact_search.h"
 #include "conetact/analysis/increment_parts.h"
+#include "conetact/contact/open_motions.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/existence.h"
 
@@ -118,6 +119,12 @@ namespace conetact::analysis
     void
     take_result(PendingIncrement              &increment,
                 const solvers::ContactProblem &problem);
+    /** What its end leaves open of positions. */
+    contact::OpenMotions
+    open_motions(const PendingIncrement &increment) const;
+    void
+    shorten_way(PendingIncrement              &increment,
+                const solvers::ContactProblem &problem);
     /** Recovers displacements, checks and writes. */
     Step
     finish(std::vector<PendingIncrement> &batch);
@@ -160,9 +167,12 @@ namespace conetact::analysis
     bool unsolved      = false; ///< what failed last, by its solver
     bool in_parts = false; ///< increments that are too large to be condensed
     bool said_unsettled = false, said_between = false, said_askew = false;
-    unsigned int n_saved      = 0;     ///< increments before the checkpoint
-    unsigned int first_unsure = 0;     ///< increments before the last one
-    bool         correcting   = false; ///< increments need refinement
+    unsigned int n_saved      = 0; ///< increments before the checkpoint
+    unsigned int first_unsure = 0; ///< increments before the last one
+    /** Increments need refinement, or leave positions open. */
+    bool one_by_one = false;
+    /** What is solved follows an increment that was accepted. */
+    bool start_is_known = true;
   };
 } // namespace conetact::analysis
 

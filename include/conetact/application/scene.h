@@ -73,7 +73,8 @@ namespace conetact::application
     /** What is possible and hardly meant, a sentence each. */
     std::vector<std::string>
     cautions() const;
-    /** Prestress of all contacts, on all dofs of all bodies [force]. */
+    /** Prestress of all contacts, on all dofs of all bodies [force]; empty:
+     * there is none. */
     Eigen::VectorXd
     prestress() const;
     /**

@@ -279,6 +279,10 @@ namespace conetact::contact
      */
     Eigen::VectorXd
     nearby(const Eigen::VectorXd &w, Eigen::VectorXd motions) const;
+    /** The end of an increment with such amounts of free motions more, which
+     * nothing resists. */
+    void
+    move(solvers::ContactState &end, const Eigen::VectorXd &amounts) const;
     /** Takes over the end of an increment. */
     void
     advance(const solvers::ContactState &end);

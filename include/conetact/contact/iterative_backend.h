@@ -9,8 +9,6 @@
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
 
-#include <Eigen/Cholesky>
-
 namespace conetact::contact
 {
   /**
@@ -118,19 +116,15 @@ namespace conetact::contact
     /** Where nothing opposes a motion the shortest one is taken. */
     Eigen::VectorXd
     without_motion(const Eigen::VectorXd &w) const;
-    /** Products of the free motions with each other. */
-    Eigen::MatrixXd
-    gram_of_motions() const;
 
-    const ElasticSystem         &elastic;
-    const ContactPoints         &points;
-    const RigidMotions          &motions;
-    const Coordinates            coordinates;
-    const Eigen::MatrixXd        nowhere; ///< motions that nothing resists
-    const Eigen::Index           n_bound;
-    const std::vector<double>    contacts; ///< as they were when it was made
-    Eigen::LDLT<Eigen::MatrixXd> motions_squared;
-    Eigen::VectorXd              stiffness_of_bound;
+    const ElasticSystem      &elastic;
+    const ContactPoints      &points;
+    const RigidMotions       &motions;
+    const Coordinates         coordinates;
+    const Eigen::MatrixXd     nowhere; ///< motions that nothing resists
+    const Eigen::Index        n_bound;
+    const std::vector<double> contacts; ///< as they were when it was made
+    Eigen::VectorXd           stiffness_of_bound;
   };
 } // namespace conetact::contact
 

@@ -6,6 +6,8 @@
 
 #include "conetact/contact/coordinates.h"
 
+#include <Eigen/Cholesky>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -71,6 +73,19 @@ namespace conetact::contact
     /** R^T f: forces on all dofs against all modes. */
     Amounts
     resultants(const Eigen::VectorXd &forces) const;
+    /** Amounts of the free motions in displacements of all dofs, least squares
+     * over all nodes. */
+    Eigen::VectorXd
+    free_in(const Eigen::VectorXd &u) const
+    {
+      return free_factors.solve(free_modes.transpose() * resultants(u));
+    }
+    /** Products of the fields of the free motions with each other. */
+    const Eigen::MatrixXd &
+    products_of_free() const
+    {
+      return free_products;
+    }
     /** Displacement at a node of a body. */
     Tensor<1, 3>
     at(const Amounts     &amounts,
@@ -214,6 +229,8 @@ namespace conetact::contact
     void
     find_resisted();
     void
+    multiply_free();
+    void
     refuse_loose_bodies() const;
     /** direction . R at p, the modes of a body. */
     Eigen::RowVectorXd
@@ -246,10 +263,12 @@ namespace conetact::contact
     Eigen::MatrixXd           own_modes, free_modes;
     std::vector<unsigned int> own_body, free_body;
     Eigen::MatrixXd           free_parts, tied_parts;
-    std::vector<unsigned int> tied_with;
-    std::vector<Tie>          ties;
-    Eigen::MatrixXd           without_springs;
-    Eigen::MatrixXd           seen_by_contacts;
+    Eigen::MatrixXd           free_products;
+    Eigen::LDLT<Eigen::MatrixXd> free_factors; ///< of these
+    std::vector<unsigned int>    tied_with;
+    std::vector<Tie>             ties;
+    Eigen::MatrixXd              without_springs;
+    Eigen::MatrixXd              seen_by_contacts;
   };
 
   /** "along (1, 0, 0)", "about (0, 0, 1)", "along ... and about ...". */

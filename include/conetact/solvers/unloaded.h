@@ -11,6 +11,14 @@
 namespace conetact::solvers
 {
   /**
+   * The shortest a with @f$ G a + q \ge 0 @f$: a = G^T z with
+   * @f$ G G^T z + q \ge 0,\ z \ge 0 @f$ complementary. `rows` is G, `gap` q.
+   * None where there is none.
+   */
+  std::optional<Eigen::VectorXd>
+  shortest_way_out(const Eigen::MatrixXd &rows, const Eigen::VectorXd &gap);
+
+  /**
    * The end of an increment in which no force presses any body and none is in
    * the way: no reaction, and bodies stay where supports carry them. None
    * where there is an interference, or held bodies are pressed at the `start`:
@@ -21,9 +29,8 @@ namespace conetact::solvers
 
   /**
    * The same where bodies that nothing presses are in the way: the shortest
-   * motion that leaves no interference, a = G_n^T z with
-   * @f$ G_n G_n^T z + q_n \ge 0,\ z \ge 0 @f$ complementary. None where
-   * foundations act or bodies have no way out.
+   * motion that leaves no interference. None where foundations act or bodies
+   * have no way out.
    */
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start);

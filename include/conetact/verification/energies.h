@@ -25,7 +25,8 @@ namespace conetact::verification
     /** Writes those of an accepted increment; they come in their order. */
     void
     add(const contact::ContactPoints &points,
-        const Claim                  &claim,
+        const Eigen::VectorXd        &reactions,
+        const double                  t,
         const Finding                &finding,
         output::IncrementRecord      &record);
 
@@ -37,16 +38,14 @@ namespace conetact::verification
     restore(const Archive &archive, const std::vector<std::string> &supports);
 
   private:
-    struct State
-    {
-      Eigen::VectorXd                   u, forces; ///< external, all dofs
-      std::vector<contact::Foundation>  foundations;
-      std::vector<Tensor<1, 3>>         reactions;
-      std::vector<pairing::ContactNode> nodes; ///< as they were found
-      double                            t = 0;
-      Eigen::VectorXd                   r;
-    };
-    State last;
+    // at the end of the increment that came last
+    Eigen::VectorXd last_u, last_forces; ///< external, all dofs
+    std::vector<contact::Foundation> last_foundations;
+    std::vector<Tensor<1, 3>>        last_reactions;
+    std::vector<pairing::ContactNode>
+                    last_nodes; ///< where they are found again
+    double          last_t = 0;
+    Eigen::VectorXd last_r;
   };
 } // namespace conetact::verification
 

@@ -39,10 +39,11 @@ namespace conetact::verification
     double      residual    = 0; ///< worst error of the contact law, relative
     double      equilibrium = 0; ///< worst unbalanced force, relative
     std::string why; ///< it is not accepted, a sentence; empty: it is
+    /** Of w alone: a rigid motion has none [force x length]. */
+    double strain_energy = 0;
 
-    Eigen::VectorXd u;        ///< displacements of all dofs, in space [length]
-    Eigen::VectorXd acting;   ///< loads and supports, in space [force]
-    Eigen::VectorXd internal; ///< K w of the bodies, all dofs [force]
+    Eigen::VectorXd u;      ///< displacements of all dofs, in space [length]
+    Eigen::VectorXd acting; ///< loads and supports, in space [force]
     Eigen::VectorXd unbalanced;    ///< forces on all dofs [force]
     Eigen::VectorXd displacements; ///< of all contact unknowns, relative
     Eigen::VectorXd change;        ///< of them in this increment
@@ -114,9 +115,10 @@ namespace conetact::verification
     {
       return last.u;
     }
-    /** The claim becomes the state that the next one is judged against. */
+    /** What it found of a claim at time t becomes the state that the next one
+     * is judged against. */
     void
-    accept(const Claim &claim, const Finding &finding);
+    accept(const double t, const Finding &finding);
 
     /** What of it is kept in a checkpoint, and taken from one again. */
     void

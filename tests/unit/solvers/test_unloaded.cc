@@ -54,6 +54,22 @@ namespace
 
 
 
+TEST(Unloaded, TheShortestWayOutIsTheNearestPointOfACone)
+{
+  // a_1 >= .1, a_1 - a_2 >= .3
+  Eigen::MatrixXd rows(2, 2);
+  rows << 1, 0, 1, -1;
+  const auto a = shortest_way_out(rows, Eigen::Vector2d(-.1, -.3));
+  ASSERT_TRUE(a);
+  EXPECT_LE((*a - Eigen::Vector2d(.15, -.15)).norm(), 1e-15);
+  // a_1 >= 1, -a_1 >= 1
+  rows << 1, 0, -1, 0;
+  EXPECT_FALSE(shortest_way_out(rows, Eigen::Vector2d(-1, -1)));
+  EXPECT_EQ(shortest_way_out(rows, Eigen::Vector2d(1, 0))->norm(), 0);
+}
+
+
+
 TEST(Unloaded, TakesTheShortestWayOut)
 {
   // |a| least with a_1 >= .1, a_1 - a_2 >= .3, a_1 + a_2 >= -1

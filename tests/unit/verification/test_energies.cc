@@ -44,13 +44,10 @@ namespace
       for (Eigen::Index i = 0; i < 6; ++i)
         if (model.coordinates.prescribed(t)[i] != 0)
           u[i] = model.coordinates.prescribed(t)[i];
-      Claim claim;
-      claim.t = t;
-      claim.w = u;
-      claim.r = r;
-      Finding finding;
+      const Eigen::VectorXd internal = model.elastic.structure_forces(u);
+      Finding               finding;
       finding.u             = u;
-      finding.internal      = model.elastic.structure_forces(u);
+      finding.strain_energy = .5 * u.dot(internal);
       finding.foundations   = model.elastic.foundations(u, t);
       finding.displacements = model.relative_displacements(u, t);
       finding.change        = finding.displacements;
@@ -59,17 +56,17 @@ namespace
       finding.change_as_before = finding.change;
       before                   = finding.displacements;
       const Eigen::VectorXd all =
-        finding.internal - reactions(r) - foundations(finding);
-      claim.loads           = all;
+        internal - reactions(r) - foundations(finding);
+      Eigen::VectorXd loads = all;
       finding.external.held = Eigen::VectorXd::Zero(6);
       if (finding.foundations[0].forces.size() == 0)
         {
-          claim.loads.tail(2).setZero();
+          loads.tail(2).setZero();
           finding.external.held.tail(2) = all.tail(2);
         }
       output::IncrementRecord record;
-      finding.acting = claim.loads + finding.external.held;
-      energies.add(model.points, claim, finding, record);
+      finding.acting = loads + finding.external.held;
+      energies.add(model.points, r, t, finding, record);
       return record;
     }
 

@@ -65,7 +65,7 @@ namespace
           claim.loads = claim.mechanical = forces;
           claim.t                        = t;
           visit(claim);
-          verification.accept(claim, verification.judge(claim));
+          verification.accept(claim.t, verification.judge(claim));
         }
     }
 

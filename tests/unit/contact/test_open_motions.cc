@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/open_motions.h"
+
+#include "scene_fixture.h"
+
+using namespace conetact;
+using namespace conetact::application;
+using namespace conetact::contact;
+using namespace conetact::solvers;
+
+namespace
+{
+  /** A triangle of bars on a floor: its two feet are candidates. */
+  struct Feet
+  {
+    explicit Feet(const std::string &friction)
+      : scene(test::make_scene(test::triangle_on_floor("", "", friction)))
+      , rules(scene->bodies, {1})
+      , points(scene->bodies, rules, {1})
+      , coordinates(scene->bodies, rules)
+      , motions(scene->bodies, rules, points, coordinates)
+      , state{Eigen::VectorXd::Zero(points.n_unknowns()),
+              Eigen::VectorXd::Zero(points.n_unknowns()),
+              std::vector<NodeState>(points.size(), NodeState::open)}
+    {}
+
+    void
+    press(const Eigen::Index foot)
+    {
+      state.r[points[foot].normal()]             = 1;
+      state.node[static_cast<std::size_t>(foot)] = NodeState::slip;
+    }
+
+    OpenMotions
+    open() const
+    {
+      return {motions, points, state, 1.};
+    }
+
+    /** A way of such amounts, and what is left of it, along all modes. */
+    Eigen::VectorXd
+    shortened(const Eigen::Vector3d &amounts) const
+    {
+      const Eigen::VectorXd more = open().shortening(motions.field(amounts));
+      return more.size() == 0 ?
+               Eigen::VectorXd(amounts) :
+               Eigen::VectorXd(amounts + motions.of_free(more));
+    }
+
+    std::unique_ptr<Scene> scene;
+    NodeRules              rules;
+    ContactPoints          points;
+    Coordinates            coordinates;
+    RigidMotions           motions;
+    ContactState           state;
+  };
+
+  const std::string rough = "|Friction coefficient = 0.2";
+} // namespace
+
+
+
+TEST(OpenMotions, WhatNothingPressesStaysWhereItIs)
+{
+  const Feet feet(rough);
+  EXPECT_EQ(
+    unopposed_motions(feet.motions, feet.points, feet.state.node).cols(), 3);
+  EXPECT_TRUE(feet.open().exist());
+  Feet high(rough);
+  for (Eigen::Index i = 0; i < 2; ++i)
+    high.state.v[high.points[i].normal()] = 10;
+  EXPECT_LE(high.shortened({.3, .2, -.1}).norm(), 1e-13);
+}
+
+
+
+TEST(OpenMotions, NothingIsShortenedThroughAFloor)
+{
+  const Feet feet(rough); // both touch, at the end of a way up
+  EXPECT_LE((feet.shortened({.3, .2, 0}) - Eigen::Vector3d(0, .2, 0)).norm(),
+            1e-13);
+}
+
+
+
+TEST(OpenMotions, WhatIsPressedWithoutFrictionSlidesBack)
+{
+  Feet feet("");
+  feet.press(0);
+  feet.press(1);
+  EXPECT_EQ(
+    unopposed_motions(feet.motions, feet.points, feet.state.node).cols(), 1);
+  EXPECT_LE(
+    (feet.shortened({.3, .2, -.1}) - Eigen::Vector3d(0, .2, -.1)).norm(),
+    1e-13);
+}
+
+
+
+TEST(OpenMotions, FrictionHoldsWhatIsPressed)
+{
+  Feet feet(rough);
+  feet.press(0);
+  feet.press(1);
+  EXPECT_FALSE(feet.open().exist());
+  // the slip of an end may still be any along its direction
+  EXPECT_EQ(
+    unopposed_motions(feet.motions, feet.points, feet.state.node).cols(), 1);
+}
