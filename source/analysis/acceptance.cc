@@ -371,7 +371,9 @@ namespace conetact::analysis
                                     record.report.substeps <= 1);
     const auto &states         = increment.state.node;
     record.determinate =
-      warnings.is_determinate(states) &&
+      warnings.is_determinate(increment.state,
+                              std::max(increment.after.largest_force(),
+                                       solvers::largest(increment.state.r))) &&
       warnings.are_forces_determinate(states, increment.state.r);
     warnings.check_size(amounts(increment), w);
     observe(record, finding.u);

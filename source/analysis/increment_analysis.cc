@@ -304,9 +304,10 @@ namespace conetact::analysis
     const Eigen::VectorXd change = open.shortening(way);
     if (change.size() == 0)
       return;
-    history = increment.before;
+    const double largest = history.largest_force();
+    history              = increment.before;
     history.linearise_at(increment.base);
-    history.move(increment.end, change);
+    history.move(increment.end, change, largest);
     take_result(increment, problem);
   }
 

@@ -36,27 +36,33 @@ namespace conetact::analysis
   }
 
   bool
-  Warnings::is_determinate(const std::vector<solvers::NodeState> &states)
+  Warnings::is_determinate(const solvers::ContactState &state,
+                           const double                 largest_force)
   {
-    if (model.motions.null_space().cols() == 0)
+    const contact::OpenMotions open(model.motions,
+                                    model.points,
+                                    state,
+                                    largest_force);
+    const Eigen::VectorXd      elsewhere = open.elsewhere();
+    if (elsewhere.size() == 0)
       return true;
-    const Eigen::MatrixXd open =
-      contact::unopposed_motions(model.motions, model.points, states);
-    if (open.cols() == 0)
-      return true;
-    const bool is_free =
-      std::all_of(states.begin(), states.end(), [](const auto state) {
-        return state == solvers::NodeState::open;
-      });
     const contact::RigidMotions::Motion motion =
-      model.motions.motion(open.rightCols(1));
+      model.motions.motion_of_free(elsewhere);
+    const contact::ContactPoints &points = model.points;
+    const bool                    is_pressed =
+      std::any_of(points.begin(),
+                  points.end(),
+                  [&](const contact::ContactPoint &point) {
+                    return !contact::presses_nothing(state.r[point.normal()],
+                                                     largest_force);
+                  });
     once("position",
          model.bodies.called(motion.body) + " may move " + describe(motion) +
            ", which nothing opposes: " +
-           (is_free ? "nothing presses it, and its position is not "
-                      "determined; " :
-                      "forces are determined, its position is not, "
-                      "and ") +
+           (is_pressed ? "forces are determined, its position is not, "
+                         "and " :
+                         "nothing presses it, and its position is not "
+                         "determined; ") +
            "the shortest motion is taken.");
     return false;
   }

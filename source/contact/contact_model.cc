@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/equal_bodies.h"
 #include "conetact/contact/large_nodes.h"
+#include "conetact/contact/open_motions.h"
 #include "conetact/solvers/large_system.h"
 
 #include <algorithm>
@@ -807,7 +808,8 @@ namespace conetact::contact
 
   void
   ContactHistory::move(solvers::ContactState &end,
-                       const Eigen::VectorXd &amounts) const
+                       const Eigen::VectorXd &amounts,
+                       const double           largest_force) const
   {
     const WorkingSet     &set = model->working_set();
     const Eigen::VectorXd seen =
@@ -819,6 +821,17 @@ namespace conetact::contact
       end.r.tail(amounts.size()) += amounts;
     else
       end.u += seen;
+    // what carried nothing may have left
+    const double zero = 1e-12 * conetact::solvers::largest(seen);
+    const solvers::ContactSystem &layout = set.layout();
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      if (const Eigen::Index n = layout.normal(i);
+          end.v[n] > zero && presses_nothing(end.r[n], largest_force))
+        {
+          const Eigen::Index first = n - layout.n_tangents(i);
+          end.r.segment(first, n - first + 1).setZero();
+          end.node[static_cast<std::size_t>(i)] = solvers::NodeState::open;
+        }
   }
 
   /* What moves bodies as a whole would cost the digits of what strains them:

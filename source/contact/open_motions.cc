@@ -21,8 +21,20 @@ namespace conetact::contact
     /** Of the largest force: what presses less presses nothing. */
     constexpr double nothing = 1e-12;
 
+    /** Of friction: what is less away from its limit is at it. */
+    constexpr double limit = 1e-9;
+
     /** Of the way: what is less is rounding. */
     constexpr double rounding = 1e-12;
+
+    MatrixXd
+    stacked(const std::vector<Eigen::RowVectorXd> &rows, const Index n_columns)
+    {
+      MatrixXd result(static_cast<Index>(rows.size()), n_columns);
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        result.row(static_cast<Index>(i)) = rows[i];
+      return result;
+    }
 
     /**
      * Orthonormal basis of what rows do not see. Squares of rows tell roughly
@@ -50,24 +62,10 @@ namespace conetact::contact
     }
   } // namespace
 
-  MatrixXd
-  unopposed_motions(const RigidMotions                    &motions,
-                    const ContactPoints                   &points,
-                    const std::vector<solvers::NodeState> &states)
+  bool
+  presses_nothing(const double reaction, const double largest_force)
   {
-    const solvers::ContactSystem &layout = points.layout();
-    std::vector<Index>            opposing;
-    for (Index i = 0; i < layout.n_nodes(); ++i)
-      {
-        const solvers::NodeState state = states[static_cast<std::size_t>(i)];
-        if (state == solvers::NodeState::open)
-          continue;
-        opposing.push_back(layout.normal(i));
-        if (state == solvers::NodeState::stick)
-          for (Index k = 0; k < layout.n_tangents(i); ++k)
-            opposing.push_back(layout.first[static_cast<std::size_t>(i)] + k);
-      }
-    return null_of(motions.null_space()(opposing, Eigen::all));
+    return reaction <= nothing * largest_force;
   }
 
   OpenMotions::OpenMotions(const RigidMotions          &m,
@@ -78,32 +76,76 @@ namespace conetact::contact
   {
     if (motions.unresisted().cols() == 0)
       return;
-    const solvers::ContactSystem &layout = points.layout();
-    const MatrixXd               &seen   = motions.seen();
-    std::vector<Index>            opposing, others;
-    for (Index i = 0; i < layout.n_nodes(); ++i)
+    const MatrixXd                  seen = motions.null_space();
+    std::vector<Eigen::RowVectorXd> opposed, bounded;
+    std::vector<double>             rooms;
+    const auto bound = [&](const Eigen::RowVectorXd &row, const double r) {
+      bounded.push_back(row);
+      rooms.push_back(std::max(0., r));
+    };
+    for (Index i = 0; i < points.layout().n_nodes(); ++i)
       {
-        const Index n = layout.normal(i);
-        if (state.r[n] <= nothing * largest_force)
+        const Index first = points[i].first, n = points[i].normal();
+        if (presses_nothing(state.r[n], largest_force))
           {
-            others.push_back(n);
+            bound(seen.row(n), state.v[n]);
             continue;
           }
-        opposing.push_back(n);
-        if (points[i].mu > 0)
-          for (Index k = points[i].first; k < n; ++k)
-            opposing.push_back(k);
+        opposed.push_back(seen.row(n));
+        if (points[i].mu == 0)
+          continue;
+        // along the slip, and across it; at its limit what sticks may slip
+        const VectorXd friction = -state.r.segment(first, n - first);
+        const bool     slips =
+          !presses_nothing(friction.norm(), largest_force) &&
+          (state.node[static_cast<std::size_t>(i)] ==
+             solvers::NodeState::slip ||
+           friction.norm() >= (1 - limit) * points[i].mu * state.r[n]);
+        const VectorXd along = friction.normalized();
+        if (slips)
+          bound(along.transpose() * seen.middleRows(first, n - first),
+                along.dot(state.v.segment(first, n - first)));
+        for (Index k = first; k < n && !slips; ++k)
+          opposed.push_back(seen.row(k));
+        if (slips && n - first == 2)
+          opposed.push_back(along[0] * seen.row(first + 1) -
+                            along[1] * seen.row(first));
       }
-    open = motions.unresisted() *
-           null_of(seen(opposing, Eigen::all) * motions.unresisted());
+    open = motions.unresisted() * null_of(stacked(opposed, seen.cols()));
     if (!exist())
       return;
     // orthonormal in the products of motions with each other
     const Eigen::SelfAdjointEigenSolver<MatrixXd> squares(
       open.transpose() * motions.products_of_free() * open);
     open *= squares.operatorInverseSqrt();
-    rows = seen(others, Eigen::all) * open;
-    gap  = state.v(others);
+    rows =
+      stacked(bounded, seen.cols()) * motions.unresisted().transpose() * open;
+    room = Eigen::Map<VectorXd>(rooms.data(), rows.rows());
+    touching =
+      1e-10 * solvers::largest(state.v) + 1e-13 * motions.largest_size();
+  }
+
+  /* If there is any, there is one with a component of 1. */
+  VectorXd
+  OpenMotions::elsewhere() const
+  {
+    std::vector<Eigen::RowVectorXd> in_the_way;
+    for (Index i = 0; i < room.size(); ++i)
+      if (room[i] <= touching)
+        in_the_way.push_back(rows.row(i));
+    in_the_way.emplace_back();
+    VectorXd left  = VectorXd::Zero(static_cast<Index>(in_the_way.size()));
+    left.tail<1>() = -VectorXd::Ones(1);
+    for (Index j = 0; j < open.cols(); ++j)
+      for (const double sign : {1., -1.})
+        {
+          in_the_way.back() = sign * Eigen::RowVectorXd::Unit(open.cols(), j);
+          if (const auto y =
+                solvers::shortest_way_out(stacked(in_the_way, open.cols()),
+                                          left))
+            return open * *y;
+        }
+    return {};
   }
 
   VectorXd
@@ -112,8 +154,8 @@ namespace conetact::contact
     const VectorXd so_far = motions.free_in(way);
     VectorXd       y =
       -open.transpose() * (motions.products_of_free() * so_far).eval();
-    VectorXd left = gap;
-    if (gap.size() > 0) // BLAS takes no empty matrix
+    VectorXd left = room;
+    if (room.size() > 0) // BLAS takes no empty matrix
       left += rows * y;
     const auto out = solvers::shortest_way_out(rows, left);
     if (!out)

@@ -63,12 +63,15 @@ namespace conetact::contact
     }
 
     RigidMotions::Motion
-    frame_of(const unsigned int body, const bodies::Structure &structure)
+    frame_of(const Bodies &bodies, const unsigned int body)
     {
-      RigidMotions::Motion frame{
+      const bodies::Structure &structure = *bodies.structures[body];
+      RigidMotions::Motion     frame{
         body, structure.is_axisymmetric(), {}, {}, {}, 0};
       const unsigned int n = structure.n_nodes();
-      for (unsigned int i = 0; i < n; ++i)
+      if (bodies.is_rigid(body))
+        frame.centre = structure.position(0); // its reference point
+      for (unsigned int i = 0; i < n && !bodies.is_rigid(body); ++i)
         // Any point near the middle of the nodes will do.
         frame.centre += Tensor<1, 3>(structure.position(i)) / n;
       for (unsigned int i = 0; i < n; ++i)
@@ -137,7 +140,7 @@ namespace conetact::contact
   {
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
-        frames.push_back(frame_of(body, *bodies.structures[body]));
+        frames.push_back(frame_of(bodies, body));
         offset.push_back(coordinates.offset(body));
       }
     offset.push_back(coordinates.n_dofs());
@@ -400,8 +403,12 @@ namespace conetact::contact
           gram.col(first + k).segment(first, n_one) =
             products.segment(first, n_one);
       }
+    free_factors.compute(free_modes.transpose() * gram * free_modes);
+    for (std::size_t body = 0; body < frames.size(); ++body)
+      if (const Index first = static_cast<Index>(body) * n_one;
+          bodies.is_rigid(body))
+        gram.block(first, first, n_one, n_one).setIdentity();
     free_products = free_modes.transpose() * gram * free_modes;
-    free_factors.compute(free_products);
   }
 
   /* G = H R, with masters as the other side. */
@@ -540,6 +547,15 @@ namespace conetact::contact
         motion.rotation[bodies.dim == 2 ? 2 : k - bodies.dim] =
           amount / motion.size;
     return motion;
+  }
+
+  double
+  RigidMotions::largest_size() const
+  {
+    double largest = 0;
+    for (const Motion &frame : frames)
+      largest = std::max(largest, frame.size);
+    return largest;
   }
 
   Eigen::VectorXd

@@ -115,19 +115,13 @@ namespace conetact::verification
   VectorXd
   Verification::rounding_of_springs(const Finding &out) const
   {
-    VectorXd way = VectorXd::Zero(out.u.size());
+    VectorXd way;
     for (const contact::Foundation &foundation : out.foundations)
-      for (unsigned int body = 0;
-           foundation.forces.size() > 0 && body < bodies.structures.size();
-           ++body)
-        {
-          const Index  first = plain.offset(body);
-          const Index  n     = plain.offset(body + 1) - first;
-          const double far =
-            solvers::largest(foundation.ground.segment(first, n));
-          way.segment(first, n) = way.segment(first, n).cwiseMax(far);
-        }
-    return way.isZero(0) ? VectorXd() : VectorXd(16 * eps * elastic.terms(way));
+      if (foundation.forces.size() > 0 && !foundation.ground.isZero(0))
+        way = way.size() == 0 ?
+                VectorXd(foundation.ground.cwiseAbs()) :
+                VectorXd(way.cwiseMax(foundation.ground.cwiseAbs()));
+    return way.size() == 0 ? way : rounding_of_ways(std::move(way));
   }
 
   /* What supports carry along is strained by the rounding of how far that is,
@@ -135,8 +129,14 @@ namespace conetact::verification
   VectorXd
   Verification::rounding_of_supports(const double t) const
   {
-    VectorXd way =
-      plain.prescribed(t).cwiseAbs() + plain.prescribed(last.t).cwiseAbs();
+    return rounding_of_ways(plain.prescribed(t).cwiseAbs() +
+                            plain.prescribed(last.t).cwiseAbs());
+  }
+
+  /* All of a body goes as far as what goes furthest. */
+  VectorXd
+  Verification::rounding_of_ways(VectorXd way) const
+  {
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
         const Index first = plain.offset(body);

@@ -24,11 +24,12 @@ namespace conetact::analysis
     Warnings(const contact::ContactModel &model, Log &log);
 
     /**
-     * False where a motion exists that no closed contact, friction below its
-     * limit or support opposes: forces are determined, positions are not.
+     * False where a motion exists that no contact, friction or support opposes:
+     * forces are determined, positions are not.
      */
     bool
-    is_determinate(const std::vector<solvers::NodeState> &states);
+    is_determinate(const solvers::ContactState &state,
+                   const double                 largest_force);
     /**
      * False where contacts of a node may share its force otherwise: the law
      * holds for many shares, of which the solver found one.

@@ -279,10 +279,11 @@ namespace conetact::contact
      */
     Eigen::VectorXd
     nearby(const Eigen::VectorXd &w, Eigen::VectorXd motions) const;
-    /** The end of an increment with such amounts of free motions more, which
-     * nothing resists. */
+    /** The end of an increment with such amounts of OpenMotions more. */
     void
-    move(solvers::ContactState &end, const Eigen::VectorXd &amounts) const;
+    move(solvers::ContactState &end,
+         const Eigen::VectorXd &amounts,
+         const double           largest_force) const;
     /** Takes over the end of an increment. */
     void
     advance(const solvers::ContactState &end);

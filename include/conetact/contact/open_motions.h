@@ -10,22 +10,17 @@
 
 namespace conetact::contact
 {
-  /**
-   * Orthonormal combinations (columns) of the motions of null_space() that
-   * contacts in such states do not oppose: no closed one along its normal, none
-   * that sticks along its tangents.
-   */
-  Eigen::MatrixXd
-  unopposed_motions(const RigidMotions                    &motions,
-                    const ContactPoints                   &points,
-                    const std::vector<solvers::NodeState> &states);
+  /** Whether a normal reaction is the rounding of the largest force so far. */
+  bool
+  presses_nothing(const double reaction, const double largest_force);
 
   /**
-   * What is left open of the positions of bodies at the end of an increment,
-   * and how they have the shortest way there: the least squares of all nodes.
-   * Forces stay what they are: no contact that carries one moves along its
-   * normal, nor along its tangents if there is friction. None that carries
-   * nothing gets closer than touching.
+   * What forces leave open of positions at the end of an increment, and how
+   * bodies have the shortest way there: the least squares over all nodes, those
+   * of a free obstacle counting as its reference point and its rim. All forces
+   * stay what they are: what presses does not move along its normal, nor what
+   * sticks along its tangents, and slips keep their directions. Contacts that
+   * carry nothing may open, and close until they touch.
    */
   class OpenMotions
   {
@@ -41,6 +36,10 @@ namespace conetact::contact
     {
       return open.cols() > 0;
     }
+    /** Free motions that lead to another solution nearby; empty: none do, as
+     * what touches is in the way. */
+    Eigen::VectorXd
+    elsewhere() const;
     /**
      * Amounts of free motions that, added, make the way the shortest; empty: it
      * is. `way`: displacements of all dofs since the start of the increment, in
@@ -52,8 +51,9 @@ namespace conetact::contact
   private:
     const RigidMotions &motions;
     Eigen::MatrixXd     open; ///< free motions, orthonormal over all nodes
-    Eigen::MatrixXd     rows; ///< normals of contacts that carry nothing
-    Eigen::VectorXd     gap;  ///< of these
+    Eigen::MatrixXd     rows; ///< what may become larger, and smaller by
+    Eigen::VectorXd     room; ///< this: gaps and slips
+    double              touching = 0; ///< a room that is none [length]
   };
 } // namespace conetact::contact
 

@@ -80,7 +80,10 @@ namespace conetact::contact
     {
       return free_factors.solve(free_modes.transpose() * resultants(u));
     }
-    /** Products of the fields of the free motions with each other. */
+    /**
+     * Products of the free motions with each other: those of their fields; of a
+     * free obstacle, whose nodes are as many as meet it, those of its amounts.
+     */
     const Eigen::MatrixXd &
     products_of_free() const
     {
@@ -122,6 +125,10 @@ namespace conetact::contact
     {
       return frames[body].size;
     }
+
+    /** That of the largest body. */
+    double
+    largest_size() const;
 
     Eigen::Index
     n_free() const

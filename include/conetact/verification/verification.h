@@ -132,6 +132,9 @@ namespace conetact::verification
     rounding_of_springs(const Finding &out) const;
     Eigen::VectorXd
     rounding_of_supports(const double t) const;
+    /** Forces that it takes to round such displacements, of all dofs. */
+    Eigen::VectorXd
+    rounding_of_ways(Eigen::VectorXd way) const;
     Scales
     scales(const Claim &claim, const Finding &out) const;
     double

@@ -61,17 +61,32 @@ TEST(Warnings, EachIsSaidOnce)
 
 TEST(Warnings, AFloatingBodyIsDeterminateWhereFrictionHoldsIt)
 {
-  Warned warned("|Friction coefficient = 0.3");
-  EXPECT_TRUE(warned.warnings.is_determinate(States{stick, stick}));
-  EXPECT_TRUE(warned.warnings.is_determinate(States{stick, slip}));
-  EXPECT_FALSE(warned.warnings.is_determinate(States{slip, slip}));
+  Warned      warned("|Friction coefficient = 0.3");
+  const auto &points         = warned.model.points;
+  const auto  is_determinate = [&](const States &states) {
+    ContactState state{Eigen::VectorXd::Zero(points.n_unknowns()),
+                       Eigen::VectorXd::Zero(points.n_unknowns()),
+                       states};
+    for (std::size_t i = 0; i < 2; ++i)
+      if (states[i] != open)
+        {
+          state.r[points[i].normal()] = 1;
+          state.r[points[i].first]    = states[i] == slip ? -.3 : .1;
+        }
+      else
+        state.v[points[i].normal()] = .1;
+    return warned.warnings.is_determinate(state, 1);
+  };
+  EXPECT_TRUE(is_determinate({stick, stick}));
+  EXPECT_TRUE(is_determinate({stick, slip}));
+  EXPECT_FALSE(is_determinate({slip, slip}));
   // one way or the other
   EXPECT_NE(warned.lines().find("1, 0, 0), which nothing opposes: forces are "
                                 "determined, its position is not"),
             std::string::npos)
     << warned.lines();
-  EXPECT_FALSE(warned.warnings.is_determinate(States{stick, open}));
-  EXPECT_FALSE(warned.warnings.is_determinate(States{open, open}));
+  EXPECT_FALSE(is_determinate({stick, open}));
+  EXPECT_FALSE(is_determinate({open, open}));
 }
 
 
