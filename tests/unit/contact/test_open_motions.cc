@@ -12,6 +12,9 @@ using namespace conetact::solvers;
 
 namespace
 {
+  constexpr double  limit = .2;
+  const std::string rough = "|Friction coefficient = 0.2";
+
   /** A triangle of bars on a floor: its two feet are candidates. */
   struct Feet
   {
@@ -32,8 +35,10 @@ namespace
           const double       friction = 0,
           const double       slip     = 0)
     {
-      state.r[points[foot].normal()]             = 1;
-      state.node[static_cast<std::size_t>(foot)] = NodeState::slip;
+      state.r[points[foot].normal()] = 1;
+      state.node[static_cast<std::size_t>(foot)] =
+        friction == 0 || std::abs(friction) == limit ? NodeState::slip :
+                                                       NodeState::stick;
       if (friction != 0)
         {
           state.r[points[foot].first] = friction;
@@ -65,7 +70,6 @@ namespace
     ContactState           state;
   };
 
-  const std::string rough = "|Friction coefficient = 0.2";
 } // namespace
 
 
