@@ -228,6 +228,8 @@ namespace conetact::contact
             heat.f[j] = 0;
         load.b += heat.b;
         load.f += heat.f;
+        if (heat.bound.size() > 0)
+          load.bound += heat.bound;
       }
     else
       load = condense().reduce(all + thermal, prescribed);

@@ -337,6 +337,31 @@ def press_fits(laws):
         laws.check("  work of the interference is strain energy", abs(work / run.increments[-1]["strain_energy"] - 1), 1e-10)
 
 
+def heated(laws):
+    """Nothing but heat acts: a strip of two metals bends (Timoshenko 1925), what is bound to slide spreads without force."""
+    def half(name, y, expansion):
+        body = box((60, 4), (20.0, .5), (0.0, y))
+        return {f"Body {name}": {**merge(body, {"Material": {"Expansion coefficient": expansion, "Plane": "stress"}}),
+                                 "Element": "Q1 incompatible modes"}}
+    strip = {"Dimension": 2, **half("low", 0.0, 1e-5), **half("high", .5, 3e-5), f"Contact {JOINT}": tie("high", 2, "low", 3),
+             "Support end": support(0, "x", body="low"), "Support high end": support(0, "x", body="high"),
+             "Support corner": support(7, "y", body="low"),
+             **{f"Load {body}": load("temperature", "100*t", body=body) for body in ("low", "high")},
+             "Time": {"Times": "0.5, 1"}, "Output": {"VTU": 0, "Probes": "corner: 20, 0"}}
+    strip["Body low"]["Mesh"]["Boundary ids"] = "7: x < 0.1 && y < 0.1"
+    floating = {"Dimension": 2, "Body block": merge(box((5, 4), (2.0, 1.0), Rotation=37.3), {
+        "Material": {"Expansion coefficient": 1e-5}}),
+        "Obstacle floor": {"Shape": "half space", "Normal": (-math.sin(math.radians(37.3)), math.cos(math.radians(37.3)))},
+        "Contact bottom": {**contact("block", 2, "floor"), "Kind": "bilateral"},
+        "Load heat": load("temperature", "10*sin(t)", body="block"), "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+    for name in ("condensed", "iterative"):
+        run = laws.run(strip, "-s", f"Solver/Backend={name}")
+        exact = -1.5 * 2e-5 * 100 * 20**2 / 2
+        laws.check(f"{name}, strip of two metals: its end goes down", abs(run.probe("corner")[1] / exact - 1), 2e-2)
+        run = laws.run(floating, "-s", f"Solver/Backend={name}")
+        laws.check(f"{name}, bound to slide: no force", run.largest("r_n"), 1e-15)
+
+
 def tie_family(laws):
-    for family in (tension, turned, turned_and_uniform, cut, one_mesh, bending, floating, glued, springs, path, elsewhere, redundant, press_fits):
+    for family in (tension, turned, turned_and_uniform, cut, one_mesh, bending, floating, glued, springs, path, elsewhere, redundant, press_fits, heated):
         family(laws)
