@@ -573,7 +573,11 @@ namespace conetact::analysis
                        history.largest_force());
     return result.admissible ?
              "" :
-             "no equilibrium exists, " + describe(result, model);
+             std::string("no equilibrium exists") +
+               // bodies that move have others
+               (search.is_needed() ? " with contacts as they were found, " :
+                                     ", ") +
+               describe(result, model);
   }
 
   Eigen::MatrixXd

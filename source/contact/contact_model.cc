@@ -158,11 +158,12 @@ namespace conetact::contact
                                      return !node.masters.empty();
                                    });
     // What slides far has other rows over the same bodies in each increment.
-    // Mechanisms are found in a stiffness only.
+    // Mechanisms are found in a stiffness only, which there is where contacts
+    // see all motions.
     return pairs || points.slide() || points.have_prescribed_slip() ||
            points.share_nodes() ||
-           (!may_be_mechanism() &&
-            (motions.n_free() > 0 || has_equal_bodies()));
+           (may_be_mechanism() ? motions.unseen().cols() > 0 :
+                                 motions.n_free() > 0 || has_equal_bodies());
   }
 
   bool
