@@ -199,13 +199,13 @@ namespace conetact::analysis
       model.motions.motion_of_free(unseen * driven);
     throw InputError("Nothing holds " + scene.bodies.called(motion.body) +
                      " against moving " + describe(motion) +
-                     ": no support, and no contact with friction, but loads "
-                     "drive it at t = " +
+                     ": no support, and no friction on anything that is held, "
+                     "but loads drive it at t = " +
                      to_text(t) + ". " +
                      (scene.bodies.is_rigid(motion.body) ?
                         "Let it be less Free" :
                         "Add a Support") +
-                     ", or add friction to a Contact.");
+                     ", or friction to a Contact with what is held.");
   }
 
   void

@@ -3,7 +3,7 @@
 """Two bodies that do not meet know nothing of each other; free ones that overlap take the shortest way out."""
 import re
 
-from support.scenes import box, contact, load, press_and_shear, ring, support
+from support.scenes import box, contact, load, merge, press_and_shear, ring, support
 from support.tables import Run
 from support.vectors import apply, rotation
 
@@ -41,6 +41,38 @@ def shortest_way(laws):
             laws.demand("  of many solutions", run.increments[-1]["determinate"] == "no")
 
 
+def nearby_wall(laws):
+    """A block pressed on a plane without friction, a wall some way off: the shortest way does not touch it, whatever the turn."""
+    for degrees in (0.0, 20.0, 33.0, 77.0, 150.0, 281.0):
+        turn = rotation((0, 0, 1), degrees)
+        scene = {"Dimension": 2, "Body block": box((3, 2), (1.5, 1.0), Rotation=degrees),
+                 "Obstacle floor": {"Shape": "half space", "Normal": apply(turn, (0, 1, 0))[:2]},
+                 "Obstacle wall": {"Shape": "half space", "Normal": apply(turn, (1, 0, 0))[:2], "Point": apply(turn, (-.05, 0, 0))[:2]},
+                 "Contact bottom": contact("block", 2, "floor", 0), "Contact side": contact("block", 0, "wall", 0),
+                 "Load weight": load("pressure", "5*t", 3), "Time": {"Times": "0.5, 1"}, "Output": {"VTU": 0}}
+        run = laws.run(scene)
+        slips = [row["u_t1"] for row in run.last() if row["contact"] == "bottom"]
+        laws.check(f"turned by {degrees}: a wall nearby is not touched", abs(sum(slips)) / max(map(abs, slips)), 1e-9)
+
+
+def slips_to_both_sides(laws):
+    """A block that grows slips on all its nodes, to the left and to the right: alike."""
+    for cells in (3, 4, 5):
+        for degrees in (0.0, 33.0):
+            turn = rotation((0, 0, 1), degrees)
+            scene = {"Dimension": 2, "Body block": merge(box((cells, 2), (1.5, .6), Rotation=degrees), {
+                "Material": {"Expansion coefficient": 1e-3}}),
+                "Obstacle floor": {"Shape": "half space", "Normal": apply(turn, (0, 1, 0))[:2]},
+                "Contact bottom": contact("block", 2, "floor", .05),
+                "Load weight": load("body force", " ; ".join(f"{c!r}*min(t, 1)" for c in apply(turn, (0, -1, 0))[:2])),
+                "Load heat": load("temperature", "t"), "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+            for name in ("condensed", "iterative"):
+                run = laws.run(scene, "-s", f"Solver/Backend={name}")
+                slips = [row["u_t1"] for row in run.last()]
+                laws.check(f"{cells} cells, {name}, turned by {degrees}: it grows to both sides alike",
+                           abs(sum(slips)) / max(map(abs, slips)), 1e-9)
+
+
 def turned_apart(laws):
     """Friction across a gap sees a slip where both sides turn together: refused where that is more than a little."""
     for gap, code in ((.05, 2), (0, 0)):
@@ -58,6 +90,8 @@ def turned_apart(laws):
 def bodies(laws):
     turned_apart(laws)
     shortest_way(laws)
+    nearby_wall(laws)
+    slips_to_both_sides(laws)
     shortest_way_out(laws)
     for dim in (2, 3):
         left = press_and_shear(dim)
