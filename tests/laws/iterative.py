@@ -296,6 +296,19 @@ def iterative_floating(laws):
     given_up(laws)
 
 
+def floating_frames(laws):
+    """A beam and a truss that only lie on a floor: along it nothing holds them but friction."""
+    triangle = {"Nodes": "a: 0, 0 ; b: 1, 0 ; d: 0.5, 0.8", "Members": "a-b: s ; a-d: s ; b-d: s", "Boundary ids": "1: y < 0.1 ; 2: y > 0.7"}
+    truss = {"Kind": "frame", "Sections": "s", "Frame": triangle, "Section s": {"Young modulus": 1000, "Area": .1}}
+    for what, body, top, all_mu in (("beam", beam((0.0, 0.0), (1.0, 0.0), 6, 1000.0, .1), 0, (0, .3)), ("truss", truss, 2, (0,))):
+        for mu in all_mu:
+            run = compare(laws, f"{what} on a floor, mu {mu}", {
+                "Dimension": 2, f"Body {what}": body, "Obstacle floor": floor(2), "Contact feet": contact(what, 1 if top else 0, mu=mu),
+                "Load weight": load("nodal force", "0 ; -0.5*t", top, what), "Output": {"VTU": 0}})
+            laws.demand("  positions are open without friction", (run.increments[-1]["determinate"] == "no") == (mu == 0))
+
+
 def iterative_frames(laws):
     frames(laws)
+    floating_frames(laws)
     tied(laws)
