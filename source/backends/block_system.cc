@@ -22,7 +22,7 @@ namespace conetact::backends
 
     // Of GMRES. Vectors of a cycle are kept twice, before and after the
     // preconditioner; in single precision it gains so much at a time.
-    constexpr int    cycle_length    = 40;
+    constexpr auto   cycle_length    = 40u;
     constexpr auto   most_iterations = 400u;
     constexpr double digits          = 1e-4;
 
@@ -397,7 +397,7 @@ namespace conetact::backends
         surface->factorize(system.free, added);
       }
     if (levels)
-      levels->set_states(states);
+      levels->set_states(states, is_hard);
   }
 
   /* y_u += S x_u + Q y_k, and nothing where unknowns are held. */
@@ -597,6 +597,7 @@ namespace conetact::backends
       }
     result.du += x;
     result.error = start > 0 ? left / start : 0.;
+    is_hard      = result.iterations > cycle_length;
     return result;
   }
 

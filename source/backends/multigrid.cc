@@ -195,11 +195,35 @@ namespace conetact::backends
 
 
 
+  /* All processes find the same. */
+  template <int fine, int coarse>
+  bool
+  CoarseLevels<fine, coarse>::have_states_like(
+    const std::vector<NodeState<fine>> &states) const
+  {
+    if (!has_states)
+      return false;
+    const bool differ = !std::equal(states.begin(),
+                                    states.end(),
+                                    shown.begin(),
+                                    [](const auto &a, const auto &b) {
+                                      return !a.differs_much_from(b);
+                                    });
+    return processes.sum(differ ? 1. : 0.) == 0;
+  }
+
+
+
   template <int fine, int coarse>
   void
   CoarseLevels<fine, coarse>::set_states(
-    const std::vector<NodeState<fine>> &states)
+    const std::vector<NodeState<fine>> &states,
+    const bool                          exactly)
   {
+    if (!exactly && have_states_like(states))
+      return;
+    shown              = states;
+    has_states         = true;
     const auto changes = contact.change(states);
     for (std::size_t l = 0; l + 1 < below.size(); ++l)
       change_rows(below[l], changes[l]);

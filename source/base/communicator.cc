@@ -18,9 +18,11 @@ namespace conetact
     /** Bytes that go in one message, whose length is an int. */
     constexpr std::size_t longest = 1 << 30;
 
-    // Who waits looks again at once, later after an eighth of the time it has
-    // waited.
-    constexpr std::chrono::microseconds at_once{20}, longest_sleep{2000};
+    // Who waits looks again at once, then whenever no other program wants the
+    // core, later after an eighth of the time it has waited: a sleep takes 60
+    // us at least, as long as a product.
+    constexpr std::chrono::microseconds at_once{20}, briefly{500},
+      longest_sleep{2000};
 
     void
     wait_for(const MPI_Request request)
@@ -126,9 +128,12 @@ namespace conetact
                     MPI_STATUSES_IGNORE);
         if (done != 0)
           break;
-        if (const auto waited = Clock::now() - start; waited > at_once)
+        const auto waited = Clock::now() - start;
+        if (waited > briefly)
           std::this_thread::sleep_for(
             std::min<Clock::duration>(waited / 8, longest_sleep));
+        else if (waited > at_once)
+          std::this_thread::yield();
       }
     requests.clear();
   }

@@ -183,6 +183,8 @@ namespace conetact::backends
       std::vector<FloatVector> V, Z; ///< of GMRES
     };
     mutable Vectors vectors;
+    /** The last system took many iterations. */
+    mutable bool is_hard = false;
   };
 
   extern template class BlockSystem<2>;

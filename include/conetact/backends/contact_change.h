@@ -17,6 +17,14 @@ namespace conetact::backends
   {
     Eigen::Matrix<float, block, 1>     held; ///< 1: the unknown is known
     Eigen::Matrix<float, block, block> added;
+
+    /** Not for what is added to rows that it changes little. */
+    bool
+    differs_much_from(const NodeState &other) const
+    {
+      return held != other.held || (added - other.added).norm() >
+                                     .5f * (added.norm() + other.added.norm());
+    }
   };
 
   /**

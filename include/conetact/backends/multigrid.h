@@ -160,9 +160,13 @@ namespace conetact::backends
     follow(const DistributedMatrix<fine, fine, float> &A,
            const std::vector<int>                     &nodes,
            const std::vector<int>                     &first);
-    /** Makes levels those of the present states of these nodes. */
+    /**
+     * Makes levels those of the present states of these nodes. Not `exactly`:
+     * unless they are those of states that differ from these but little. The
+     * finest level alone has these then, which takes no iteration more.
+     */
     void
-    set_states(const std::vector<NodeState<fine>> &states);
+    set_states(const std::vector<NodeState<fine>> &states, const bool exactly);
     /** x = P (cycle of the levels below) P^T r. */
     void
     correct(const FloatVector &r, FloatVector &x);
@@ -197,6 +201,8 @@ namespace conetact::backends
     void
     make_smoother(Level                                           &level,
                   const DistributedMatrix<coarse, coarse, double> &A);
+    bool
+    have_states_like(const std::vector<NodeState<fine>> &states) const;
     void
     change_rows(Level &level, const SomeRows<coarse, coarse> &change);
     /** Of those that share a level. */
@@ -215,6 +221,8 @@ namespace conetact::backends
     TransposedMatrix<coarse, fine, float>  R;
     std::vector<Level>                     below;
     ContactChange<fine, coarse>            contact;
+    std::vector<NodeState<fine>>           shown; ///< states of the levels
+    bool                                   has_states = false;
     Eigen::MatrixXd                        coarsest_matrix; ///< without states
     Eigen::LDLT<Eigen::MatrixXd>           coarsest;
   };

@@ -53,8 +53,9 @@ namespace conetact
     sum(float *x, const Eigen::Index length) const;
 
     /**
-     * Until all of these are done. Who waits for long sleeps in between: there
-     * may be fewer cores than processes, and other programs.
+     * Until all of these are done. Who waits lets others have the core, and
+     * sleeps in between if it takes long: there may be fewer cores than
+     * processes, and other programs.
      */
     static void
     wait(std::vector<MPI_Request> &requests);
