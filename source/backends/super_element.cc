@@ -60,6 +60,15 @@ namespace conetact::backends
       return mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1.;
     }
 
+    /** A pivot is what rounding leaves of its diagonal entry. */
+    bool
+    is_singular(const MatrixXd &matrix, const Eigen::LLT<MatrixXd> &cholesky)
+    {
+      constexpr double rounding = 1e-13;
+      const auto       pivots   = cholesky.matrixLLT().diagonal().array();
+      return (pivots.square() <= rounding * matrix.diagonal().array()).any();
+    }
+
     /** P of a Schur complement S. Throws SingularMatrix. */
     MatrixXd
     inverse_without_motions(const MatrixXd &S, const MatrixXd &B)
@@ -71,7 +80,7 @@ namespace conetact::backends
       const double         alpha = S.diagonal().mean();
       const MatrixXd       held  = S + alpha * B * B.transpose();
       Eigen::LLT<MatrixXd> cholesky(held);
-      if (cholesky.info() != Eigen::Success)
+      if (cholesky.info() != Eigen::Success || is_singular(held, cholesky))
         throw SingularMatrix({});
       const MatrixXd T = cholesky.solve(MatrixXd::Identity(S.rows(), S.cols()));
       // held by supports or foundations

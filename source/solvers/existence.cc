@@ -247,9 +247,28 @@ namespace conetact::solvers
               is_mostly_translation(v, result.tight)))
       result.motion = Motion::slides;
     else
-      result.motion = result.tight.size() == result.moving.size() ?
-                        Motion::turns :
-                        Motion::tips;
+      result.motion =
+        result.tight.size() == result.moving.size() || stays_flat(result) ?
+          Motion::turns :
+          Motion::tips;
+  }
+
+
+
+  /* The proof of a body that spins lifts it, all nodes alike: friction is not
+     associated. One that tips opens some more than others. */
+  bool
+  ExistenceCheck::stays_flat(const Existence &result) const
+  {
+    constexpr double little = .1; // of how far it lifts
+    double           least = 1, most = 0;
+    for (const Index i : result.moving)
+      {
+        const double away = result.v[system->normal(i)];
+        least             = std::min(least, away);
+        most              = std::max(most, away);
+      }
+    return most - least <= little * most;
   }
 
 

@@ -20,8 +20,10 @@ namespace conetact::solvers
     none,      ///< the load can be held, as far as this check can tell
     lifts_off, ///< all contacts of what moves open
     slides,    ///< the contacts that stay touching move by one translation
-    turns,     ///< all contacts stay touching and slip in different directions
-    tips       ///< rotation about contacts that stay, the others open
+    /// all contacts stay touching and slip in different directions, or the
+    /// motion of the proof opens them alike
+    turns,
+    tips ///< rotation about contacts that stay, the others open
   };
 
   /** Result of ExistenceCheck. */
@@ -115,6 +117,8 @@ namespace conetact::solvers
     even_pressure(const double force) const;
     void
     name_motion(Existence &result) const;
+    bool
+    stays_flat(const Existence &result) const;
     std::vector<Eigen::Index>
     moving_nodes(const Eigen::VectorXd &v) const;
     bool

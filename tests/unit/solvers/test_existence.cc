@@ -227,6 +227,30 @@ TEST(Existence, BlockTurns)
 
 
 
+/* Corners alone would carry the most: mu p w / sqrt(2). The proof lifts the
+   whole bottom, by mu times the slip of corners. */
+TEST(Existence, TwistedBlockSpins)
+{
+  const double mu = .3, w = 2, p = 5;
+  const Body   body    = block(3, w, 5, mu);
+  const auto   twisted = [&](const double moment) -> VectorXd {
+    return body.force(-p * up(3), Vector3d::Zero()) +
+           body.force(moment / w * Vector3d::UnitY(), w / 2 * up(3)) -
+           body.force(moment / w * Vector3d::UnitY(), Vector3d(-w, 0, w / 2));
+  };
+  const double         largest = mu * p * w / std::sqrt(2.);
+  const ExistenceCheck check(body.system, body.frames);
+  const VectorXd       start = body.force(-p * up(3), Vector3d::Zero());
+  EXPECT_TRUE(check.check(twisted(.99 * largest), start).admissible);
+  const VectorXd  load = twisted(1.25 * largest);
+  const Existence e    = check.check(load, start);
+  expect_proof(body, e, load);
+  EXPECT_EQ(Motion::turns, e.motion);
+  EXPECT_NEAR(.8, e.fraction, 1e-6);
+}
+
+
+
 TEST(Existence, StaticLimitOfASlope)
 {
   // the resultant leans by sqrt(5)/2, Example 5.3 of Kanno et al. (2004)
