@@ -201,11 +201,11 @@ namespace conetact::backends
   CoarseLevels<fine, coarse>::have_states_like(
     const std::vector<NodeState<fine>> &states) const
   {
-    if (!has_states)
+    if (!shown)
       return false;
     const bool differ = !std::equal(states.begin(),
                                     states.end(),
-                                    shown.begin(),
+                                    shown->begin(),
                                     [](const auto &a, const auto &b) {
                                       return !a.differs_much_from(b);
                                     });
@@ -223,7 +223,6 @@ namespace conetact::backends
     if (!exactly && have_states_like(states))
       return;
     shown              = states;
-    has_states         = true;
     const auto changes = contact.change(states);
     for (std::size_t l = 0; l + 1 < below.size(); ++l)
       change_rows(below[l], changes[l]);

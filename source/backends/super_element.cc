@@ -3,6 +3,7 @@
 
 #include "conetact/backends/super_element.h"
 
+#include "conetact/backends/free_motion.h"
 #include "conetact/solvers/null_space.h"
 
 #include <cmath>
@@ -60,15 +61,6 @@ namespace conetact::backends
       return mean > 0 ? std::exp2(std::round(std::log2(mean))) : 1.;
     }
 
-    /** A pivot is what rounding leaves of its diagonal entry. */
-    bool
-    is_singular(const MatrixXd &matrix, const Eigen::LLT<MatrixXd> &cholesky)
-    {
-      constexpr double rounding = 1e-13;
-      const auto       pivots   = cholesky.matrixLLT().diagonal().array();
-      return (pivots.square() <= rounding * matrix.diagonal().array()).any();
-    }
-
     /** P of a Schur complement S. Throws SingularMatrix. */
     MatrixXd
     inverse_without_motions(const MatrixXd &S, const MatrixXd &B)
@@ -80,7 +72,7 @@ namespace conetact::backends
       const double         alpha = S.diagonal().mean();
       const MatrixXd       held  = S + alpha * B * B.transpose();
       Eigen::LLT<MatrixXd> cholesky(held);
-      if (cholesky.info() != Eigen::Success || is_singular(held, cholesky))
+      if (cholesky.info() != Eigen::Success)
         throw SingularMatrix({});
       const MatrixXd T = cholesky.solve(MatrixXd::Identity(S.rows(), S.cols()));
       // held by supports or foundations
@@ -112,6 +104,10 @@ namespace conetact::backends
     P                = inverse_without_motions(
           S, solvers::orthonormal_basis(motions(retained, Eigen::all))) /
         scale;
+    // So soft are slender beams and mechanisms; strain energy tells which.
+    constexpr double soft = 1e12;
+    if ((scale * P.diagonal().array() * S.diagonal().array() > soft).any())
+      refuse_free_motion(upper, deform(probe_load(upper.diagonal())), node_of);
   }
 
   FactorEstimate

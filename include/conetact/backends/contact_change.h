@@ -18,7 +18,8 @@ namespace conetact::backends
     Eigen::Matrix<float, block, 1>     held; ///< 1: the unknown is known
     Eigen::Matrix<float, block, block> added;
 
-    /** Not for what is added to rows that it changes little. */
+    /** Other unknowns are held, or what is added differs by more than the mean
+     * of both. */
     bool
     differs_much_from(const NodeState &other) const
     {

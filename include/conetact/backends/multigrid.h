@@ -11,6 +11,7 @@
 #include <Eigen/Cholesky>
 
 #include <cmath>
+#include <optional>
 
 namespace conetact::backends
 {
@@ -221,10 +222,10 @@ namespace conetact::backends
     TransposedMatrix<coarse, fine, float>  R;
     std::vector<Level>                     below;
     ContactChange<fine, coarse>            contact;
-    std::vector<NodeState<fine>>           shown; ///< states of the levels
-    bool                                   has_states = false;
     Eigen::MatrixXd                        coarsest_matrix; ///< without states
     Eigen::LDLT<Eigen::MatrixXd>           coarsest;
+    /** Of the levels, once there are any. */
+    std::optional<std::vector<NodeState<fine>>> shown;
   };
 
   extern template class CoarseLevels<2, 3>;
