@@ -11,15 +11,15 @@ namespace conetact::backends
 {
   namespace
   {
-    /** Numbers that are multiplied at once; processors do it in parts. */
-    template <typename Number>
+    /** Numbers that a processor multiplies at once. */
+    template <typename Number, int bytes>
     struct Wide
     {
-      typedef Number Vector __attribute__((vector_size(64)));
+      typedef Number Vector __attribute__((vector_size(bytes)));
       /** The same anywhere in memory. */
       typedef Number Anywhere
-        __attribute__((vector_size(64), aligned(sizeof(Number)), may_alias));
-      static constexpr std::size_t width = 64 / sizeof(Number);
+        __attribute__((vector_size(bytes), aligned(sizeof(Number)), may_alias));
+      static constexpr std::size_t width = bytes / sizeof(Number);
     };
 
     /** Rows that are alike: fewer are not worth a place in the cache. */
@@ -29,7 +29,7 @@ namespace conetact::backends
     bool
     is_wide(const RowRun<Number> &run)
     {
-      return run.n >= Wide<Number>::width;
+      return run.n >= 64 / sizeof(Number);
     }
 
     /** Rows of a matrix that are alike, and the vector that it multiplies:
@@ -46,23 +46,36 @@ namespace conetact::backends
 
     /** A strip of `width` rows, and `n_strips` of them one behind the other,
      * beginning with `row`. */
-    template <int block, typename Number, int n_strips>
+    template <int block, typename Number, int bytes, int n_strips>
     [[gnu::always_inline]] inline void
     multiply_strips(const Alike<Number> &rows, const std::size_t row, Number *y)
     {
-      using Vector                = typename Wide<Number>::Vector;
-      using Anywhere              = typename Wide<Number>::Anywhere;
-      constexpr std::size_t width = Wide<Number>::width;
-      Vector                sum[block][n_strips] = {};
-      const Number         *a                    = rows.numbers;
+      using Vector                = typename Wide<Number, bytes>::Vector;
+      using Anywhere              = typename Wide<Number, bytes>::Anywhere;
+      constexpr std::size_t width = Wide<Number, bytes>::width;
+      Vector                sum[block][n_strips];
+#pragma GCC unroll 8
+      for (int r = 0; r < block; ++r)
+#pragma GCC unroll 8
+        for (int s = 0; s < n_strips; ++s)
+          sum[r][s] = Vector{};
+      const Number *a = rows.numbers;
       for (std::size_t k = 0; k < rows.n_columns; ++k)
         {
           const Number *in = rows.parts + row + rows.shifts[k];
+#pragma GCC unroll 8
           for (int c = 0; c < block; ++c, in += rows.n_parts)
-            for (int r = 0; r < block; ++r, ++a)
+            {
+              Vector x[n_strips];
+#pragma GCC unroll 8
               for (int s = 0; s < n_strips; ++s)
-                sum[r][s] +=
-                  *a * *reinterpret_cast<const Anywhere *>(in + s * width);
+                x[s] = *reinterpret_cast<const Anywhere *>(in + s * width);
+#pragma GCC unroll 8
+              for (int r = 0; r < block; ++r, ++a)
+#pragma GCC unroll 8
+                for (int s = 0; s < n_strips; ++s)
+                  sum[r][s] += *a * x[s];
+            }
         }
       alignas(64) Number out[block][n_strips * width];
       for (int r = 0; r < block; ++r)
@@ -74,24 +87,24 @@ namespace conetact::backends
           *y++ = out[r][l];
     }
 
-    /** n >= width rows: the last strips overlap. */
-    template <int block, typename Number, int most_strips>
+    /** As many strips at once as there are rows for; the last ones overlap. */
+    template <int block, typename Number, int bytes, int n_strips>
     [[gnu::always_inline]] inline void
     multiply_run(const Alike<Number> &rows,
                  const std::size_t    begin,
                  const std::size_t    n,
                  Number              *y)
     {
-      constexpr std::size_t width = Wide<Number>::width;
-      constexpr std::size_t many  = most_strips * width;
-      std::size_t           row   = 0;
-      for (; n >= many && row < n; row += many)
-        multiply_strips<block, Number, most_strips>(
+      constexpr std::size_t many = n_strips * Wide<Number, bytes>::width;
+      if constexpr (n_strips > 1)
+        if (n < many)
+          return multiply_run<block, Number, bytes, n_strips - 1>(rows,
+                                                                  begin,
+                                                                  n,
+                                                                  y);
+      for (std::size_t row = 0; row < n; row += many)
+        multiply_strips<block, Number, bytes, n_strips>(
           rows, begin + std::min(row, n - many), y);
-      for (; row < n; row += width)
-        multiply_strips<block, Number, 1>(rows,
-                                          begin + std::min(row, n - width),
-                                          y);
     }
 
     template <int block, typename Number>
@@ -104,7 +117,7 @@ namespace conetact::backends
     }
 
     /** Of all runs that are wide; `parts` is room for what x is made of. */
-    template <int block, typename Number, int most_strips>
+    template <int block, typename Number, int bytes, int most_strips>
     [[gnu::always_inline]] inline void
     multiply_runs(const std::vector<RowRun<Number>> &runs,
                   const int                         *shifts,
@@ -116,7 +129,7 @@ namespace conetact::backends
       take_apart<block>(x, n, parts.data());
       for (const RowRun<Number> &run : runs)
         if (is_wide(run))
-          multiply_run<block, Number, most_strips>(
+          multiply_run<block, Number, bytes, most_strips>(
             {run.numbers, shifts + run.shifts, run.n_columns, parts.data(), n},
             run.begin,
             run.n,
@@ -131,7 +144,12 @@ namespace conetact::backends
                               Number                            *y);
 
     // The same for processors that differ in the width of their vectors and in
-    // how many of them they have.
+    // how many of them they have: more sums at once than it takes to hide how
+    // long each takes, as few as there are places for.
+    template <int block>
+    constexpr int strips_of_sixteen = block == 2 ? 4 :
+                                      block == 3 ? 3 :
+                                                   2;
     template <int block, typename Number>
     void
     multiply_plain(const std::vector<RowRun<Number>> &runs,
@@ -140,7 +158,8 @@ namespace conetact::backends
                    std::vector<Number>               &parts,
                    Number                            *y)
     {
-      multiply_runs<block, Number, 1>(runs, shifts, x, parts, y);
+      multiply_runs<block, Number, 16, strips_of_sixteen<block>>(
+        runs, shifts, x, parts, y);
     }
 #ifdef __x86_64__
     template <int block, typename Number>
@@ -151,7 +170,8 @@ namespace conetact::backends
                   std::vector<Number>               &parts,
                   Number                            *y)
     {
-      multiply_runs<block, Number, 1>(runs, shifts, x, parts, y);
+      multiply_runs<block, Number, 32, strips_of_sixteen<block>>(
+        runs, shifts, x, parts, y);
     }
     template <int block, typename Number>
     [[gnu::target("avx512f,prefer-vector-width=512")]] void
@@ -161,7 +181,7 @@ namespace conetact::backends
                     std::vector<Number>               &parts,
                     Number                            *y)
     {
-      multiply_runs<block, Number, 2>(runs, shifts, x, parts, y);
+      multiply_runs<block, Number, 64, 2>(runs, shifts, x, parts, y);
     }
 #endif
 
@@ -308,12 +328,14 @@ namespace conetact::backends
         done = run.begin + run.n;
         if (is_wide(run))
           continue;
+        const std::size_t own[2] = {0, run.n_columns};
         for (std::size_t i = run.begin; i < done; ++i)
-          Matrix::multiply_row(run.numbers,
-                               shifts.data() + run.shifts,
-                               run.n_columns,
-                               x + i * block,
-                               y + i * block);
+          multiply_rows<block, block>(
+            {own, shifts.data() + run.shifts, nullptr, run.numbers},
+            0,
+            1,
+            x + i * block,
+            y + i * block);
       }
     A->multiply(done, A->n_block_rows(), x, y);
   }

@@ -4,6 +4,8 @@
 #ifndef conetact_backends_block_matrix_h
 #define conetact_backends_block_matrix_h
 
+#include "conetact/backends/block_products.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -70,7 +72,7 @@ namespace conetact::backends
     {
       column.resize(start.back());
       // Columns are read in fours, up to three numbers too many.
-      value.assign(start.back() * block_size + lanes, Number(0));
+      value.assign(start.back() * block_size + lanes(n_rows), Number(0));
     }
     std::size_t
     n_block_rows() const
@@ -108,38 +110,14 @@ namespace conetact::backends
              const Number     *x,
              Number           *y) const
     {
-      for (std::size_t i = begin; i < end; ++i)
-        multiply_row(row(i),
-                     column.data() + start[i],
-                     start[i + 1] - start[i],
-                     x,
-                     y + i * n_rows);
-    }
-    /** Blocks `a` one behind the other, each times the block of x at `columns`:
-     * one of y. */
-    static void
-    multiply_row(const Number     *a,
-                 const int        *columns,
-                 const std::size_t n,
-                 const Number     *x,
-                 Number           *y)
-    {
-      using Lanes = Eigen::Array<Number, lanes, 1>;
-      // a sum for each column of blocks: none waits for another
-      Lanes sum[n_columns];
-      for (Lanes &s : sum)
-        s.setZero();
-      for (std::size_t k = 0; k < n; ++k)
-        {
-          const Number *const in =
-            x + static_cast<std::ptrdiff_t>(columns[k]) * n_columns;
-          for (int c = 0; c < n_columns; ++c, a += n_rows)
-            sum[c] += Eigen::Map<const Lanes>(a) * in[c];
-        }
-      for (int c = 1; c < n_columns; ++c)
-        sum[0] += sum[c];
-      for (int r = 0; r < n_rows; ++r)
-        y[r] = sum[0][r];
+      multiply_rows<n_rows, n_columns>({start.data(),
+                                        column.data(),
+                                        first.empty() ? nullptr : first.data(),
+                                        value.data()},
+                                       begin,
+                                       end,
+                                       x,
+                                       y);
     }
 
     BlockMatrix<n_columns, n_rows, Number>
@@ -195,7 +173,6 @@ namespace conetact::backends
     }
 
     std::vector<std::size_t> first; ///< number of each row, if rows share them
-    static constexpr int     lanes = (n_rows + 3) / 4 * 4;
   };
 
   /** Columns of a row in the order in which they come, and their blocks. */
@@ -282,7 +259,7 @@ namespace conetact::backends
     Matrix
     finish()
     {
-      A.value.resize(A.value.size() + Matrix::lanes, Number(0));
+      A.value.resize(A.value.size() + lanes(n_rows), Number(0));
       rows = {};
       return std::move(A);
     }
@@ -299,7 +276,7 @@ namespace conetact::backends
         from[static_cast<std::size_t>(number[k])] = k;
       Matrix sorted;
       sorted.column.reserve(A.column.size());
-      sorted.value.reserve(A.value.size() + Matrix::lanes);
+      sorted.value.reserve(A.value.size() + lanes(n_rows));
       std::unordered_map<std::size_t, std::size_t> place; // of former ones
       for (const std::size_t k : from)
         {

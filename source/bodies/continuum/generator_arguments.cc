@@ -22,6 +22,9 @@ namespace conetact::bodies
     /** Lengths whose cube is still a number, and its inverse. */
     constexpr double largest_length = 1e90;
 
+    /** Blocks of fewer cells keep nodes that are numbered line by line. */
+    constexpr double many_cells = 5e4;
+
     /** Of a mesh and of the body that is made of it, at least [bytes]. */
     double
     bytes_of_cell(const unsigned int dim)
@@ -460,6 +463,40 @@ namespace conetact::bodies
     for (const GeneratorRow &row : generator_table())
       if (row.name == parameters.generator)
         check_row(row, parameters, arguments, dim);
+  }
+
+  void
+  refine_instead(MeshParameters &mesh, const unsigned int dim)
+  {
+    const bool is_cube = mesh.generator == "subdivided_hyper_cube";
+    if ((!is_cube && mesh.generator != "subdivided_hyper_rectangle") ||
+        mesh.cells == MeshParameters::Cells::simplices)
+      return;
+    std::vector<std::string> arguments = split(mesh.arguments, ':');
+    if (arguments.empty() || arguments[0].find(';') != std::string::npos)
+      return; // lengths of all cells
+    std::vector<std::string> cells = parts_of(arguments[0]);
+    if (cells.size() != (is_cube ? 1 : dim) ||
+        !std::all_of(cells.begin(), cells.end(), &is_whole))
+      return; // words
+    double n = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      n *= std::stod(cells[is_cube ? 0 : d]);
+    if (n < many_cells)
+      return;
+    // Even numbers are left: deal.II gives octants of a block their own
+    // materials.
+    const auto can_be_halved = [](const std::string &number) {
+      return std::stoul(number) % 4 == 0;
+    };
+    while (std::all_of(cells.begin(), cells.end(), can_be_halved))
+      {
+        for (std::string &number : cells)
+          number = std::to_string(std::stoul(number) / 2);
+        ++mesh.global_refinements;
+      }
+    arguments[0]   = join(cells);
+    mesh.arguments = join(arguments, " : ");
   }
 
   std::string

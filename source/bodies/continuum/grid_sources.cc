@@ -155,11 +155,13 @@ namespace conetact::bodies
 
     template <int dim>
     void
-    generate(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    generate(Triangulation<dim> &mesh, MeshParameters &parameters)
     {
       check_generator_arguments(parameters, dim);
+      const std::string given = parameters.arguments;
       try
         {
+          refine_instead(parameters, dim);
           if (!generate_simplices(mesh, parameters))
             dealii::GridGenerator::generate_from_name_and_arguments(
               mesh, parameters.generator, parameters.arguments);
@@ -174,11 +176,10 @@ namespace conetact::bodies
               generator_hint(parameters.generator) +
               "Use a function name of deal.II's GridGenerator such as "
               "hyper_rectangle.");
-          throw InputError(parameters.where + "Arguments: '" +
-                           parameters.arguments + "' does not suit " +
-                           parameters.generator + " in " + std::to_string(dim) +
-                           "D. Give all its arguments, separated by ':'" +
-                           reason(message));
+          throw InputError(
+            parameters.where + "Arguments: '" + given + "' does not suit " +
+            parameters.generator + " in " + std::to_string(dim) +
+            "D. Give all its arguments, separated by ':'" + reason(message));
         }
     }
 
@@ -513,7 +514,7 @@ namespace conetact::bodies
 
   template <int dim>
   std::unique_ptr<Triangulation<dim>>
-  generate_or_read(const MeshParameters &parameters, MeshGroups &groups)
+  generate_or_read(MeshParameters &parameters, MeshGroups &groups)
   {
     auto mesh = std::make_unique<Triangulation<dim>>();
     if (parameters.file.empty())
@@ -528,7 +529,7 @@ namespace conetact::bodies
   }
 
   template std::unique_ptr<Triangulation<2>>
-  generate_or_read<2>(const MeshParameters &, MeshGroups &);
+  generate_or_read<2>(MeshParameters &, MeshGroups &);
   template std::unique_ptr<Triangulation<3>>
-  generate_or_read<3>(const MeshParameters &, MeshGroups &);
+  generate_or_read<3>(MeshParameters &, MeshGroups &);
 } // namespace conetact::bodies

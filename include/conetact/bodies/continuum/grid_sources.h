@@ -19,12 +19,12 @@ namespace conetact::bodies
 {
   /**
    * The coarse mesh of quadrilaterals or hexahedra, by a generator's name (with
-   * its curved geometry) or from a file, which may name groups. Throws
-   * InputError.
+   * its curved geometry) or from a file, which may name groups. Large blocks
+   * get more global refinements instead of their cells. Throws InputError.
    */
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>
-  generate_or_read(const MeshParameters &parameters, MeshGroups &groups);
+  generate_or_read(MeshParameters &parameters, MeshGroups &groups);
 } // namespace conetact::bodies
 
 #endif

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_backends_block_products_h
+#define conetact_backends_block_products_h
+
+#include <cstddef>
+
+namespace conetact::backends
+{
+  /** Rows of a sparse matrix of blocks, as BlockMatrix keeps them. */
+  template <typename Number>
+  struct BlockRows
+  {
+    /** Blocks of row i are start[i], ..., start[i+1]-1. */
+    const std::size_t *start;
+    const int         *column; ///< of each block
+    /** Where the numbers of row i begin; null: at its first block. */
+    const std::size_t *first;
+    const Number      *value; ///< blocks, column by column
+  };
+
+  /** Numbers of a column of a block are read in fours: so many at once. */
+  constexpr int
+  lanes(const int n_rows)
+  {
+    return (n_rows + 3) / 4 * 4;
+  }
+
+  /**
+   * y = A x for rows begin, ..., end - 1, in the vectors that the processor
+   * has. Behind the last number of A three more may be read.
+   */
+  template <int n_rows, int n_columns, typename Number>
+  void
+  multiply_rows(const BlockRows<Number> &A,
+                const std::size_t        begin,
+                const std::size_t        end,
+                const Number            *x,
+                Number                  *y);
+} // namespace conetact::backends
+
+#endif
