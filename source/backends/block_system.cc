@@ -26,19 +26,6 @@ namespace conetact::backends
     constexpr auto   most_iterations = 400u;
     constexpr double digits          = 1e-4;
 
-    /**
-     * Pieces that stay in the cache; sums over them in single precision are
-     * exact enough.
-     */
-    template <typename F>
-    void
-    for_pieces(const FloatVector &w, const F &f)
-    {
-      constexpr Index piece = 512;
-      for (Index i = 0; i < w.size(); i += piece)
-        f(i, std::min(piece, w.size() - i));
-    }
-
     /** w -= c v, and (w, next) of what is left. */
     double
     subtract_and_project(const double       c,
@@ -170,9 +157,10 @@ namespace conetact::backends
   void
   BlockSystem<block>::make_smoother(const std::vector<int> &surface_nodes)
   {
-    D.resize(at(n_nodes));
+    std::vector<FloatBlock> inverse;
     for (int i = 0; i < n_nodes; ++i)
-      D[at(i)] = inverse_block(i, exists, FloatBlock::Zero());
+      inverse.push_back(inverse_block(i, exists, FloatBlock::Zero()));
+    D = NodeBlocks<block>(inverse);
     if (!surface_nodes.empty())
       {
         surface = std::make_unique<SurfaceSmoother<block>>(
@@ -184,7 +172,7 @@ namespace conetact::backends
       A.multiply(x.data(), y.data(), runs_of_A);
     };
     const auto blocks = [&](const FloatVector &x, FloatVector &y) {
-      multiply_blocks<block>(D, x, y);
+      D.multiply(x, y);
     };
     const int begin = first[at(processes.rank())];
     largest_of_blocks =
@@ -356,7 +344,7 @@ namespace conetact::backends
 
   template <int block>
   void
-  BlockSystem<block>::set_states(System &system) const
+  BlockSystem<block>::set_states(const System &system) const
   {
     std::vector<NodeState<block>> states;
     for (const std::vector<int> &places : contact)
@@ -385,8 +373,7 @@ namespace conetact::backends
     for (std::size_t i = 0; i < contact.size(); ++i)
       {
         const int node = contact[i][0] / block;
-        system.D.emplace_back(
-          node, inverse_block(node, system.free, states[i].added));
+        D.set(at(node), inverse_block(node, system.free, states[i].added));
       }
     if (surface)
       {
@@ -453,14 +440,19 @@ namespace conetact::backends
                 scale) *
               x[rows.stays[l]];
     };
-    const auto scaled = [&](const FloatVector &r, FloatVector &z) {
-      multiply_blocks<block>(D, r, z);
-      for (const auto &[i, own] : system.D)
-        z.segment<block>(i * block).noalias() =
-          own * r.segment<block>(i * block);
-      if (surface)
+    const auto scaled =
+      [&](const FloatVector &r, const auto &prepare, const auto &use) {
+        if (!surface)
+          return D.for_products(r, prepare, use);
+        // as a whole: nodes of the surface are scaled together
+        FloatVector &z = vectors.scaled;
+        z.resize(n);
+        D.for_products(r, prepare, [&](const Index begin, const auto &product) {
+          z.segment(begin, product.size()) = product;
+        });
         surface->apply(r, z);
-    };
+        use(0, z.head(n));
+      };
     Chebyshev    smoother(multiply, scaled, largest, vectors.smoothing);
     FloatVector &r = vectors.r, &coarse = vectors.coarse;
     r = b;
@@ -499,11 +491,11 @@ namespace conetact::backends
       {
         parts.setZero();
         for_pieces(w, [&](const Index begin, const Index size) {
-          const auto piece = w.segment(begin, size);
+          const auto part = w.segment(begin, size);
           for (Index i = 0; i < n_along; ++i)
             parts(i) +=
-              static_cast<double>(piece.dot(V[at(i)].segment(begin, size)));
-          parts(n_along) += static_cast<double>(piece.squaredNorm());
+              static_cast<double>(part.dot(V[at(i)].segment(begin, size)));
+          parts(n_along) += static_cast<double>(part.squaredNorm());
         });
         processes.sum(parts.data(), parts.size());
         along += parts.head(n_along);

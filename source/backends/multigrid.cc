@@ -64,7 +64,7 @@ namespace conetact::backends
 
     /** Inverse diagonal blocks of a matrix. */
     template <int size>
-    std::vector<Eigen::Matrix<float, size, size>>
+    NodeBlocks<size>
     inverse_diagonal(const BlockMatrix<size, size, float> &A)
     {
       std::vector<Eigen::Matrix<float, size, size>> D(A.n_block_rows());
@@ -72,7 +72,7 @@ namespace conetact::backends
         for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
           if (static_cast<std::size_t>(A.column[k]) == i)
             D[i] = inverse<size>(A.block(i, k));
-      return D;
+      return NodeBlocks<size>(D);
     }
   } // namespace
 
@@ -155,9 +155,7 @@ namespace conetact::backends
       [&](const FloatVector &x, FloatVector &y) {
         level.A.multiply(x.data(), y.data());
       },
-      [&](const FloatVector &x, FloatVector &y) {
-        multiply_blocks(level.D, x, y);
-      },
+      [&](const FloatVector &x, FloatVector &y) { level.D.multiply(x, y); },
       Eigen::Index(level.begin) * coarse,
       level.b.size(),
       sharers(level));
@@ -177,7 +175,7 @@ namespace conetact::backends
       {
         Level &level = below[l];
         contact.add_level(level.P, level.begin, sharers(level));
-        const int        n_own = static_cast<int>(level.D.size());
+        const int        n_own = static_cast<int>(level.D.n_nodes());
         std::vector<int> changing;
         for (const int i : contact.pattern(static_cast<int>(l)).number)
           if (i >= level.begin && i < level.begin + n_own)
@@ -245,7 +243,7 @@ namespace conetact::backends
     Level                          &level,
     const SomeRows<coarse, coarse> &change)
   {
-    const int n_own = static_cast<int>(level.D.size());
+    const int n_own = static_cast<int>(level.D.n_nodes());
     auto      free  = level.free_rows.begin();
     for (std::size_t place = 0; place < change.number.size(); ++place)
       {
@@ -261,7 +259,7 @@ namespace conetact::backends
               change.blocks.column[k] == j)
             block += change.blocks.block(place, k);
           if (j == i)
-            level.D[at(i - level.begin)] = inverse<coarse>(block);
+            level.D.set(at(i - level.begin), inverse<coarse>(block));
         });
       }
   }
@@ -308,9 +306,10 @@ namespace conetact::backends
     const auto multiply = [&](const FloatVector &x, FloatVector &y) {
       level.A.multiply(x.data(), y.data(), level.runs);
     };
-    const auto scale = [&](const FloatVector &x, FloatVector &y) {
-      multiply_blocks(level.D, x, y);
-    };
+    const auto scale =
+      [&](const FloatVector &r, const auto &prepare, const auto &use) {
+        level.D.for_products(r, prepare, use);
+      };
     Chebyshev smoother(multiply, scale, level.largest, level.smoothing);
     level.r = level.b;
     smoother.smooth_first(level.r, level.x);

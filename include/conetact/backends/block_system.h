@@ -82,11 +82,10 @@ namespace conetact::backends
     /** The linear system of a step. */
     struct System
     {
-      Array                                   free; ///< 1 or 0 [-]
-      FloatVector                             free_float;
-      std::vector<NodeRows>                   rows;
-      Array                                   known, right_hand_side;
-      std::vector<std::pair<int, FloatBlock>> D; ///< of contact nodes
+      Array                 free; ///< 1 or 0 [-]
+      FloatVector           free_float;
+      std::vector<NodeRows> rows;
+      Array                 known, right_hand_side;
     };
 
     /** Number of the block (i, i) of the own part of matrices. */
@@ -126,7 +125,7 @@ namespace conetact::backends
     multiply_contact(const Array &x) const;
     /** Smoother and coarse levels become those of the laws. */
     void
-    set_states(System &system) const;
+    set_states(const System &system) const;
     /** Turns K x (both over a unit of stiffness) into rows of the laws. */
     template <typename Vector>
     void
@@ -169,7 +168,7 @@ namespace conetact::backends
     DistributedMatrix<block, block, float>  A;         ///< K over it
     RowRuns<block, double>                  runs_of_K;
     RowRuns<block, float>                   runs_of_A;
-    std::vector<FloatBlock>                 D;
+    mutable NodeBlocks<block>               D;       ///< of the states
     std::unique_ptr<SurfaceSmoother<block>> surface; ///< none: not needed
     float largest_of_blocks = 1;                     ///< eigenvalue of D A
     float largest           = 1; ///< of the smoother, with the surface
@@ -179,7 +178,7 @@ namespace conetact::backends
     struct Vectors
     {
       ChebyshevVectors         smoothing;
-      FloatVector              r, coarse, w;
+      FloatVector              r, scaled, coarse, w;
       std::vector<FloatVector> V, Z; ///< of GMRES
     };
     mutable Vectors vectors;

@@ -5,6 +5,7 @@
 #define conetact_backends_multigrid_h
 
 #include "conetact/backends/contact_change.h"
+#include "conetact/backends/node_blocks.h"
 #include "conetact/backends/row_runs.h"
 #include "conetact/backends/smoothed_aggregation.h"
 
@@ -15,23 +16,24 @@
 
 namespace conetact::backends
 {
-  using FloatVector = Eigen::VectorXf;
-
   /** What Chebyshev's method needs, kept from one time to the next. */
   struct ChebyshevVectors
   {
-    FloatVector d, z, change;
+    FloatVector d, z;
   };
 
   /**
    * Two steps of Chebyshev's method for A x = b, preconditioned by D, for
-   * eigenvalues of D A up to `largest`. `multiply(x, y)` is y = A x,
-   * `scale(r, z)` is z = D r.
+   * eigenvalues of D A up to `largest`. `multiply(x, y)` is y = A x;
+   * `scale(r, prepare, use)` makes D r as NodeBlocks::for_products() does, so
+   * that vectors are read once.
    */
   template <typename Multiply, typename Scale>
   class Chebyshev
   {
   public:
+    using Index = Eigen::Index;
+
     Chebyshev(const Multiply   &m,
               const Scale      &s,
               const float       largest,
@@ -42,14 +44,22 @@ namespace conetact::backends
       , delta((1 - 1 / range) * largest / 2)
       , d(vectors.d)
       , z(vectors.z)
-      , change(vectors.change)
     {}
 
     /** From x = 0; r is the residual at the end, b at the beginning. */
     void
     smooth_first(FloatVector &r, FloatVector &x)
     {
-      steps(r, x);
+      x.resize(r.size());
+      d.resize(r.size());
+      scale(
+        r,
+        [](const Index, const Index) {},
+        [&](const Index i, const auto &scaled) {
+          d.segment(i, scaled.size()) = scaled / theta;
+          x.segment(i, scaled.size()) = d.segment(i, scaled.size());
+        });
+      second_step(r, x);
       multiply(d, z);
       r -= z;
     }
@@ -57,36 +67,44 @@ namespace conetact::backends
     void
     smooth_last(const FloatVector &b, FloatVector &r, FloatVector &x)
     {
-      change.resize(x.size());
+      d.resize(r.size());
       multiply(x, r);
-      r = b - r;
-      steps(r, change);
-      x += change;
+      scale(
+        r,
+        [&](const Index i, const Index n) {
+          r.segment(i, n) = b.segment(i, n) - r.segment(i, n);
+        },
+        [&](const Index i, const auto &scaled) {
+          d.segment(i, scaled.size()) = scaled / theta;
+          x.segment(i, scaled.size()) += d.segment(i, scaled.size());
+        });
+      second_step(r, x);
     }
 
   private:
     void
-    steps(FloatVector &r, FloatVector &x)
+    second_step(FloatVector &r, FloatVector &x)
     {
-      d.resize(r.size());
-      z.resize(r.size());
-      scale(r, d);
-      d /= theta;
-      x = d;
-      multiply(d, z);
-      r -= z;
-      scale(r, z);
       const float sigma = theta / delta, rho = 1 / (2 * sigma - 1 / sigma);
-      d *= rho / sigma;
-      d += (2 * rho / delta) * z;
-      x += d;
+      z.resize(r.size());
+      multiply(d, z);
+      scale(
+        r,
+        [&](const Index i, const Index n) {
+          r.segment(i, n) -= z.segment(i, n);
+        },
+        [&](const Index i, const auto &scaled) {
+          auto part = d.segment(i, scaled.size());
+          part      = rho / sigma * part + 2 * rho / delta * scaled;
+          x.segment(i, scaled.size()) += part;
+        });
     }
 
     static constexpr float range = 20; ///< of eigenvalues that are smoothed
     const Multiply        &multiply;
     const Scale           &scale;
     const float            theta, delta;
-    FloatVector           &d, &z, &change;
+    FloatVector           &d, &z;
   };
 
   /** Euclidean, of a vector of which each process has a part. */
@@ -126,21 +144,6 @@ namespace conetact::backends
     return 1.15f * value;
   }
 
-  /** z = D r, block by block. */
-  template <int size>
-  void
-  multiply_blocks(const std::vector<Eigen::Matrix<float, size, size>> &D,
-                  const FloatVector                                   &r,
-                  FloatVector                                         &z)
-  {
-    for (std::size_t i = 0; i < D.size(); ++i)
-      {
-        const auto k = static_cast<Eigen::Index>(i) * size;
-        z.template segment<size>(k).noalias() =
-          D[i] * r.template segment<size>(k);
-      }
-  }
-
   /**
    * The levels below the finest one, whose nodes have `fine` unknowns:
    * aggregates with `coarse` unknowns each, in single precision; the coarsest
@@ -175,11 +178,11 @@ namespace conetact::backends
   private:
     struct Level
     {
-      DistributedMatrix<coarse, coarse, float>          A;
-      RowRuns<coarse, float>                            runs;
-      std::vector<Eigen::Matrix<float, coarse, coarse>> D;
-      float                                             largest = 1;
-      int                                               begin = 0; ///< own rows
+      DistributedMatrix<coarse, coarse, float> A;
+      RowRuns<coarse, float>                   runs;
+      NodeBlocks<coarse>                       D;
+      float                                    largest = 1;
+      int                                      begin   = 0; ///< own rows
       /// those that states change
       std::vector<std::vector<Eigen::Matrix<float, coarse, coarse>>> free_rows;
       /// from and to the next one

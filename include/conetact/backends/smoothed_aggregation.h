@@ -5,6 +5,7 @@
 #define conetact_backends_smoothed_aggregation_h
 
 #include "conetact/backends/distributed_matrix.h"
+#include "conetact/backends/node_blocks.h"
 
 #include <Eigen/Dense>
 
@@ -33,11 +34,9 @@ namespace conetact::backends
   template <int size>
   struct LevelAbove
   {
-    using Block = Eigen::Matrix<float, size, size>;
-
     const DistributedMatrix<size, size, double> &A;
     double                                       unit; ///< A over it is meant
-    const std::vector<Block>                    &D; ///< inverse of its blocks
+    const NodeBlocks<size>                      &D; ///< inverse of its blocks
     float                                        largest; ///< eigenvalue of D A
     const Eigen::MatrixXd                       &modes;
   };

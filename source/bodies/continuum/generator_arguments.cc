@@ -423,6 +423,32 @@ namespace conetact::bodies
       return true;
     }
 
+    /** Of a block: cells and ends of its sides; one for all of a cube. */
+    struct Sides
+    {
+      std::vector<unsigned long> cells;
+      std::vector<double>        begin, end;
+
+      /* deal.II gives cells on either side of the coordinate planes materials
+         of their own. */
+      bool
+      can_be_halved() const
+      {
+        for (std::size_t d = 0; d < cells.size(); ++d)
+          {
+            if (cells[d] % 2 != 0)
+              return false;
+            const auto [lower, upper] = std::minmax({begin[d], end[d]});
+            const double plane =
+              -lower / (upper - lower) * static_cast<double>(cells[d] / 2);
+            if (lower < 0 && upper > 0 &&
+                std::abs(plane - std::round(plane)) > 1e-6)
+              return false;
+          }
+        return true;
+      }
+    };
+
     void
     check_row(const GeneratorRow             &row,
               const MeshParameters           &mesh,
@@ -473,29 +499,30 @@ namespace conetact::bodies
         mesh.cells == MeshParameters::Cells::simplices)
       return;
     std::vector<std::string> arguments = split(mesh.arguments, ':');
-    if (arguments.empty() || arguments[0].find(';') != std::string::npos)
-      return; // lengths of all cells
-    std::vector<std::string> cells = parts_of(arguments[0]);
-    if (cells.size() != (is_cube ? 1 : dim) ||
-        !std::all_of(cells.begin(), cells.end(), &is_whole))
-      return; // words
+    if (arguments.size() != 4 || arguments[0].find(';') != std::string::npos)
+      return; // lengths of all cells, or words
+    const std::size_t n_given = is_cube ? 1 : dim;
+    Sides             sides;
+    for (const std::string &number : parts_of(arguments[0]))
+      if (is_whole(number))
+        sides.cells.push_back(std::stoul(number));
+    sides.begin = finite_numbers(mesh, arguments[1]);
+    sides.end   = finite_numbers(mesh, arguments[2]);
+    if (sides.cells.size() != n_given || sides.begin.size() != n_given ||
+        sides.end.size() != n_given)
+      return;
     double n = 1;
     for (unsigned int d = 0; d < dim; ++d)
-      n *= std::stod(cells[is_cube ? 0 : d]);
+      n *= static_cast<double>(sides.cells[is_cube ? 0 : d]);
     if (n < many_cells)
       return;
-    // Even numbers are left: deal.II gives octants of a block their own
-    // materials.
-    const auto can_be_halved = [](const std::string &number) {
-      return std::stoul(number) % 4 == 0;
-    };
-    while (std::all_of(cells.begin(), cells.end(), can_be_halved))
-      {
-        for (std::string &number : cells)
-          number = std::to_string(std::stoul(number) / 2);
-        ++mesh.global_refinements;
-      }
-    arguments[0]   = join(cells);
+    for (; sides.can_be_halved(); ++mesh.global_refinements)
+      for (unsigned long &number : sides.cells)
+        number /= 2;
+    arguments[0].clear();
+    for (const unsigned long number : sides.cells)
+      arguments[0] +=
+        (arguments[0].empty() ? "" : ", ") + std::to_string(number);
     mesh.arguments = join(arguments, " : ");
   }
 

@@ -61,7 +61,7 @@ namespace
     modes.resize(2 * n, 3);
     for (int i = 0; i < n; ++i)
       modes.middleRows<2>(2 * i) << 1, 0, 0, 0, 1, i;
-    return aggregate<2, 3>({matrix, 1., D, 2.f, modes}, {});
+    return aggregate<2, 3>({matrix, 1., NodeBlocks<2>(D), 2.f, modes}, {});
   }
 } // namespace
 

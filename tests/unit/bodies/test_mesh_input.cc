@@ -178,6 +178,58 @@ TEST(MeshInput, MeshIsScaledThenRotatedThenMoved)
     EXPECT_EQ(node.position[1], 1);
 }
 
+/** Of cells per direction, refined from fewer: quadrants have their own
+ * materials, and so have the two cells that the x axis would cut. */
+void
+expect_block(const std::vector<int>    &n,
+             const std::vector<double> &sides,
+             const double               energy)
+{
+  const auto text = [](const auto a, const auto b) {
+    return std::to_string(a) + ", " + std::to_string(b);
+  };
+  const auto body =
+    make_body(2,
+              "Generator = subdivided_hyper_rectangle|Arguments = " +
+                text(n[0], n[1]) + " : " + text(sides[0], sides[1]) + " : " +
+                text(sides[2], sides[3]) + " : true",
+              "Poisson ratio = 0|Young modulus = 2 ; 4 ; 8 ; 16|"
+              "Material group = 0 ; 1 ; 2 ; 3");
+  const std::size_t n_x = static_cast<std::size_t>(n[0]) + 1,
+                    n_y = static_cast<std::size_t>(n[1]) + 1;
+  EXPECT_EQ(body->n_nodes(), n_x * n_y);
+  EXPECT_EQ(body->matrix_count().elements, (n_x - 1) * (n_y - 1));
+  std::set<std::pair<long, long>> places;
+  for (unsigned int i = 0; i < body->n_nodes(); ++i)
+    {
+      const Point<3> p = body->position(i);
+      const double   k = (p[0] - sides[0]) / (sides[2] - sides[0]) * n[0],
+                   l   = (p[1] - sides[1]) / (sides[3] - sides[1]) * n[1];
+      EXPECT_NEAR(k, std::round(k), 1e-10);
+      EXPECT_NEAR(l, std::round(l), 1e-10);
+      places.emplace(std::lround(k), std::lround(l));
+    }
+  EXPECT_EQ(places.size(), body->n_nodes());
+  EXPECT_EQ(body->boundary_ids(), (BoundaryIds{0, 1, 2, 3}));
+  for (unsigned int id = 0; id < 4; ++id)
+    EXPECT_EQ(body->surface({id}).nodes.size(), id < 2 ? n_y : n_x);
+  // shear strains of 1 have an energy of E / 4 for each unit of area
+  const Eigen::VectorXd u = interpolate(*body, [](const Point<3> &p) {
+    return Tensor<1, 3>({p[1], 0., 0.});
+  });
+  Eigen::VectorXd       f = Eigen::VectorXd::Zero(u.size());
+  body->add_internal_forces(u, f);
+  EXPECT_NEAR(u.dot(f) / 2, energy, 1e-10);
+}
+
+TEST(MeshInput, LargeBlocksAreWhatTheirArgumentsSay)
+{
+  // E / 4 is .5, 1, 2, 4 in the quadrants
+  expect_block({240, 220}, {-1, -1, 1, 1}, 7.5);
+  // x = 0 after 80 of 240 cells, y = 0 after 55 of 220
+  expect_block({240, 220}, {-1, -.5, 2, 1.5}, .5 * .5 + 1 + 1.5 * 2 + 3 * 4);
+}
+
 TEST(MeshInput, LaterBoundaryIdsWin)
 {
   const auto body =

@@ -23,7 +23,7 @@ namespace conetact::bodies
 
   /**
    * Makes a block of many cells, whose arguments are right, one of fewer cells
-   * that are refined: 2 x 2 x 2 cells refined five times are the 64 x 64 x 64
+   * that are refined: one cell refined six times is the 64 x 64 x 64
    * that were asked for, and deal.II makes them in a third of the time.
    */
   void
