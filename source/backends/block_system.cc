@@ -183,7 +183,7 @@ namespace conetact::backends
     const FloatVector free = without_contact().template cast<float>();
     largest                = largest_eigenvalue(
       [&](const FloatVector &x, FloatVector &y) {
-        product(x, y);
+        product(x.cwiseProduct(free), y);
         y.array() *= free.array();
       },
       [&](const FloatVector &x, FloatVector &y) {

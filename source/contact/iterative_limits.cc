@@ -124,6 +124,9 @@ namespace conetact::contact
                     const NodeRules     &supports,
                     const ContactPoints &points)
   {
+    for (const Cut &cut : bodies.cuts())
+      return "knows no ties with a Preload, and there is '" +
+             bodies.names[cut.body] + "'";
     for (std::size_t b = 0; b < bodies.structures.size(); ++b)
       if (bodies.is_rigid(b))
         return "solves bodies that deform, and " + bodies.called(b) +
@@ -141,7 +144,8 @@ namespace conetact::contact
     if (has_tangled_means(points, supports))
       return "knows means over nodes of a mortar surface only where they "
              "hang on no others and meet nothing by themselves, as on a slave "
-             "that its master covers: let the narrower body be the slave";
+             "that its master covers: let the narrower body be the slave, refine "
+             "its surface evenly, or set Pairing = node to face";
     if (masters_are_slaves(points))
       return "wants nodes of one body to face those of another, but not both "
              "each other";

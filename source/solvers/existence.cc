@@ -231,15 +231,12 @@ namespace conetact::solvers
     result.w /= v.lpNorm<Eigen::Infinity>();
     v /= v.lpNorm<Eigen::Infinity>();
     result.moving = moving_nodes(v);
-    result.tight.clear();
-    for (const Index i : result.moving)
-      {
-        const double slip =
-          v.segment(system->first[i], system->n_tangents(i)).norm();
-        // v has 1 as its largest entry.
-        if (v[system->normal(i)] <= system->mu[i] * slip + 1e-6)
-          result.tight.push_back(i);
-      }
+    result.tight  = tight_nodes(result, 0);
+    // On a surface that is not quite even some lift a little more than others.
+    constexpr double little = .1;
+    if (!result.tight.empty() &&
+        tight_nodes(result, little).size() == result.moving.size())
+      result.tight = result.moving;
     if (result.tight.empty())
       result.motion = Motion::lifts_off;
     else if (is_translation(v, result.tight) ||
@@ -251,6 +248,25 @@ namespace conetact::solvers
         result.tight.size() == result.moving.size() || stays_flat(result) ?
           Motion::turns :
           Motion::tips;
+  }
+
+
+
+  std::vector<Index>
+  ExistenceCheck::tight_nodes(const Existence &result,
+                              const double     little) const
+  {
+    constexpr double   rounding = 1e-6; // v has 1 as its largest entry
+    std::vector<Index> tight;
+    for (const Index i : result.moving)
+      {
+        const double slip =
+          result.v.segment(system->first[i], system->n_tangents(i)).norm();
+        if (result.v[system->normal(i)] <=
+            (system->mu[i] + little) * slip + rounding)
+          tight.push_back(i);
+      }
+    return tight;
   }
 
 

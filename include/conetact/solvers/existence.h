@@ -117,6 +117,10 @@ namespace conetact::solvers
     even_pressure(const double force) const;
     void
     name_motion(Existence &result) const;
+    /** Moving nodes that lift by no more than their friction and `little` of
+     * their slip. */
+    std::vector<Eigen::Index>
+    tight_nodes(const Existence &result, const double little) const;
     bool
     stays_flat(const Existence &result) const;
     std::vector<Eigen::Index>
