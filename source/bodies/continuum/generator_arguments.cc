@@ -423,6 +423,29 @@ namespace conetact::bodies
       return true;
     }
 
+    /** Lengths of the cells of a block lead from one end to the other. */
+    void
+    check_steps(const MeshParameters &mesh,
+                const std::string    &argument,
+                const Numbers        &ends)
+    {
+      const auto lists = split(argument, ';');
+      for (std::size_t d = 0; d < lists.size() && lists.size() > 1; ++d)
+        {
+          const double length = std::abs(ends[1][d] - ends[0][d]);
+          double       sum    = 0;
+          for (const double step : finite_numbers(mesh, lists[d]))
+            sum += step;
+          if (!(std::abs(sum - length) <= 1e-9 * length))
+            refuse(mesh,
+                   lists[d],
+                   "adds up to " + to_text(sum) + ", and the block is " +
+                     to_text(length) +
+                     " long there. Give the lengths of all its cells, or "
+                     "numbers of cells with ',' between them.");
+        }
+    }
+
     /** Of a block: cells and ends of its sides; one for all of a cube. */
     struct Sides
     {
@@ -473,6 +496,8 @@ namespace conetact::bodies
                    "is not smaller than '" + arguments[k] + "', as " +
                      mesh.generator + " wants it. Change one of them.");
         }
+      if (kinds[0] == 's' && a[1].size() == dim && a[2].size() == dim)
+        check_steps(mesh, arguments[0], {a[1], a[2]});
       if (dim == 3)
         check_shell(row, mesh, a);
       check_mesh_size(mesh, dim, row.n_cells(a, dim), "Arguments");

@@ -362,6 +362,8 @@ TEST(MeshInput, ArgumentsOfGeneratorsAreChecked)
   expect(2, rectangle, "7" + corners, "has 1 numbers of cells");
   expect(2, rectangle, "1, 1, 1" + corners, "has 3 numbers of cells");
   expect(2, rectangle, ".5, .5 ; -1, 2" + corners, "not steps");
+  expect(2, rectangle, ".5, .5 ; .5, .6" + corners, "adds up to 1.1");
+  expect(2, rectangle, "40 ; 30" + corners, "adds up to 40");
   expect(2, rectangle, "99999999, 99999999" + corners, "coarser");
   expect(2, rectangle, "2, 2:0,0:1,1e200:true", "finite");
   expect(3, "hyper_ball", "0, 0, 0 : 0 : false", "not positive");
