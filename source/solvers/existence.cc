@@ -336,17 +336,20 @@ namespace conetact::solvers
     if (frames.empty())
       return false;
     Eigen::Vector3d sum     = Eigen::Vector3d::Zero();
-    double          squares = 0;
+    double          squares = 0, n = 0;
     for (const Index i : nodes)
       {
         const Eigen::Vector3d u =
           frames[static_cast<std::size_t>(i)] *
           v.segment(system->first[i], system->n_tangents(i) + 1);
+        // Others are at rest, such as those of a body below this one.
+        if (u.norm() < 1e-6)
+          continue;
         sum += u;
         squares += u.squaredNorm();
+        n += 1;
       }
-    const auto n = static_cast<double>(nodes.size());
-    return sum.norm() / n > most * std::sqrt(squares / n);
+    return sum.norm() > most * std::sqrt(squares * n);
   }
 
 

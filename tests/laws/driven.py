@@ -3,7 +3,7 @@
 """Obstacles with edges, of files, that loads press, and that turn."""
 import math
 
-from support.scenes import box, contact, merge, press_and_shear, support
+from support.scenes import box, contact, joint, load, merge, press_and_shear, support
 from support.surfaces import ball, brick, write_binary_stl, write_msh, write_obj, write_stl
 
 
@@ -156,6 +156,21 @@ def free_obstacles(laws):
         done, _ = laws.start(merge(held, {"Obstacle punch": {"Force": force}}))
         laws.demand(f"a plate that {name} is refused: {done.stderr.strip()}",
                     done.returncode == 2 and sentence in done.stderr)
+
+
+    # a block of weight .96 on one that its weight dents: it slides from .384 on, and would tip from 1.44 on
+    soft = {"Dimension": 2, "Obstacle floor": {"Shape": "half space", "Normal": (0, 1)},
+            "Body lower": box((21, 9), (2.0, 1.0)), "Body upper": box((16, 7), (1.2, .8), (.3, 1.0), young=500.0),
+            "Contact ground": contact("lower", mu=.5, Kinematics="finite sliding"),
+            "Contact joint": joint("upper", 2, "lower", 3, Kinematics="finite sliding") | {"Friction coefficient": .4,
+                                                                                           "Pairing": "node to face"},
+            "Load w1": load("body force", "0 ; -1", body="lower"), "Load w2": load("body force", "0 ; -1", body="upper"),
+            "Load push": load("pressure", "0.25*t", 0, "upper"),
+            "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
+    done, _ = laws.start(soft)
+    laws.demand(f"a block that slides on a dent is refused: {done.stderr.strip()}",
+                done.returncode == 2 and "body 'upper' slides along (1," in done.stderr and
+                abs(float(done.stderr.split("at most ")[1].split(". ")[0]) - .92) < 5e-3)
 
 
 def turning(laws):
