@@ -117,7 +117,8 @@ namespace conetact::backends
       list.insert(list.end(), columns, columns + n_columns);
       const std::size_t end = list.size();
       list.resize(end + n_values * sizeof(Number) / sizeof(int));
-      std::memcpy(list.data() + end, values, n_values * sizeof(Number));
+      if (n_values > 0)
+        std::memcpy(list.data() + end, values, n_values * sizeof(Number));
     }
 
     /** Calls f(number, columns, how many, values) for all that was packed. */
@@ -133,9 +134,10 @@ namespace conetact::backends
           const int         i = list[k];
           const std::size_t n = at(list[k + 1]);
           values.resize(n * block_size);
-          std::memcpy(values.data(),
-                      list.data() + k + 2 + n,
-                      values.size() * sizeof(Number));
+          if (!values.empty())
+            std::memcpy(values.data(),
+                        list.data() + k + 2 + n,
+                        values.size() * sizeof(Number));
           f(i, list.data() + k + 2, n, values.data());
           k += 2 + n + values.size() * sizeof(Number) / sizeof(int);
         }

@@ -35,7 +35,8 @@ namespace conetact::backends
       const auto [begin, end]     = known.equal_range(hash);
       for (auto it = begin; it != end; ++it)
         if (it->second + length <= all.size() &&
-            std::memcmp(all.data() + it->second, row, n_bytes) == 0)
+            (length == 0 ||
+             std::memcmp(all.data() + it->second, row, n_bytes) == 0))
           return it->second;
       const std::size_t at_end = all.size();
       all.insert(all.end(), row, row + length);
