@@ -8,6 +8,8 @@
 // seconds, and what each process has more than at its start, as a row of a
 // table.
 
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 #include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -19,9 +21,10 @@
 
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <map>
+#include <memory>
+#include <string>
 
 using namespace dealii;
 
@@ -34,13 +37,9 @@ namespace
   double
   peak()
   {
-    std::ifstream status("/proc/self/status");
-    std::string   word;
-    double        kilobytes = 0;
-    while (status >> word)
-      if (word == "VmHWM:")
-        status >> kilobytes;
-    return kilobytes / 1e3;
+    Utilities::System::MemoryStats stats;
+    Utilities::System::get_memory_stats(stats);
+    return static_cast<double>(stats.VmHWM) / 1e3;
   }
 
   void

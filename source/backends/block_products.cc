@@ -9,22 +9,14 @@ namespace conetact::backends
   {
     template <int n_rows, int n_columns, typename Number>
     [[gnu::always_inline]] inline void
-    multiply_all(const BlockRows<Number> &A,
-                 const std::size_t        begin,
-                 const std::size_t        end,
-                 const Number            *x,
-                 Number                  *y)
+    multiply_all(const BlockRows<Number> &A, const Number *x, Number *y)
     {
-      constexpr int  width = lanes(n_rows);
-      typedef Number Lanes __attribute__((vector_size(width * sizeof(Number))));
-      /* The same anywhere in memory. */
-      typedef Number Anywhere
-        __attribute__((vector_size(width * sizeof(Number)),
-                       aligned(sizeof(Number)),
-                       may_alias));
+      constexpr int bytes = lanes(n_rows) * static_cast<int>(sizeof(Number));
+      using Lanes         = typename Wide<Number, bytes>::Vector;
+      using Anywhere      = typename Wide<Number, bytes>::Anywhere;
       constexpr std::size_t block_size =
         static_cast<std::size_t>(n_rows) * n_columns;
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = A.begin; i < A.end; ++i)
         {
           const Number *a =
             A.value +
@@ -46,7 +38,7 @@ namespace conetact::backends
           for (int c = n_columns - 1; c > 0; --c)
             sum[(c - 1) / 2] += sum[c];
           Number *const out = y + i * n_rows;
-          if (i + 1 < end)
+          if (i + 1 < A.end)
             // what is too much belongs to the next row
             *reinterpret_cast<Anywhere *>(out) = sum[0];
           else
@@ -57,31 +49,21 @@ namespace conetact::backends
 
     template <typename Number>
     using MultiplyRows = void(const BlockRows<Number> &A,
-                              const std::size_t        begin,
-                              const std::size_t        end,
                               const Number            *x,
                               Number                  *y);
 
     template <int n_rows, int n_columns, typename Number>
     void
-    multiply_plain(const BlockRows<Number> &A,
-                   const std::size_t        begin,
-                   const std::size_t        end,
-                   const Number            *x,
-                   Number                  *y)
+    multiply_plain(const BlockRows<Number> &A, const Number *x, Number *y)
     {
-      multiply_all<n_rows, n_columns>(A, begin, end, x, y);
+      multiply_all<n_rows, n_columns>(A, x, y);
     }
 #ifdef __x86_64__
     template <int n_rows, int n_columns, typename Number>
     [[gnu::target("avx2,fma")]] void
-    multiply_avx2(const BlockRows<Number> &A,
-                  const std::size_t        begin,
-                  const std::size_t        end,
-                  const Number            *x,
-                  Number                  *y)
+    multiply_avx2(const BlockRows<Number> &A, const Number *x, Number *y)
     {
-      multiply_all<n_rows, n_columns>(A, begin, end, x, y);
+      multiply_all<n_rows, n_columns>(A, x, y);
     }
 #endif
 
@@ -101,21 +83,15 @@ namespace conetact::backends
 
   template <int n_rows, int n_columns, typename Number>
   void
-  multiply_rows(const BlockRows<Number> &A,
-                const std::size_t        begin,
-                const std::size_t        end,
-                const Number            *x,
-                Number                  *y)
+  multiply_rows(const BlockRows<Number> &A, const Number *x, Number *y)
   {
     static MultiplyRows<Number> *const multiply =
       choose_multiply<n_rows, n_columns, Number>();
-    multiply(A, begin, end, x, y);
+    multiply(A, x, y);
   }
 
 #define CONETACT_MULTIPLY_ROWS(n_rows, n_columns, Number)                   \
   template void multiply_rows<n_rows, n_columns>(const BlockRows<Number> &, \
-                                                 const std::size_t,         \
-                                                 const std::size_t,         \
                                                  const Number *,            \
                                                  Number *)
   CONETACT_MULTIPLY_ROWS(2, 2, float);

@@ -447,9 +447,8 @@ namespace conetact::backends
         // as a whole: nodes of the surface are scaled together
         FloatVector &z = vectors.scaled;
         z.resize(n);
-        D.for_products(r, prepare, [&](const Index begin, const auto &product) {
-          z.segment(begin, product.size()) = product;
-        });
+        prepare(0, n);
+        D.multiply(r, z);
         surface->apply(r, z);
         use(0, z.head(n));
       };

@@ -11,25 +11,15 @@ namespace conetact::backends
 {
   namespace
   {
-    /** Numbers that a processor multiplies at once. */
-    template <typename Number, int bytes>
-    struct Wide
-    {
-      typedef Number Vector __attribute__((vector_size(bytes)));
-      /** The same anywhere in memory. */
-      typedef Number Anywhere
-        __attribute__((vector_size(bytes), aligned(sizeof(Number)), may_alias));
-      static constexpr std::size_t width = bytes / sizeof(Number);
-    };
-
     /** Rows that are alike: fewer are not worth a place in the cache. */
     constexpr std::size_t least_rows = 256;
 
+    /** A strip at least of the widest vectors that processors have. */
     template <typename Number>
     bool
     is_wide(const RowRun<Number> &run)
     {
-      return run.n >= 64 / sizeof(Number);
+      return run.n >= Wide<Number, 64>::width;
     }
 
     /** Rows of a matrix that are alike, and the vector that it multiplies:
@@ -331,9 +321,7 @@ namespace conetact::backends
         const std::size_t own[2] = {0, run.n_columns};
         for (std::size_t i = run.begin; i < done; ++i)
           multiply_rows<block, block>(
-            {own, shifts.data() + run.shifts, nullptr, run.numbers},
-            0,
-            1,
+            {own, shifts.data() + run.shifts, nullptr, run.numbers, 0, 1},
             x + i * block,
             y + i * block);
       }

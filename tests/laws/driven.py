@@ -156,9 +156,11 @@ def free_obstacles(laws):
         done, _ = laws.start(merge(held, {"Obstacle punch": {"Force": force}}))
         laws.demand(f"a plate that {name} is refused: {done.stderr.strip()}",
                     done.returncode == 2 and sentence in done.stderr)
+    slides_on_a_dent(laws)
 
 
-    # a block of weight .96 on one that its weight dents: it slides from .384 on, and would tip from 1.44 on
+def slides_on_a_dent(laws):
+    """A block of weight .96 on one that its weight dents slides from .384 on; it would tip from 1.44 on."""
     soft = {"Dimension": 2, "Obstacle floor": {"Shape": "half space", "Normal": (0, 1)},
             "Body lower": box((21, 9), (2.0, 1.0)), "Body upper": box((16, 7), (1.2, .8), (.3, 1.0), young=500.0),
             "Contact ground": contact("lower", mu=.5, Kinematics="finite sliding"),

@@ -114,9 +114,9 @@ namespace conetact::backends
       multiply_rows<n_rows, n_columns>({start.data(),
                                         column.data(),
                                         first.empty() ? nullptr : first.data(),
-                                        value.data()},
-                                       begin,
-                                       end,
+                                        value.data(),
+                                        begin,
+                                        end},
                                        x,
                                        y);
     }

@@ -8,7 +8,19 @@
 
 namespace conetact::backends
 {
-  /** Rows of a sparse matrix of blocks, as BlockMatrix keeps them. */
+  /** Numbers that a processor multiplies at once. */
+  template <typename Number, int bytes>
+  struct Wide
+  {
+    typedef Number Vector __attribute__((vector_size(bytes)));
+    /** The same anywhere in memory. */
+    typedef Number Anywhere
+      __attribute__((vector_size(bytes), aligned(sizeof(Number)), may_alias));
+    static constexpr std::size_t width = bytes / sizeof(Number);
+  };
+
+  /** Rows begin, ..., end - 1 of a sparse matrix of blocks, as BlockMatrix
+   * keeps them. */
   template <typename Number>
   struct BlockRows
   {
@@ -18,6 +30,7 @@ namespace conetact::backends
     /** Where the numbers of row i begin; null: at its first block. */
     const std::size_t *first;
     const Number      *value; ///< blocks, column by column
+    std::size_t        begin, end;
   };
 
   /** Numbers of a column of a block are read in fours: so many at once. */
@@ -28,16 +41,12 @@ namespace conetact::backends
   }
 
   /**
-   * y = A x for rows begin, ..., end - 1, in the vectors that the processor
-   * has. Behind the last number of A three more may be read.
+   * Rows of y = A x, in the vectors that the processor has. Behind the last
+   * number of A three more may be read.
    */
   template <int n_rows, int n_columns, typename Number>
   void
-  multiply_rows(const BlockRows<Number> &A,
-                const std::size_t        begin,
-                const std::size_t        end,
-                const Number            *x,
-                Number                  *y);
+  multiply_rows(const BlockRows<Number> &A, const Number *x, Number *y);
 } // namespace conetact::backends
 
 #endif

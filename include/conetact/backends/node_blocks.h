@@ -81,7 +81,7 @@ namespace conetact::backends
                  const Prepare     &prepare,
                  const Use         &use) const
     {
-      FloatVector product(piece + static_cast<Eigen::Index>(more));
+      Eigen::Matrix<float, piece + more, 1> product;
       for_pieces(r, [&](const Eigen::Index begin, const Eigen::Index n) {
         prepare(begin, n);
         multiply(begin, n, r.data() + begin, product.data());
@@ -104,7 +104,7 @@ namespace conetact::backends
     static constexpr std::size_t n_numbers =
       static_cast<std::size_t>(size) * size;
     /** What is read and written too much where a column goes in fours. */
-    static constexpr std::size_t more = lanes(size) - size;
+    static constexpr int more = lanes(size) - size;
 
     void
     multiply(const Eigen::Index begin,

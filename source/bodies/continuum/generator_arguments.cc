@@ -430,7 +430,7 @@ namespace conetact::bodies
                 const Numbers        &ends)
     {
       const auto lists = split(argument, ';');
-      for (std::size_t d = 0; d < lists.size() && lists.size() > 1; ++d)
+      for (std::size_t d = 0; d < lists.size(); ++d)
         {
           const double length = std::abs(ends[1][d] - ends[0][d]);
           double       sum    = 0;
@@ -449,8 +449,7 @@ namespace conetact::bodies
     /** Of a block: cells and ends of its sides; one for all of a cube. */
     struct Sides
     {
-      std::vector<unsigned long> cells;
-      std::vector<double>        begin, end;
+      std::vector<double> cells, begin, end;
 
       /* deal.II gives cells on either side of the coordinate planes materials
          of their own. */
@@ -459,11 +458,10 @@ namespace conetact::bodies
       {
         for (std::size_t d = 0; d < cells.size(); ++d)
           {
-            if (cells[d] % 2 != 0)
+            if (std::fmod(cells[d], 2) != 0)
               return false;
             const auto [lower, upper] = std::minmax({begin[d], end[d]});
-            const double plane =
-              -lower / (upper - lower) * static_cast<double>(cells[d] / 2);
+            const double plane        = -lower / (upper - lower) * cells[d] / 2;
             if (lower < 0 && upper > 0 &&
                 std::abs(plane - std::round(plane)) > 1e-6)
               return false;
@@ -496,7 +494,8 @@ namespace conetact::bodies
                    "is not smaller than '" + arguments[k] + "', as " +
                      mesh.generator + " wants it. Change one of them.");
         }
-      if (kinds[0] == 's' && a[1].size() == dim && a[2].size() == dim)
+      if (kinds[0] == 's' && arguments[0].find(';') != std::string::npos &&
+          a[1].size() == dim && a[2].size() == dim)
         check_steps(mesh, arguments[0], {a[1], a[2]});
       if (dim == 3)
         check_shell(row, mesh, a);
@@ -526,28 +525,22 @@ namespace conetact::bodies
     std::vector<std::string> arguments = split(mesh.arguments, ':');
     if (arguments.size() != 4 || arguments[0].find(';') != std::string::npos)
       return; // lengths of all cells, or words
-    const std::size_t n_given = is_cube ? 1 : dim;
-    Sides             sides;
-    for (const std::string &number : parts_of(arguments[0]))
-      if (is_whole(number))
-        sides.cells.push_back(std::stoul(number));
-    sides.begin = finite_numbers(mesh, arguments[1]);
-    sides.end   = finite_numbers(mesh, arguments[2]);
-    if (sides.cells.size() != n_given || sides.begin.size() != n_given ||
-        sides.end.size() != n_given)
-      return;
-    double n = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      n *= static_cast<double>(sides.cells[is_cube ? 0 : d]);
-    if (n < many_cells)
+    Sides sides = {whole_numbers(mesh, arguments[0], 1),
+                   finite_numbers(mesh, arguments[1]),
+                   finite_numbers(mesh, arguments[2])};
+    for (const auto *const numbers : {&sides.cells, &sides.begin, &sides.end})
+      if (numbers->size() != (is_cube ? 1 : dim))
+        return;
+    if ((is_cube ? std::pow(sides.cells[0], dim) : product(sides.cells)) <
+        many_cells)
       return;
     for (; sides.can_be_halved(); ++mesh.global_refinements)
-      for (unsigned long &number : sides.cells)
+      for (double &number : sides.cells)
         number /= 2;
-    arguments[0].clear();
-    for (const unsigned long number : sides.cells)
-      arguments[0] +=
-        (arguments[0].empty() ? "" : ", ") + std::to_string(number);
+    std::vector<std::string> cells;
+    for (const double number : sides.cells)
+      cells.push_back(std::to_string(std::lround(number)));
+    arguments[0]   = join(cells);
     mesh.arguments = join(arguments, " : ");
   }
 
