@@ -43,7 +43,7 @@ namespace conetact::solvers
     Motion                    motion = Motion::none;
     std::vector<Eigen::Index> moving; ///< nodes of the bodies that move
     std::vector<Eigen::Index> tight;  ///< moving nodes that slide: v_n = mu
-                                     ///< |v_t|, or little more at all of them
+                                      ///< |v_t|, or little more at all of them
 
     /** Largest s in [0, 1] with f_start + s (f - f_start) admissible. */
     double fraction = 1;
