@@ -18,7 +18,7 @@ namespace conetact
 {
   namespace
   {
-    constexpr const char *first_line = "Conetact archive 2";
+    constexpr const char *first_line = "Conetact archive 3";
     constexpr const char *last_word  = "checksum ";
 
     [[noreturn]] void
