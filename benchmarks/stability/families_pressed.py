@@ -62,11 +62,14 @@ class Stack:
         scene["Contact c0"] = contact("b0", 2 * dim - 2, mu=self.mus[0])
         touches = {"c0": Touch("b0", self.mus[0])}
         if self.two:
-            sides = rng.choice(((("b1", 2 * dim - 2), ("b0", 2 * dim - 1)), (("b0", 2 * dim - 1), ("b1", 2 * dim - 2))))
-            (body, ids), (master, master_ids) = sides
+            upper, lower = ("b1", 2 * dim - 2), ("b0", 2 * dim - 1)
+            pairing, upper_is_slave = rng.choice(("mortar", "node to face")), rng.random() < .5
+            if pairing == "node to face" and self.sizes[1][0] < self.sizes[0][0]:
+                upper_is_slave = True  # else it might stand on one node
+            (body, ids), (master, master_ids) = (upper, lower) if upper_is_slave else (lower, upper)
             scene["Contact c1"] = {"Body": body, "Boundary ids": ids, "Master body": master,
                                    "Master boundary ids": master_ids, "Friction coefficient": self.mus[1],
-                                   "Pairing": rng.choice(("mortar", "node to face"))}
+                                   "Pairing": pairing}
             touches["c1"] = Touch(body, self.mus[1], master)
         return scene, touches
 

@@ -47,8 +47,8 @@ STATICS = {
     "no-touch": ("bodies that touch nowhere", no_touch, 200, range(12)),
     "joints": ("joints wider and narrower than their master", joints, 100, range(20)),
     "roller-box": ("boxes on rollers", roller_box, 20, range(20)),
-    "pressed": ("free blocks, pressed and pushed in many increments", pressed_and_pushed, 200, range(12)),
-    "through-zero": ("cycles through zero load", through_zero, 200, range(15)),
+    "pressed": ("free blocks, pressed and pushed in many increments", pressed_and_pushed, 200, (1, 3, 6, 20, 56)),
+    "through-zero": ("cycles through zero load", through_zero, 200, (1, 5, 6, 7, 8, 9, 10)),
     "balanced-frictionless": ("balanced loads on frictionless floors", balanced, 60, range(24)),
 }
 

@@ -113,8 +113,7 @@ namespace conetact::solvers
     if (solve_balanced(point.sets))
       return true;
     // one that slips again at once does not hold either
-    if (solve_balanced(
-          with_strongest_stuck(*relation, point.sets, point.p)))
+    if (solve_balanced(with_strongest_stuck(*relation, point.sets, point.p)))
       {
         const Array p = point.p + dp;
         if (signature(sets_of_point(*relation, p, dual(p))) !=

@@ -198,8 +198,8 @@ namespace conetact::verification
         , on_supports(force)
       {}
     };
-    Past                          past;
-    Eigen::VectorXd     stiffness, bound_stiffness;
+    Past            past;
+    Eigen::VectorXd stiffness, bound_stiffness;
 
     /** What was accepted last; empty: nothing yet. */
     struct Last
