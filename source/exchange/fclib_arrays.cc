@@ -3,7 +3,9 @@
 
 #include "conetact/exchange/fclib_arrays.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace conetact::exchange
@@ -50,29 +52,80 @@ namespace conetact::exchange
 
 
 
+    /** What the group of a matrix says of it. */
+    struct Sizes
+    {
+      int m, n, nz, nzmax;
+
+      bool
+      are_triplets() const
+      {
+        return nz >= 0;
+      }
+    };
+
+
+
+    Sizes
+    read_sizes(const Hdf5File &file, const std::string &folder)
+    {
+      return {file.integer(folder + "m"),
+              file.integer(folder + "n"),
+              file.integer(folder + "nz"),
+              file.integer(folder + "nzmax")};
+    }
+
+
+
+    /** Triplets that there is no room for may be stored or not. */
+    std::size_t
+    stored(const Hdf5File &file, const std::string &name, const Sizes &sizes)
+    {
+      const auto most = static_cast<std::size_t>(sizes.nzmax);
+      return sizes.are_triplets() && file.size(name) != most ?
+               static_cast<std::size_t>(sizes.nz) :
+               most;
+    }
+
+
+
+    std::vector<int>
+    read_indices(const Hdf5File    &file,
+                 const std::string &name,
+                 const Sizes       &sizes)
+    {
+      std::vector<int> result = file.integers(name, stored(file, name, sizes));
+      if (sizes.are_triplets())
+        result.resize(static_cast<std::size_t>(sizes.nz));
+      return result;
+    }
+
+
+
     Triplets
     read_pattern(const Hdf5File    &file,
-                 const std::string &name,
-                 const int          n_pointers,
-                 const int          nz,
-                 const int          nzmax)
+                 const std::string &folder,
+                 const Sizes       &sizes,
+                 const bool         columns_first)
     {
-      Triplets   result;
-      const auto entries = static_cast<std::size_t>(nz >= 0 ? nz : nzmax);
-      if (nz >= 0)
+      Triplets result;
+      if (sizes.are_triplets())
         {
-          result.row    = file.integers(name + "p", entries);
-          result.column = file.integers(name + "i", entries);
+          result.row    = read_indices(file, folder + "p", sizes);
+          result.column = read_indices(file, folder + "i", sizes);
+          if (columns_first)
+            std::swap(result.row, result.column);
           return result;
         }
+      const bool columns    = sizes.nz == -1;
+      const int  n_pointers = (columns ? sizes.n : sizes.m) + 1;
       const auto pointer =
-        file.integers(name + "p", static_cast<std::size_t>(n_pointers) + 1);
-      std::vector<int> along  = expand(file, name, pointer, nzmax);
-      std::vector<int> across = file.integers(name + "i", entries);
+        file.integers(folder + "p", static_cast<std::size_t>(n_pointers));
+      std::vector<int> along  = expand(file, folder, pointer, sizes.nzmax);
+      std::vector<int> across = read_indices(file, folder + "i", sizes);
       across.resize(along.size());
-      const bool columns = nz == -1;
-      result.row         = columns ? across : along;
-      result.column      = columns ? along : across;
+      result.row    = columns ? across : along;
+      result.column = columns ? along : across;
       return result;
     }
 
@@ -81,11 +134,9 @@ namespace conetact::exchange
     void
     check_sizes(const Hdf5File    &file,
                 const std::string &name,
-                const int          m,
-                const int          n,
-                const int          nz,
-                const int          nzmax)
+                const Sizes       &sizes)
     {
+      const auto [m, n, nz, nzmax] = sizes;
       if (m <= 0 || n <= 0 || m > max_rows || n > max_rows)
         file.fail("the matrix " + name + " has " + std::to_string(m) +
                   " rows and " + std::to_string(n) + " columns; 1 to " +
@@ -113,18 +164,37 @@ namespace conetact::exchange
 
 
 
+  bool
+  has_columns_first(const Hdf5File &file, const std::string &folder)
+  {
+    const Sizes sizes = read_sizes(file, folder);
+    if (!sizes.are_triplets() || sizes.nz == 0 || sizes.nzmax < sizes.nz)
+      return false;
+    const auto largest = [&](const std::string &name) {
+      const std::vector<int> all = read_indices(file, folder + name, sizes);
+      return *std::max_element(all.begin(), all.end());
+    };
+    const int p = largest("p"), i = largest("i");
+    return (p >= sizes.m || i >= sizes.n) && p < sizes.n && i < sizes.m;
+  }
+
+
+
   Eigen::SparseMatrix<double>
   read_matrix(const Hdf5File    &file,
               const std::string &folder,
-              const std::string &name)
+              const std::string &name,
+              const bool         columns_first)
   {
-    const int m = file.integer(folder + "m"), n = file.integer(folder + "n");
-    const int nz    = file.integer(folder + "nz");
-    const int nzmax = file.integer(folder + "nzmax");
-    check_sizes(file, name, m, n, nz, nzmax);
-    // the values first: they confirm nzmax
-    const VectorXd x  = read_vector(file, folder + "x", nzmax);
-    const Triplets at = read_pattern(file, folder, nz == -2 ? m : n, nz, nzmax);
+    const Sizes sizes = read_sizes(file, folder);
+    check_sizes(file, name, sizes);
+    const int m = sizes.m, n = sizes.n;
+    // the values first: they confirm how many there are
+    const VectorXd x =
+      read_vector(file,
+                  folder + "x",
+                  static_cast<Index>(stored(file, folder + "x", sizes)));
+    const Triplets at = read_pattern(file, folder, sizes, columns_first);
     std::vector<Eigen::Triplet<double>> entries;
     for (std::size_t k = 0; k < at.row.size(); ++k)
       {

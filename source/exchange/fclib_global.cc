@@ -48,8 +48,10 @@ namespace conetact::exchange
   void
   FclibGlobal::read(const Hdf5File &file)
   {
-    M = read_matrix(file, root + "M/", "M");
-    H = read_matrix(file, root + "H/", "H");
+    // H has more rows than columns, or the like: it tells for all
+    const bool columns_first = has_columns_first(file, root + "H/");
+    M = read_matrix(file, root + "M/", "M", columns_first);
+    H = read_matrix(file, root + "H/", "H", columns_first);
     if (M.rows() != M.cols())
       file.fail("the matrix M is not square");
     if (H.rows() != M.rows())
@@ -61,7 +63,7 @@ namespace conetact::exchange
                 " can be treated");
     G.resize(M.rows(), 0);
     if (file.has(root + "G"))
-      G = read_matrix(file, root + "G/", "G");
+      G = read_matrix(file, root + "G/", "G", columns_first);
     if (G.rows() != M.rows())
       file.fail("the matrix G has " + std::to_string(G.rows()) +
                 " rows, but M has " + std::to_string(M.rows()));

@@ -76,6 +76,22 @@ namespace conetact::exchange
 
 
 
+  std::size_t
+  Hdf5File::size(const std::string &name) const
+  {
+    const QuietHdf5 quiet;
+    const hid_t     set = H5Dopen2(id, name.c_str(), H5P_DEFAULT);
+    if (set < 0)
+      return 0;
+    const hid_t    space = H5Dget_space(set);
+    const hssize_t found = H5Sget_simple_extent_npoints(space);
+    H5Sclose(space);
+    H5Dclose(set);
+    return found > 0 ? static_cast<std::size_t>(found) : 0;
+  }
+
+
+
   /* Sizes are compared before memory is taken: a damaged file may ask for
      any amount of it. */
   template <typename T>

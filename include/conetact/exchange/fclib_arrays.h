@@ -23,13 +23,20 @@ namespace conetact::exchange
 
   /**
    * A matrix in any storage of FCLib (triplets, compressed columns or rows) in
-   * the group `folder`; `name` is what sentences call it. All sizes and indices
-   * are checked; throws InputError.
+   * the group `folder`; `name` is what sentences call it. Of triplets `p` has
+   * the rows, as FCLib says, or the columns, as CSparse does. All sizes and
+   * indices are checked; throws InputError.
    */
   Eigen::SparseMatrix<double>
   read_matrix(const Hdf5File    &file,
               const std::string &folder,
-              const std::string &name);
+              const std::string &name,
+              const bool         columns_first = false);
+
+  /** Whether triplets fit the matrix only if `p` has the columns: programs that
+   * hand over matrices of CSparse write them like that. */
+  bool
+  has_columns_first(const Hdf5File &file, const std::string &folder);
 } // namespace conetact::exchange
 
 #endif

@@ -30,6 +30,10 @@ namespace conetact::exchange
     bool
     has(const std::string &name) const;
 
+    /** Numbers in a dataset; 0 if there is none. */
+    std::size_t
+    size(const std::string &name) const;
+
     /** A scalar; a dataset of exactly `size` numbers. */
     int
     integer(const std::string &name) const;

@@ -464,6 +464,45 @@ TEST_F(Fclib, GlobalProblems)
 
 
 
+TEST_F(Fclib, TripletsOfOtherPrograms)
+{
+  GlobalProblem global(tower(3, 2));
+  ASSERT_EQ(global.write(file), 1);
+  const MatrixXd      expected = read_fclib(file).system->matrix;
+  std::vector<int>    row, column;
+  std::vector<double> x;
+  for (Eigen::Index j = 0; j < global.H.outerSize(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator e(global.H, j); e; ++e)
+      {
+        row.push_back(static_cast<int>(e.row()));
+        column.push_back(static_cast<int>(e.col()));
+        x.push_back(e.value());
+      }
+  const int         n = static_cast<int>(x.size());
+  const std::string H = "/fclib_global/H/";
+  for (const bool columns_first : {false, true})
+    for (const int room : {0, 7})
+      {
+        fs::remove(file);
+        ASSERT_EQ(global.write(file), 1);
+        replace(file, H + "nz", std::vector<int>{n});
+        replace(file, H + "nzmax", std::vector<int>{n + room});
+        replace(file, H + "p", columns_first ? column : row);
+        replace(file, H + "i", columns_first ? row : column);
+        replace(file, H + "x", x);
+        EXPECT_LT((read_fclib(file).system->matrix - expected).norm(),
+                  1e-12 * expected.norm());
+        // values that there is room for
+        std::vector<double> more = x;
+        more.resize(static_cast<std::size_t>(n + room), 1e300);
+        replace(file, H + "x", more);
+        EXPECT_LT((read_fclib(file).system->matrix - expected).norm(),
+                  1e-12 * expected.norm());
+      }
+}
+
+
+
 TEST_F(Fclib, BadGlobalProblems)
 {
   const RigidBodies bodies = tower(2, 2);
