@@ -11,6 +11,7 @@
 #include "conetact/backends/workers.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/folder_lock.h"
 #include "conetact/base/log.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
@@ -21,6 +22,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <sstream>
 
@@ -32,24 +34,40 @@ namespace
   folder_of(const application::CommandLine &line,
             const application::Scene       &scene)
   {
-    return line.folder.empty() ?
-             std::filesystem::path("output") / scene.name() :
-             line.folder;
+    if (!line.folder.empty())
+      return line.folder;
+    const std::string name = scene.name();
+    if (name == "." || name == "..")
+      throw InputError("The name of " + line.scene.string() +
+                       " makes no folder for results. Name one with -o.");
+    return std::filesystem::path("output") / name;
   }
 
-  /** Finds out early, and without writing, that a folder cannot be made. */
+  [[noreturn]] void
+  refuse_folder(const std::filesystem::path &folder, const std::string &why)
+  {
+    throw WriteError("The folder " + folder.string() + " cannot be made: " +
+                     why + ". Choose another one with -o.");
+  }
+
+  /** Finds out early, and without writing, that a folder cannot be made or is
+   * in use. */
   void
   check_folder(const std::filesystem::path &folder)
   {
-    std::filesystem::path existing = std::filesystem::absolute(folder);
-    while (!std::filesystem::exists(existing) && existing.has_relative_path())
+    std::error_code       error;
+    std::filesystem::path existing = std::filesystem::absolute(folder, error);
+    while (!error && !std::filesystem::exists(existing, error) && !error &&
+           existing.has_relative_path())
       existing = existing.parent_path();
-    if (!std::filesystem::is_directory(existing) ||
+    if (error)
+      refuse_folder(folder, error.message());
+    if (!std::filesystem::is_directory(existing, error) ||
         access(existing.c_str(), W_OK | X_OK) != 0)
-      throw WriteError("The folder " + folder.string() +
-                       " cannot be made: " + existing.string() +
-                       " is not a folder that can be written to. Choose " +
-                       "another one with -o.");
+      refuse_folder(folder,
+                    existing.string() +
+                      " is not a folder that can be written to");
+    FolderLock::check(folder);
   }
 
   void
@@ -58,8 +76,15 @@ namespace
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error || !std::filesystem::is_directory(folder))
-      throw WriteError("The folder " + folder.string() + " cannot be made: " +
-                       error.message() + ". Choose another one with -o.");
+      refuse_folder(folder, error.message());
+  }
+
+  /** What was asked for, and nothing else is done. */
+  void
+  print(const std::string &text)
+  {
+    if (!(std::cout << text << std::flush))
+      throw WriteError("Standard output cannot be written: is the disk full?");
   }
 
   void
@@ -84,24 +109,27 @@ namespace
     log.note(describe(analysis.work()));
   }
 
-  /** To a folder that exists from now on. */
-  void
+  /** To a folder that exists from now on and is this run's as long as the lock
+   * lives. */
+  std::unique_ptr<FolderLock>
   start_writing(const std::filesystem::path &folder,
                 const application::Scene    &scene,
                 Log                         &log)
   {
     make_folder(folder);
-    // of an earlier run, which this one may not replace
     std::error_code ignored;
-    for (const char *table : {"events.csv", "refinement.csv"})
-      std::filesystem::remove(folder / table, ignored);
-    const bool goes_on =
+    const bool      goes_on =
       scene.restart &&
       std::filesystem::equivalent(scene.restart->folder, folder, ignored);
+    auto lock = std::make_unique<FolderLock>(folder);
+    log.open(folder, goes_on);
+    // of an earlier run, which this one may not replace
+    for (const char *table : {"events.csv", "refinement.csv"})
+      std::filesystem::remove(folder / table, ignored);
     if (!goes_on)
       std::filesystem::remove(folder / "checkpoint.bin", ignored);
-    log.open(folder, goes_on);
     write_atomically(folder / "used.prm", scene.values());
+    return lock;
   }
 
   void
@@ -141,19 +169,19 @@ namespace
   }
 
   /**
-   * Whether there is another mesh to run the history on; `writing` from when
-   * there are files on disk.
+   * Whether there is another mesh to run the history on; `lock` is there from
+   * when there may be files on disk.
    */
   bool
   run_mesh(const application::CommandLine &line,
            analysis::AdaptiveRefinement   &adaptive,
            Log                            &log,
-           bool                           &writing)
+           std::unique_ptr<FolderLock>    &lock)
   {
     application::Scene scene(line);
     if (line.print_parameters)
       {
-        std::cout << scene.documentation();
+        print(scene.documentation());
         return false;
       }
     const bool first = adaptive.n_meshes() == 0;
@@ -173,15 +201,15 @@ namespace
     if (line.dry_run)
       {
         foretell(*analysis, scene, log);
+        print("");
         return false;
       }
 
     const std::filesystem::path folder = folder_of(line, scene);
     check_folder(folder);
     analysis->prepare();
-    writing = true;
     if (first)
-      start_writing(folder, scene, log);
+      lock = start_writing(folder, scene, log);
     run_history(*analysis, folder, line, log);
     if (scene.adaptive.cycles > 0)
       adaptive.advance(scene, analysis->last_increment(), folder, log);
@@ -196,17 +224,17 @@ namespace
   {
     Log                          log(line.quiet, line.dry_run);
     analysis::AdaptiveRefinement adaptive;
-    bool                         writing = false;
+    std::unique_ptr<FolderLock>  lock;
     try
       {
-        while (run_mesh(line, adaptive, log, writing))
+        while (run_mesh(line, adaptive, log, lock))
           {}
       }
     catch (const std::bad_alloc &)
       {
         const std::string why = "The scene needs more memory than there is. "
                                 "Use a coarser mesh or fewer contact nodes.";
-        if (writing)
+        if (lock)
           throw AnalysisError(why);
         throw InputError(why);
       }
@@ -293,11 +321,11 @@ namespace
       {
         line = application::parse_command_line(argc, argv);
         if (!line.answer.empty())
-          std::cout << line.answer;
+          print(line.answer);
         else if (!line.new_scene.empty())
-          std::cout << application::write_starter_scene(line.new_scene);
-        else if (line.scene.empty())
-          std::cout << application::manual();
+          print(application::write_starter_scene(line.new_scene));
+        else if (line.print_parameters && line.scene.empty())
+          print(application::manual());
         else
           {
             start_processes(line, argv);

@@ -5,6 +5,11 @@
 
 usage: check_program.py PROGRAM CASE [COUNT]
 
+  formats     a block in every format of meshes; bad ones, whose readers crash, never end or take all memory
+  limits      long entries, many includes, open sections, little memory
+  places      folders and files that cannot be written, links in their place
+  locks       two runs into one folder
+  checkpoints  bad checkpoints and tables of a run that is to be continued
   processes   processes that do not see each other are refused, and one speaks for all
   silence     nothing but the log on standard output, without contact too
   old-files   pictures of a longer run are removed, files of others stay
@@ -22,12 +27,18 @@ import os
 import random
 import re
 import resource
+import shutil
+import signal
+import struct
 import subprocess
 import sys
 import tempfile
+import time
+import zlib
 from pathlib import Path
 
 from run_errors import scene_of
+from support import mesh_files
 
 SCENES = Path(__file__).resolve().parent.parent / "parameter-files"
 ERRORS = Path(__file__).resolve().parent / "errors"
@@ -280,6 +291,166 @@ class Case:
                                  capture_output=True, text=True)
             self.demand(f"{name} with {change}: warned", f"\nwarning: {words}" in run.stdout, run.stdout + run.stderr)
 
+    def refuses(self, what, run, words, code=1):
+        lines = run.stderr.splitlines()
+        self.demand(what, run.returncode == code and len(lines) == 1 and lines[0].startswith("conetact: ")
+                    and words in lines[0], run)
+
+    def on_mesh(self, dim, file, has_ids=True):
+        """A block of a file, pressed on a floor."""
+        axis, up = "xyz"[dim - 1], ", ".join("0" * (dim - 1) + "1")
+        text = block(dim, "floor", "bottom", loads="top") + FLOOR.format(up=up, bottom=2) + load("top", "pressure", "t", 3)
+        mesh = f"set File = {file}\n" + ("" if has_ids else
+                                        f"    set Boundary ids = 2: {axis} < 1e-9 ; 3: {axis} > 1 - 1e-9\n")
+        return re.sub(r"set Generator.*\n *set Arguments.*\n", mesh, text)
+
+    def formats(self):
+        sizes = {}
+        for name, (extension, write, dims, has_ids) in mesh_files.MESHES.items():
+            for dim in dims:
+                file = self.folder / f"{name.replace(' ', '-')}-{dim}.{extension}"
+                file.write_bytes(mesh_files.in_bytes(write(mesh_files.Block(dim))))
+                run = self.run(self.on_mesh(dim, file, has_ids), "--dry-run")
+                told = re.findall(r"(\d+ (?:nodes|cells|contact nodes|dofs))", run.stdout)
+                sizes.setdefault(dim, told)
+                self.demand(f"{name} in {dim}D", run.returncode == 0 and told and told == sizes[dim], run)
+        for name, (extension, write, words) in BAD_MESHES.items():
+            file = self.folder / f"bad.{extension}"
+            file.write_bytes(mesh_files.in_bytes(write(mesh_files.Block(2))))
+            start = time.monotonic()
+            run = self.run(self.on_mesh(2, file, extension not in ("xda", "dat")), preexec_fn=little_memory)
+            self.refuses(f"{name}", run, words)
+            self.demand("  soon, and nothing is written", time.monotonic() - start < 60 and not self.result.exists())
+
+    def limits(self):
+        for name, change in (
+                ("an entry of digits", ("Young modulus = 100", "Young modulus = " + "1" * 30000)),
+                ("  of letters", ("Young modulus = 100", "Young modulus = " + "x" * 30000)),
+                ("  of brackets", ("Young modulus = 100", "Young modulus = " + "(" * 30000)),
+                ("  a name", ("Body = block", "Body = " + "b" * 30000)),
+                ("  a list", ("Directions = x, y", "Directions = " + "x, " * 30000))):
+            self.refuses(f"{name}, 30,000 of them", self.run(held(2).replace(*change), timeout=20), "")
+        for name, lines in (("open sections", "subsection a\n" * 100000), ("lines", "\n" * 2000000),
+                            ("sections that end", "subsection a\nend\n" * 100000)):
+            self.refuses(f"very many {name}", self.run(lines + held(2), timeout=30, preexec_fn=little_memory), "")
+        deep = "/".join(["a"] * 10000)
+        self.refuses("an option with many sections", self.run(held(2), "-s", f"{deep}=1", timeout=20), "Section/Entry=value")
+        for k in range(26):
+            (self.folder / f"twice{k}.prm").write_text(f"include twice{k + 1}.prm\n" * 2)
+        (self.folder / "twice26.prm").write_text("# end\n")
+        self.refuses("includes that double 26 times", self.run("include twice0.prm\n", timeout=20), "more than 1000 files")
+        for k in range(1000):
+            (self.folder / f"deep{k}.prm").write_text(f"include deep{k + 1}.prm\n")
+        self.refuses("1,000 includes inside of each other", self.run("include deep0.prm\n", timeout=20), "more than 50 files")
+        for megabytes, code in ((600, 1), (660, 1)):
+            run = self.run(held(2), "--dry-run", env={k: v for k, v in os.environ.items() if "NUM_THREADS" not in k}, timeout=60,
+                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20,) * 2))
+            self.refuses(f"{megabytes} MB of memory", run, "ulimit -v", code)
+        for value in ("", "many"):
+            run = self.run(held(2), "--dry-run", env={**os.environ, "DEAL_II_NUM_THREADS": value})
+            self.demand(f"DEAL_II_NUM_THREADS={value}", run.returncode == 0, run)
+
+    def places(self):
+        os.symlink("loop", self.folder / "loop")
+        for name, folder in (("a loop of links", "loop"), ("a loop of links above it", "loop/below"), ("a name that is too long", "n" * 300),
+                             ("a path that is too long", "/".join(["n" * 200] * 30)), ("a file above it", "scene.prm/below")):
+            self.refuses(f"results in {name}", self.run(held(2), "-o", folder), "-o", 3)
+            self.refuses("  and a run from there", self.run(held(2), "--restart", folder), "--restart")
+        for words in (("--parameters",), ("--help",), ("--version",), ("scene.prm", "--parameters"), ("scene.prm", "--dry-run")):
+            with open("/dev/full", "w") as full:
+                run = subprocess.run([self.program, *words], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True)
+            self.refuses(f"{' '.join(words)} > /dev/full", run, "Standard output", 3)
+        self.refuses("an empty name", subprocess.run([self.program, ""], cwd=self.folder, capture_output=True, text=True), "empty")
+        below = self.folder / "below"
+        below.mkdir()
+        (below / "...prm").write_text(held(2))
+        run = subprocess.run([self.program, "...prm"], cwd=below, capture_output=True, text=True)
+        self.refuses("a scene that is called ...prm", run, "Name one with -o")
+        self.demand("  nothing is written", [p.name for p in below.iterdir()] == ["...prm"])
+        mine = self.folder / "mine"
+        mine.write_text("mine")
+        self.result.mkdir()
+        names = ("reactions.csv", "increments.csv", "history.csv", "used.prm", "scene.pvd", "solution-block-0001.vtu")
+        for name in names:
+            os.symlink(mine, self.result / f"{name}.tmp")
+            os.symlink(mine, self.result / name)
+        run = self.run(held(2))
+        self.demand("links in the place of results and of what is written first: what they lead to stays",
+                    run.returncode == 0 and mine.read_text() == "mine" and not list(self.result.glob("*.tmp"))
+                    and not any((self.result / name).is_symlink() for name in names), run)
+        (self.result / "log.txt").unlink()
+        os.symlink(mine, self.result / "log.txt")
+        self.refuses("a link in the place of the log", self.run(held(2)), "log.txt", 3)
+        self.demand("  what it leads to stays", mine.read_text() == "mine")
+
+    def locks(self):
+        """The first of two runs keeps its folder, however it ends."""
+        slow = pressed(increments=4000)
+        (self.folder / "slow.prm").write_text(slow)
+
+        def begin():
+            return subprocess.Popen([self.program, "slow.prm", "-o", self.result, "--quiet"], cwd=self.folder,
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+        def wait(process):
+            while process.poll() is None and not (self.result / "checkpoint.bin").exists():
+                time.sleep(.01)
+        first = begin()
+        wait(first)
+        used = (self.result / "used.prm").read_text()
+        self.refuses("a second run", self.run(held(2)), "Another run writes", 3)
+        self.refuses("  that would go on", self.run(pressed(increments=9000), "--restart", self.result), "Another run writes", 3)
+        self.demand("  changes nothing", used == (self.result / "used.prm").read_text())
+        first.send_signal(signal.SIGKILL)
+        first.communicate()
+        run = self.run(held(2))
+        self.demand("after a kill there is no lock", run.returncode == 0, run)
+        shutil.rmtree(self.result)
+        both = [begin(), begin()]
+        ended = None
+        while ended is None:
+            ended = next((p for p in both if p.poll() is not None), None)
+            time.sleep(.01)
+        text = ended.communicate()[1]
+        self.demand("of two runs that make the folder together one is refused", ended.returncode == 3 and "Another run" in text, text)
+        other = both[both[0] is ended]
+        wait(other)
+        self.demand("  the other one goes on", other.poll() is None)
+        other.kill()
+        other.communicate()
+
+    def checkpoints(self):
+        whole = self.folder / "whole"
+        (self.folder / "short.prm").write_text(pressed(increments=3))
+        subprocess.run([self.program, "short.prm", "-o", whole, "--quiet"], cwd=self.folder, check=True)
+        bad, go_on = self.folder / "bad", pressed(increments=6)
+
+        def refuse(what, change, words):
+            shutil.rmtree(bad, ignore_errors=True)
+            shutil.copytree(whole, bad)
+            change(bad)
+            before = {p.name: p.read_bytes() for p in bad.iterdir()}
+            scene = self.folder / "scene.prm"
+            scene.write_text(go_on)
+            run = subprocess.run([self.program, scene, "--restart", bad, "-o", bad, "--quiet"], capture_output=True, text=True)
+            self.refuses(what, run, words)
+            self.demand("  nothing has changed", before == {p.name: p.read_bytes() for p in bad.iterdir()})
+        for table in ("increments.csv", "reactions.csv", "history.csv"):
+            for what, change in BAD_TABLES.items():
+                def spoil(folder, change=change):
+                    lines = (folder / table).read_text().splitlines(keepends=True)
+                    (folder / table).write_text("".join(change(lines)))
+                refuse(f"{table}: {what}", spoil, f"{table} ")
+        for what, (name, change) in BAD_ENTRIES.items():
+            def craft(folder):
+                kinds = archive(folder / "checkpoint.bin")
+                kind, value = kinds[name.encode()]
+                kinds[name.encode()] = kind, change(value)
+                write_archive(folder / "checkpoint.bin", kinds)
+            refuse(f"a checkpoint with {what}", craft, "checkpoint")
+        run = self.run(go_on, "--restart", whole)
+        self.demand("the whole run goes on", run.returncode == 0, run)
+
     def numbers(self, count=60):
         """Each number of a mesh, replaced by what its generator cannot mean."""
         values = ("0", "-1", "1", "3", "40", "1e9", "1.5", "nan", "inf", "-inf", "1e400", "1e-300", "-1e300",
@@ -301,6 +472,79 @@ class Case:
                            ("does not end" if run is None else f"exit {run.returncode} {run.stderr.strip()[-200:]}"))
                 print(bad[-1], flush=True)
         self.demand(f"{count} meshes with other numbers", not bad, bad)
+
+
+def pressed(increments):
+    """A block pressed on a floor and pushed, with a checkpoint of each increment."""
+    text = block(2, "floor", "bottom", loads="top") + FLOOR.format(up="0, 1", bottom=2) + load("top", "traction", "0.1*t/10 ; -t", 3)
+    return (text + subsection("Time", {"End": increments, "Increments": increments}) +
+            subsection("Output", {"VTU": 0, "Checkpoint": 1}))
+
+
+def other(write, old, new):
+    """A writer of a mesh with something else in its first place."""
+    def change(block):
+        text = write(block)
+        assert old in text, (old, text)
+        return text.replace(old, new, 1)
+    return change
+
+
+# What crashes deal.II's readers, has no end for them or asks for gigabytes: extension, writer, words.
+BAD_MESHES = {
+    "Abaqus without its nodes": ("inp", other(mesh_files.abaqus, "*NODE", "NODE"), "cannot be read"),
+    "Abaqus with a set of numbers": ("inp", other(mesh_files.abaqus, "*ELSET, ELSET=SS3", "1e400, ELSET=SS3"), "cannot be read"),
+    "Abaqus with sides of no set": ("inp", other(mesh_files.abaqus, "SS3_E3, S3", "18446744073709551615, S3"), "cannot be read"),
+    "Tecplot without a node": ("dat", lambda b: mesh_files.tecplot(b).replace("\n2.0 1.0", "", 1), "cannot be read"),
+    "Tecplot with a node below 0": ("dat", other(mesh_files.tecplot, "1 2 6 5", "1 -2 6 5"), "cannot be read"),
+    "VTK with a number more": ("vtk", other(mesh_files.vtk, "4 1 2 6 5", "4 1 2 6 5        6"), "cannot be read"),
+    "Gmsh 4.0 with a block of no kind": ("msh", other(mesh_files.gmsh_40, "1 2 3 6\n", "1 2 3 600\n"), "cannot be read"),
+    "XDA with a number missing": ("xda", other(mesh_files.xda, "0 1 5 4\n", "0 1 5\n"), ""),
+    "XDA of 400000000 nodes": ("xda", other(mesh_files.xda, "\n12\n", "\n400000000\n"), "cannot be read"),
+    "UCD of 400000000 nodes": ("ucd", other(mesh_files.ucd, "12 12", "400000000 12"), "cannot be read"),
+    "UCD with a cell of one node four times": ("ucd", other(mesh_files.ucd, "quad 1 2 6 5", "quad 1 1 1 1"), "")}
+
+BAD_TABLES = {"cut within a row": lambda lines: [*lines[:-1], lines[-1][:len(lines[-1]) // 2]],
+              "without its last rows": lambda lines: lines[:-1],
+              "without the first increment": lambda lines: lines[:1] + [row for row in lines[1:] if not row.startswith("1,")],
+              "with nan": lambda lines: [*lines[:-1], re.sub(r"^(\d+),[^,]+", r"\1,nan", lines[-1])],
+              "with a column less": lambda lines: [*lines[:-1], lines[-1][:lines[-1].rindex(",")] + "\n"],
+              "with a row twice": lambda lines: [*lines, lines[-1]],
+              "empty": lambda lines: []}
+
+NAN, BELOW, HUGE = (struct.pack("<d", x) for x in (float("nan"), -3.0, 1e300))
+BAD_ENTRIES = {"a block that is no multiple of 8": ("contact/base", lambda v: v + b"12345"),
+               "no times": ("times", lambda v: b""),
+               "times that fall": ("times", lambda v: v[8:16] + v[:8] + v[16:]),
+               "energies that are nan": ("energies/u", lambda v: NAN + v[8:]),
+               "energies of other sizes": ("energies/forces", lambda v: v[8:]),
+               "a number of points that is nan": ("energies/points", lambda v: NAN),
+               "a number of points below 0": ("energies/points", lambda v: BELOW),
+               "a working set of nan": ("working set", lambda v: NAN + v[8:]),
+               "a working set below 0": ("working set", lambda v: BELOW + v[8:]),
+               "a working set beyond all": ("working set", lambda v: HUGE + v[8:]),
+               "a node twice in its working set": ("working set", lambda v: v[8:16] + v[8:]),
+               "states of no kind": ("contact/states", lambda v: HUGE + v[8:]),
+               "states of rows below 0": ("rows/states", lambda v: BELOW + v[8:]),
+               "a number of rows below 0": ("rows of reactions.csv", lambda v: BELOW)}
+
+
+def archive(file):
+    """The first line and the entries of a checkpoint: name, (kind, bytes)."""
+    data = file.read_bytes()
+    start, entries = data.index(b"\n") + 1, {b"": (b"", data[:data.index(b"\n") + 1])}
+    while b"end" not in entries:
+        end = data.index(b"\n", start)
+        kind, size, name = data[start:end].split(b" ", 2)
+        entries[name] = kind, data[end + 1:end + 1 + int(size)]
+        start = end + int(size) + 2
+    return entries
+
+
+def write_archive(file, entries):
+    text = entries[b""][1] + b"".join(b"%s %d %s\n%s\n" % (kind, len(value), name, value)
+                                      for name, (kind, value) in entries.items() if name)
+    file.write_bytes(text + b"checksum %08x\n" % (zlib.crc32(text) & 0xffffffff))
 
 
 def little_memory():

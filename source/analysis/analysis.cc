@@ -10,7 +10,6 @@
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 #include "conetact/output/closing.h"
-#include "conetact/output/former_rows.h"
 #include "conetact/output/output_table.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/output/progress.h"
@@ -212,8 +211,6 @@ namespace conetact::analysis
   Analysis::prepare()
   {
     check_history();
-    if (scene.restart)
-      output::check_former_tables(scene.restart->folder, scene.n_done());
     if (model.is_iterative())
       {
         model.condense();

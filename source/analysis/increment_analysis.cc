@@ -3,12 +3,14 @@
 
 #include "conetact/analysis/increment_analysis.h"
 
+#include "conetact/analysis/checkpoint.h"
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/candidates.h"
 #include "conetact/contact/refusal.h"
+#include "conetact/output/former_rows.h"
 #include "conetact/solvers/large_newton.h"
 #include "conetact/solvers/solver_table.h"
 
@@ -110,6 +112,7 @@ namespace conetact::analysis
     archive.put("working set", std::vector<double>(nodes.begin(), nodes.end()));
     archive.put("one by one", one_by_one ? 1. : 0.);
     archive.put("iterative", model.is_iterative() ? 1. : 0.);
+    put_reaction_rows(archive, n_reaction_rows);
     history.save(archive);
     acceptance.save(archive);
     archive.write(description.folder / "checkpoint.bin");
@@ -120,12 +123,15 @@ namespace conetact::analysis
   IncrementAnalysis::restore_state()
   {
     const Archive &archive = scene.restart->state;
-    double         one     = 0;
+    check_checkpoint(archive, model, scene.support_names);
+    double one = 0;
     archive.fill("one by one", one);
-    one_by_one = one > 0;
+    one_by_one      = one > 0;
+    n_reaction_rows = reaction_rows_of(archive);
+    output::check_former_tables(scene.restart->folder,
+                                scene.n_done(),
+                                n_reaction_rows);
     history.restore(archive);
-    Eigen::VectorXd u(model.coordinates.n_dofs()); // meshes may be other ones
-    archive.fill("energies/u", u);
     acceptance.restore(archive);
     n_saved = n_on_disk = first_unsure = scene.n_done();
   }
@@ -615,6 +621,8 @@ namespace conetact::analysis
           keep(std::move(batch[i].record), finished);
       }
     write(finished);
+    for (const output::IncrementRecord &record : finished)
+      n_reaction_rows += record.rows.size();
     if (step.outcome != Outcome::accepted || n_right == batch.size())
       return step;
     history = batch[n_right].before;

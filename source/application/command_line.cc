@@ -144,6 +144,9 @@ converged, all increments before it are on disk; 3 cannot write.
       throw InputError("--verify condenses bodies, which --dry-run does not. "
                        "Leave one of them out.");
     line.scene = argv[optind];
+    if (line.scene.empty())
+      throw InputError(std::string("The scene file's name is empty.") +
+                       see_help);
     return line;
   }
 } // namespace conetact::application

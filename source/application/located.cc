@@ -8,36 +8,101 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
-#include <regex>
+#include <string_view>
+#include <utility>
 
 namespace conetact::application
 {
   namespace
   {
+    /** Removes what the text starts with; whether it does. */
+    bool
+    take(std::string_view &text, const std::string_view start)
+    {
+      if (text.substr(0, start.size()) != start)
+        return false;
+      text.remove_prefix(start.size());
+      return true;
+    }
+
+    /** Removes and returns what stands before any of these letters. */
+    std::string
+    take_until(std::string_view &text, const std::string_view letters)
+    {
+      const std::string before(text.substr(0, text.find_first_of(letters)));
+      text.remove_prefix(before.size());
+      return before;
+    }
+
+    /** "Body 'block', Material/Poisson ratio: ..." */
+    std::string
+    path_of_name(std::string_view text)
+    {
+      for (const std::string kind :
+           {"Body", "Obstacle", "Contact", "Support", "Load"})
+        if (take(text, kind + " '"))
+          {
+            const std::string path = kind + ' ' + take_until(text, "'");
+            return take(text, "', ") ? path + '/' + take_until(text, "':") :
+                                       path;
+          }
+      return {};
+    }
+
+    /** "Nothing holds body 'block' ..." */
+    std::string
+    path_of_nothing(std::string_view text)
+    {
+      if (!take(text, "Nothing holds "))
+        return {};
+      for (const auto &[word, kind] :
+           {std::pair("body '", "Body "), std::pair("obstacle '", "Obstacle ")})
+        if (take(text, word))
+          return kind + take_until(text, "'");
+      return {};
+    }
+
+    /** "Time/End: ...", "Time, End = ..." */
+    std::string
+    path_of_section(std::string_view text)
+    {
+      for (const std::string section : {"Time", "Solver", "Output"})
+        if (take(text, section))
+          {
+            const bool        entry = take(text, "/") || take(text, ", ");
+            const std::string name  = take_until(text, ":='");
+            if (text.empty() || text[0] == '\'' || (!entry && !name.empty()))
+              return {};
+            return section + (entry ? '/' + trim(name) : "");
+          }
+      return {};
+    }
+
+    /** "Bodies: ..." */
+    std::string
+    path_of_list(std::string_view text)
+    {
+      for (const std::string list : {"Dimension",
+                                     "Bodies",
+                                     "Obstacles",
+                                     "Contacts",
+                                     "Supports",
+                                     "Loads",
+                                     "Adaptive refinement",
+                                     "Adaptive fraction"})
+        if (take(text, list))
+          return take(text, ",") || take(text, ":") ? list : "";
+      return {};
+    }
+
     /** "Body block/Material/Poisson ratio"; empty: no entry is named. */
     std::string
     path_of(const std::string &sentence)
     {
-      static const std::regex of_name(
-        "(Body|Obstacle|Contact|Support|Load) '([^']+)'(, ([^:']*))?.*");
-      static const std::regex of_nothing(
-        "Nothing holds (body|obstacle) '([^']+)'.*");
-      static const std::regex of_section(
-        "(Time|Solver|Output)((/|, )([^:=']*))?[:=].*");
-      static const std::regex of_list(
-        "(Dimension|Bodies|Obstacles|Contacts|Supports|Loads|"
-        "Adaptive refinement|Adaptive fraction)[,:].*");
-      std::smatch parts;
-      if (std::regex_match(sentence, parts, of_name))
-        return parts[1].str() + ' ' + parts[2].str() +
-               (parts[4].matched ? '/' + parts[4].str() : "");
-      if (std::regex_match(sentence, parts, of_nothing))
-        return (parts[1] == "body" ? "Body " : "Obstacle ") + parts[2].str();
-      if (std::regex_match(sentence, parts, of_section))
-        return parts[1].str() +
-               (parts[4].matched ? '/' + trim(parts[4].str()) : "");
-      if (std::regex_match(sentence, parts, of_list))
-        return parts[1];
+      for (const auto &read :
+           {path_of_name, path_of_nothing, path_of_section, path_of_list})
+        if (std::string path = read(sentence); !path.empty())
+          return path;
       return {};
     }
 

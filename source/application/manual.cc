@@ -169,7 +169,8 @@ end
       throw InputError("Option --new: '" + name + "' is no name of a scene.");
     if (file.extension() != ".prm")
       file += ".prm";
-    if (std::filesystem::exists(file))
+    std::error_code too_long; // writing tells
+    if (std::filesystem::exists(file, too_long))
       throw InputError("Option --new: " + file.string() +
                        " exists already. Choose another name.");
     write_atomically(file, starter_scene());

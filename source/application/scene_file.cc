@@ -19,7 +19,9 @@ namespace conetact::application
     namespace fs = std::filesystem;
 
     /** Far more than any scene needs; what has no end stops here. */
-    constexpr std::streamsize most_bytes = 16 * 1024 * 1024;
+    constexpr std::size_t most_bytes = 16 * 1024 * 1024;
+    constexpr std::size_t most_lines = 1000000, most_files = 1000,
+                          most_open = 50;
 
     [[noreturn]] void
     refuse(const fs::path    &file,
@@ -41,9 +43,13 @@ namespace conetact::application
       const auto      kind = fs::status(file, error).type();
       if (kind == fs::file_type::character || kind == fs::file_type::block)
         refuse(file, where, ": it is a device. Give a file, or a pipe.");
-      std::ifstream     stream(file, std::ios::binary);
-      std::vector<char> text(most_bytes + 1);
-      stream.read(text.data(), most_bytes + 1);
+      std::ifstream stream(file, std::ios::binary);
+      std::string   text;
+      for (char part[65536]; text.size() <= most_bytes && stream;)
+        {
+          stream.read(part, sizeof(part));
+          text.append(part, static_cast<std::size_t>(stream.gcount()));
+        }
       if (kind == fs::file_type::directory || !stream.is_open() || stream.bad())
         refuse(file,
                where,
@@ -51,12 +57,12 @@ namespace conetact::application
                  ". Check its name and permissions." :
                  ". Check its name; it is searched for in the folder of the "
                  "file that includes it.");
-      if (stream.gcount() > most_bytes)
+      if (text.size() > most_bytes)
         refuse(file,
                where,
                ": it has more than 16 MB, which no scene needs. Meshes belong "
                "to Mesh/File and surfaces to File of an obstacle.");
-      return {text.data(), static_cast<std::size_t>(stream.gcount())};
+      return text;
     }
 
     /** What comes through a pipe comes once, and is asked for again. */
@@ -154,20 +160,51 @@ namespace conetact::application
       return name;
     }
 
-    void
-    append(const fs::path        &file,
-           const std::string     &where,
-           std::vector<fs::path> &open,
-           SceneText             &scene)
+    /** The files of a scene so far. */
+    struct Files
     {
-      std::error_code no_path; // pipes have none
-      fs::path        whole = fs::weakly_canonical(file, no_path);
+      std::vector<fs::path> open; ///< each is included by the one before
+      std::size_t           read = 0;
+    };
+
+    /** Files that include others twice make any amount of text. */
+    void
+    check_amount(const Files       &files,
+                 const SceneText   &scene,
+                 const std::string &where)
+    {
+      const std::string start = where + ": with this file the scene has ";
+      if (files.open.size() > most_open)
+        throw InputError(start + "more than " + std::to_string(most_open) +
+                         " files that include one another. Include fewer.");
+      if (files.read > most_files)
+        throw InputError(start + "included more than " +
+                         std::to_string(most_files) +
+                         " files. Include each of them once.");
+      if (scene.origins.size() > most_lines || scene.text.size() > most_bytes)
+        throw InputError((where.empty() ? "The scene file has " : start) +
+                         "more than " + std::to_string(most_lines) +
+                         " lines or 16 MB of text, which no scene needs. "
+                         "Include each file once.");
+    }
+
+    void
+    append(const fs::path    &file,
+           const std::string &where,
+           Files             &files,
+           SceneText         &scene)
+    {
+      std::vector<fs::path> &open = files.open;
+      std::error_code        no_path; // pipes have none
+      fs::path               whole = fs::weakly_canonical(file, no_path);
       if (no_path)
         whole = file;
       if (std::find(open.begin(), open.end(), whole) != open.end())
         throw InputError(where + ": the file " + file.string() +
                          " includes itself. Remove one of the includes.");
       open.push_back(whole);
+      ++files.read;
+      check_amount(files, scene, where);
       const SceneText    own(plain(read_once(file, where), file.string()),
                           file.string());
       std::istringstream stream(own.text);
@@ -181,7 +218,8 @@ namespace conetact::application
               static_cast<unsigned int>(open.size() - 1);
           }
         else
-          append(file.parent_path() / name, own.place(n), open, scene);
+          append(file.parent_path() / name, own.place(n), files, scene);
+      check_amount(files, scene, where);
       open.pop_back();
     }
   } // namespace
@@ -212,9 +250,9 @@ namespace conetact::application
   SceneText
   read_scene_file(const fs::path &file)
   {
-    SceneText             scene;
-    std::vector<fs::path> open;
-    append(file, "", open, scene);
+    SceneText scene;
+    Files     files;
+    append(file, "", files, scene);
     return scene;
   }
 } // namespace conetact::application

@@ -45,6 +45,25 @@ namespace conetact::application
       return found == entries.end() ? "" : found->second;
     }
 
+    /** Times of increments that are done: one at least, each behind the one
+     * before. */
+    void
+    refuse_disorder(const std::vector<double>   &times,
+                    const std::filesystem::path &file)
+    {
+      double before = 0;
+      bool   grow   = !times.empty();
+      for (const double t : times)
+        {
+          grow   = grow && t > before;
+          before = t;
+        }
+      if (!grow)
+        throw InputError("The checkpoint " + file.string() +
+                         " is damaged: its times do not grow from 0. Run the "
+                         "scene from its start.");
+    }
+
     constexpr const char *what_may_differ =
       " Supports, loads, motions of obstacles, times, solver and output may "
       "differ from the run that is continued, nothing else.";
@@ -104,7 +123,8 @@ namespace conetact::application
     if (adaptive.cycles > 0)
       throw InputError("Option --restart: a scene with Adaptive refinement "
                        "cannot be continued. Run it from its start.");
-    if (!std::filesystem::is_regular_file(kept))
+    std::error_code no_path;
+    if (!std::filesystem::is_regular_file(kept, no_path))
       throw InputError("Option --restart: there is no checkpoint.bin in " +
                        folder.string() +
                        ". Give the folder of results of a run with "
@@ -112,8 +132,9 @@ namespace conetact::application
     Restart run{folder, Archive::read(kept)};
     refuse_changes(run);
     std::vector<double> all = run.state.get("times");
-    run.n_done              = static_cast<unsigned int>(all.size());
-    const double reached    = all.back();
+    refuse_disorder(all, kept);
+    run.n_done           = static_cast<unsigned int>(all.size());
+    const double reached = all.back();
     for (const double t : times)
       if (t > reached * (1 + 1e-12))
         all.push_back(t);

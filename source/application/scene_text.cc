@@ -64,8 +64,18 @@ namespace conetact::application
       return trim(line.substr(0, line.find('#')));
     }
 
+    /** Far more than any scene has inside of each other. */
+    constexpr std::size_t most_sections = 20;
+
+    [[noreturn]] void
+    refuse_depth(const std::string &place)
+    {
+      throw InputError(place + ": more than " + std::to_string(most_sections) +
+                       " subsections are open. Add the 'end' of each.");
+    }
+
     std::vector<Line>
-    read_lines(const std::string &text)
+    read_lines(const std::string &text, const SceneText *scene = nullptr)
     {
       std::vector<Line>        lines;
       std::vector<std::string> path;
@@ -91,6 +101,9 @@ namespace conetact::application
           else if (starts_with(line.text, "subsection", line.name))
             {
               line.kind = Line::Kind::subsection;
+              if (path.size() == most_sections)
+                refuse_depth(scene != nullptr ? scene->place(lines.size()) :
+                                                "the scene");
               path.push_back(line.name);
             }
           else if (starts_with(line.text, "end", line.name))
@@ -454,7 +467,7 @@ namespace conetact::application
                    const SceneText &scene,
                    const bool       skip_undefined)
   {
-    const std::vector<Line> lines = read_lines(scene.text);
+    const std::vector<Line> lines = read_lines(scene.text, &scene);
     for (std::size_t i = 0; i < lines.size(); ++i)
       if (const std::string text = misread(lines[i]); !text.empty())
         throw InputError(scene.place(i) + ": " + text);
@@ -479,7 +492,7 @@ namespace conetact::application
   void
   refuse_repeats(const SceneText &scene)
   {
-    const std::vector<Line>            lines = read_lines(scene.text);
+    const std::vector<Line>            lines = read_lines(scene.text, &scene);
     std::map<std::string, std::size_t> first;
     for (std::size_t i = 0; i < lines.size(); ++i)
       {
@@ -510,7 +523,7 @@ namespace conetact::application
   std::optional<std::size_t>
   place_of(const SceneText &scene, const std::string &path)
   {
-    const std::vector<Line>    lines = read_lines(scene.text);
+    const std::vector<Line>    lines = read_lines(scene.text, &scene);
     std::optional<std::size_t> place;
     for (std::size_t i = 0; i < lines.size(); ++i)
       if ((lines[i].kind == Line::Kind::set ||
@@ -553,7 +566,8 @@ namespace conetact::application
       split(override.substr(0, equals == override.npos ? 0 : equals), '/');
     for (std::string &part : path)
       part = one_line(part);
-    if (path.empty() || std::count(path.begin(), path.end(), "") > 0)
+    if (path.empty() || path.size() > most_sections ||
+        std::count(path.begin(), path.end(), "") > 0)
       throw InputError(start + "it is not Section/Entry=value. Write for " +
                        "example -s \"Time/End=2\".");
 

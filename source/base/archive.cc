@@ -8,6 +8,7 @@
 
 #include <boost/crc.hpp>
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iomanip>
@@ -61,6 +62,26 @@ namespace conetact
                          "another one. Run the scene from its start, or take "
                          "a copy of the file that is whole.");
       return text;
+    }
+
+    /** All that a run keeps is finite. */
+    std::vector<double>
+    numbers_of(const std::string           &bytes,
+               const std::string           &name,
+               const std::filesystem::path &file)
+    {
+      if (bytes.size() % sizeof(double) != 0)
+        refuse(file);
+      std::vector<double> values(bytes.size() / sizeof(double));
+      if (!bytes.empty())
+        std::memcpy(values.data(), bytes.data(), bytes.size());
+      for (const double value : values)
+        if (!std::isfinite(value))
+          throw InputError("The checkpoint " + file.string() +
+                           " is damaged: its '" + name +
+                           "' holds what is no finite number. Run the scene "
+                           "from its start.");
+      return values;
     }
 
     // "numbers BYTES NAME", then so many bytes and the end of the line
@@ -189,12 +210,7 @@ namespace conetact
         if (kind == "text")
           archive.texts[name] = bytes;
         else
-          {
-            std::vector<double> values(size / sizeof(double));
-            if (size > 0)
-              std::memcpy(values.data(), bytes.data(), size);
-            archive.numbers[name] = std::move(values);
-          }
+          archive.numbers[name] = numbers_of(bytes, name, file);
       }
     refuse(file);
   }

@@ -4,6 +4,7 @@
 #include "conetact/base/atomic_file.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/new_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -66,7 +67,16 @@ namespace conetact
   void
   append_to_file(const fs::path &file, const std::string_view text)
   {
-    write_file(file, text, O_APPEND);
+    write_file(file, text, O_APPEND | O_NOFOLLOW);
+  }
+
+
+
+  void
+  create_anew(const fs::path &file)
+  {
+    ::unlink(file.c_str()); // what cannot be removed is told by the next call
+    write_file(file, "", O_CREAT | O_EXCL);
   }
 
 
@@ -85,6 +95,7 @@ namespace conetact
   {
     const fs::path  temporary = file.string() + ".tmp";
     std::error_code error;
+    create_anew(temporary);
     try
       {
         write(temporary);
@@ -105,7 +116,7 @@ namespace conetact
   write_atomically(const fs::path &file, const std::string_view text)
   {
     write_atomically(file, [text](const fs::path &temporary) {
-      write_file(temporary, text, O_CREAT | O_TRUNC);
+      append_to_file(temporary, text);
     });
   }
 } // namespace conetact

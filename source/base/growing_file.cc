@@ -4,6 +4,7 @@
 #include "conetact/base/growing_file.h"
 
 #include "conetact/base/atomic_file.h"
+#include "conetact/base/new_file.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -38,7 +39,7 @@ namespace conetact
   GrowingFile::has_other() const
   {
     struct stat found;
-    return size > 0 && ::stat(temporary.c_str(), &found) == 0 &&
+    return size > 0 && ::lstat(temporary.c_str(), &found) == 0 &&
            found.st_ino == inode &&
            static_cast<std::uint64_t>(found.st_size) == size;
   }
@@ -54,6 +55,7 @@ namespace conetact
     else
       {
         size = fs::file_size(file, error);
+        create_anew(temporary);
         if (!error)
           fs::copy_file(file,
                         temporary,
@@ -73,11 +75,11 @@ namespace conetact
   GrowingFile::publish()
   {
     struct stat now;
-    if (::stat(file.c_str(), &now) == 0 && ::renameat2(AT_FDCWD,
-                                                       temporary.c_str(),
-                                                       AT_FDCWD,
-                                                       file.c_str(),
-                                                       RENAME_EXCHANGE) == 0)
+    if (::lstat(file.c_str(), &now) == 0 && ::renameat2(AT_FDCWD,
+                                                        temporary.c_str(),
+                                                        AT_FDCWD,
+                                                        file.c_str(),
+                                                        RENAME_EXCHANGE) == 0)
       {
         size    = static_cast<std::uint64_t>(now.st_size);
         inode   = now.st_ino;

@@ -21,9 +21,10 @@ namespace conetact
     void
     refuse_what_is_no_number(const std::string &text, const std::string &entry)
     {
-      char *end = nullptr;
+      constexpr std::size_t most_letters = 80; // an expression may have more
+      char                 *end          = nullptr;
       std::strtod(text.c_str(), &end);
-      if (end == text.c_str() + text.size())
+      if (end == text.c_str() + text.size() || text.size() > most_letters)
         return;
       static const std::string number = "([+-]?[0-9.]+([eE][+-]?[0-9]+)?)";
       static const std::regex  comma("([+-]?[0-9]+),([0-9]+)");

@@ -79,8 +79,10 @@ namespace conetact::bodies
                 const std::string                    &entry)
     {
       static const std::regex form("([^:]*?)(?:\\s+in\\s+([^:]*))?:(.*)");
+      constexpr std::size_t   most_letters = 1000; // more is no point
       std::smatch             parts;
-      if (!std::regex_match(text, parts, form) || trim(parts[1]).empty())
+      if (text.size() > most_letters || !std::regex_match(text, parts, form) ||
+          trim(parts[1]).empty())
         throw InputError(entry + ": '" + text +
                          "' is not a name, a colon and "
                          "a point." +

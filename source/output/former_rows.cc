@@ -7,8 +7,10 @@
 #include "conetact/base/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <utility>
 
 namespace conetact::output
 {
@@ -49,14 +51,121 @@ namespace conetact::output
       return text;
     }
 
-    [[noreturn]] void
-    refuse(const std::filesystem::path &file, const unsigned int n)
+    bool
+    is_text(const std::string &column)
     {
-      throw InputError("Option --restart: " + file.string() +
-                       " does not hold the increments 1 to " +
-                       std::to_string(n) +
-                       " of the checkpoint. Run the scene from its start.");
+      const auto ends = [&column](const std::string &end) {
+        return column.size() >= end.size() &&
+               column.compare(column.size() - end.size(), end.size(), end) == 0;
+      };
+      return column == "contact" || column == "state" || column == "solver" ||
+             column == "determinate" || ends("_body") || ends("_contact");
     }
+
+    bool
+    is_finite_number(const std::string &text)
+    {
+      char        *end   = nullptr;
+      const double value = std::strtod(text.c_str(), &end);
+      return !text.empty() && *end == 0 && std::isfinite(value);
+    }
+
+    [[noreturn]] void
+    refuse(const std::filesystem::path &file, const std::string &why)
+    {
+      throw InputError("Option --restart: " + file.string() + ' ' + why +
+                       ". Take a copy of the folder that is whole, or run the "
+                       "scene from its start.");
+    }
+
+    /** A table of former results, row by row up to an increment. */
+    class FormerTable
+    {
+    public:
+      FormerTable(std::filesystem::path path, const unsigned int last)
+        : file(std::move(path))
+        , stream(file)
+        , n_increments(last)
+      {
+        if (!std::getline(stream, line))
+          refuse(file, "is missing or empty");
+        columns = cells_of(line);
+      }
+
+      const std::vector<std::string> &
+      header() const
+      {
+        return columns;
+      }
+
+      /** Goes to the next row, which must be whole; false: there is none. */
+      bool
+      next()
+      {
+        ++number;
+        if (!std::getline(stream, line))
+          return false;
+        const unsigned long k = std::strtoul(line.c_str(), nullptr, 10);
+        if (k > n_increments)
+          return false;
+        if (k != increment && k != increment + 1)
+          refuse(file,
+                 "has in line " + std::to_string(number) + " increment " +
+                   std::to_string(k) + " behind increment " +
+                   std::to_string(increment));
+        increment = k;
+        check_cells();
+        ++rows;
+        return true;
+      }
+
+      /** All increments; those of a table that may be empty, or none. */
+      void
+      check_last(const bool may_be_empty) const
+      {
+        if (increment != n_increments && !(may_be_empty && rows == 0))
+          refuse(file,
+                 "does not hold the increments 1 to " +
+                   std::to_string(n_increments) + " of the checkpoint");
+      }
+
+      void
+      check_number(const std::size_t expected) const
+      {
+        if (rows != expected)
+          refuse(file,
+                 "has " + std::to_string(rows) + " rows of the increments 1 " +
+                   "to " + std::to_string(n_increments) +
+                   " of the checkpoint instead of " + std::to_string(expected));
+      }
+
+      std::string line;
+
+    private:
+      void
+      check_cells() const
+      {
+        const std::string where = "has in line " + std::to_string(number) + ' ';
+        const std::vector<std::string> cells = cells_of(line);
+        if (cells.size() != columns.size())
+          refuse(file,
+                 where + std::to_string(cells.size()) + " columns instead of " +
+                   std::to_string(columns.size()));
+        if (stream.eof())
+          refuse(file, where + "no end of the line");
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          if (!is_text(columns[i]) && !is_finite_number(cells[i]))
+            refuse(file,
+                   where + '\'' + cells[i] + "' for " + columns[i] +
+                     ", which is no finite number");
+      }
+
+      std::filesystem::path    file;
+      std::ifstream            stream;
+      std::vector<std::string> columns;
+      unsigned long            n_increments, increment = 0;
+      std::size_t              number = 1, rows = 0;
+    };
   } // namespace
 
 
@@ -68,25 +177,14 @@ namespace conetact::output
   {
     if (run.n_former == 0)
       return {};
-    const std::filesystem::path file = run.former / table;
-    std::ifstream               stream(file);
-    std::string                 line, rows;
-    if (!std::getline(stream, line))
-      refuse(file, run.n_former);
-    const auto    at   = places(cells_of(trim(header)), cells_of(line));
-    const bool    same = line == trim(header);
-    unsigned long last = 0;
-    while (std::getline(stream, line))
-      {
-        const unsigned long k = std::strtoul(line.c_str(), nullptr, 10);
-        if (k > run.n_former)
-          break;
-        last = k;
-        rows += (same ? line : rearranged(line, at)) + '\n';
-      }
-    // reactions.csv has no rows where nothing may touch
-    if (last != run.n_former && !(last == 0 && table == "reactions.csv"))
-      refuse(file, run.n_former);
+    FormerTable former(run.former / table, run.n_former);
+    const auto  now  = cells_of(trim(header));
+    const auto  at   = places(now, former.header());
+    const bool  same = now == former.header();
+    std::string rows;
+    while (former.next())
+      rows += (same ? former.line : rearranged(former.line, at)) + '\n';
+    former.check_last(table == "reactions.csv");
     return rows;
   }
 
@@ -94,12 +192,20 @@ namespace conetact::output
 
   void
   check_former_tables(const std::filesystem::path &folder,
-                      const unsigned int           n_increments)
+                      const unsigned int           n_increments,
+                      const std::size_t            n_reaction_rows)
   {
-    RunDescription run;
-    run.former   = folder;
-    run.n_former = n_increments;
-    for (const char *table : {"reactions.csv", "increments.csv", "history.csv"})
-      former_rows(run, table, "increment");
+    const std::pair<const char *, std::size_t> tables[] = {
+      {"reactions.csv", n_reaction_rows},
+      {"increments.csv", n_increments},
+      {"history.csv", n_increments}};
+    for (const auto &[table, n_rows] : tables)
+      {
+        FormerTable former(folder / table, n_increments);
+        while (former.next())
+          ;
+        former.check_last(n_rows == 0);
+        former.check_number(n_rows);
+      }
   }
 } // namespace conetact::output

@@ -51,9 +51,12 @@ namespace conetact::output
     increment_of(const std::string &name)
     {
       static const std::regex form(
-        R"(.*-([0-9]{4,})(\.vtu|\.[0-9]+\.vtu|\.pvtu))");
-      std::smatch parts;
-      return std::regex_match(name, parts, form) ? std::stoul(parts[1]) : 0;
+        R"(.*-([0-9]{4,9})(\.vtu|\.[0-9]+\.vtu|\.pvtu))");
+      constexpr std::size_t longest = 255; // name of a file
+      std::smatch           parts;
+      return name.size() <= longest && std::regex_match(name, parts, form) ?
+               std::stoul(parts[1]) :
+               0;
     }
 
     std::vector<std::vector<unsigned int>>

@@ -167,8 +167,9 @@ namespace conetact::analysis
     bool unsolved      = false; ///< what failed last, by its solver
     bool in_parts = false; ///< increments that are too large to be condensed
     bool said_unsettled = false, said_between = false, said_askew = false;
-    unsigned int n_saved      = 0; ///< increments before the checkpoint
-    unsigned int first_unsure = 0; ///< increments before the last one
+    unsigned int n_saved         = 0; ///< increments before the checkpoint
+    std::size_t  n_reaction_rows = 0; ///< of increments on disk
+    unsigned int first_unsure    = 0; ///< increments before the last one
     /** Increments need refinement, or leave positions open. */
     bool one_by_one = false;
     /** What is solved follows an increment that was accepted. */

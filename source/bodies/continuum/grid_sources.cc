@@ -4,71 +4,26 @@
 #include "conetact/bodies/continuum/grid_sources.h"
 
 #include "conetact/base/errors.h"
-#include "conetact/base/gmsh_file.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/continuum/generator_arguments.h"
-#include "conetact/bodies/continuum/gmsh_mesh.h"
+#include "conetact/bodies/continuum/grid_messages.h"
+#include "conetact/bodies/continuum/mesh_files.h"
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <iostream>
-#include <sstream>
 #include <tuple>
 
 namespace conetact::bodies
 {
-  using dealii::GridIn;
   using dealii::Triangulation;
 
   namespace
   {
-    template <int dim>
-    std::string
-    cell_name(const bool simplices)
-    {
-      if (simplices)
-        return dim == 2 ? "triangles" : "tetrahedra";
-      return dim == 2 ? "quadrilaterals" : "hexahedra";
-    }
-
-    void
-    erase_all(std::string &text, const std::string &part)
-    {
-      for (auto at = text.find(part); at != std::string::npos;
-           at      = text.find(part))
-        text.erase(at, part.size());
-    }
-
-    /** What deal.II has to say: one line, without banner and bounds. */
-    std::string
-    message_of(const std::exception &error)
-    {
-      const auto *deal = dynamic_cast<const dealii::ExceptionBase *>(&error);
-      if (deal == nullptr)
-        return one_line(error.what());
-      if (dynamic_cast<const dealii::ExcIO *>(deal) != nullptr)
-        return "it ends early, or holds something else";
-      std::ostringstream text;
-      deal->print_info(text);
-      std::string message = one_line(text.str());
-      for (const char *bounds : {" -MAX_DOUBLE...MAX_DOUBLE (inclusive)",
-                                 " of length 0...4294967295 (inclusive)"})
-        erase_all(message, bounds);
-      for (char &c : message) // a binary file is quoted as it is
-        if (static_cast<unsigned char>(c) < 32 ||
-            static_cast<unsigned char>(c) > 126)
-          c = '?';
-      return message.size() > 300 ? message.substr(0, 300) + "..." : message;
-    }
-
     /** The end of a sentence: how many arguments, or what deal.II has to say.
      */
     std::string
@@ -183,219 +138,6 @@ namespace conetact::bodies
         }
     }
 
-    std::string
-    lower_case(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(), [](const char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      });
-      return text;
-    }
-
-    /** By extension; Abaqus shares .inp with UCD but starts with a keyword. */
-    GridIn<2>::Format
-    format_of(const std::filesystem::path &file,
-              std::istream                &stream,
-              const std::string           &where)
-    {
-      std::string extension = lower_case(file.extension().string());
-      extension.erase(0, 1);
-      if (extension == "inp" && (stream >> std::ws).peek() == '*')
-        return GridIn<2>::abaqus;
-      for (const char *known : {"msh",
-                                "vtk",
-                                "vtu",
-                                "unv",
-                                "inp",
-                                "ucd",
-                                "xda",
-                                "dbmesh",
-                                "dat",
-                                "tecplot"})
-        if (extension == known)
-          return GridIn<2>::parse_format(extension);
-      throw InputError(where + "'" + file.string() +
-                       "' is of no known mesh format. Use .msh, .vtk, .vtu, " +
-                       ".unv, .inp, .ucd, .xda, .dbmesh or .dat.");
-    }
-
-    std::ifstream
-    open_mesh(const std::filesystem::path &file, const std::string &where)
-    {
-      std::error_code error;
-      if (!std::filesystem::exists(file, error))
-        throw InputError(where + "there is no file '" + file.string() +
-                         "'. Give a path relative to the scene's folder.");
-      if (!std::filesystem::is_regular_file(file, error))
-        throw InputError(where + "'" + file.string() +
-                         "' is not a file. Name a mesh file.");
-      if (std::filesystem::file_size(file, error) == 0)
-        throw InputError(where + "'" + file.string() +
-                         "' is empty. Write the mesh again.");
-      std::ifstream stream(file);
-      if (!stream)
-        throw InputError(where + "'" + file.string() +
-                         "' cannot be opened. Check its permissions.");
-      return stream;
-    }
-
-    /** Gmsh's binary files share the extension of its text files. */
-    void
-    refuse_binary(std::istream &stream, const std::string &file)
-    {
-      std::string line;
-      std::getline(stream, line);
-      double version = 0;
-      int    binary  = 0;
-      if (trim(line) == "$MeshFormat" && stream >> version >> binary && binary)
-        throw InputError(file + " is a binary Gmsh file of version " +
-                         to_text(version) + ". Save it as version 4.1 or 2.2 " +
-                         "(in Gmsh 'Mesh.MshFileVersion = 4.1;').");
-    }
-
-    /** GridIn would wait for the rest of a Gmsh file for ever. */
-    void
-    check_gmsh_sections(std::istream &stream, const std::string &file)
-    {
-      std::string line, open;
-      bool        elements = false;
-      while (std::getline(stream, line))
-        if (line[0] == '$')
-          {
-            line = lower_case(trim(line));
-            if (open.empty())
-              open = line.substr(1);
-            else if (line == "$end" + open)
-              {
-                elements = elements || open == "elements" || open == "elm";
-                open.clear();
-              }
-          }
-      if (!open.empty() || !elements)
-        throw InputError(file + " is no whole Gmsh mesh: " +
-                         (open.empty() ?
-                            "it has no elements" :
-                            "its section '" + open + "' does not end") +
-                         ". Write it again.");
-    }
-
-    void
-    check_gmsh(std::istream &stream, const std::string &file)
-    {
-      refuse_binary(stream, file);
-      stream.clear();
-      stream.seekg(0);
-      check_gmsh_sections(stream, file);
-      stream.clear();
-      stream.seekg(0);
-    }
-
-    /** GridIn knows no names, reads text only and refuses groups inside. */
-    bool
-    is_for_own_reader(const std::string &contents)
-    {
-      const double version = gmsh_version(contents);
-      return (version >= 2 && version < 3) || version == 4.1;
-    }
-
-    /** GridIn prints what it finds wrong in files of Abaqus. */
-    class SilentErrors
-    {
-    public:
-      SilentErrors()
-        : buffer(std::cerr.rdbuf(nullptr))
-      {}
-      SilentErrors(const SilentErrors &) = delete;
-      SilentErrors &
-      operator=(const SilentErrors &) = delete;
-      ~SilentErrors()
-      {
-        std::cerr.rdbuf(buffer);
-      }
-
-    private:
-      std::streambuf *buffer;
-    };
-
-    /** Grids of version 2.0 are written alike. */
-    std::string
-    vtk_of_version_3(std::istream &stream)
-    {
-      std::ostringstream contents;
-      contents << stream.rdbuf();
-      std::string       text = contents.str();
-      const std::string head = "# vtk DataFile Version ";
-      if (text.rfind(head + "2.0", 0) == 0)
-        text[head.size()] = '3';
-      return text;
-    }
-
-    /** In brackets, unless it tells users nothing. */
-    std::string
-    remark_of(const std::exception &error)
-    {
-      const std::string message = message_of(error);
-      for (const char *empty :
-           {"currently not implemented", "error message printed above"})
-        if (message.find(empty) != message.npos)
-          return "";
-      return " (" + message + ")";
-    }
-
-    template <int dim>
-    void
-    read(Triangulation<dim>   &mesh,
-         const MeshParameters &parameters,
-         MeshGroups           &groups)
-    {
-      const std::string where  = parameters.where + "File: ";
-      std::ifstream     stream = open_mesh(parameters.file, where);
-      const auto        format = static_cast<typename GridIn<dim>::Format>(
-        format_of(parameters.file, stream, where));
-      if (format == GridIn<dim>::msh)
-        {
-          std::ostringstream contents;
-          contents << stream.rdbuf();
-          if (is_for_own_reader(contents.str()))
-            {
-              groups = read_gmsh_mesh<dim>(contents.str(), parameters, mesh);
-              return;
-            }
-          stream.clear();
-          stream.seekg(0);
-          check_gmsh(stream, where + "'" + parameters.file.string() + "'");
-        }
-      if (!parameters.group.empty())
-        throw InputError(parameters.where + "Group: only Gmsh's files (.msh) "
-                                            "of version 2 and 4.1 have "
-                                            "groups of cells. Save the mesh as "
-                                            "one, or remove Group.");
-      try
-        {
-          const SilentErrors silent;
-          if (format == GridIn<dim>::vtk)
-            {
-              std::istringstream contents(vtk_of_version_3(stream));
-              GridIn<dim>(mesh).read(contents, format);
-            }
-          else
-            GridIn<dim>(mesh).read(stream, format);
-        }
-      catch (const std::exception &error)
-        {
-          throw InputError(
-            where + "'" + parameters.file.string() +
-            "' cannot be read as a mesh of " + cell_name<dim>(false) + " or " +
-            cell_name<dim>(true) + ". Check that it is whole and " +
-            "of dimension " + std::to_string(dim) +
-            (format == GridIn<dim>::msh ?
-               "" :
-               ", or write it as .msh (Gmsh writes other formats in ways "
-               "that are not read)") +
-            "." + remark_of(error));
-        }
-    }
-
     /** At a face, an edge in 2D, at most two cells meet. */
     template <int dim>
     void
@@ -464,8 +206,8 @@ namespace conetact::bodies
       namespace Cells = dealii::ReferenceCells;
       std::string text;
       for (const auto &[kind, name] :
-           {std::pair(Cells::get_hypercube<dim>(), cell_name<dim>(false)),
-            std::pair(Cells::get_simplex<dim>(), cell_name<dim>(true)),
+           {std::pair(Cells::get_hypercube<dim>(), cell_name(dim, false)),
+            std::pair(Cells::get_simplex<dim>(), cell_name(dim, true)),
             std::pair(Cells::Wedge, std::string("wedges")),
             std::pair(Cells::Pyramid, std::string("pyramids"))})
         {
@@ -495,14 +237,14 @@ namespace conetact::bodies
         throw InputError(where + "the mesh has cells of several kinds, or " +
                          "wedges or pyramids: " + count_of_cells(*mesh) +
                          ". No element carries them together: use a mesh of " +
-                         cell_name<dim>(false) + " only or of " +
-                         cell_name<dim>(true) + " only.");
+                         cell_name(dim, false) + " only or of " +
+                         cell_name(dim, true) + " only.");
       if (simplices && parameters.cells == Cells::hypercubes)
         throw InputError(
-          where + "the mesh has " + cell_name<dim>(true) +
-          ", but Element is for " + cell_name<dim>(false) +
+          where + "the mesh has " + cell_name(dim, true) +
+          ", but Element is for " + cell_name(dim, false) +
           ". Set Element = P1" + (dim == 2 ? ", P2" : "") +
-          " or automatic, or use a mesh of " + cell_name<dim>(false) +
+          " or automatic, or use a mesh of " + cell_name(dim, false) +
           " (in Gmsh: '" +
           (dim == 2 ? "Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = 1;" :
                       "Mesh.SubdivisionAlgorithm = 2;") +
@@ -521,7 +263,7 @@ namespace conetact::bodies
       generate(*mesh, parameters);
     else
       {
-        read(*mesh, parameters, groups);
+        groups = read_mesh_file(parameters, *mesh);
         check_shared_faces(*mesh, parameters);
       }
     settle_cells(mesh, parameters);

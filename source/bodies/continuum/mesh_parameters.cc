@@ -48,10 +48,10 @@ namespace conetact::bodies
         "versions 2 and 4.1, text or binary, 1 and 4.0 as text; physical "
         "groups of lines or surfaces become boundary ids, and their names "
         "stand for them in all entries: 'Boundary ids = floor'), .vtk (legacy "
-        "text of versions 2.0 and 3.0, cells and their faces only), .vtu (with "
-        "the mesh that deal.II stores in it), .unv (as Salome writes it), "
-        ".inp (of Abaqus as Cubit writes it, or of UCD), .ucd, .xda, .dbmesh, "
-        "Tecplot's .dat. Gmsh's own .vtk, .unv and .inp are not read: write "
+        "text of versions 2.0 and 3.0, cells and their faces only), .unv (as "
+        "Salome writes it), .inp (of Abaqus as Cubit writes it, or of UCD), "
+        ".ucd, .xda (no boundary ids), Tecplot's .dat (2D, no boundary ids). "
+        "Gmsh's own .vtk, .unv and .inp are not read: write "
         ".msh. [length]");
       prm.declare_entry(
         "Group",

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_base_child_process_h
+#define conetact_base_child_process_h
+
+#include <functional>
+#include <string>
+
+namespace conetact
+{
+  /** What a child process may use beyond what its parent has. */
+  struct ChildLimits
+  {
+    double cpu_seconds = 0;
+    double bytes       = 0;
+  };
+
+  /** What a child process handed back, or the end of a sentence that says why
+   * it could not: "needs more memory than ...". */
+  struct ChildResult
+  {
+    std::string bytes, why;
+  };
+
+  /**
+   * Calls `work` in a copy of this process and hands back the bytes it returns:
+   * a library that crashes, never ends or asks for any amount of memory on a
+   * damaged file takes only the copy along. The copy prints nothing, leaves
+   * nothing behind and ends with its parent. It has this thread alone and must
+   * not use MPI. `work` must not throw but what is out of memory.
+   */
+  ChildResult
+  in_child_process(const ChildLimits                  &limits,
+                   const std::function<std::string()> &work);
+} // namespace conetact
+
+#endif
