@@ -16,6 +16,7 @@ from support.tables import TEXTS, read
 
 SUMS = 1e-9  # of the sum of all magnitudes
 FORCES = 1e-8  # of the largest load of a body: cones and signs
+PAST = 1e-13  # of the largest force so far: what is left of loads that vanish
 ALL = {2: ("x", "y", "rz"), 3: ("x", "y", "z", "rx", "ry", "rz")}
 
 
@@ -87,17 +88,20 @@ class Sums:
     """Forces and moments about the origin, and the sums of their magnitudes."""
 
     def __init__(self):
-        self.total, self.size = np.zeros(6), np.zeros(6)
+        self.total, self.size, self.reach = np.zeros(6), np.zeros(6), 0.0
 
     def add(self, point, force):
+        self.reach = max(self.reach, np.linalg.norm(point))
         moment = np.cross(point, force)
         self.total += np.concatenate([force, moment])
         self.size[:3] += np.linalg.norm(force)
         self.size[3:] += np.linalg.norm(point) * np.linalg.norm(force)
 
-    def faults(self, free, bound, what):
+    def faults(self, free, bound, what, past=0.0):
+        """`past`: the largest force so far, whose rounding is no fault."""
         for i, name in enumerate(ALL[3]):
-            if name in free and not abs(self.total[i]) <= bound * self.size[i]:
+            rounding = PAST * past * (1 if i < 3 else self.reach)
+            if name in free and not abs(self.total[i]) <= bound * self.size[i] + rounding:
                 yield f"{what}: {name} sums to {self.total[i]:.3g} of {self.size[i]:.3g}"
 
 
@@ -111,7 +115,7 @@ def owner(statement, name):
     return touch.master if other_side(name) else touch.body
 
 
-def balance_faults(statement, t, rows):
+def balance_faults(statement, t, rows, past):
     """Each body's loads and reactions, in the directions that no support holds."""
     sums = {body: Sums() for body in statement.free}
     for load in statement.loads:
@@ -123,10 +127,10 @@ def balance_faults(statement, t, rows):
             sums[body].add(acting_at(row), reaction(row, statement.dim))
     bound = max(SUMS, 10 * statement.tolerance)
     for body, free in statement.free.items():
-        yield from sums[body].faults(free, bound, f"body {body}")
+        yield from sums[body].faults(free, bound, f"body {body}", past)
 
 
-def action_faults(statement, rows):
+def action_faults(statement, rows, past):
     """What acts on a body acts on its master, at the foot where the table has one."""
     for name, touch in statement.contacts.items():
         if touch.master is None:
@@ -140,15 +144,16 @@ def action_faults(statement, rows):
             foot = not other_side(row["contact"]) and "foot_x" in row and np.isfinite(row["foot_x"])
             at_foot.add(vector(row, "foot") if foot else place(row), force)
         if masters:
-            yield from forces.faults(("x", "y", "z"), SUMS, f"action and reaction of {name}")
+            yield from forces.faults(("x", "y", "z"), SUMS, f"action and reaction of {name}", past)
         if masters and "foot_x" in own[0]:
-            yield from at_foot.faults(("rx", "ry", "rz"), SUMS, f"action and reaction of {name} at the feet")
+            yield from at_foot.faults(("rx", "ry", "rz"), SUMS, f"action and reaction of {name} at the feet",
+                                      past)
 
 
-def row_faults(row, mu, size, length, motion, in_parts):
-    """Signs, cone, gap and state of a contact node; forces to FORCES of size."""
+def row_faults(row, mu, tiny, length, motion, in_parts):
+    """Signs, cone, gap and state of a contact node; forces below `tiny` are none."""
     r_n, r_t = row["r_n"], np.array([row["r_t1"], row["r_t2"]])
-    du, tangential, tiny = np.array([row["du_t1"], row["du_t2"]]), np.linalg.norm(r_t), FORCES * size
+    du, tangential = np.array([row["du_t1"], row["du_t2"]]), np.linalg.norm(r_t)
     slide = np.linalg.norm(du)
     if not all(np.isfinite(value) for name, value in row.items()
                if name not in TEXTS and not name.startswith(("foot", "acts"))):
@@ -176,17 +181,28 @@ def row_faults(row, mu, size, length, motion, in_parts):
         yield f"has moved by {row['u_n']:.3g}, {row['u_t1']:.3g}, {row['u_t2']:.3g}"
 
 
-def law_faults(statement, t, rows, in_parts):
+def loads_on(statement, t):
+    """Of each body that is loaded: the sum of magnitudes."""
     sizes = {load.body: 0.0 for load in statement.loads}
     for load in statement.loads:
         sizes[load.body] += abs(load.factor(t)) * np.linalg.norm(load.force)
-    known = [size for size in sizes.values() if size > 0]
+    return sizes
+
+
+def largest_force(statement, t, rows):
+    """Of loads and reactions at a time."""
+    return max([*loads_on(statement, t).values(), *(abs(row["r_n"]) for row in rows)], default=0.0)
+
+
+def law_faults(statement, t, rows, in_parts, past):
+    known = [size for size in loads_on(statement, t).values() if size > 0]
     size = min(known) if known else max((abs(row["r_n"]) for row in rows), default=0)
+    tiny = FORCES * size + PAST * past
     for row in rows:
         if other_side(row["contact"]):
             continue
         mu = statement.contacts[row["contact"]].mu
-        for fault in row_faults(row, mu, size, statement.length, statement.motion, in_parts):
+        for fault in row_faults(row, mu, tiny, statement.length, statement.motion, in_parts):
             yield f"{row['contact']} at {row['x']:.4g}, {row['y']:.4g}, {row['z']:.4g}: {fault}"
         if statement.silent and (row["r_n"], row["r_t1"], row["r_t2"]) != (0, 0, 0):
             yield f"{row['contact']} at {row['x']:.4g}, {row['y']:.4g}, {row['z']:.4g}: reaction {row['r_n']:.3g}"
@@ -205,7 +221,7 @@ def judge(folder, statement, finished=True):
     """All faults of the tables in a folder, increment by increment; the last one is the end if the run has finished."""
     file = folder / "reactions.csv"
     rows = read(file) if file.exists() else []
-    increments, faults = read(folder / "increments.csv"), []
+    increments, faults, past = read(folder / "increments.csv"), [], 0.0
     by_increment = {}
     for row in rows:
         by_increment.setdefault(row["increment"], []).append(row)
@@ -214,8 +230,9 @@ def judge(folder, statement, finished=True):
     for number, own in by_increment.items():
         row = next((row for row in increments if row["increment"] == number), {})
         t, in_parts = own[0]["time"], row.get("substeps", 1) != 1
-        found = [*balance_faults(statement, t, own), *action_faults(statement, own),
-                 *law_faults(statement, t, own, in_parts)]
+        past = max(past, largest_force(statement, t, own))
+        found = [*balance_faults(statement, t, own, past), *action_faults(statement, own, past),
+                 *law_faults(statement, t, own, in_parts, past)]
         faults += [f"increment {number:g}, {fault}" for fault in found]
     if by_increment and finished:
         faults += closed_form_faults(statement, own)

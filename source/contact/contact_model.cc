@@ -824,17 +824,26 @@ namespace conetact::contact
       end.r.tail(amounts.size()) += amounts;
     else
       end.u += seen;
-    // what carried nothing may have left
-    const double zero = 1e-12 * conetact::solvers::largest(seen);
+    // What carried nothing may have left or slipped, and what stuck at its
+    // limit may slip.
+    const double zero = 1e-12 * conetact::solvers::largest(amounts);
     const solvers::ContactSystem &layout = set.layout();
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      if (const Eigen::Index n = layout.normal(i);
-          end.v[n] > zero && presses_nothing(end.r[n], largest_force))
-        {
-          const Eigen::Index first = n - layout.n_tangents(i);
-          end.r.segment(first, n - first + 1).setZero();
-          end.node[static_cast<std::size_t>(i)] = solvers::NodeState::open;
-        }
+      {
+        const Eigen::Index  n = layout.normal(i), nt = layout.n_tangents(i);
+        const bool          empty = presses_nothing(end.r[n], largest_force);
+        solvers::NodeState &state = end.node[static_cast<std::size_t>(i)];
+        if (empty && end.v[n] > zero)
+          {
+            end.r.segment(n - nt, nt + 1).setZero();
+            state = solvers::NodeState::open;
+          }
+        else if (state == solvers::NodeState::stick &&
+                 end.v.segment(n - nt, nt).norm() > zero &&
+                 (empty || is_at_limit(end.r.segment(n - nt, nt),
+                                       layout.mu(i) * end.r[n])))
+          state = solvers::NodeState::slip;
+      }
   }
 
   /* What moves bodies as a whole would cost the digits of what strains them:

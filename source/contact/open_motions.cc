@@ -68,6 +68,12 @@ namespace conetact::contact
     return reaction <= nothing * largest_force;
   }
 
+  bool
+  is_at_limit(const VectorXd &friction, const double largest_friction)
+  {
+    return friction.norm() >= (1 - limit) * largest_friction;
+  }
+
   OpenMotions::OpenMotions(const RigidMotions          &m,
                            const ContactPoints         &points,
                            const solvers::ContactState &state,
@@ -96,11 +102,10 @@ namespace conetact::contact
           continue;
         // along the slip, and across it; at its limit what sticks may slip
         const VectorXd friction = -state.r.segment(first, n - first);
-        const bool     slips =
-          !presses_nothing(friction.norm(), largest_force) &&
-          (state.node[static_cast<std::size_t>(i)] ==
-             solvers::NodeState::slip ||
-           friction.norm() >= (1 - limit) * points[i].mu * state.r[n]);
+        const bool slips = !presses_nothing(friction.norm(), largest_force) &&
+                           (state.node[static_cast<std::size_t>(i)] ==
+                              solvers::NodeState::slip ||
+                            is_at_limit(friction, points[i].mu * state.r[n]));
         const VectorXd along = friction.normalized();
         if (slips)
           bound(along.transpose() * seen.middleRows(first, n - first),

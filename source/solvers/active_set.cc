@@ -106,11 +106,14 @@ namespace conetact::solvers
       return solve(point.sets, true);
     // A regularised matrix always has a solution. It is worth something only if
     // the motions are in balance there.
-    if (solve(point.sets, false) ||
-        (solve(point.sets, true) && is_balanced(point.p + dp)))
+    const auto solve_balanced = [&](const NodeSets &sets) {
+      return solve(sets, false) ||
+             (solve(sets, true) && is_balanced(point.p + dp));
+    };
+    if (solve_balanced(point.sets))
       return true;
     // one that slips again at once does not hold either
-    if (solve(with_strongest_stuck(*relation, point.sets, point.p), false))
+    if (solve_balanced(with_strongest_stuck(*relation, point.sets, point.p)))
       {
         const Array p = point.p + dp;
         if (signature(sets_of_point(*relation, p, dual(p))) !=

@@ -73,7 +73,7 @@ namespace conetact::verification
     , motions(m)
     , points(contacts)
     , tolerance(tol)
-    , history(bodies.structures.size(), 0.)
+    , past(bodies.structures.size())
     , stiffness(VectorXd::Zero(static_cast<Index>(points.size())))
   {}
 
@@ -110,39 +110,53 @@ namespace conetact::verification
   }
 
   /* What springs carry along is where it is to the rounding of how far that
-     is, and what strains it to no less. Of what is prescribed only: a body that
+     is, or was: what one increment leaves is the start of the next. What
+     strains it is known to no less. Of what is prescribed only: a body that
      floats away gains nothing by it. */
   VectorXd
   Verification::rounding_of_springs(const Finding &out) const
   {
-    VectorXd way;
+    std::vector<double> ways = past.on_springs;
     for (const contact::Foundation &foundation : out.foundations)
-      if (foundation.forces.size() > 0 && !foundation.ground.isZero(0))
-        way = way.size() == 0 ?
-                VectorXd(foundation.ground.cwiseAbs()) :
-                VectorXd(way.cwiseMax(foundation.ground.cwiseAbs()));
-    return way.size() == 0 ? way : rounding_of_ways(std::move(way));
+      lengthen(ways, foundation.ground);
+    return *std::max_element(ways.begin(), ways.end()) > 0 ?
+             rounding_of_ways(ways) :
+             VectorXd();
   }
 
   /* What supports carry along is strained by the rounding of how far that is,
-     or was when the increment began. Of what is prescribed only, as above. */
+     or was. Of what is prescribed only, as above. */
   VectorXd
   Verification::rounding_of_supports(const double t) const
   {
-    return rounding_of_ways(plain.prescribed(t).cwiseAbs() +
-                            plain.prescribed(last.t).cwiseAbs());
+    std::vector<double> ways = past.on_supports;
+    lengthen(ways, plain.prescribed(t));
+    return rounding_of_ways(ways);
+  }
+
+  void
+  Verification::lengthen(std::vector<double> &ways, const VectorXd &u) const
+  {
+    for (unsigned int body = 0; body < ways.size() && u.size() > 0; ++body)
+      {
+        const Index first = plain.offset(body);
+        ways[body] =
+          std::max(ways[body],
+                   solvers::largest(
+                     u.segment(first, plain.offset(body + 1) - first)));
+      }
   }
 
   /* All of a body goes as far as what goes furthest. */
   VectorXd
-  Verification::rounding_of_ways(VectorXd way) const
+  Verification::rounding_of_ways(const std::vector<double> &ways) const
   {
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+    VectorXd way(plain.n_dofs());
+    for (unsigned int body = 0; body < ways.size(); ++body)
       {
         const Index first = plain.offset(body);
-        const Index n     = plain.offset(body + 1) - first;
-        way.segment(first, n).setConstant(
-          solvers::largest(way.segment(first, n)));
+        way.segment(first, plain.offset(body + 1) - first)
+          .setConstant(ways[body]);
       }
     return 16 * eps * elastic.terms(way);
   }
@@ -151,7 +165,7 @@ namespace conetact::verification
   Verification::scales(const Claim &claim, const Finding &out) const
   {
     Scales scales;
-    scales.history  = history;
+    scales.history  = past.force;
     scales.rounding = out.rounding;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
@@ -596,7 +610,9 @@ namespace conetact::verification
   {
     archive.put("verification/u", last.u);
     archive.put("verification/t", last.t);
-    archive.put("verification/history", history);
+    archive.put("verification/history", past.force);
+    archive.put("verification/springs", past.on_springs);
+    archive.put("verification/supports", past.on_supports);
   }
 
   void
@@ -605,7 +621,9 @@ namespace conetact::verification
     last.u.setZero(plain.n_dofs());
     archive.fill("verification/u", last.u);
     archive.fill("verification/t", last.t);
-    archive.fill("verification/history", history);
+    archive.fill("verification/history", past.force);
+    archive.fill("verification/springs", past.on_springs);
+    archive.fill("verification/supports", past.on_supports);
   }
 
   void
@@ -620,7 +638,11 @@ namespace conetact::verification
         for (contact::ContactPoint &point : last.points)
           point.node = last.nodes.data() + (point.node - points.nodes().data());
       }
-    for (std::size_t body = 0; body < history.size(); ++body)
-      history[body] = std::max(history[body], finding.largest_force[body]);
+    for (std::size_t body = 0; body < past.force.size(); ++body)
+      past.force[body] =
+        std::max(past.force[body], finding.largest_force[body]);
+    for (const contact::Foundation &foundation : finding.foundations)
+      lengthen(past.on_springs, foundation.ground);
+    lengthen(past.on_supports, plain.prescribed(t));
   }
 } // namespace conetact::verification

@@ -14,6 +14,10 @@ namespace conetact::contact
   bool
   presses_nothing(const double reaction, const double largest_force);
 
+  /** Whether what sticks with such friction may slip. */
+  bool
+  is_at_limit(const Eigen::VectorXd &friction, const double largest_friction);
+
   /**
    * What forces leave open of positions at the end of an increment, and how
    * bodies have the shortest way there: the least squares over all nodes, those

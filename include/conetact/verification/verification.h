@@ -132,9 +132,12 @@ namespace conetact::verification
     rounding_of_springs(const Finding &out) const;
     Eigen::VectorXd
     rounding_of_supports(const double t) const;
-    /** Forces that it takes to round such displacements, of all dofs. */
+    /** Ways of bodies that are no less than such displacements of all dofs. */
+    void
+    lengthen(std::vector<double> &ways, const Eigen::VectorXd &u) const;
+    /** Forces that it takes to round such ways of bodies, of all dofs. */
     Eigen::VectorXd
-    rounding_of_ways(Eigen::VectorXd way) const;
+    rounding_of_ways(const std::vector<double> &ways) const;
     Scales
     scales(const Claim &claim, const Finding &out) const;
     double
@@ -183,8 +186,20 @@ namespace conetact::verification
     const contact::RigidMotions  &motions;
     const contact::ContactPoints &points;
     double                        tolerance;
-    std::vector<double> history; ///< largest force so far, of each body
-    Eigen::VectorXd     stiffness, bound_stiffness;
+    /** The largest so far, of each body. */
+    struct Past
+    {
+      std::vector<double> force;
+      std::vector<double> on_springs, on_supports; ///< prescribed ways
+
+      explicit Past(const std::size_t n_bodies)
+        : force(n_bodies, 0.)
+        , on_springs(force)
+        , on_supports(force)
+      {}
+    };
+    Past            past;
+    Eigen::VectorXd stiffness, bound_stiffness;
 
     /** What was accepted last; empty: nothing yet. */
     struct Last
