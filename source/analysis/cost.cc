@@ -86,6 +86,11 @@ namespace conetact::analysis
     constexpr double larger_if_shared = 1.2;
     constexpr double longer_if_shared = 1.5;
 
+    // Dense operations a second of a core, in which choices count the seconds
+    // above: a choice must not depend on the clock, nor on who else works on
+    // the machine.
+    constexpr double usual_rate = 3e10;
+
     // Iterations grow with the contrast of strains from here on: 3 times as
     // many at nu = 0.49, 15 at 0.499, 200 at 0.4999. Several bodies and those
     // that float have so many times as many as one that is held (20^3 to 36^3
@@ -117,6 +122,16 @@ namespace conetact::analysis
         static_cast<double>(model.working_set().layout().n_unknowns());
       return lu_over_dense * 2. / 3. * std::pow(n, 3) *
              (1 + lus_an_increment * (n_increments - 1));
+    }
+
+    /** To condense bodies and solve increments then. */
+    double
+    flops_of_condensing(const contact::ContactModel    &model,
+                        const backends::FactorEstimate &factor,
+                        const std::size_t               n_increments)
+    {
+      return sparse_over_dense * factor.flops +
+             flops_of_contact(model, static_cast<double>(n_increments));
     }
 
     /** To recover, check and draw increments, whichever way they are solved. */
@@ -173,6 +188,24 @@ namespace conetact::analysis
             unequal += n_elements;
         }
       return all > 0 ? unequal / all : 0.;
+    }
+
+    /** Of one process. */
+    double
+    seconds_of_iterating(const contact::ContactModel &model,
+                         const std::size_t            n_increments)
+    {
+      const auto        n = static_cast<double>(model.coordinates.n_unknowns());
+      const std::size_t d = model.bodies.dim - 2;
+      const auto        increments = static_cast<double>(n_increments);
+      const double longer = 1 + (longer_if_unequal - 1) * unequal_part(model);
+      const double n_pairings =
+        model.points.slide() ? pairings_of_increment * increments : 1;
+      const double n_solutions =
+        model.points.slide() ? part_of_pairing * n_pairings : increments;
+      return n * (setup_of_unknown[d] * n_pairings + increment_of_unknown[d] *
+                                                       n_solutions * longer *
+                                                       many_iterations(model));
     }
   } // namespace
 
@@ -238,14 +271,8 @@ namespace conetact::analysis
     const auto        increments = static_cast<double>(n_increments);
     const double      share      = n / n_processes;
     const double      unequal    = unequal_part(model);
-    const double      longer     = 1 + (longer_if_unequal - 1) * unequal;
-    const double      n_pairings =
-      model.points.slide() ? pairings_of_increment * increments : 1;
-    const double n_solutions =
-      model.points.slide() ? part_of_pairing * n_pairings : increments;
-    const double solution = share * (setup_of_unknown[d] * n_pairings +
-                                     increment_of_unknown[d] * n_solutions *
-                                       longer * many_iterations(model));
+    const double      solution =
+      seconds_of_iterating(model, n_increments) / n_processes;
     const double shared =
       share * shared_bytes[d] * (1 + (larger_if_unequal - 1) * unequal);
     Cost cost;
@@ -281,17 +308,23 @@ namespace conetact::analysis
       return {true, "the mesh is large"};
     const Cost condensed = estimate_cost(model, n_increments, n_drawings);
     const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
-    const auto text  = [](const Cost &cost) {
-      return to_text(std::round(cost.seconds)) + " s and " +
-             megabytes(cost.memory_bytes);
+    const double flops_condensed =
+      flops_of_condensing(model, condensed.factor, n_increments);
+    const double flops_iterative =
+      usual_rate * seconds_of_iterating(model, n_increments);
+    const auto text = [](const double flops, const double bytes) {
+      char operations[40];
+      std::snprintf(operations, sizeof(operations), "%.2g", flops);
+      return operations + (" operations and " + megabytes(bytes));
     };
     // A little time is no reason: what does not converge is condensed after
     // all, and then both were for nothing.
     constexpr double much_faster = 2;
     const bool       is_faster =
-      !uncertain && condensed.seconds > much_faster * other.seconds;
+      !uncertain && flops_condensed > much_faster * flops_iterative;
     return {condensed.memory_bytes > machine_memory() || is_faster,
-            "condensed " + text(condensed) + ", iterative " + text(other) +
+            "condensed " + text(flops_condensed, condensed.memory_bytes) +
+              ", iterative " + text(flops_iterative, other.memory_bytes) +
               (slow      ? ", as a body is nearly incompressible" :
                hard_one  ? ", as a slave is harder than its master" :
                uncertain ? ", as contacts slide far" :
@@ -336,8 +369,7 @@ namespace conetact::analysis
     if (!cost)
       return std::numeric_limits<double>::infinity();
     const double longer = 1 + (longer_if_unequal - 1) * unequal_part(model);
-    return (sparse_over_dense * cost->factor.flops +
-            flops_of_contact(model, static_cast<double>(n_increments))) /
+    return flops_of_condensing(model, cost->factor, n_increments) /
            (iteration_of_unknown * longer *
             static_cast<double>(model.coordinates.n_unknowns()));
   }

@@ -90,8 +90,8 @@ namespace conetact::application
         "the mesh only. It solves increments (Method = automatic); its linear "
         "systems are shared by all processes (option --processes, mpirun -n). "
         "Where it does not converge, bodies are condensed from there on, if "
-        "that fits into memory. automatic: by the forecast of time and memory, "
-        "--dry-run says which.");
+        "that fits into memory. automatic: by numbers of operations and by "
+        "memory, not by the clock; --dry-run says which.");
     }
 
     std::string
