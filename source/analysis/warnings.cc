@@ -72,10 +72,19 @@ namespace conetact::analysis
     const std::vector<solvers::NodeState> &states,
     const Eigen::VectorXd                 &r)
   {
+    const pairing::ContactNode *twice = model.held_twice();
+    if (twice != nullptr)
+      once("held twice",
+           "the node at " + to_text(twice->position) + " of body '" +
+             model.bodies.names[twice->body] +
+             "' is bound by a contact along what supports or other bound "
+             "contacts hold as well: how they share its force is not "
+             "determined, the sum is; the least forces of bound contacts are "
+             "given.");
     const pairing::ContactNode *node =
       contact::undetermined_share(model.points, states, r);
     if (node == nullptr)
-      return true;
+      return twice == nullptr;
     once("shares",
          "the node at " + to_text(node->position) + " of body '" +
            model.bodies.names[node->body] +

@@ -3,16 +3,13 @@
 
 #include "conetact/contact/bound_unknowns.h"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace conetact::contact
 {
   namespace
   {
-    /** Pivots of rows scaled to one: below, others imply the row. */
-    constexpr double least_pivot = 1e-11;
-
     /** Over the largest flexibility, and of motions, which are about one: what
      * is less is rounding. */
     constexpr double least_flexibility = 1e-14, least_motion = 1e-10;
@@ -30,91 +27,47 @@ namespace conetact::contact
       return A.rows() > 0 ? Eigen::VectorXd(A.transpose() * x) :
                             Eigen::VectorXd::Zero(A.cols());
     }
-
-    /** An orthonormal basis of the columns. */
-    Eigen::MatrixXd
-    basis_of(const Eigen::MatrixXd &columns)
-    {
-      if (columns.cols() == 0)
-        return columns;
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
-      qr.setThreshold(1e-10);
-      return qr.householderQ() *
-             Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
-    }
-
-    /**
-     * Rows of a positive semidefinite matrix of unit diagonal that are
-     * independent: Cholesky with pivots.
-     */
-    std::vector<Eigen::Index>
-    independent_rows(Eigen::MatrixXd S)
-    {
-      std::vector<Eigen::Index> rows;
-      const Eigen::Index        n = S.rows();
-      Eigen::MatrixXd           L(n, n);
-      Eigen::VectorXd           left = S.diagonal();
-      for (Eigen::Index k = 0; k < n; ++k)
-        {
-          Eigen::Index pivot = 0;
-          if (!(left.maxCoeff(&pivot) > least_pivot))
-            break;
-          L.col(k) = S.col(pivot);
-          L.col(k).noalias() -=
-            L.leftCols(k) * L.row(pivot).head(k).transpose();
-          L.col(k) /= std::sqrt(left[pivot]);
-          left -= L.col(k).cwiseAbs2();
-          left[pivot] = -1; // taken
-          rows.push_back(pivot);
-        }
-      std::sort(rows.begin(), rows.end());
-      return rows;
-    }
   } // namespace
 
-  /* Scaled to a unit diagonal, soft and stiff bodies count alike; of the
-     motions it matters only which of them the rows see. */
-  void
-  BoundUnknowns::choose_rows(const MatrixXd &W, const MatrixXd &G)
+  /* Scaled to a unit diagonal, soft and stiff bodies count alike. */
+  Eigen::VectorXd
+  BoundUnknowns::scales_of(const MatrixXd &W, const MatrixXd &G) const
   {
-    const Index  n = W.rows();
     const double rounding =
-      n > 0 ? least_flexibility * W.diagonal().maxCoeff() : 0.;
-    VectorXd size(n);
-    for (Index i = 0; i < n; ++i)
-      size[i] = W(i, i) > rounding             ? 1 / std::sqrt(W(i, i)) :
-                G.row(i).norm() > least_motion ? 1 / G.row(i).norm() :
-                                                 0.;
-    MatrixXd       S = size.asDiagonal() * W * size.asDiagonal();
-    const MatrixXd Q = basis_of(size.asDiagonal() * G);
-    S += Q * Q.transpose();
-    // what neither strains nor moves has rounding on the diagonal
-    VectorXd diagonal = VectorXd::Zero(n);
-    for (Index i = 0; i < n; ++i)
-      if (size[i] > 0 && S(i, i) > 0)
-        diagonal[i] = 1 / std::sqrt(S(i, i));
-    rows = independent_rows(diagonal.asDiagonal() * S * diagonal.asDiagonal());
-    scaling.resize(static_cast<Index>(rows.size()) + G.cols());
-    scaling << size(rows), VectorXd::Ones(G.cols());
+      W.rows() > 0 ? least_flexibility * W.diagonal().maxCoeff() : 0.;
+    VectorXd size(static_cast<Index>(rows.size()));
+    for (Index k = 0; k < size.size(); ++k)
+      {
+        const Index i = rows[static_cast<std::size_t>(k)];
+        size[k]       = W(i, i) > rounding ? 1 / std::sqrt(W(i, i)) :
+                        G.row(i).norm() > least_motion ? 1 / G.row(i).norm() :
+                                                         1.;
+      }
+    return size;
   }
 
   BoundUnknowns::BoundUnknowns(const MatrixXd &all,
                                const Index     n_c,
                                const Index     n_t,
                                const MatrixXd &free,
-                               const MatrixXd &tied)
+                               const MatrixXd &tied,
+                               RedundantRows   held_twice)
     : n_contact(n_c)
     , n_bound(n_t)
     , N(free)
     , M(tied)
+    , redundant(std::move(held_twice))
+    , rows(redundant.independent)
   {
-    const Index    k   = all.cols() - n_c - n_t;
-    const MatrixXd G   = all.topRightCorner(n_c + n_t, k);
-    const MatrixXd C   = all.bottomRightCorner(k, k);
-    const MatrixXd G_M = G.bottomRows(n_t) * M;
-    choose_rows(all.block(n_c, n_c, n_t, n_t), G_M);
+    const Index    k      = all.cols() - n_c - n_t;
+    const MatrixXd G      = all.topRightCorner(n_c + n_t, k);
+    const MatrixXd C      = all.bottomRightCorner(k, k);
+    const MatrixXd G_M    = G.bottomRows(n_t) * M;
+    const auto     n_rows = static_cast<Index>(rows.size());
+    scaling.resize(n_rows + M.cols());
+    scaling << scales_of(all.block(n_c, n_c, n_t, n_t), G_M),
+      VectorXd::Ones(M.cols());
 
-    const auto  n_rows = static_cast<Index>(rows.size());
     const Index n_e = n_rows + M.cols(), n_k = n_c + N.cols();
     for (Index j = 0; j < M.cols(); ++j)
       if (const double size =
@@ -202,7 +155,9 @@ namespace conetact::contact
            factor.solve(scaling.asDiagonal() * chosen_part(bound_load));
     VectorXd   result     = VectorXd::Zero(n_bound + M.rows());
     const auto n_rows     = static_cast<Index>(rows.size());
-    result(rows)          = x.head(n_rows);
+    VectorXd   reactions  = VectorXd::Zero(n_bound);
+    reactions(rows)       = x.head(n_rows);
+    result.head(n_bound)  = redundant.least(reactions);
     result.tail(M.rows()) = times(M, x.tail(M.cols()));
     return result;
   }

@@ -9,9 +9,11 @@
 #include "conetact/contact/large_nodes.h"
 #include "conetact/contact/open_motions.h"
 #include "conetact/solvers/large_system.h"
+#include "conetact/solvers/null_space.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace conetact::contact
 {
@@ -141,6 +143,36 @@ namespace conetact::contact
       }
   }
 
+  const pairing::ContactNode *
+  ContactModel::held_twice() const
+  {
+    if (points.n_bound() == 0)
+      return nullptr;
+    const auto *const bodies_by_themselves =
+      dynamic_cast<const DualBackend *>(condensed.get());
+    const Eigen::SparseMatrix<double> open =
+      bodies_by_themselves != nullptr ?
+        bodies_by_themselves->redundant_rows().open :
+        find_redundant_rows(bodies, points, coordinates, motions).open;
+    std::vector<const pairing::ContactNode *> node_of;
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      node_of.insert(node_of.end(),
+                     points.all()[i].dual.size(),
+                     points.all()[i].node);
+    for (Eigen::Index j = 0; j < open.cols(); ++j)
+      {
+        std::set<const pairing::ContactNode *> nodes;
+        for (Eigen::SparseMatrix<double>::InnerIterator it(open, j); it; ++it)
+          if (std::abs(it.value()) > 1e-9)
+            nodes.insert(node_of[static_cast<std::size_t>(it.row())]);
+        // Where supports hold both sides, as in a plane of symmetry, nothing is
+        // to share.
+        if (nodes.size() > 1 || (*nodes.begin())->masters.empty())
+          return *nodes.begin();
+      }
+    return nullptr;
+  }
+
   bool
   ContactModel::needs_dual() const
   {
@@ -159,11 +191,33 @@ namespace conetact::contact
                                    });
     // What slides far has other rows over the same bodies in each increment.
     // Mechanisms are found in a stiffness only, which there is where contacts
-    // see all motions.
+    // see all motions; it serves those that are some.
     return pairs || points.slide() || points.have_prescribed_slip() ||
            points.share_nodes() ||
-           (may_be_mechanism() ? motions.unseen().cols() > 0 :
-                                 motions.n_free() > 0 || has_equal_bodies());
+           (may_be_mechanism() ?
+              motions.unseen().cols() > 0 ||
+                (motions.n_free() > 0 && moves_as_rigid_only()) :
+              motions.n_free() > 0 || has_equal_bodies());
+  }
+
+  bool
+  ContactModel::moves_as_rigid_only() const
+  {
+    constexpr Eigen::Index few = 200;
+    if (points.n_unknowns() > few)
+      return false;
+    try
+      {
+        const WorkingSet   all(points.layout());
+        const Condensation stiffness(
+          elastic, rules, points, all, motions.null_space(), true, condenser);
+        return stiffness.system()->null_space.cols() ==
+               solvers::orthonormal_basis(motions.null_space()).cols();
+      }
+    catch (const backends::SingularMatrix &)
+      {
+        return false;
+      }
   }
 
   bool
@@ -212,11 +266,12 @@ namespace conetact::contact
       prescribed = prescribed.unaryExpr(
         [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
     LoadCase load;
-    if (thermal.size() == 0)
+    if (thermal.size() == 0 || is_dual())
       load = condense().reduce(all, prescribed);
-    else if (is_dual())
+    if (is_dual())
+      dynamic_cast<const DualBackend &>(condense()).forget_rounding(load);
+    if (thermal.size() > 0 && is_dual())
       {
-        load = condense().reduce(all, prescribed);
         // Heat presses no body as a whole: its forces cancel up to rounding,
         // and a free motion would take this rounding for a load.
         LoadCase heat =
@@ -232,7 +287,7 @@ namespace conetact::contact
         if (heat.bound.size() > 0)
           load.bound += heat.bound;
       }
-    else
+    else if (thermal.size() > 0)
       load = condense().reduce(all + thermal, prescribed);
     load.placement               = placement;
     const Eigen::VectorXd offset = all_offsets(load, t);

@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/bound_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,8 +126,13 @@ namespace conetact::contact
   void
   ContactPoints::add_all(const std::vector<double> &times)
   {
+    const BoundNodes bound(nodes());
     for (const pairing::ContactNode &node : nodes())
-      if (!node.is_bound())
+      if (node.is_bound())
+        continue;
+      else if (bound.hold(node)) // its gap cannot change: no unknown
+        ++n_held_normals;
+      else
         add(node, times);
     n_candidates = points.size();
     for (const pairing::ContactNode &node : nodes())
@@ -348,8 +354,9 @@ namespace conetact::contact
         contact_layout.mu[i++] = point.mu;
         contact_layout.first.push_back(
           point.first + static_cast<Eigen::Index>(point.dual.size()));
-        if (!nodes.insert({point.node->body, point.node->node}).second)
-          shared_nodes = true;
       }
+    for (const ContactPoint &point : points)
+      if (!nodes.insert({point.node->body, point.node->node}).second)
+        shared_nodes = true;
   }
 } // namespace conetact::contact

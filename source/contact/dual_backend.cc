@@ -5,8 +5,10 @@
 
 #include "conetact/base/index.h"
 #include "conetact/contact/equal_bodies.h"
+#include "conetact/contact/unseen_motions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace conetact::contact
 {
@@ -339,35 +341,6 @@ namespace conetact::contact
     return .5 * (W + W.transpose());
   }
 
-  // What contacts see of a motion only by rounding, such as a ring that turns
-  // in a frictionless bore, they do not see, nor do loads drive it.
-  void
-  DualBackend::forget_unseen(MatrixXd &G)
-  {
-    unseen.resize(G.cols(), 0);
-    if (G.cols() == 0 || G.rows() == 0)
-      return;
-    // The thin decomposition has as many right vectors as the shorter side;
-    // zero rows make it that of the columns.
-    MatrixXd tall = G;
-    if (G.rows() < G.cols())
-      {
-        tall.setZero(G.cols(), G.cols());
-        tall.topRows(G.rows()) = G;
-      }
-    const Eigen::JacobiSVD<MatrixXd> svd(tall, Eigen::ComputeThinV);
-    // Entries of G are about one, or all of them are rounding: where ties take
-    // every motion that contacts would see.
-    const double limit = 1e-12 * std::max(svd.singularValues().maxCoeff(), 1.);
-    const Index  seen  = (svd.singularValues().array() > limit).count();
-    unseen             = svd.matrixV().rightCols(G.cols() - seen);
-    // Solvers shall find exact zeros there, not rounding to divide by.
-    G -= (G * unseen).eval() * unseen.transpose();
-    for (Index j = 0; j < G.cols(); ++j)
-      if (G.col(j).norm() <= limit)
-        G.col(j).setZero();
-  }
-
   /* (W G; -G^T C) of all rows and of the bodies' own motions. */
   Eigen::MatrixXd
   DualBackend::assemble_all() const
@@ -438,7 +411,12 @@ namespace conetact::contact
     else
       {
         bound = BoundUnknowns(
-          all, n, n_bound, motions.free_of_own(), motions.tied_of_own());
+          all,
+          n,
+          n_bound,
+          motions.free_of_own(),
+          motions.tied_of_own(),
+          find_redundant_rows(elastic.bodies, points, coordinates, motions));
         system->matrix = bound.matrix();
         // where supports hold both sides nothing gives way: as elsewhere
         const double mean  = diagonal.mean();
@@ -449,7 +427,7 @@ namespace conetact::contact
     if (system->matrix.bottomRightCorner(k, k).isZero(0))
       {
         MatrixXd G = system->matrix.topRightCorner(n, k);
-        forget_unseen(G);
+        unseen     = forget_unseen(G);
         system->matrix.topRightCorner(n, k)   = G;
         system->matrix.bottomLeftCorner(k, n) = -G.transpose();
       }
@@ -593,6 +571,23 @@ namespace conetact::contact
     VectorXd f(H.rows() + motions.own().cols());
     f << H * w, without_unseen(imbalance(b) + rigid_imbalance(forces));
     return f;
+  }
+
+  void
+  DualBackend::forget_rounding(LoadCase &load) const
+  {
+    constexpr double rounding = 1e-13; // of a sum
+    VectorXd         terms    = VectorXd::Zero(motions.own().cols());
+    for (unsigned int body = 0; body < body_motions.size(); ++body)
+      if (const BodyMotions &m = body_motions[body]; m.R.size() > 0)
+        terms.segment(m.first, m.R.cols()) =
+          (m.R + m.Y).cwiseAbs().transpose() *
+          load.b.segment(own.begin(body), n_own(body)).cwiseAbs();
+    const VectorXd zero =
+      rounding * (motions.free_of_own().cwiseAbs().transpose() * terms);
+    for (Index j = 0; j < zero.size(); ++j)
+      if (double &sum = load.f[n_contact() + j]; std::abs(sum) <= zero[j])
+        sum = 0;
   }
 
   void

@@ -165,9 +165,20 @@ namespace conetact::contact
     for (std::size_t i = 0; i < points.size(); ++i)
       if (states[i] != solvers::NodeState::open)
         closed.push_back(make_closed(points[i], states[i], r));
+    const bool only_bound = closed.empty();
+    for (std::size_t i = points.size(); i < points.all().size() && !only_bound;
+         ++i)
+      closed.push_back(
+        make_closed(points.all()[i], solvers::NodeState::stick, r));
     closed = joined(std::move(closed));
     for (const auto &group : groups_of(closed))
-      if (exchange_forces(group))
+      // what is bound by itself has its share as it is told
+      if (std::any_of(group.begin(),
+                      group.end(),
+                      [](const Closed *one) {
+                        return !one->node->is_bound();
+                      }) &&
+          exchange_forces(group))
         return group.front()->node;
     return nullptr;
   }

@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/bound_nodes.h"
 
 #include <algorithm>
 #include <map>
@@ -22,12 +23,14 @@ namespace conetact::contact
     held_along_normals(const Bodies &bodies)
     {
       SupportedNodes    held = supported_nodes(bodies);
+      const BoundNodes  bound(bodies.contact_nodes);
       std::vector<bool> result;
       for (const pairing::ContactNode &node : bodies.contact_nodes)
         {
           std::vector<Tensor<1, 3>> basis; // orthonormal
           for (const Tensor<1, 3> &e : held[{node.body, node.node}])
             add_direction(e, basis);
+          bound.append(node, basis);
           result.push_back(is_spanned(node.n, basis));
         }
       return result;

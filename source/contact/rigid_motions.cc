@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/unseen_motions.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -115,6 +116,34 @@ namespace conetact::contact
         V * eigen.eigenvalues().tail(rank).cwiseInverse().asDiagonal() *
         V.transpose();
       return result;
+    }
+
+    /** Modes that move no node are no motions, such as the spin of a bar. */
+    Eigen::MatrixXd
+    moving_nothing(const Bodies &bodies, const RigidMotions::Motion &frame)
+    {
+      const bodies::Structure &structure = *bodies.structures[frame.body];
+      const Eigen::Index       n         = n_modes(bodies.dim);
+      if (!structure.may_be_mechanism()) // nor is it a bar
+        return {n, 0};
+      Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(n, n);
+      for (unsigned int i = 0; i < structure.n_nodes(); ++i)
+        {
+          Eigen::MatrixXd modes(3, n);
+          for (Eigen::Index k = 0; k < n; ++k)
+            {
+              const Tensor<1, 3> u = mode(static_cast<unsigned int>(k),
+                                          bodies.dim,
+                                          frame,
+                                          structure.position(i));
+              modes.col(k) << u[0], u[1], u[2];
+            }
+          moved += modes.transpose() * modes;
+          for (unsigned int c = bodies.dim; c < structure.n_components(); ++c)
+            if (structure.has_dof(i, c))
+              moved(c, c) += 1;
+        }
+      return split(moved).null;
     }
 
     std::string
@@ -236,6 +265,13 @@ namespace conetact::contact
           if (!is_axial(k)) // neither free nor ever moved
             held(body * n_one + k, body * n_one + k) = 1;
     hold_locked();
+    for (Index body = 0; body < n_bodies; ++body)
+      {
+        const Eigen::MatrixXd none =
+          moving_nothing(bodies, frames[static_cast<std::size_t>(body)]);
+        held.block(body * n_one, body * n_one, n_one, n_one) +=
+          none * none.transpose();
+      }
     own_modes = Eigen::MatrixXd(n, 0);
     own_body.clear();
     for (Index body = 0; body < n_bodies; ++body)
@@ -434,6 +470,7 @@ namespace conetact::contact
                                  });
           ++i;
         }
+    forget_unseen(seen_by_contacts);
   }
 
   Eigen::MatrixXd

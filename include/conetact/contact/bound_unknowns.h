@@ -4,6 +4,8 @@
 #ifndef conetact_contact_bound_unknowns_h
 #define conetact_contact_bound_unknowns_h
 
+#include "conetact/contact/redundant_rows.h"
+
 #include <Eigen/Dense>
 
 #include <vector>
@@ -25,9 +27,10 @@ namespace conetact::contact
    * form in @f$(r_c, a_f)@f$. @f$G_t N = 0@f$ but for what foundations deform.
    *
    * Rows that others imply (a node in two ties, or held by a support as well)
-   * carry nothing: a Cholesky factorisation of W_tt and of the motions that
-   * G_t sees, with pivots, tells which. Whether what they ask for is fulfilled,
-   * the verification finds out.
+   * are left out (RedundantRows). Of all reactions that do what the others do
+   * the least are given: they do not depend on axes, units or the order of
+   * rows. Whether what the rows left out ask for is fulfilled, the verification
+   * finds out.
    */
   class BoundUnknowns
   {
@@ -36,14 +39,21 @@ namespace conetact::contact
     BoundUnknowns() = default;
     /**
      * `all`: the matrix above, of n_c and n_t rows of contacts; N and M:
-     * orthonormal columns that span all motions together.
+     * orthonormal columns that span all motions together; `redundant`: of the
+     * rows t.
      */
     BoundUnknowns(const Eigen::MatrixXd &all,
                   const Eigen::Index     n_c,
                   const Eigen::Index     n_t,
                   const Eigen::MatrixXd &N,
-                  const Eigen::MatrixXd &M);
+                  const Eigen::MatrixXd &M,
+                  RedundantRows          redundant);
 
+    const RedundantRows &
+    redundant_rows() const
+    {
+      return redundant;
+    }
     /** The matrix of (r_c, a_f). */
     const Eigen::MatrixXd &
     matrix() const
@@ -73,13 +83,14 @@ namespace conetact::contact
     using VectorXd = Eigen::VectorXd;
     using MatrixXd = Eigen::MatrixXd;
 
-    void
-    choose_rows(const MatrixXd &W, const MatrixXd &G);
+    VectorXd
+    scales_of(const MatrixXd &W, const MatrixXd &G) const;
     VectorXd
     chosen_part(const VectorXd &bound_load) const;
 
     Index                         n_contact = 0, n_bound = 0;
     MatrixXd                      N, M;
+    RedundantRows                 redundant;
     std::vector<Index>            rows;    ///< of W_tt that are independent
     VectorXd                      scaling; ///< of them and the tied motions
     VectorXd                      sign;    ///< 1 of reactions, -1 of motions

@@ -12,6 +12,7 @@
 #include "conetact/contact/iterative_backend.h"
 #include "conetact/contact/iterative_limits.h"
 #include "conetact/contact/node_rules.h"
+#include "conetact/contact/redundant_rows.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include <memory>
@@ -37,6 +38,11 @@ namespace conetact::contact
     const Coordinates   coordinates; ///< of the bodies without contacts
     const ElasticSystem elastic;
     RigidMotions        motions;
+
+    /** A bound node of which supports or other bound contacts hold what its
+     * own contact does; null: there is none. */
+    const pairing::ContactNode *
+    held_twice() const;
 
     /**
      * Whether contacts are rows over bodies that condense themselves, with
@@ -195,6 +201,9 @@ namespace conetact::contact
     way_of_frames() const;
     bool
     needs_dual() const;
+    /** Of small frames, as that takes a factorisation. */
+    bool
+    moves_as_rigid_only() const;
     bool
     has_equal_bodies() const;
     std::unique_ptr<ElasticBackend>

@@ -55,6 +55,12 @@ namespace conetact::contact
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
+    /**
+     * A load whose parts cancel against a free motion leaves their rounding,
+     * which must not drive a body that nothing holds.
+     */
+    void
+    forget_rounding(LoadCase &load) const;
     void
     move_bound(const Eigen::VectorXd &offset, LoadCase &load) const override;
     BoundState
@@ -64,6 +70,12 @@ namespace conetact::contact
     bound_stiffness() const override
     {
       return stiffness_of_bound;
+    }
+    /** Of what is bound. */
+    const RedundantRows &
+    redundant_rows() const
+    {
+      return bound.redundant_rows();
     }
     double
     factor_bytes() const override;
@@ -151,8 +163,6 @@ namespace conetact::contact
     condense();
     void
     respond_to_springs();
-    void
-    forget_unseen(MatrixXd &G);
     MatrixXd
     assemble_all() const;
     void

@@ -10,6 +10,8 @@
 namespace
 {
   using conetact::contact::BoundUnknowns;
+  using conetact::contact::find_redundant_rows;
+  using conetact::contact::RedundantRows;
   using Eigen::Index;
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
@@ -41,7 +43,10 @@ namespace
           m->row(n_c + 3) = m->row(n_c);
           m->row(n_c + 4) = m->row(n_c + 1) - 2 * m->row(n_c + 2);
         }
+      MatrixXd rows(n_t, H.cols() + G.cols());
+      rows << H.bottomRows(n_t), G.bottomRows(n_t);
       const MatrixXd springs = random(k, 2);
+      redundant = find_redundant_rows(rows.sparseView(), {0, 2, 4, 5});
       matrix.resize(n_c + n_t + k, n_c + n_t + k);
       matrix << H * H.transpose(), G, -G.transpose(),
         springs * springs.transpose();
@@ -54,11 +59,12 @@ namespace
     std::normal_distribution<double> normal;
     MatrixXd                         matrix, N, M;
     VectorXd                         load;
+    RedundantRows                    redundant;
   };
 
   TEST_P(BoundTest, EquationsHoldAndTheRestStays)
   {
-    const BoundUnknowns bound(matrix, n_c, n_t, N, M);
+    const BoundUnknowns bound(matrix, n_c, n_t, N, M, redundant);
     const VectorXd      b    = bound.bound_part(load);
     const VectorXd      x    = random(n_c + n_free, 1);
     const VectorXd      all  = bound.complete(x, b);
@@ -76,9 +82,23 @@ namespace
     EXPECT_LT((form - seen).norm(), 1e-10 * size);
   }
 
+  TEST_P(BoundTest, ReactionsAreTheLeastThatDoTheSame)
+  {
+    const BoundUnknowns bound(matrix, n_c, n_t, N, M, redundant);
+    const VectorXd      all =
+      bound.complete(random(n_c + n_free, 1), bound.bound_part(load));
+    const VectorXd r = all.segment(n_c, n_t);
+    ASSERT_EQ(redundant.open.cols(), 2);
+    MatrixXd same = MatrixXd::Zero(n_t, 2); // r that act on nothing
+    same.col(0) << 1, 0, 0, -1, 0;
+    same.col(1) << 0, 1, -2, 0, -1;
+    EXPECT_LT((same.transpose() * r).norm(), 1e-12 * r.norm());
+  }
+
   TEST_P(BoundTest, TheFormIsThatOfSolvers)
   {
-    const MatrixXd K = BoundUnknowns(matrix, n_c, n_t, N, M).matrix();
+    const MatrixXd K =
+      BoundUnknowns(matrix, n_c, n_t, N, M, redundant).matrix();
     EXPECT_EQ(K.topLeftCorner(n_c, n_c), K.topLeftCorner(n_c, n_c).transpose());
     EXPECT_EQ(K.topRightCorner(n_c, n_free),
               -K.bottomLeftCorner(n_free, n_c).transpose());
@@ -96,8 +116,12 @@ namespace
     MatrixXd matrix(3, 3);
     matrix << 2, 1, -1, -1, 0, 0, 1, 0, 0;
     const double        s = std::sqrt(.5);
-    const BoundUnknowns bound(
-      matrix, 0, 1, Eigen::Vector2d(s, s), Eigen::Vector2d(s, -s));
+    const BoundUnknowns bound(matrix,
+                              0,
+                              1,
+                              Eigen::Vector2d(s, s),
+                              Eigen::Vector2d(s, -s),
+                              {{0}, Eigen::SparseMatrix<double>(1, 0)});
     EXPECT_EQ(bound.matrix(), MatrixXd::Zero(1, 1));
     // pulled apart by 3 each: the tie carries it
     const VectorXd load = Eigen::Vector3d(0, -3, 3);

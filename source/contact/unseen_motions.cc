@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/unseen_motions.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::contact
+{
+  /* Squares of rows tell roughly which these may be, and cost little; the rows
+     themselves which they are. */
+  Eigen::MatrixXd
+  forget_unseen(Eigen::MatrixXd &rows)
+  {
+    constexpr double zero = 1e-12, nearly = 1e-6;
+    if (rows.size() == 0)
+      return {rows.cols(), 0};
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(
+      rows.transpose() * rows);
+    const Eigen::VectorXd &values = squares.eigenvalues();
+    // Entries are about one, or all of them are rounding: where ties take every
+    // motion that contacts would see.
+    const double       most = std::max(1., std::sqrt(values.maxCoeff()));
+    const Eigen::Index n =
+      (values.array() <= std::pow(nearly * most, 2)).count();
+    if (n == 0)
+      return {rows.cols(), 0};
+    const Eigen::MatrixXd near = squares.eigenvectors().leftCols(n);
+    // with rows of zeros there are as many right vectors as columns
+    Eigen::MatrixXd seen      = Eigen::MatrixXd::Zero(rows.rows() + n, n);
+    seen.topRows(rows.rows()) = rows * near;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(seen, Eigen::ComputeThinV);
+    const Eigen::Index                      n_seen =
+      (svd.singularValues().array() > zero * most).count();
+    const Eigen::MatrixXd unseen = near * svd.matrixV().rightCols(n - n_seen);
+    rows -= (rows * unseen).eval() * unseen.transpose();
+    for (Eigen::Index j = 0; j < rows.cols(); ++j)
+      if (rows.col(j).norm() <= zero * most)
+        rows.col(j).setZero();
+    return unseen;
+  }
+} // namespace conetact::contact
