@@ -18,19 +18,11 @@ namespace conetact::application
   std::string
   Scene::why_not_sliding(const pairing::Contact &contact) const
   {
-    const bool keeps_state = checkpoint_every > 0 || restart;
-    if (keeps_state)
-      return "a run in which contacts slide far cannot be continued from a "
-             "checkpoint. Set Output/Checkpoint to 0";
     if (path.follows)
       return "a load path follows contacts of undeformed bodies";
     if (adaptive.cycles > 0)
       return "meshes are refined for contacts of undeformed bodies. Set "
              "Adaptive refinement to 0";
-    if (bodies.structures[contact.body]->is_axisymmetric())
-      return "bodies of revolution (Plane = axisymmetric) slide little along " +
-             std::string(contact.obstacle != nullptr ? "obstacles" :
-                                                       "each other");
     return pairing::why_not_sliding(contact, bodies.structures);
   }
 
@@ -119,13 +111,6 @@ namespace conetact::application
   void
   Scene::check_turning_supports() const
   {
-    const bool keeps_state = checkpoint_every > 0 || restart;
-    for (const bodies::Support &support : bodies.supports)
-      if (support.turn && keeps_state)
-        throw InputError("Support '" + support.name +
-                         "', Turn: a run in which bodies turn far cannot be "
-                         "continued from a checkpoint. Set Output/Checkpoint "
-                         "to 0.");
     for (const bodies::Support &support : bodies.supports)
       if (support.turn && (path.follows || adaptive.cycles > 0))
         throw InputError("Support '" + support.name +
