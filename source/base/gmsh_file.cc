@@ -164,11 +164,12 @@ namespace conetact
       std::string        section;
     };
 
-    /** Dimension and numbers of nodes; corners stand first. */
+    /** Dimension and numbers of nodes; corners stand first, then the middles of
+     * edges if it has them. */
     struct Kind
     {
       unsigned int dim;
-      std::size_t  n_nodes, n_corners;
+      std::size_t  n_nodes, n_corners, n_middles = 0;
     };
     Kind
     kind_of(const std::size_t type)
@@ -181,18 +182,18 @@ namespace conetact
                                                         {6, {3, 6, 6}},
                                                         {7, {3, 5, 5}},
                                                         // of second order
-                                                        {8, {1, 3, 2}},
-                                                        {9, {2, 6, 3}},
-                                                        {10, {2, 9, 4}},
-                                                        {11, {3, 10, 4}},
-                                                        {12, {3, 27, 8}},
-                                                        {13, {3, 18, 6}},
-                                                        {14, {3, 14, 5}},
+                                                        {8, {1, 3, 2, 1}},
+                                                        {9, {2, 6, 3, 3}},
+                                                        {10, {2, 9, 4, 4}},
+                                                        {11, {3, 10, 4, 6}},
+                                                        {12, {3, 27, 8, 12}},
+                                                        {13, {3, 18, 6, 9}},
+                                                        {14, {3, 14, 5, 8}},
                                                         {15, {0, 1, 1}},
-                                                        {16, {2, 8, 4}},
-                                                        {17, {3, 20, 8}},
-                                                        {18, {3, 15, 6}},
-                                                        {19, {3, 13, 5}}};
+                                                        {16, {2, 8, 4, 4}},
+                                                        {17, {3, 20, 8, 12}},
+                                                        {18, {3, 15, 6, 9}},
+                                                        {19, {3, 13, 5, 8}}};
       const auto                               found = kinds.find(type);
       if (found == kinds.end())
         throw GmshFault{"it has elements of third or higher order, or of a "
@@ -414,12 +415,23 @@ namespace conetact
             if (found != groups_of.end())
               element.groups = found->second;
             for (std::size_t k = 0; k < kind.n_nodes; ++k)
-              if (const unsigned int point = node(source.count());
-                  k < kind.n_corners)
-                element.nodes.push_back(point);
+              add_node(kind, k, node(source.count()), element);
             if (kind.dim > 0)
               mesh.elements.push_back(std::move(element));
           }
+      }
+
+      /** Corners stand first, then the middles of edges, of faces and cell. */
+      static void
+      add_node(const Kind        &kind,
+               const std::size_t  k,
+               const unsigned int point,
+               GmshMesh::Element &element)
+      {
+        if (k < kind.n_corners)
+          element.nodes.push_back(point);
+        else if (k < kind.n_corners + kind.n_middles)
+          element.middles.push_back(point);
       }
 
       /* Type, number of elements and tags; then the elements. */
@@ -452,9 +464,7 @@ namespace conetact
           if (const long tag = source.integer(); k == 0 && tag != 0)
             element.groups.insert(group(tag));
         for (std::size_t k = 0; k < kind.n_nodes; ++k)
-          if (const unsigned int point = node(source.small_count());
-              k < kind.n_corners)
-            element.nodes.push_back(point);
+          add_node(kind, k, node(source.small_count()), element);
         if (kind.dim == 0)
           return;
         std::vector<unsigned int> key = element.nodes;

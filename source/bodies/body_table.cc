@@ -148,7 +148,7 @@ namespace conetact::bodies
       return std::make_unique<Continuum<dim>>(std::move(triangulation),
                                               of_cells,
                                               *row,
-                                              groups.faces);
+                                              groups);
     }
 
     std::unique_ptr<Structure>

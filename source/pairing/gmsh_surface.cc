@@ -22,9 +22,14 @@ namespace conetact::pairing
       }
     SurfaceFaces mesh;
     mesh.points = file.points;
+    std::vector<const GmshMesh::Element *> taken;
     for (const GmshMesh::Element &element : file.elements)
       if (element.dim == dim - 1) // not the lines round faces, nor cells
-        mesh.faces.push_back(element.nodes);
+        {
+          mesh.faces.push_back(element.nodes);
+          taken.push_back(&element);
+        }
+    mesh.bent = bent_edges(file, taken);
     return mesh;
   }
 } // namespace conetact::pairing

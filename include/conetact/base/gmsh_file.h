@@ -15,7 +15,7 @@
 namespace conetact
 {
   /**
-   * What a mesh file of Gmsh holds: points, elements of first order with the
+   * What a mesh file of Gmsh holds: points, the corners of elements with the
    * physical groups that they belong to, and the names of these groups.
    * Versions 2 and 4.1, text or binary; the format is that of Gmsh's reference
    * manual, section "MSH file format".
@@ -27,6 +27,7 @@ namespace conetact
       unsigned int              dim;    ///< of a line 1, of a tetrahedron 3
       std::vector<unsigned int> nodes;  ///< of points, in Gmsh's order
       std::set<unsigned int>    groups; ///< numbers of physical groups
+      std::vector<unsigned int> middles = {}; ///< of edges; of second order
     };
     std::vector<Point<3>> points;
     std::vector<Element>  elements; ///< without points

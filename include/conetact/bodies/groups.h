@@ -20,6 +20,8 @@ namespace conetact::bodies
   {
     using Ids = std::map<std::string, BoundaryIds>;
     Ids faces, cells;
+    /** What a user must know of the file, sentences; empty: nothing. */
+    std::string caution = {};
   };
 
   /**

@@ -4,6 +4,7 @@
 #ifndef conetact_pairing_surface_words_h
 #define conetact_pairing_surface_words_h
 
+#include "conetact/base/gmsh_edges.h"
 #include "conetact/base/points.h"
 
 #include <istream>
@@ -20,6 +21,7 @@ namespace conetact::pairing
   {
     std::vector<Point<3>>                  points;
     std::vector<std::vector<unsigned int>> faces; ///< numbers of points
+    BentEdges                              bent;  ///< of second order
   };
 
   // What readers of surfaces share. Nothing but Fault leaves them.

@@ -105,7 +105,7 @@ namespace conetact::bodies
     std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
     const std::vector<ElasticMaterial>              &materials,
     const ElementRow<dim>                           &row,
-    const MeshGroups::Ids                           &groups)
+    const MeshGroups                                &groups)
     : discretization(
         std::make_unique<Discretization<dim>>(std::move(finished_mesh),
                                               row.degree))
@@ -113,7 +113,8 @@ namespace conetact::bodies
     , cells(std::make_unique<CellQuadrature<dim>>(*discretization))
     , faces(std::make_unique<BoundaryFaces<dim>>(*discretization))
     , phases(make_phases(materials, row))
-    , groups_of_faces(groups)
+    , groups_of_faces(groups.faces)
+    , of_file(groups.caution)
     , thickness(dim == 2 && !materials.front().is_axisymmetric() ?
                   materials.front().thickness :
                   1)
@@ -445,11 +446,12 @@ namespace conetact::bodies
   Continuum<dim>::caution() const
   {
     if (!cells->has_simplices() || cells->degree() > 1)
-      return {};
+      return of_file;
     const std::string kind = dim == 2 ? "triangles" : "tetrahedra";
     return "linear " + kind + " are too stiff in bending and lock near nu = " +
            "0.5. Refine until results stay the same, or use " +
-           (dim == 2 ? "quadrilaterals." : "hexahedra.");
+           (dim == 2 ? "quadrilaterals." : "hexahedra.") +
+           (of_file.empty() ? "" : " Besides, " + of_file);
   }
 
   template <int dim>

@@ -4,7 +4,7 @@
 #include "conetact/bodies/continuum/gmsh_mesh.h"
 
 #include "conetact/base/errors.h"
-#include "conetact/base/gmsh_file.h"
+#include "conetact/base/gmsh_edges.h"
 #include "conetact/base/text.h"
 
 #include <deal.II/base/geometry_info.h>
@@ -278,8 +278,13 @@ namespace conetact::bodies
       if (!cell->groups.empty())
         seen.insert(cell->groups);
     MeshGroups groups;
-    groups.cells = ids.names(seen);
-    groups.faces = set_boundary_ids(file, vertices, mesh);
+    groups.cells         = ids.names(seen);
+    groups.faces         = set_boundary_ids(file, vertices, mesh);
+    const BentEdges bent = bent_edges(file, cells);
+    groups.caution       = to_sentence(bent,
+                                 parameters.file.filename().string(),
+                                 parameters.placement.scale,
+                                 parameters.to_scene(bent.place));
     return groups;
   }
 

@@ -49,7 +49,7 @@ namespace conetact::bodies
     Continuum(std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
               const std::vector<ElasticMaterial>              &materials,
               const ElementRow<dim>                           &row,
-              const MeshGroups::Ids                           &groups);
+              const MeshGroups                                &groups);
     ~Continuum() override;
 
     unsigned int
@@ -116,7 +116,7 @@ namespace conetact::bodies
     /** Of the worst of its materials. */
     double
     contrast_of_strains() const override;
-    /** Of triangles and tetrahedra: they lock. */
+    /** Of triangles and tetrahedra: they lock. Of edges that a file bends. */
     std::string
     caution() const override;
     std::string
@@ -156,6 +156,7 @@ namespace conetact::bodies
     std::unique_ptr<const BoundaryFaces<dim>>  faces;
     Phases<dim>                                phases;
     MeshGroups::Ids                            groups_of_faces;
+    std::string                                of_file;   ///< cautions
     double                                     thickness; ///< 1 in 3D, of rings
     const char                                *element_name;
     CellMatrices<dim>                          matrices;
