@@ -4,6 +4,7 @@
 #include "conetact/bodies/groups.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
@@ -31,13 +32,20 @@ namespace conetact::bodies
               word.front() == '\'');
     }
 
+    /** What to write in place of a name that no group has. */
     std::string
-    names_of(const MeshGroups::Ids &groups)
+    advice(const std::string &name, const MeshGroups::Ids &groups)
     {
+      if (groups.empty())
+        return "Give whole numbers, separated by commas: the mesh has no "
+               "groups with names.";
       std::vector<std::string> names;
-      for (const auto &[name, ids] : groups)
-        names.push_back(name);
-      return join(names);
+      for (const auto &[known, ids] : groups)
+        names.push_back(known);
+      const std::string other = nearest(name, names);
+      return (other.empty() ? "" : "Did you mean '" + other + "'? ") +
+             "The mesh has the groups " + join(names) +
+             ": give one of them, or a number.";
     }
   } // namespace
 
@@ -54,11 +62,7 @@ namespace conetact::bodies
         ids.insert(found->second.begin(), found->second.end());
       else if (begins_like_a_name(word))
         throw InputError(entry + ": '" + unquoted(word) + "' is not " + what +
-                         (groups.empty() ?
-                            ". Give whole numbers, separated by commas: the "
-                            "mesh has no groups with names." :
-                            ". The mesh has the groups " + names_of(groups) +
-                              ": give one of them, or a number."));
+                         ". " + advice(unquoted(word), groups));
       else
         numbers += (numbers.empty() ? "" : ", ") + word;
     if (!numbers.empty() || ids.empty())
