@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/pairing/joined_surface.h"
 #include "conetact/pairing/surface_words.h"
 
 #include <algorithm>
@@ -151,37 +152,6 @@ namespace conetact::pairing
       return text.str();
     }
 
-    /** Equal points become one, what falls together is no face. */
-    SurfaceFaces
-    merged(const SurfaceFaces &mesh)
-    {
-      using Key = std::array<double, 3>;
-      SurfaceFaces                result;
-      std::map<Key, unsigned int> known;
-      std::vector<unsigned int>   number_of;
-      for (const Point<3> &p : mesh.points)
-        {
-          // + 0. makes -0 a 0
-          const auto [place, is_new] =
-            known.emplace(Key{{p[0] + 0., p[1] + 0., p[2] + 0.}},
-                          static_cast<unsigned int>(result.points.size()));
-          if (is_new)
-            result.points.push_back(p);
-          number_of.push_back(place->second);
-        }
-      for (const std::vector<unsigned int> &face : mesh.faces)
-        {
-          std::vector<unsigned int> corners;
-          for (const unsigned int i : face)
-            if (std::find(corners.begin(), corners.end(), number_of[i]) ==
-                corners.end())
-              corners.push_back(number_of[i]);
-          if (corners.size() >= std::min<std::size_t>(face.size(), 3))
-            result.faces.push_back(corners);
-        }
-      return result;
-    }
-
     SurfaceFaces
     read(const std::filesystem::path &file, const unsigned int dim)
     {
@@ -205,7 +175,8 @@ namespace conetact::pairing
         if (!std::isfinite(p.norm_square()))
           throw Fault{"a coordinate of " + to_text(p) +
                       " is not a finite number"};
-      const SurfaceFaces result = merged(mesh);
+      SurfaceFaces result = joined(mesh);
+      result.bent         = mesh.bent;
       if (result.faces.empty())
         throw Fault{dim == 2 ?
                       "it has no lines. In 2D give a .msh file of lines" :

@@ -14,8 +14,9 @@ namespace conetact::pairing
   /**
    * Reads STL (ASCII or binary), Wavefront OBJ (faces of more than four
    * corners as fans of triangles) or Gmsh (.msh, versions 2 and 4.1), by
-   * extension. In the plane lines are taken, of Gmsh only. Equal points become
-   * one. `entry` is named in messages. Throws InputError.
+   * extension. In the plane lines are taken, of Gmsh only. Points that
+   * are meant to be one become one (joined()). `entry` is named in messages.
+   * Throws InputError.
    */
   SurfaceFaces
   read_surface(const std::filesystem::path &file,
