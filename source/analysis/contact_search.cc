@@ -533,11 +533,42 @@ namespace conetact::analysis
            "finer cells as slave (Body), or smaller cells";
   }
 
+  /* An edge or a corner of the body may be pressed along any direction between
+     the normals of its faces, whether these are in the contact or not. */
+  double
+  ContactSearch::angle_to_body(const pairing::ContactNode &node) const
+  {
+    const auto  &frames_now = model.bodies.frames();
+    Tensor<1, 3> towards    = -node.n;
+    if (node.body < frames_now.size())
+      towards = transpose(frames_now[node.body].rotation) * towards;
+    const auto angle = [&](const std::vector<Tensor<1, 3>> &normals) {
+      return std::acos(
+        std::min(1., pairing::nearest_in_cone(towards, normals).norm()));
+    };
+    double nearest = M_PI / 2;
+    for (const Tensor<1, 3> &n : node.outward)
+      nearest = std::min(nearest, angle({n}));
+    if (nearest < M_PI / 12) // most often
+      return nearest;
+    const bodies::Structure &body  = *model.bodies.structures[node.body];
+    const auto               nodes = body.surface(body.boundary_ids()).nodes;
+    const auto               found =
+      std::lower_bound(nodes.begin(),
+                       nodes.end(),
+                       node.node,
+                       [](const auto &surface_node, const unsigned int number) {
+                         return surface_node.node < number;
+                       });
+    if (found == nodes.end() || found->node != node.node)
+      return nearest;
+    return std::min(nearest, angle(found->normals));
+  }
+
   std::string
   ContactSearch::meets_askew(const PendingIncrement &increment) const
   {
     constexpr double largest = M_PI / 6, little = 1e-2; // of the largest force
-    const auto      &now   = model.bodies.frames();
     double           scale = 0;
     for (const contact::ContactPoint &point : model.points)
       scale =
@@ -549,19 +580,13 @@ namespace conetact::analysis
             contact::force_of(point, increment.state.r).norm() <=
               little * scale)
           continue;
-        double facing = -1; // cosine
-        for (Tensor<1, 3> n : node.outward)
-          {
-            if (node.body < now.size())
-              n = now[node.body].rotation * n;
-            facing = std::max(facing, -(n * node.n));
-          }
-        if (facing < std::cos(largest))
+        const double askew = angle_to_body(node);
+        if (askew > largest)
           return "obstacle '" + node.obstacle->name + "' presses on " +
                  model.bodies.called(node.body) + " at the node " +
                  to_text(node.position) + " along " +
                  to_text(Point<3>(node.n)) + ", " +
-                 to_text(std::acos(facing) * 180 / M_PI) +
+                 to_text(askew * 180 / M_PI) +
                  " degrees off the body's normal there, as where an edge is in "
                  "between nodes: its reactions are as wrong. Use smaller cells "
                  "there, a rounded obstacle, or a body in its place";

@@ -62,6 +62,11 @@ namespace conetact::analysis
     std::string
     meets_askew(const PendingIncrement &increment) const;
 
+    /** Between where a node is pressed from and the normals of its body [rad].
+     */
+    double
+    angle_to_body(const pairing::ContactNode &node) const;
+
     using Nodes = std::vector<pairing::ContactNode>;
     /** Contacts where bodies are at time t: displacements u of all dofs. */
     Nodes
