@@ -128,6 +128,8 @@ namespace conetact::pairing
         for (std::size_t f = 0; f < slave.all().size(); ++f)
           add_face(f);
         rows.give_up(structures[contact.body]->hanging_nodes());
+        rows.give_up_nodes(
+          [&](const unsigned int node) { return one_by_one.is_joined(node); });
         note_seen();
         rows.give_up_small();
       }
@@ -142,6 +144,8 @@ namespace conetact::pairing
         PairedNodes found;
         for (const bodies::SurfaceNode &s : one_by_one.slave_surface().nodes)
           {
+            if (one_by_one.is_joined(s.node))
+              continue;
             const auto [begin, end]  = rows_of.equal_range(s.node);
             const std::size_t before = found.nodes.size();
             for (auto row = begin; row != end; ++row)

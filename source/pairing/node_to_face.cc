@@ -43,6 +43,30 @@ namespace conetact::pairing
     }
   } // namespace
 
+  namespace
+  {
+    /** Nodes that both sides of a contact of a body with itself have. */
+    std::set<unsigned int>
+    joined_nodes(const Contact           &contact,
+                 const bodies::Structure &body,
+                 const bodies::Surface   &surface)
+    {
+      std::set<unsigned int> joined;
+      if (contact.obstacle != nullptr || contact.body != contact.master)
+        return joined;
+      const bodies::Surface master = body.surface(contact.master_ids);
+      for (const bodies::SurfaceNode &node : master.nodes)
+        if (std::binary_search(surface.nodes.begin(),
+                               surface.nodes.end(),
+                               node,
+                               [](const auto &a, const auto &b) {
+                                 return a.node < b.node;
+                               }))
+          joined.insert(node.node);
+      return joined;
+    }
+  } // namespace
+
   double
   interference_allowed(const Contact &contact, const double face_size)
   {
@@ -56,6 +80,7 @@ namespace conetact::pairing
     , body(*structures[contact.body])
     , surface(body.surface(contact.ids))
     , spacing(spacings(surface, body))
+    , joined(joined_nodes(contact, body, surface))
   {
     if (contact.obstacle == nullptr)
       master.emplace(*structures[contact.master], contact.master_ids);
@@ -152,6 +177,8 @@ namespace conetact::pairing
     PairedNodes found;
     for (const bodies::SurfaceNode &s : pairing.slave_surface().nodes)
       {
+        if (pairing.is_joined(s.node))
+          continue;
         ++found.n_nodes;
         auto node = pairing.find(s);
         if (node)

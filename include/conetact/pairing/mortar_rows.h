@@ -6,6 +6,7 @@
 
 #include "conetact/pairing/face_net.h"
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -57,6 +58,10 @@ namespace conetact::pairing
     /** Hanging nodes have no rows: those that they follow take theirs. */
     void
     give_up(const std::vector<bodies::HangingNode> &hanging);
+    /** Nodes that are none of the contact leave what they have to the nodes of
+     * the same faces. */
+    void
+    give_up_nodes(const std::function<bool(const unsigned int node)> &is_none);
     /** Rows of next to no area give it to the neighbours that have most. */
     void
     give_up_small();

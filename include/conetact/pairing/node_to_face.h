@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace conetact::pairing
@@ -41,6 +42,16 @@ namespace conetact::pairing
       return *master;
     }
 
+    /**
+     * Whether both sides of a self contact have the node, as the tip of a crack
+     * does: it is joined there, and is no contact node.
+     */
+    bool
+    is_joined(const unsigned int node) const
+    {
+      return joined.count(node) > 0;
+    }
+
     /** A node of the contact without its opponent. */
     ContactNode
     free_node(const bodies::SurfaceNode &s) const;
@@ -70,6 +81,7 @@ namespace conetact::pairing
     const bodies::Structure         &body;
     bodies::Surface                  surface;
     std::map<unsigned int, double>   spacing;
+    std::set<unsigned int>           joined; ///< nodes of both sides
     std::optional<MasterSurface>     master;
     std::optional<PairedNodes::Deep> deepest;
   };
