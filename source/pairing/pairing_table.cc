@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/pairing/face_to_node.h"
 #include "conetact/pairing/mortar.h"
 #include "conetact/pairing/node_to_face.h"
 
@@ -29,6 +30,12 @@ namespace conetact::pairing
   pairing_of(const Contact                                &contact,
              const std::vector<const bodies::Structure *> &structures)
   {
+    static const PairingRow nodes = {"face to node",
+                                     "the master's nodes meet faces",
+                                     pair_faces_with_nodes,
+                                     false};
+    if (has_nodes_as_masters(contact, structures))
+      return nodes;
     const auto has_faces = [&](const unsigned int         body,
                                const bodies::BoundaryIds &ids) {
       const bodies::Surface surface = structures[body]->surface(ids);
