@@ -15,6 +15,7 @@
 #include "conetact/contact/held_nodes.h"
 #include "conetact/contact/preloads.h"
 #include "conetact/output/problem_files.h"
+#include "conetact/pairing/adjusted_gaps.h"
 #include "conetact/pairing/obstacle_table.h"
 
 #include <algorithm>
@@ -204,6 +205,8 @@ namespace conetact::application
         bodies::create_load(prm, name, dim, bodies.names, bodies.structures));
     });
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
+      if (pairing::adjusts_gaps(prm))
+        adjusted_contacts.push_back(static_cast<unsigned int>(contacts.size()));
       contacts.push_back(pairing::create_contact(
         prm, name, dim, bodies.names, bodies.structures, obstacles));
       kinematics.push_back({pairing::read_kinematics(prm), {}, {}});

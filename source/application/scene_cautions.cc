@@ -3,6 +3,7 @@
 
 #include "conetact/application/scene.h"
 #include "conetact/base/text.h"
+#include "conetact/pairing/obstacle_shapes.h"
 
 namespace conetact::application
 {
@@ -33,6 +34,10 @@ namespace conetact::application
           " at t = 0, when the obstacle stands as its shape says: the first "
           "increment moves it by that, too. Begin with 0, or place the shape "
           "there.");
+    for (const pairing::Obstacle &obstacle : obstacles)
+      if (const std::string what = pairing::caution_of(*obstacle.shape);
+          !what.empty())
+        sentences.push_back("Obstacle '" + obstacle.name + "': " + what);
     for (const pairing::Contact &contact : contacts)
       if (contact.preload && contact.preload->locked_from &&
           *contact.preload->locked_from > times.back())

@@ -8,6 +8,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/held_nodes.h"
+#include "conetact/pairing/adjusted_gaps.h"
 #include "conetact/pairing/flatness.h"
 
 #include <algorithm>
@@ -98,6 +99,11 @@ namespace conetact::application
           contacts, bodies.names, bodies.structures, bodies.dim);
         bodies.contact_nodes = std::move(found.nodes);
         pairings             = std::move(found.pairings);
+        for (const unsigned int c : adjusted_contacts)
+          pairing::adjust_gaps(contacts[c],
+                               c,
+                               bodies.structures,
+                               bodies.contact_nodes);
         contact::align_with_supports(bodies, bodies.contact_nodes);
         const auto held = contact::why_held_nodes_do_not_slide(bodies);
         again           = false;

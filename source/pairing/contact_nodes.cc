@@ -8,6 +8,8 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/adjusted_gaps.h"
+#include "conetact/pairing/face_to_node.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,34 +156,42 @@ namespace conetact::pairing
       contact.reach = reach.empty() ? size_of(*structures[contact.body],
                                               *structures[contact.master]) :
                                       to_number(reach, in + "Reach");
-      if (!prm.get("Gap").empty())
+      if (!prm.get("Gap").empty() && !adjusts_gaps(prm))
         contact.gap.emplace(prm.get("Gap"), in + "Gap");
-      if (structures[contact.body]->surface(contact.ids).two_sided &&
+      const bodies::Surface own =
+        structures[contact.body]->surface(contact.ids);
+      if (has_nodes_as_masters(contact, structures) &&
+          (own.two_sided || own.faces.empty()))
+        throw InputError(in +
+                         "Master boundary ids: they are single nodes of '" +
+                         bodies[contact.master] +
+                         "', which only faces of a continuum meet, and '" +
+                         bodies[contact.body] +
+                         "' is a frame. Give boundary ids of its members.");
+      if (own.two_sided &&
           !structures[contact.master]->surface(contact.master_ids).two_sided)
         throw InputError(in + "Body: '" + bodies[contact.body] +
                          "' is a frame and its master a continuum. Exchange "
                          "them: the continuum's nodes meet the frame.");
       if (contact.body == contact.master)
-        for (const bodies::SurfaceNode &a :
-             structures[contact.body]->surface(contact.ids).nodes)
-          for (const bodies::SurfaceNode &b :
-               structures[contact.body]->surface(contact.master_ids).nodes)
-            // A node against itself would be 0 = 0.
-            if (a.node == b.node)
-              throw InputError(in + "Master boundary ids: the node at " +
-                               to_text(a.position) +
-                               " lies on both sides of the contact. Give "
-                               "boundaries without common nodes.");
+        for (const unsigned int id : contact.master_ids)
+          // A face against itself would be 0 = 0.
+          if (contact.ids.count(id) > 0)
+            throw InputError(in +
+                             "Master boundary ids: the faces with the id " +
+                             std::to_string(id) +
+                             " are on both sides of the contact. Give each "
+                             "side its own boundary ids.");
     }
 
     /** Entries that tell of a master body, where there is an obstacle. */
     void
     refuse_masters(const dealii::ParameterHandler &prm, const std::string &in)
     {
-      if (!prm.get("Gap").empty())
+      if (!prm.get("Gap").empty() && !adjusts_gaps(prm))
         throw InputError(in + "Gap: it is that to a Master body. Gaps to an "
                               "obstacle follow from its place: leave it "
-                              "empty.");
+                              "empty, or give adjust.");
       for (const char *entry : {"Master boundary ids", "Reach"})
         if (!prm.get(entry).empty())
           throw InputError(in + entry +
@@ -523,7 +533,13 @@ namespace conetact::pairing
                         Anything(),
                         "Gap to the master body as a function of x, y, z and "
                         "t; negative: an interference, as of a press fit. "
-                        "Ties and bilateral contacts close it. Empty: from "
+                        "Ties and bilateral contacts close it. adjust, with an "
+                        "obstacle, too: 0 at nodes that are drawn to touch, "
+                        "which are those whose gap, positive or negative, is "
+                        "within one and a half times of how far the plane "
+                        "facets of both sides stand off curved surfaces; "
+                        "others keep the gap that is drawn. An interference "
+                        "that small has to be written down. Empty: from "
                         "geometry; ties and bilateral contacts keep that as "
                         "it is. [length]");
     }
@@ -626,7 +642,9 @@ namespace conetact::pairing
     prm.declare_entry("Master boundary ids",
                       "",
                       Anything(),
-                      "Boundary ids of the master body.");
+                      "Boundary ids of the master body. Those of single nodes "
+                      "of a frame, as the end of a beam that runs against a "
+                      "stop: these nodes meet the body's faces.");
     prm.declare_entry("Reach",
                       "",
                       Anything(),
@@ -731,6 +749,10 @@ namespace conetact::pairing
     else
       find_master(prm, in, bodies, structures, contact);
 
+    if (adjusts_gaps(prm) && contact.kind != ContactKind::contact)
+      throw InputError(in + "Gap: adjust is for Kind = contact. Ties and "
+                            "bilateral contacts keep gaps as they are drawn: "
+                            "leave the entry empty, or give 0 to close them.");
     find_limits(prm, in, contact);
     refuse_single_nodes(contact, in, structures);
     contact.friction.emplace(prm.get("Friction coefficient"),

@@ -8,12 +8,15 @@
 #include "conetact/bodies/placement.h"
 #include "conetact/bodies/rigid_body.h"
 #include "conetact/pairing/face_net.h"
+#include "conetact/pairing/facets.h"
 #include "conetact/pairing/obstacle_entries.h"
 #include "conetact/pairing/obstacle_shapes.h"
 #include "conetact/pairing/surface_files.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace conetact::pairing
@@ -134,9 +137,22 @@ namespace conetact::pairing
     class SurfaceMesh : public ObstacleShape
     {
     public:
-      explicit SurfaceMesh(const SurfaceFaces &mesh)
-        : net(bodies::RigidBody(3, Point<3>(), mesh.points), surface_of(mesh))
+      /** `of_file` is what a user must know of it, a sentence or nothing. */
+      SurfaceMesh(const SurfaceFaces &mesh, std::string of_file)
+        : caution(std::move(of_file))
+        , net(bodies::RigidBody(3, Point<3>(), mesh.points), surface_of(mesh))
       {}
+
+      const std::string caution;
+
+      double
+      sagitta_at(const Point<3> &p) const
+      {
+        if (!facets)
+          facets.emplace(net.all());
+        return facets->of_face(net.nearest(p).face);
+      }
+
       Closest
       closest(const Point<3> &p, const double) const override
       {
@@ -187,7 +203,12 @@ namespace conetact::pairing
                                "give lines in it.");
           }
         check(mesh, in + "File: the surface of '" + file + "' ");
-        return std::make_unique<SurfaceMesh>(mesh);
+        return std::make_unique<SurfaceMesh>(
+          mesh,
+          to_sentence(mesh.bent,
+                      std::filesystem::path(file).filename().string(),
+                      placement.scale,
+                      placement.to_scene(mesh.bent.place)));
       }
 
     private:
@@ -208,9 +229,24 @@ namespace conetact::pairing
         return surface;
       }
 
-      FaceNet net;
+      FaceNet                       net;
+      mutable std::optional<Facets> facets; ///< when they are asked for
     };
   } // namespace
+
+  double
+  sagitta_at(const ObstacleShape &shape, const Point<3> &p)
+  {
+    const auto *const mesh = dynamic_cast<const SurfaceMesh *>(&shape);
+    return mesh == nullptr ? 0 : mesh->sagitta_at(p);
+  }
+
+  std::string
+  caution_of(const ObstacleShape &shape)
+  {
+    const auto *const mesh = dynamic_cast<const SurfaceMesh *>(&shape);
+    return mesh == nullptr ? "" : mesh->caution;
+  }
 
   ObstacleRow
   surface_mesh_row()

@@ -24,10 +24,12 @@ namespace conetact::pairing
   true_gap(const MovedNode &moved)
   {
     const ContactNode &node = *moved.node;
-    return node.obstacle->shape->gap_after(node.position,
-                                           moved.motion.relative(node.position,
-                                                                 moved.u),
-                                           node.spacing);
+    const double       drawn =
+      node.obstacle->shape->gap_after(node.position,
+                                      moved.motion.relative(node.position,
+                                                            moved.u),
+                                      node.spacing);
+    return drawn + (node.growth ? node.growth(0) : 0); // as it is adjusted
   }
 
   std::optional<GapError>

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling, redundant, kinematics, axisymmetric_sliding,  # noqa: E402
+from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling, redundant, kinematics, axisymmetric_sliding, meshes,  # noqa: E402
                   round_pairs, sliding,
                   supports, threads, tie, transformations, vanishing)
 from support.checks import run_families  # noqa: E402
@@ -39,6 +39,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "redundant": redundant.redundant_family,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload, "vanishing": vanishing.vanishing,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
+            "meshes": meshes.meshes, "adjusted": meshes.adjusted,
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,
             "quadratic-far": quadratic.far}
 

@@ -199,7 +199,8 @@ namespace conetact::application
     std::vector<std::unique_ptr<bodies::Structure>> structures;
     std::vector<pairing::Obstacle>                  obstacles;
     std::vector<pairing::Contact>                   contacts;
-    std::vector<bodies::Load>                       loads;
+    std::vector<unsigned int> adjusted_contacts; ///< Gap = adjust
+    std::vector<bodies::Load> loads;
   };
 } // namespace conetact::application
 

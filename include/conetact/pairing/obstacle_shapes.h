@@ -29,6 +29,15 @@ namespace conetact::pairing
 
   ObstacleRow
   surface_mesh_row();
+
+  /** How far the facets of a shape stand off a curved surface that they stand
+   * for, near a point; 0 for shapes that are exact [length]. */
+  double
+  sagitta_at(const ObstacleShape &shape, const Point<3> &p);
+  /** What a user must know of the file of a shape, a sentence; empty: nothing.
+   */
+  std::string
+  caution_of(const ObstacleShape &shape);
 } // namespace conetact::pairing
 
 #endif

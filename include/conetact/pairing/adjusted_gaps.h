@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_adjusted_gaps_h
+#define conetact_pairing_adjusted_gaps_h
+
+#include "conetact/pairing/contact_nodes.h"
+
+namespace conetact::pairing
+{
+  /** Estimates of facets may be that much too small. */
+  constexpr double facet_margin = 1.5;
+
+  /** Whether `Gap = adjust` in the entries of a contact. */
+  bool
+  adjusts_gaps(const dealii::ParameterHandler &prm);
+
+  /**
+   * Takes nodes of a contact as touching where they are drawn to touch: their
+   * gap, positive or negative, is within what the facets of both sides stand
+   * off the curved surfaces. What is taken off a gap stays taken off wherever
+   * the node slides (ContactNode::growth); other nodes keep their gaps.
+   */
+  void
+  adjust_gaps(const Contact                                &contact,
+              const unsigned int                            number,
+              const std::vector<const bodies::Structure *> &structures,
+              std::vector<ContactNode>                     &nodes);
+
+  /** Whether the gaps of a contact were adjusted. */
+  bool
+  is_adjusted(const unsigned int              contact,
+              const std::vector<ContactNode> &nodes);
+
+  /** The gap of a node at t = 0, as drawn, adjusted or written down. */
+  double
+  gap_at_start(const ContactNode &node);
+} // namespace conetact::pairing
+
+#endif

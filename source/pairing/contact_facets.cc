@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/contact_facets.h"
+
+#include "conetact/pairing/obstacle_shapes.h"
+
+#include <algorithm>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    std::optional<Facets>
+    facets_of(const bodies::Structure &body, const bodies::BoundaryIds &ids)
+    {
+      const bodies::Surface surface = body.surface(ids);
+      if (surface.two_sided || surface.faces.empty())
+        return {};
+      return Facets(FaceNet(body, surface).all());
+    }
+  } // namespace
+
+  ContactFacets::ContactFacets(
+    const Contact                                &contact,
+    const std::vector<const bodies::Structure *> &structures)
+    : slave(facets_of(*structures[contact.body], contact.ids))
+  {
+    if (contact.obstacle == nullptr)
+      master = facets_of(*structures[contact.master], contact.master_ids);
+  }
+
+  double
+  ContactFacets::of_other_side(const ContactNode &node) const
+  {
+    if (node.obstacle != nullptr)
+      return sagitta_at(*node.obstacle->shape, node.foot());
+    double largest = 0;
+    if (master)
+      for (const auto &[number, weight] : node.masters)
+        largest = std::max(largest, master->at(number));
+    return largest;
+  }
+
+  double
+  ContactFacets::in_gap(const ContactNode &node) const
+  {
+    const double own = !slave       ? 0 :
+                       node.is_mean ? slave->at(node.node) :
+                                      slave->of_node(node.node);
+    return own + of_other_side(node);
+  }
+
+  double
+  ContactFacets::around(const ContactNode &node) const
+  {
+    return (slave ? slave->at(node.node) : 0) + of_other_side(node);
+  }
+} // namespace conetact::pairing

@@ -1,0 +1,201 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Meshes and surfaces that are not what they seem: joined where they should be, and told where they are not."""
+import math
+import random
+
+from support.gmsh import gmsh_file, tower
+from support.logs import log_of
+from support.scenes import beam, box, contact, floor, joint, load, merge, simplices, support
+from support.surfaces import ball, brick, triangles, write_stl
+
+
+def warnings_of(run):
+    return [line for line in log_of(run).splitlines() if "warning: " in line]
+
+
+def warns(laws, what, run, *words):
+    """One warning has all the words; without words there is none."""
+    found = warnings_of(run)
+    good = any(all(word in line for word in words) for line in found) if words else not found
+    laws.demand(f"{what}: {'told' if words else 'no warning'}{'' if good else ', found ' + repr(found)}", good)
+
+
+def cracked_square(file, half, ends):
+    """A square of unit cells from -half to half; the nodes of y = 0 between both ends, which it has once, are there twice."""
+    n = 2 * half + 1
+    points = [(float(i - half), float(j - half), 0.0) for j in range(n) for i in range(n)]
+    above = {}
+    for i in range(n):
+        if ends[0] < i - half < ends[1]:
+            above[half * n + i] = len(points)
+            points.append(points[half * n + i])
+    elements = []
+
+    def side(a, b, group):
+        elements.append((1, {group}, [a, b]))
+
+    for j in range(n - 1):
+        for i in range(n - 1):
+            nodes = [j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i]
+            if j == half:
+                nodes = [above.get(node, node) for node in nodes]
+            elements.append((3, {10}, nodes))
+    for i in range(n - 1):
+        side(i, i + 1, 1)
+        side((n - 1) * n + i, (n - 1) * n + i + 1, 2)
+        side(i * n, (i + 1) * n, 3)
+        if ends[0] <= i - half < ends[1]:
+            a, b = half * n + i, half * n + i + 1
+            side(a, b, 4)
+            side(above.get(a, a), above.get(b, b), 5)
+    file.write_bytes(gmsh_file(points, elements, {(2, 10): "rock", (1, 1): "south", (1, 2): "north", (1, 3): "west",
+                                                  (1, 4): "lower", (1, 5): "upper"}))
+
+
+def crack_tips(laws):
+    """Tips that both sides of a crack share are no contact nodes: what presses across passes as if there was no crack."""
+    for pairing in ("mortar", "node to face"):
+        for ends in ((-2, 2), (-3, 1)):
+            file = laws.folder / "crack.msh"
+            cracked_square(file, 4, ends)
+            run = laws.run({"Dimension": 2, "Body rock": {"Mesh": {"File": file.name}, "Material": {"Young modulus": 1000.0, "Poisson ratio": .25}},
+                            "Contact crack": joint("rock", "upper", "rock", "lower", **{"Pairing": pairing, "Friction coefficient": .6}),
+                            "Support south": support("south", "y", body="rock"), "Support west": support("west", "x", body="rock"),
+                            "Load press": load("pressure", "10*t", "north", "rock"), "Output": {"VTU": 0}})
+            laws.demand(f"crack by {pairing}: its tips are no contact nodes", {round(row["x"]) for row in run.rows if row["contact"] == "crack"} ==
+                        set(range(ends[0] + 1, ends[1])))
+            force = sum(row["r_n"] for row in run.rows if row["contact"] == "crack")
+            # nodes have the forces of a pressure of 10; mortar gives the tips' share to their neighbours
+            expected = 10 * (ends[1] - ends[0] - (pairing == "node to face"))
+            laws.check(f"crack by {pairing}: its force", abs(force / expected - 1), 1e-10)
+            laws.check(f"crack by {pairing}: settlement, by the work", abs(run.increments[-1]["external_work"] / (.5 * 10**2 * (1 - .25**2) / 1000 * 64) - 1), 1e-10)
+
+
+def second_order(laws):
+    """Middle nodes beside the chords are told with number, distance and place, those on them are not."""
+    inner, outer, n = 1.0, 2.0, 4
+
+    def place(r, k):
+        angle = math.pi / 2 * k / (2 * n)
+        return (r * math.cos(angle), r * math.sin(angle), 0.0)
+
+    for curved in (True, False):
+        points = [place(inner + (outer - inner) * i / 2, k) for k in range(2 * n + 1) for i in range(3)]
+        if not curved:
+            for k in range(1, 2 * n, 2):
+                for i in range(3):
+                    points[3 * k + i] = tuple((a + b) / 2 for a, b in zip(points[3 * k - 3 + i], points[3 * k + 3 + i]))
+        elements = []
+        for k in range(0, 2 * n, 2):
+            a, m, b = 3 * k, 3 * k + 3, 3 * k + 6
+            elements += [(10, {10}, [a, a + 2, b + 2, b, a + 1, m + 2, b + 1, m, m + 1]), (8, {1}, [a, b, m]), (8, {2}, [a + 2, b + 2, m + 2])]
+        elements += [(8, {3}, [0, 2, 1]), (8, {4}, [6 * n, 6 * n + 2, 6 * n + 1])]
+        (laws.folder / "ring.msh").write_bytes(gmsh_file(points, elements, {(1, 1): "inner", (1, 2): "outer", (1, 3): "x", (1, 4): "y"}))
+        run = laws.run({"Dimension": 2, "Body ring": {"Mesh": {"File": "ring.msh", "Scale": 10}, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+                        "Support x": support("x", "y", body="ring"), "Support y": support("y", "x", body="ring"),
+                        "Obstacle shaft": {"Shape": "sphere", "Radius": 10}, "Contact bore": contact("ring", "inner", "shaft"),
+                        "Load press": load("pressure", "10*t", "outer", "ring"), "Output": {"VTU": 0}})
+        if curved:
+            # where the middle of the longest chord is off most
+            off = 10 * outer * (1 - math.cos(math.pi / 4 / n))
+            warns(laws, "middle nodes on the curve", run, f"of {2 * n} edges of 'ring.msh'", f"by up to {off:.5g}"[:-1])
+        else:
+            warns(laws, "middle nodes on chords", run)
+
+
+def last_digits(laws):
+    """A surface whose corners differ from face to face is the one without these digits."""
+    random.seed(1)
+    solids = {"brick": brick((-1.0, -1.0, -1.0), (1.0, 1.0, 0.0)), "ball": ball(1.0, 3)}
+    # a thin lath: its short edges must stay
+    solids["lath"] = brick((-1.0, -1.0, -1e-4), (1.0, 1.0, 0.0))
+    for name, (points, faces) in solids.items():
+        if name == "ball":
+            points = [(x, y, z - 1) for x, y, z in points]
+        write_stl(laws.folder / "exact.stl", points, faces)
+        loose = [points[i] for face in triangles(faces) for i in face]
+        digits = 1e-8 if name == "lath" else 1e-6
+        loose = [tuple(c + random.uniform(-digits, digits) for c in p) for p in loose]
+        write_stl(laws.folder / "loose.stl", loose, [(i, i + 1, i + 2) for i in range(0, len(loose), 3)])
+        runs = []
+        for file in ("exact.stl", "loose.stl"):
+            cube = box((4, 4, 4), (1.0, 1.0, 1.0), (-.5, -.5, 0.0))
+            runs.append(laws.run({"Dimension": 3, "Body cube": cube, "Obstacle table": {"Shape": "surface mesh", "File": file},
+                                  "Contact sole": contact("cube", 4, "table", .5), "Support top": support(5, "x, y, z", "0 ; 0 ; -0.05*t", "cube"),
+                                  "Output": {"VTU": 0}}))
+        forces = [run.increments[-1]["sole_f_z"] for run in runs]
+        laws.check(f"{name} with other last digits: force", abs(forces[1] / forces[0] - 1), 1e-4)
+
+
+def stops(laws):
+    """A cantilever whose end runs against a stop on springs: R = (F L^3/3EI - gap)/(1/K + L^3/3EI)."""
+    size, young, gap, force, stiffness = .2, 1e10, 1e-4, 1000.0, 1e8
+    flexibility = 1 / (3 * young * size**4 / 12)
+    exact = (force * flexibility - gap) / (1 / stiffness + flexibility)
+    for offset in (.0, .01):  # the node faces a node, or a point between two
+        run = laws.run({"Dimension": 2, "Body beam": beam((0.0, 0.0), (1.0, 0.0), 4, young, size),
+                        "Body stop": box((2, 2), (.1, .1), (.95 + offset, -.1 - gap), 1e15, 0.0),
+                        "Contact end": {"Body": "stop", "Boundary ids": 3, "Master body": "beam", "Master boundary ids": 2},
+                        "Support wall": {"Body": "beam", "Boundary ids": 1, "Directions": "clamped"},
+                        "Support ground": support(2, "y", body="stop", Stiffness=stiffness / .1), "Support side": support(0, "x", body="stop"),
+                        "Load force": load("nodal force", f"0 ; {-force}*t", 2, "beam"), "Output": {"VTU": 0}})
+        forces = [row["r_n"] for row in run.rows if row["contact"] == "end"]
+        laws.check(f"a stop at the end of a beam, {offset} off its middle", abs(sum(forces) / exact - 1), 1e-6)
+
+
+def planks(laws):
+    """A plank leans on a smooth wall with its corner: statics, and no warning of an edge."""
+    scene = {"Dimension": 2, "Body plank": box((20, 2), (5.0, .1), young=1e8, Rotation=60, **{"Boundary ids": "5: y < 0.2 ; 6: y > 4.2"}),
+             "Obstacle floor": floor(2), "Obstacle wall": {"Shape": "half space", "Normal": (-1, 0), "Point": (2.5, 0)},
+             "Contact foot": contact("plank", 5, mu=.4), "Contact top": contact("plank", 6, "wall"),
+             "Load weight": load("body force", "0 ; -200*t", body="plank"), "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    warns(laws, "a corner on a wall", run)
+    laws.check("a corner on a wall: weight", abs(run.increments[-1]["foot_f_y"] / 100 - 1), 1e-10)
+
+
+def names(laws):
+    """A name that no group has: the one that is meant is in the sentence."""
+    (laws.folder / "tower.msh").write_bytes(gmsh_file(*tower(2, 2, (1.0, .5), ("rubber", "steel"))))
+    for entry, word, meant in (("Contact bottom/Boundary ids", "flor", "floor"), ("Load top/Boundary ids", "joint0", "joint 0"),
+                               ("Body column/Mesh/Group", "Steal", "steel")):
+        done, _ = laws.start({"Dimension": 2, "Body column": {"Mesh": {"File": "tower.msh"}, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+                              "Obstacle floor": floor(2), "Contact bottom": contact("column", "floor"), "Support left": support("left", "x", body="column"),
+                              "Load top": load("pressure", "1", "top", "column")}, "-s", f"{entry}={word}")
+        laws.demand(f"{entry} = {word}: {done.stderr.strip()}", done.returncode == 1 and f"Did you mean '{meant}'?" in done.stderr)
+
+
+def meshes(laws):
+    names(laws)
+    crack_tips(laws)
+    second_order(laws)
+    last_digits(laws)
+    stops(laws)
+    planks(laws)
+
+
+def quarter(inner, outer, cells, refinements, young=1e9, poisson=.2):
+    return {"Mesh": {"Generator": "quarter_hyper_shell", "Arguments": f"0, 0 : {inner} : {outer} : {cells} : true", "Global refinements": refinements},
+            "Material": {"Young modulus": young, "Poisson ratio": poisson}}
+
+
+def rings(refinements=2):
+    """A ring around a ring, drawn to touch, pressed from outside: their facets differ."""
+    scene = {"Dimension": 2, "Body outer": quarter(.6, 1.0, 5, refinements), "Body inner": quarter(.2, .6, 4, refinements),
+             "Contact joint": joint("outer", 0, "inner", 1), "Load press": load("pressure", "1e7*t", 1, "outer"), "Output": {"VTU": 0}}
+    for body in ("outer", "inner"):
+        scene |= {f"Support {body} x": support(2, "x", body=body), f"Support {body} y": support(3, "y", body=body)}
+    return scene
+
+
+def adjusted(laws):
+    """Rings that are drawn to touch do so by Gap = adjust, however they are paired."""
+    written = laws.run(merge(rings(), {"Contact joint": {"Gap": 0}}))
+    mean = sum(row["pressure"] * row["area"] for row in written.rows) / sum(row["area"] for row in written.rows)
+    for name, entries, bound in (("mortar", {}, 1e-3), ("node to face", {"Pairing": "node to face"}, 2e-2), ("finite sliding", {"Kinematics": "finite sliding"}, 5e-3)):
+        run = laws.run(merge(rings(), {"Contact joint": {"Gap": "adjust", **entries}}))
+        rows = [row for row in run.rows if row["contact"] == "joint"]
+        laws.check(f"rings by {name}: pressure of each node", max(abs(row["pressure"] / mean - 1) for row in rows), bound)
+    apart = merge(rings(), {"Body inner": quarter(.2, .59, 4, 2), "Contact joint": {"Gap": "adjust"}, "Load press": {"Value": "1e5*t"}})
+    laws.demand("rings apart by more than facets: the gap stays", all(row["state"] == "open" and row["gap"] > .005 for row in laws.run(apart).rows))
