@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/doubled_nodes.h"
 #include "conetact/contact/equal_bodies.h"
 #include "conetact/contact/large_nodes.h"
 #include "conetact/contact/open_motions.h"
@@ -356,6 +357,13 @@ namespace conetact::contact
                 " of body '" + bodies.names[body] + "'";
         hint = bodies.structures[body]->weakness(node);
       }
+    for (std::size_t b = 0; b < bodies.n_elastic() && hint.empty(); ++b)
+      if (const auto doubled = bodies::doubled_nodes(*bodies.structures[b]);
+          !doubled.empty())
+        hint = "Body '" + bodies.names[b] + "' has nodes at " +
+               to_text(bodies.structures[b]->position(doubled[0].first)) +
+               " that coincide and are not joined: join them in the program "
+               "that wrote the mesh.";
     return text +
            ". It is a piece that is not joined to the rest, or a "
            "mechanism: join it, or add a Support." +
