@@ -4,6 +4,7 @@
 #include "conetact/analysis/analysis.h"
 
 #include "conetact/analysis/cost.h"
+#include "conetact/analysis/mesh_notices.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
@@ -124,9 +125,12 @@ namespace conetact::analysis
     , history(with_backend(scene, model, log))
     , set(model)
     , acceptance(scene, model, l)
+    , notices(scene, model)
   {
     check_empty_contacts(scene, model, log);
     warn_of_tied_gaps(scene, model, log);
+    say_doubled_nodes(scene, log);
+    notices.say_start(log);
   }
 
   void
@@ -299,6 +303,11 @@ namespace conetact::analysis
   void
   Analysis::say_closing() const
   {
+    // What was done before a restart is not known.
+    notices.say_end((description.n_increments == 0 ||
+                     n_on_disk == description.n_increments) &&
+                      !scene.restart,
+                    log);
     for (const std::string &line : closing_lines)
       log.say(line);
     if (log.n_warnings() > 0)
@@ -393,8 +402,11 @@ namespace conetact::analysis
       output->write(finished);
     if (scene.adaptive.cycles > 0)
       final_record = finished.back();
-    closing_lines = output::closing_lines(description, finished.back());
-    n_on_disk     = finished.back().increment;
+    for (const output::IncrementRecord &record : finished)
+      notices.see(record);
+    closing_lines =
+      output::closing_lines(description, finished.back(), notices.faceted());
+    n_on_disk = finished.back().increment;
     log.time("their tables and drawings");
     for (const output::IncrementRecord &record : finished)
       log.note(name(record) + ", " + record.report.solver + ": " +

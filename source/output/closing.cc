@@ -77,7 +77,9 @@ namespace conetact::output
 
 
   std::vector<std::string>
-  closing_lines(const RunDescription &run, const IncrementRecord &last)
+  closing_lines(const RunDescription         &run,
+                const IncrementRecord        &last,
+                const std::set<unsigned int> &faceted)
   {
     const NoiseFloor         forces = noise_of_forces(last);
     std::vector<std::string> lines  = {states(run, last)};
@@ -100,7 +102,10 @@ namespace conetact::output
         pressed.pressure > 0)
       lines.push_back("largest pressure: " + to_text(pressed.pressure) +
                       ", contact " + run.contacts.at(pressed.contact) + " at " +
-                      to_text(pressed.position));
+                      to_text(pressed.position) +
+                      (faceted.count(pressed.contact) > 0 ?
+                         ", made uneven by facets (see the warning)" :
+                         ""));
     add_list(
       std::min(run.probes.size(), last.probes.size()),
       "history.csv",

@@ -524,7 +524,9 @@ namespace conetact::pairing
         Anything(),
         "Nodes may start this deep in the obstacle or the master "
         "body; deeper ones are an error, for most often a body "
-        "is out of place. Give the overlap of a press fit here. "
+        "is out of place. Give the overlap of a press fit here: nodes that "
+        "start inside, deeper than facets stand off, are warned of where "
+        "the entry is empty. "
         "Empty: a quarter of the longest edge of the faces that "
         "meet, which the facets of curved surfaces need. A Gap "
         "that is written down is not limited. [length]");

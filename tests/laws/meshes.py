@@ -70,6 +70,27 @@ def crack_tips(laws):
             expected = 10 * (ends[1] - ends[0] - (pairing == "node to face"))
             laws.check(f"crack by {pairing}: its force", abs(force / expected - 1), 1e-10)
             laws.check(f"crack by {pairing}: settlement, by the work", abs(run.increments[-1]["external_work"] / (.5 * 10**2 * (1 - .25**2) / 1000 * 64) - 1), 1e-10)
+            warns(laws, f"crack by {pairing}", run)
+
+
+def doubled_nodes(laws):
+    """Two cells whose nodes between them are there twice; told, but where a contact is between them."""
+    points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (1, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0)]
+    points = [tuple(map(float, p)) for p in points]
+    elements = [(3, {10}, [0, 1, 2, 3]), (3, {10}, [4, 5, 6, 7]), (1, {1}, [0, 1]), (1, {1}, [4, 5]), (1, {2}, [3, 2]), (1, {2}, [7, 6]),
+                (1, {3}, [0, 3]), (1, {3}, [5, 6]), (1, {4}, [1, 2]), (1, {5}, [4, 7])]
+    (laws.folder / "twice.msh").write_bytes(gmsh_file(points, elements, {(1, 4): "right of left", (1, 5): "left of right"}))
+    scene = {"Dimension": 2, "Body part": {"Mesh": {"File": "twice.msh"}, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+             "Obstacle floor": floor(2), "Contact sole": contact("part", 1, mu=.3), "Load press": load("pressure", "10*t", 2, "part"),
+             "Support base": support(3, "x, y", body="part"), "Output": {"VTU": 0}}
+    warns(laws, "nodes that are there twice", laws.run(scene), "body 'part' is of 2 pieces that are not joined", "nodes at (1, 0, 0) coincide", "2 pairs")
+    joined = laws.run(merge(scene, {"Contact joint": joint("part", "left of right", "part", "right of left", Kind="tie")}))
+    warns(laws, "nodes that are there twice, tied", joined)
+    loose = merge(scene, {"Support base": {"Boundary ids": 7}, "Body part": {"Mesh": {"Boundary ids": "7: x < 1e-9"}}, "Contact sole": None,
+                          "Obstacle floor": None})
+    done, _ = laws.start(loose)
+    laws.demand("a piece that nothing holds: refused, with body, place and hint" + ("" if done.returncode == 1 else repr(done)),
+                done.returncode == 1 and all(word in done.stderr for word in ("'part'", "coincide", "(1, 0, 0)")))
 
 
 def second_order(laws):
@@ -155,6 +176,26 @@ def planks(laws):
     laws.check("a corner on a wall: weight", abs(run.increments[-1]["foot_f_y"] / 100 - 1), 1e-10)
 
 
+def never_closed(laws):
+    """A contact that never closes is told, once."""
+    scene = {"Dimension": 2, "Body block": box((4, 2), (2.0, 1.0)), "Obstacle floor": floor(2, Point=(0.0, -.1)), "Contact sole": contact("block", 2),
+             "Support top": support(3, "x, y"), "Time": {"End": 2, "Increments": 2}, "Output": {"VTU": 0}}
+    warns(laws, "a contact that never closes", laws.run(scene), "'sole' never closes", "0.1")
+    down = merge(scene, {"Support top": {"Displacement": "0 ; -0.11*sin(pi*t/2)"}})
+    warns(laws, "a contact that closes and opens", laws.run(down))
+
+
+def interference(laws):
+    """Bodies that start inside each other are told, a press fit that is meant is not."""
+    lower, upper = box((10, 5), (20.0, 10.0), young=210e3), box((10, 5), (20.0, 10.0), (0.0, 9.98), young=210e3)
+    scene = {"Dimension": 2, "Body lower": lower, "Body upper": upper, "Contact joint": joint("upper", 2, "lower", 3),
+             "Support floor": support(2, "x, y", body="lower"), "Support lid": support(3, "x, y", body="upper"), "Output": {"VTU": 0}}
+    warns(laws, "blocks drawn into each other", laws.run(scene), "nodes of contact 'joint' start up to 0.02 inside body 'lower'")
+    run = laws.run(merge(scene, {"Contact joint": {"Largest interference": .05}}))
+    warns(laws, "an interference that is meant", run)
+    laws.demand("an interference that is meant: what passes is told", "start up to 0.02 inside body 'lower'" in log_of(run))
+
+
 def names(laws):
     """A name that no group has: the one that is meant is in the sentence."""
     (laws.folder / "tower.msh").write_bytes(gmsh_file(*tower(2, 2, (1.0, .5), ("rubber", "steel"))))
@@ -169,10 +210,13 @@ def names(laws):
 def meshes(laws):
     names(laws)
     crack_tips(laws)
+    doubled_nodes(laws)
     second_order(laws)
     last_digits(laws)
     stops(laws)
     planks(laws)
+    never_closed(laws)
+    interference(laws)
 
 
 def quarter(inner, outer, cells, refinements, young=1e9, poisson=.2):
@@ -189,6 +233,26 @@ def rings(refinements=2):
     return scene
 
 
+def facets(laws):
+    """Facets that are taken for gaps are told; where gaps are plane, resolved or written down, there is no word."""
+    warns(laws, "rings drawn to touch", laws.run(rings()), "contact 'joint': facets stand off", "more than a tenth")
+    warns(laws, "rings with a Gap", laws.run(merge(rings(), {"Contact joint": {"Gap": 0}})))
+    fitted = merge(rings(), {"Body inner": quarter(.2, .62, 4, 2), "Contact joint": {"Largest interference": .05}})
+    warns(laws, "a ring with an interference far above its facets", laws.run(fitted))
+    for name, cut in (("quadrilaterals", lambda body: body), ("triangles", simplices)):
+        lower, upper = cut(box((8, 4), (2.0, 1.0))), cut(box((6, 3), (2.0, 1.0), (0.0, 1.0)))
+        plane = {"Dimension": 2, "Body lower": lower, "Body upper": upper, "Contact joint": joint("upper", 2, "lower", 3),
+                 "Support floor": support(2, "x, y", body="lower"), "Load press": load("pressure", "10*t", 3, "upper"),
+                 "Support side": support(0, "x", body="upper"), "Output": {"VTU": 0}}
+        found = [line for line in warnings_of(laws.run(plane)) if "facets" in line]
+        laws.demand(f"plane faces of {name}: no word of facets", not found)
+    second = {f"Body {body}": {"Element": "Q2"} for body in ("outer", "inner")}
+    warns(laws, "curved faces of second degree", laws.run(merge(rings(1), second)), "contact 'joint'", "second degree")
+    plane = {"Dimension": 2, "Body block": {**box((4, 2), (2.0, 1.0)), "Element": "Q2"}, "Obstacle floor": floor(2), "Contact sole": contact("block", 2),
+             "Support side": support(0, "x"), "Load press": load("pressure", "10*t", 3), "Output": {"VTU": 0}}
+    warns(laws, "plane faces of second degree", laws.run(plane))
+
+
 def adjusted(laws):
     """Rings that are drawn to touch do so by Gap = adjust, however they are paired."""
     written = laws.run(merge(rings(), {"Contact joint": {"Gap": 0}}))
@@ -197,5 +261,6 @@ def adjusted(laws):
         run = laws.run(merge(rings(), {"Contact joint": {"Gap": "adjust", **entries}}))
         rows = [row for row in run.rows if row["contact"] == "joint"]
         laws.check(f"rings by {name}: pressure of each node", max(abs(row["pressure"] / mean - 1) for row in rows), bound)
+        warns(laws, f"rings by {name}, adjusted", run)
     apart = merge(rings(), {"Body inner": quarter(.2, .59, 4, 2), "Contact joint": {"Gap": "adjust"}, "Load press": {"Value": "1e5*t"}})
     laws.demand("rings apart by more than facets: the gap stays", all(row["state"] == "open" and row["gap"] > .005 for row in laws.run(apart).rows))

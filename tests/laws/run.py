@@ -39,7 +39,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "redundant": redundant.redundant_family,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload, "vanishing": vanishing.vanishing,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
-            "meshes": meshes.meshes, "adjusted": meshes.adjusted,
+            "meshes": meshes.meshes, "adjusted": meshes.adjusted, "facets": meshes.facets,
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,
             "quadratic-far": quadratic.far}
 

@@ -5,6 +5,7 @@
 #define conetact_analysis_analysis_h
 
 #include "conetact/analysis/acceptance.h"
+#include "conetact/analysis/contact_notices.h"
 #include "conetact/analysis/work.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
@@ -139,6 +140,7 @@ namespace conetact::analysis
     contact::ContactHistory   history;
     contact::GrowingSet       set;
     Acceptance                acceptance;
+    ContactNotices            notices;
     output::RunDescription    description;
     output::IncrementRecord   final_record;  ///< of adaptive scenes
     std::vector<std::string>  closing_lines; ///< of the last increment

@@ -12,9 +12,12 @@ namespace conetact::output
    * The end of a run on one screen: states of contact nodes, forces of
    * contacts, supports and loads, largest displacement and pressure, probes.
    * Long lists of contacts or probes are cut, with the table that has all.
+   * `faceted`: contacts whose pressures are those of the facets of a mesh.
    */
   std::vector<std::string>
-  closing_lines(const RunDescription &run, const IncrementRecord &last);
+  closing_lines(const RunDescription         &run,
+                const IncrementRecord        &last,
+                const std::set<unsigned int> &faceted = {});
 
   /** The tables and collections in the folder of a run, in a line. */
   std::string

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_contact_notices_h
+#define conetact_analysis_contact_notices_h
+
+#include "conetact/application/scene.h"
+#include "conetact/base/log.h"
+#include "conetact/contact/contact_model.h"
+#include "conetact/output/output.h"
+#include "conetact/pairing/contact_facets.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace conetact::analysis
+{
+  /**
+   * What a user must know of contacts and cannot see in a result: nodes that
+   * start inside what they meet; facets of curved surfaces that are taken for
+   * gaps; contacts that never close.
+   */
+  class ContactNotices
+  {
+  public:
+    ContactNotices(const application::Scene    &scene,
+                   const contact::ContactModel &model);
+
+    /** Of the undeformed bodies, to the log. */
+    void
+    say_start(Log &log) const;
+
+    /** Takes down what is closed at the end of an increment. */
+    void
+    see(const output::IncrementRecord &record);
+
+    /** Contacts whose pressures are those of facets at the last increment. */
+    const std::set<unsigned int> &
+    faceted() const
+    {
+      return of_facets;
+    }
+    /** Of the last increment, and of all if the run has come to its end. */
+    void
+    say_end(const bool is_whole, Log &log) const;
+
+  private:
+    struct Closed
+    {
+      std::vector<double>       gaps; ///< where bodies are undeformed [length]
+      std::vector<double>       facets; ///< what they may be off by [length]
+      std::vector<Tensor<1, 3>> normals;
+    };
+    void
+    say_interference(const unsigned int contact, Log &log) const;
+    void
+    judge_facets(const unsigned int contact, const Closed &closed);
+    void
+    say_never_closed(Log &log) const;
+
+    const application::Scene           &scene;
+    const contact::ContactModel        &model;
+    pairing::SlidingContacts            contacts;
+    std::vector<pairing::ContactFacets> facets; ///< of each contact
+    std::vector<bool>                   second_degree, has_closed;
+    std::vector<double>                 least_gaps; ///< of the last increment
+    std::set<unsigned int>              of_facets;
+    std::map<unsigned int, std::string> sentences; ///< of these contacts
+  };
+} // namespace conetact::analysis
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/contact_notices.h"
+
+#include "conetact/base/text.h"
+#include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/adjusted_gaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace conetact::analysis
+{
+  namespace
+  {
+    using pairing::Contact;
+    using pairing::ContactNode;
+
+    /** Facets that stand off by more, in parts of a gap, change pressures. */
+    constexpr double large_facet = .1;
+    /** Over the spacing of nodes: coordinates of files have as many digits. */
+    constexpr double digits = 1e-6;
+    /** Nodes of faces of second degree that are no corners, at least. */
+    constexpr double of_middles = .3;
+    /** Cosine of the angle that normals spread by where surfaces conform. */
+    constexpr double conforming = .94;
+
+    bool
+    has_second_degree(const bodies::Structure   &body,
+                      const bodies::BoundaryIds &ids)
+    {
+      const auto faces = body.surface(ids).faces;
+      return !faces.empty() && bodies::is_of_second_degree(body, faces[0]);
+    }
+
+    std::string
+    other_side(const Contact &contact, const std::vector<std::string> &names)
+    {
+      return contact.obstacle != nullptr ?
+               "obstacle '" + contact.obstacle->name + "'" :
+               "body '" + names[contact.master] + "'";
+    }
+
+    /** What a part of the values exceed at most: not what a few nodes have, as
+     * where a plane face ends at a fillet. */
+    double
+    exceeded_by(const double part, std::vector<double> values)
+    {
+      const auto place =
+        values.begin() + static_cast<std::ptrdiff_t>(
+                           (1 - part) * static_cast<double>(values.size()));
+      std::nth_element(values.begin(), place, values.end());
+      return *place;
+    }
+
+    /**
+     * What closes the gaps of nodes that touch: the interference; the largest
+     * gap, where normals differ so much that no motion of one body closes it
+     * everywhere; else the differences of gaps, for bodies may come as near as
+     * they like.
+     */
+    double
+    closed_gap(const std::vector<double>       &gaps,
+               const std::vector<Tensor<1, 3>> &normals)
+    {
+      const auto [least, largest] =
+        std::minmax_element(gaps.begin(), gaps.end());
+      Tensor<1, 3> sum;
+      for (const Tensor<1, 3> &n : normals)
+        sum += n;
+      const bool is_flat =
+        std::all_of(normals.begin(), normals.end(), [&](const auto &n) {
+          return n * sum > conforming * sum.norm();
+        });
+      return std::max(-*least, is_flat ? *largest - *least : *largest);
+    }
+  } // namespace
+
+  ContactNotices::ContactNotices(const application::Scene    &s,
+                                 const contact::ContactModel &m)
+    : scene(s)
+    , model(m)
+    , contacts(s.sliding_contacts())
+    , has_closed(scene.contact_names.size(), false)
+    , least_gaps(scene.contact_names.size(), 0.)
+  {
+    for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
+      {
+        const Contact &contact = contacts.contact(c);
+        facets.emplace_back(contact, scene.bodies.structures);
+        const auto &structures = scene.bodies.structures;
+        second_degree.push_back(
+          has_second_degree(*structures[contact.body], contact.ids) ||
+          (contact.obstacle == nullptr &&
+           has_second_degree(*structures[contact.master], contact.master_ids)));
+      }
+  }
+
+  void
+  ContactNotices::say_start(Log &log) const
+  {
+    for (unsigned int c = 0; c < facets.size(); ++c)
+      {
+        const double one   = facets[c].largest_of_slave();
+        const double other = facets[c].largest_of_master();
+        if (std::max(one, other) > 0)
+          log.note("Contact " + scene.contact_names[c] +
+                   ": facets stand off curved surfaces by up to " +
+                   to_text(one) + " on the body and " + to_text(other) +
+                   " on the other side");
+        say_interference(c, log);
+      }
+  }
+
+  void
+  ContactNotices::say_interference(const unsigned int c, Log &log) const
+  {
+    const Contact &contact = contacts.contact(c);
+    if (contact.kind != pairing::ContactKind::contact || contact.gap ||
+        (contact.obstacle && contact.obstacle->shape->states_gaps()))
+      return;
+    unsigned int       n       = 0;
+    const ContactNode *deepest = nullptr;
+    for (const ContactNode &node : scene.bodies.contact_nodes)
+      if (node.contact == c && !node.meets_nothing() &&
+          pairing::gap_at_start(node) <
+            -pairing::facet_margin * facets[c].around(node) -
+              digits * node.spacing)
+        {
+          ++n;
+          if (deepest == nullptr || node.gap < deepest->gap)
+            deepest = &node;
+        }
+    if (deepest == nullptr)
+      return;
+    const std::string depth = to_text(-deepest->gap);
+    const std::string what  = "nodes of contact '" + contact.name +
+                             "' start up to " + depth + " inside " +
+                             other_side(contact, scene.bodies.names) + " (" +
+                             std::to_string(n) + " of them, the deepest at " +
+                             to_text(deepest->position) + ")";
+    if (contact.interference)
+      log.say(what + ", an interference that Largest interference = " +
+              to_text(*contact.interference) + " lets pass");
+    else
+      log.say("warning: " + what +
+              ": that is taken for an interference, which presses without any "
+              "load. Move them apart, or, where it is meant, say so by a "
+              "Largest interference of at least " +
+              depth + ".");
+  }
+
+  void
+  ContactNotices::see(const output::IncrementRecord &record)
+  {
+    constexpr double    rounding = 1e-9; // of the largest force
+    const auto         &points   = model.points.all();
+    const auto         &start    = scene.bodies.contact_nodes;
+    std::vector<double> largest(facets.size(), 0.);
+    const auto         &rows = record.rows;
+    const std::size_t   n    = std::min(points.size(), rows.size());
+    for (std::size_t i = 0; i < n; ++i)
+      largest[rows[i].contact] =
+        std::max(largest[rows[i].contact], rows[i].reaction[0]);
+    std::vector<Closed> closed(facets.size());
+    least_gaps.assign(facets.size(), std::numeric_limits<double>::max());
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        const unsigned int c = rows[i].contact;
+        least_gaps[c]        = std::min(least_gaps[c], rows[i].gap);
+        if (rows[i].reaction[0] <= rounding * largest[c])
+          continue;
+        has_closed[c]           = true;
+        const ContactNode &node = start[static_cast<std::size_t>(
+          points[i].node - model.points.nodes().data())];
+        closed[c].gaps.push_back(pairing::gap_at_start(node));
+        closed[c].facets.push_back(facets[c].in_gap(node));
+        closed[c].normals.push_back(node.n);
+      }
+    of_facets.clear();
+    sentences.clear();
+    for (unsigned int c = 0; c < closed.size(); ++c)
+      if (!closed[c].gaps.empty())
+        judge_facets(c, closed[c]);
+  }
+
+  void
+  ContactNotices::judge_facets(const unsigned int c, const Closed &closed)
+  {
+    const Contact &contact = contacts.contact(c);
+    const double   facet =
+      exceeded_by(second_degree[c] ? of_middles : .5, closed.facets);
+    if (facet == 0 || contact.kind != pairing::ContactKind::contact ||
+        (!contact.gap && pairing::is_adjusted(c, scene.bodies.contact_nodes)))
+      return;
+    const std::string in = "contact '" + contact.name + "': ";
+    if (second_degree[c])
+      sentences[c] =
+        in +
+        "its curved faces are of second degree (Element = Q2 or P2), "
+        "whose edges are straight: their middle nodes lie " +
+        to_text(facet) +
+        " off the curve, and pressures go up and down by about 13 % from node "
+        "to node. Use Element = Q1 there.";
+    else if (const double gap = closed_gap(closed.gaps, closed.normals);
+             !contact.gap && facet > large_facet * gap)
+      sentences[c] =
+        in + "facets stand off its curved surfaces by " + to_text(facet) +
+        ", more than a tenth of the gaps or interferences that close there (" +
+        to_text(gap) +
+        "): pressures of single nodes are those of facets. Use smaller cells, "
+        "or give Gap = adjust where they are drawn to touch, or its Gap.";
+    else
+      return;
+    of_facets.insert(c);
+  }
+
+  void
+  ContactNotices::say_end(const bool is_whole, Log &log) const
+  {
+    for (const auto &[contact, sentence] : sentences)
+      log.say("warning: " + sentence);
+    if (is_whole)
+      say_never_closed(log);
+  }
+
+  void
+  ContactNotices::say_never_closed(Log &log) const
+  {
+    std::vector<std::string> names, gaps;
+    for (unsigned int c = 0; c < has_closed.size(); ++c)
+      if (!has_closed[c] && scene.pairings[c].n_paired > 0 &&
+          contacts.contact(c).kind == pairing::ContactKind::contact)
+        {
+          names.push_back("'" + scene.contact_names[c] + "'");
+          gaps.push_back(to_text(least_gaps[c]));
+        }
+    if (names.empty())
+      return;
+    const bool one = names.size() == 1;
+    log.say("warning: " + std::string(one ? "contact " : "contacts ") +
+            join(names) + (one ? " never closes" : " never close") +
+            ": no node presses in the whole run, and the least gap at its end "
+            "is " +
+            join(gaps) +
+            ". Where that is not meant, check places, loads and boundary ids.");
+  }
+} // namespace conetact::analysis
