@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace conetact::pairing
@@ -196,6 +197,30 @@ namespace conetact::pairing
     for (const Point<2> &p : polygon)
       sum += Tensor<1, 2>(p) / static_cast<double>(polygon.size());
     return sum;
+  }
+
+  double
+  distance(const Polygon &polygon, const Point<2> &p)
+  {
+    if (polygon.empty())
+      return std::numeric_limits<double>::max();
+    if (is_interval(polygon))
+      return std::max({polygon[0][0] - p[0], p[0] - polygon[1][0], 0.});
+    bool   inside  = true;
+    double nearest = polygon[0].distance(p);
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      {
+        const Point<2>    &a      = polygon[i];
+        const Tensor<1, 2> edge   = polygon[(i + 1) % polygon.size()] - a;
+        const double       square = edge.norm_square();
+        // An edge of no length has no side.
+        if (std::sqrt(square) <= round_off * p.distance(a))
+          continue;
+        inside             = inside && cross(edge, p - a) >= 0;
+        const double along = std::clamp((p - a) * edge / square, 0., 1.);
+        nearest            = std::min(nearest, (a + along * edge).distance(p));
+      }
+    return inside ? 0 : nearest;
   }
 
   Polygon

@@ -3,34 +3,72 @@
 
 #include "conetact/pairing/dual_functions.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 
 namespace conetact::pairing
 {
-  Eigen::MatrixXd
-  dual_functions(const Eigen::MatrixXd &mass, const Eigen::VectorXd &areas)
+  namespace
   {
-    // Least over largest eigenvalue of the functions, each over its own size:
-    // 1/9 on a square, 1/22 on one half of it, 1/67 in a corner, 1/144 on the
-    // quarter in its middle. Below a thousandth a function would reach ten
+    using Eigen::Index;
+    using Eigen::MatrixXd;
+    using Eigen::VectorXd;
+
+    /** Rows are the functions of kept nodes that sum to 1, in terms of the
+     * shape functions: their own one and shares of those of other nodes. */
+    MatrixXd
+    extended(const VectorXd &areas, const std::vector<Index> &kept)
+    {
+      const auto m = static_cast<Index>(kept.size());
+      // Integrals of functions of second degree may be negative near a rim.
+      const VectorXd own = areas(kept).cwiseMax(0.);
+      const double   sum = own.sum();
+      const VectorXd share =
+        sum > 0 ? VectorXd(own / sum) : VectorXd(VectorXd::Constant(m, 1. / m));
+      MatrixXd functions = share * VectorXd::Ones(areas.size()).transpose();
+      for (const Index k : kept)
+        functions.col(k).setZero();
+      for (Index j = 0; j < m; ++j)
+        functions(j, kept[static_cast<std::size_t>(j)]) = 1;
+      return functions;
+    }
+  } // namespace
+
+  MatrixXd
+  dual_functions(const MatrixXd           &mass,
+                 const VectorXd           &areas,
+                 const std::vector<Index> &kept)
+  {
+    // Least over largest singular value of the functions, each over its own
+    // size: 1/9 on a square, 1/22 on one half of it, 1/67 in a corner, 1/144 on
+    // the quarter in its middle. Below a thousandth a function would reach ten
     // times as far as what is covered.
     constexpr double least = 1e-3;
 
-    const Eigen::Index    n    = areas.size();
-    const Eigen::MatrixXd one  = Eigen::MatrixXd::Identity(n, n);
-    const Eigen::VectorXd size = mass.diagonal().cwiseSqrt();
-    if (!(size.minCoeff() > 0))
-      return one;
-    const Eigen::MatrixXd scaled = size.cwiseInverse().asDiagonal() * mass *
-                                   size.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-    const Eigen::VectorXd &values = eigen.eigenvalues();
-    if (!(values[0] > least * values[n - 1]))
-      return one;
-    const Eigen::MatrixXd inverse = eigen.eigenvectors() *
-                                    values.cwiseInverse().asDiagonal() *
-                                    eigen.eigenvectors().transpose();
-    return areas.cwiseQuotient(size).asDiagonal() * inverse *
-           size.cwiseInverse().asDiagonal();
+    const MatrixXd functions = extended(areas, kept);
+    MatrixXd       all       = MatrixXd::Zero(areas.size(), areas.size());
+    all(kept, Eigen::all)    = functions;
+    if (kept.size() == 1)
+      return all;
+    const VectorXd own = mass.diagonal()(kept).cwiseSqrt();
+    const VectorXd size =
+      (functions * mass * functions.transpose()).diagonal().cwiseSqrt();
+    if (!(own.minCoeff() > 0 && size.minCoeff() > 0))
+      return all;
+    const MatrixXd scaled = size.cwiseInverse().asDiagonal() *
+                            (functions * mass)(Eigen::all, kept) *
+                            own.cwiseInverse().asDiagonal();
+    const Eigen::JacobiSVD<MatrixXd> svd(scaled,
+                                         Eigen::ComputeFullU |
+                                           Eigen::ComputeFullV);
+    const VectorXd                  &values = svd.singularValues();
+    if (!(values[values.size() - 1] > least * values[0]))
+      return all;
+    const MatrixXd inverse = svd.matrixV() *
+                             values.cwiseInverse().asDiagonal() *
+                             svd.matrixU().transpose();
+    all(kept, Eigen::all) = areas(kept).cwiseQuotient(own).asDiagonal() *
+                            inverse * size.cwiseInverse().asDiagonal() *
+                            functions;
+    return all;
   }
 } // namespace conetact::pairing

@@ -27,6 +27,11 @@ namespace conetact::pairing
     /** A face of which less is covered sees nothing. */
     constexpr double least_covered = 1e-12;
     /**
+     * How far beyond a rim a node still faces the master, in sizes of its face:
+     * coordinates of mesh files have six to eight digits.
+     */
+    constexpr double overhang = 1e-2;
+    /**
      * Of a face: where little of it is seen, means over dual functions reach
      * beyond what they are means of, gaps by no more than this.
      */
@@ -38,7 +43,8 @@ namespace conetact::pairing
       Eigen::MatrixXd                         mass;    ///< N_j N_k
       Eigen::VectorXd                         areas;   ///< N_j
       std::map<unsigned int, Eigen::VectorXd> masters; ///< N_j N_l
-      double                                  size = 0;
+      std::vector<bool> facing; ///< whether its nodes are over the master
+      double            size = 0;
       double lowest = std::numeric_limits<double>::max(); ///< gap [length]
     };
 
@@ -122,16 +128,16 @@ namespace conetact::pairing
         , thickness(
             thickness_of(one_by_one.slave_surface(), slave.all(), axisymmetric))
       {
-        // Hanging nodes first: what they give may be next to nothing. Whether a
-        // node is seen is asked before small rows are given up, as these are
-        // met by their neighbours.
         for (std::size_t f = 0; f < slave.all().size(); ++f)
-          add_face(f);
-        rows.give_up(structures[contact.body]->hanging_nodes());
+          meet(f);
+        for (const auto &[f, sums] : at_rims)
+          add(f, sums);
         rows.give_up_nodes(
           [&](const unsigned int node) { return one_by_one.is_joined(node); });
         note_seen();
-        rows.give_up_small();
+        // Hanging nodes first: what they give may be next to nothing.
+        rows.give_up(structures[contact.body]->hanging_nodes());
+        rows.give_up_beyond_rims();
       }
 
       PairedNodes
@@ -191,7 +197,8 @@ namespace conetact::pairing
         const auto            n = static_cast<Index>(face.nodes.size());
         FaceIntegrals         sums{Eigen::MatrixXd::Zero(n, n),
                            Eigen::VectorXd::Zero(n),
-                           {}};
+                           {},
+                           std::vector<bool>(face.nodes.size(), false)};
         for (const auto &part :
              facing.seen_from(face, plane, own, limits(face.size)))
           {
@@ -203,6 +210,7 @@ namespace conetact::pairing
                         is_of_second_degree(face) ||
                           is_of_second_degree(other));
             sums.size = std::max(sums.size, other.size);
+            note_facing(face, plane, part.where, sums.facing);
             for (const PlanePoint &q : gauss_points(part.where, level))
               {
                 const auto            here = own.at(q.position);
@@ -226,25 +234,75 @@ namespace conetact::pairing
         return sums;
       }
 
+      /** Notes which nodes of a face are over a part of it that is seen. */
       void
-      add_face(const std::size_t f)
+      note_facing(const FaceNet::Face   &face,
+                  const ProjectionPlane &plane,
+                  const Polygon         &where,
+                  std::vector<bool>     &are) const
+      {
+        for (std::size_t c = 0; c < face.nodes.size(); ++c)
+          if (!are[c])
+            are[c] = distance(where,
+                              plane.project(structures[contact.body]->position(
+                                face.nodes[c]))) <= overhang * face.size;
+      }
+
+      /** Faces that reach beyond a rim wait until it is known which of their
+       * nodes face the master. */
+      void
+      meet(const std::size_t f)
       {
         const FaceNet::Face &face   = slave.all()[f];
-        const FaceIntegrals  sums   = integrate(face);
-        const double         size   = sums.areas.sum();
+        FaceIntegrals        sums   = integrate(face);
         const double         around = axisymmetric ? face.centre[0] : 1;
-        if (!(size > around * least_covered *
-                       std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
+        if (!(sums.areas.sum() >
+              around * least_covered *
+                std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
           return;
+        bool is_inside = true;
+        for (std::size_t c = 0; c < face.nodes.size(); ++c)
+          if (sums.facing[c])
+            rows.at(f, c).faces_master = true;
+          else
+            is_inside = false;
+        if (is_inside)
+          add(f, sums);
+        else
+          at_rims.emplace_back(f, std::move(sums));
+      }
+
+      /** Nodes that have functions of their own: those that face the master, or
+       * if none does, the one that sees most of it. */
+      std::vector<Index>
+      kept(const std::size_t f, const Eigen::VectorXd &areas)
+      {
+        constexpr double   rounding = 1e-9;
+        std::vector<Index> facing_it;
+        Index              most = 0;
+        for (Index j = 0; j < areas.size(); ++j)
+          {
+            if (rows.at(f, static_cast<std::size_t>(j)).faces_master)
+              facing_it.push_back(j);
+            if (areas[j] > (1 + rounding) * areas[most])
+              most = j;
+          }
+        return facing_it.empty() ? std::vector<Index>{most} : facing_it;
+      }
+
+      void
+      add(const std::size_t f, const FaceIntegrals &sums)
+      {
+        const FaceNet::Face     &face = slave.all()[f];
+        const std::vector<Index> own  = kept(f, sums.areas);
         // Dual to the shape functions on the covered part: so D is diagonal
         // where faces are covered in part, too.
-        const Eigen::MatrixXd dual   = dual_functions(sums.mass, sums.areas);
+        const Eigen::MatrixXd dual = dual_functions(sums.mass, sums.areas, own);
         const Eigen::MatrixXd slaves = dual * sums.mass;
-        for (std::size_t c = 0; c < face.nodes.size(); ++c)
+        for (const Index j : own)
           {
-            const auto j   = static_cast<Index>(c);
-            MortarRow &row = rows.at(f, c);
-            row.area += sums.areas[j];
+            MortarRow &row = rows.at(f, static_cast<std::size_t>(j));
+            row.area += dual.row(j) * sums.areas;
             row.size   = std::max(row.size, sums.size);
             row.lowest = std::min(row.lowest, sums.lowest);
             for (std::size_t k = 0; k < face.nodes.size(); ++k)
@@ -255,11 +313,12 @@ namespace conetact::pairing
         rows.join(f);
       }
 
+      /** Nodes of faces that see the master. */
       void
       note_seen()
       {
         for (const MortarRow &row : rows.all())
-          if (row.area != 0) // of second degree: below, too
+          if (!row.neighbours.empty())
             seen.insert(row.node);
       }
 
@@ -326,6 +385,7 @@ namespace conetact::pairing
       MortarRows                                    rows;
       double                                        thickness;
       std::set<unsigned int>                        seen;
+      std::vector<std::pair<std::size_t, FaceIntegrals>> at_rims; ///< of faces
     };
   } // namespace
 

@@ -21,13 +21,9 @@ namespace conetact::pairing
      * corner has is below 0 or cancels, and means over it reach far.
      */
     constexpr double next_to_cancelled = .1;
-    /** Whether a part is larger than another one, beyond rounding: who is next
-     * to two that are covered alike gives to both, whatever units and axes. */
-    bool
-    is_more(const double a, const double b)
-    {
-      return a > b + 1e-9 * std::max(std::abs(a), std::abs(b));
-    }
+    /** What has a row of its own beyond a rim is at most so much smaller than
+     * its neighbours: on a sliver forces would be large pressures. */
+    constexpr double much_more = 4;
 
     double
     area_of(const FaceNet::Face &face, const bool axisymmetric)
@@ -211,58 +207,65 @@ namespace conetact::pairing
         }
   }
 
-  /** Neighbours that are covered most, alike up to rounding; none if the row
-   * itself is. */
-  std::vector<std::size_t>
-  MortarRows::takers_of(const std::size_t          row,
-                        const std::vector<double> &covered) const
+  bool
+  MortarRows::stands(const MortarRow &row) const
   {
-    double most = covered[row];
-    for (const std::size_t other : rows[row].neighbours)
-      most = std::max(most, covered[other]);
-    std::vector<std::size_t> takers;
-    for (const std::size_t other : rows[row].neighbours)
-      if (is_more(covered[other], covered[row]) && covered[other] > 0 &&
-          !is_more(most, covered[other]))
-        takers.push_back(other);
-    return takers;
+    return row.faces_master && row.area > row.least * row.whole;
+  }
+
+  std::vector<std::size_t>
+  MortarRows::takers_of(const MortarRow &row) const
+  {
+    std::vector<std::size_t> standing, larger;
+    for (const std::size_t other : row.neighbours)
+      {
+        if (stands(rows[other]))
+          standing.push_back(other);
+        if (rows[other].area > much_more * std::max(row.area, 0.))
+          larger.push_back(other);
+      }
+    return standing.empty() ? larger : standing;
   }
 
   void
-  MortarRows::give_up_small()
+  MortarRows::give_up_beyond_rims()
   {
-    std::vector<double>      covered(rows.size(), 0.);
-    std::vector<std::size_t> small;
+    struct Gift
+    {
+      std::size_t                                 from;
+      double                                      area;
+      std::vector<std::pair<std::size_t, double>> takers;
+    };
+    // All takers are found before anything is given: what is symmetric stays
+    // so.
+    std::vector<Gift> gifts;
     for (std::size_t i = 0; i < rows.size(); ++i)
-      if (rows[i].area != 0)
+      if (rows[i].area != 0 && !stands(rows[i]))
         {
-          covered[i] = rows[i].area / rows[i].whole;
-          if (covered[i] < rows[i].least)
-            small.push_back(i);
+          Gift   gift{i, rows[i].area, {}};
+          double sum = 0;
+          for (const std::size_t to : takers_of(rows[i]))
+            {
+              gift.takers.emplace_back(to, rows[to].area);
+              sum += rows[to].area;
+            }
+          for (auto &[to, share] : gift.takers)
+            share /= sum;
+          gifts.push_back(std::move(gift));
         }
-    // The least covered first: its neighbour may be small as well and then has
-    // more to give on.
-    std::stable_sort(small.begin(),
-                     small.end(),
-                     [&](const std::size_t a, const std::size_t b) {
-                       return covered[a] < covered[b];
+    // The smallest first: who takes it may be small as well and then has more
+    // to give on.
+    std::stable_sort(gifts.begin(),
+                     gifts.end(),
+                     [](const Gift &a, const Gift &b) {
+                       return a.area < b.area;
                      });
-    for (auto begin = small.begin(); begin != small.end();)
+    for (const Gift &gift : gifts)
       {
-        // Those that are covered alike do not see what the others give: what is
-        // symmetric stays so.
-        std::vector<std::pair<std::size_t, std::vector<std::size_t>>> gifts;
-        const double first = covered[*begin];
-        for (; begin != small.end() && !is_more(covered[*begin], first);
-             ++begin)
-          gifts.emplace_back(*begin, takers_of(*begin, covered));
-        for (const auto &[from, takers] : gifts)
-          {
-            for (const std::size_t to : takers)
-              give(from, to, 1. / static_cast<double>(takers.size()));
-            if (!takers.empty()) // else nobody around has more
-              rows[from].area = 0;
-          }
+        for (const auto &[to, share] : gift.takers)
+          give(gift.from, to, share);
+        if (!gift.takers.empty()) // else nobody around has more
+          rows[gift.from].area = 0;
       }
   }
 } // namespace conetact::pairing

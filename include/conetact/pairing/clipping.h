@@ -39,6 +39,10 @@ namespace conetact::pairing
   std::vector<Polygon>
   without(const std::vector<Polygon> &polygons, const Polygon &taken);
 
+  /** Distance of a point; 0 inside. */
+  double
+  distance(const Polygon &polygon, const Point<2> &p);
+
   /** Whether the boxes around both have a common part larger than rounding. */
   bool
   boxes_overlap(const Polygon &one, const Polygon &other);

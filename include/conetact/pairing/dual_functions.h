@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace conetact::pairing
 {
   /**
@@ -16,9 +18,16 @@ namespace conetact::pairing
    * On a part so small or thin that they would reach far beyond it, the
    * functions N_j themselves: A = 1. (Wohlmuth, SIAM J. Numer. Anal. 38 (2000)
    * 989-1012; covered parts: Cichosz, Bischoff, CMAME 200 (2011) 1317-1332.)
+   *
+   * Only the nodes that are `kept` get a function. The shape functions of the
+   * others are added to theirs, in shares of their integrals: so the kept ones
+   * still sum to 1, and each is biorthogonal to the shape functions of the
+   * other kept nodes. Rows of A that belong to no kept node are 0.
    */
   Eigen::MatrixXd
-  dual_functions(const Eigen::MatrixXd &mass, const Eigen::VectorXd &areas);
+  dual_functions(const Eigen::MatrixXd           &mass,
+                 const Eigen::VectorXd           &areas,
+                 const std::vector<Eigen::Index> &kept);
 } // namespace conetact::pairing
 
 #endif

@@ -24,8 +24,9 @@ namespace conetact::pairing
     double       area  = 0; ///< D_j, of what is covered [length^2]
     double       size  = 0; ///< longest edge of the faces that it meets
     /** The smallest gap of points that see the master [length]. */
-    double lowest = std::numeric_limits<double>::max();
-    double least  = 0; ///< part of `whole` that a row must have to stand
+    double lowest       = std::numeric_limits<double>::max();
+    double least        = 0; ///< part of `whole` that a row must have to stand
+    bool   faces_master = false; ///< its node does: it is over the master
     /** @f$\int \psi_j N_k@f$ of slave and of master nodes [length^2]. */
     std::map<unsigned int, double> slaves, masters;
     std::set<std::size_t>          neighbours; ///< rows of the same faces
@@ -62,17 +63,23 @@ namespace conetact::pairing
      * the same faces. */
     void
     give_up_nodes(const std::function<bool(const unsigned int node)> &is_none);
-    /** Rows of next to no area give it to the neighbours that have most. */
+    /**
+     * Rows of nodes that do not face the master, or that have next to no area,
+     * give what they have to neighbours that stand, in shares of their areas.
+     * Where none does, what is small beside its neighbours goes to these.
+     */
     void
-    give_up_small();
+    give_up_beyond_rims();
 
   private:
     void
     add_row(const unsigned int node);
     void
     give(const std::size_t from, const std::size_t to, const double part);
+    bool
+    stands(const MortarRow &row) const;
     std::vector<std::size_t>
-    takers_of(const std::size_t row, const std::vector<double> &covered) const;
+    takers_of(const MortarRow &row) const;
     std::size_t
     row_like(const MortarRow &row, const unsigned int node);
 

@@ -205,8 +205,9 @@ TEST(DualFunctions, OfAWholeSegmentAndOfAPartOfIt)
   mass << 2, 1, 1, 2;
   Eigen::Matrix2d dual;
   dual << 2, -1, -1, 2;
-  EXPECT_LT((dual_functions(mass / 6, Eigen::Vector2d(.5, .5)) - dual).norm(),
-            1e-14);
+  EXPECT_LT(
+    (dual_functions(mass / 6, Eigen::Vector2d(.5, .5), {0, 1}) - dual).norm(),
+    1e-14);
   // [0, c] of [0, 1]: 1 - x and x
   for (const double c : {.9, .5, .1, 1e-2, 1e-6})
     {
@@ -215,7 +216,7 @@ TEST(DualFunctions, OfAWholeSegmentAndOfAPartOfIt)
       part(0, 1) = part(1, 0) = c * c / 2 - part(1, 1);
       part(0, 0)              = c - 2 * part(0, 1) - part(1, 1);
       const Eigen::Vector2d areas(c - c * c / 2, c * c / 2);
-      const Eigen::Matrix2d A = dual_functions(part, areas);
+      const Eigen::Matrix2d A = dual_functions(part, areas, {0, 1});
       EXPECT_LT((A * part - Eigen::Matrix2d(areas.asDiagonal())).norm(),
                 1e-14 * c);
       EXPECT_LT((A.colwise().sum() - Eigen::RowVector2d::Ones()).norm(),
@@ -243,7 +244,7 @@ TEST(DualFunctions, OfPartsTooSmallAreTheFunctionsThemselves)
           mass += q.weight * N * N.transpose();
           areas += q.weight * N;
         }
-      const Eigen::Matrix4d A = dual_functions(mass, areas);
+      const Eigen::Matrix4d A = dual_functions(mass, areas, {0, 1, 2, 3});
       EXPECT_LT((A * areas).sum() - c * c, 1e-12);
       if (c < .1)
         EXPECT_TRUE(A.isIdentity(0));

@@ -165,16 +165,18 @@ TEST(MortarRows, FacesMakeTheirRowsNeighbours)
 
 
 
-TEST(MortarRows, WhatIsHardlyCoveredGoesToANeighbourAndNothingIsLost)
+TEST(MortarRows, WhoIsBeyondTheRimGivesToWhoFacesTheMaster)
 {
   MortarRows rows(faces_of(strip(3)), sharp);
   cover(rows, 0, 1, 10);
-  cover(rows, 1, 1e-4, 11); // node 2 has a ten thousandth of its area
+  cover(rows, 1, .4, 11);
+  for (const std::size_t c : {0u, 1u}) // node 2 is beyond the rim
+    rows.at(0, c).faces_master = true;
   const Totals before(rows);
-  rows.give_up_small();
+  rows.give_up_beyond_rims();
   const Totals after(rows);
   EXPECT_EQ(rows.all()[2].area, 0);
-  EXPECT_NEAR(rows.all()[1].area, .5 + 1e-4, 1e-15);
+  EXPECT_NEAR(rows.all()[1].area, .5 + .4, 1e-15);
   EXPECT_NEAR(after.area, before.area, 1e-15);
   expect_same(before.slaves, after.slaves);
   expect_same(before.masters, after.masters);
@@ -182,21 +184,52 @@ TEST(MortarRows, WhatIsHardlyCoveredGoesToANeighbourAndNothingIsLost)
 
 
 
+TEST(MortarRows, WhatIsHardlyCoveredIsGivenUpEvenWhereItFacesTheMaster)
+{
+  MortarRows rows(faces_of(strip(3)), sharp);
+  cover(rows, 0, 1, 10);
+  cover(rows, 1, 1e-4, 11); // node 2 has a ten thousandth of its area
+  for (const std::size_t f : {0u, 1u, 2u})
+    for (const std::size_t c : {0u, 1u})
+      rows.at(f, c).faces_master = true;
+  rows.give_up_beyond_rims();
+  EXPECT_EQ(rows.all()[2].area, 0);
+  EXPECT_NEAR(rows.all()[1].area, .5 + 1e-4, 1e-15);
+}
+
+
+
 // However the areas are rounded.
-TEST(MortarRows, WhoIsNextToTwoAlikeGivesToBoth)
+TEST(MortarRows, WhoIsBetweenTwoGivesToBothInSharesOfTheirAreas)
 {
   for (const double rounded : {1 - 1e-15, 1., 1 + 1e-15})
     {
       MortarRows rows(faces_of(strip(4)), sharp);
       cover(rows, 0, 1, 10);
-      cover(rows, 1, 1e-4, 11);
-      cover(rows, 2, 1e-4, 12);
+      cover(rows, 1, .2, 11);
+      cover(rows, 2, .2, 12);
       cover(rows, 3, rounded, 13);
-      rows.give_up_small();
+      for (const std::size_t f : {0u, 3u})
+        for (const std::size_t c : {0u, 1u})
+          rows.at(f, c).faces_master = true;
+      rows.give_up_beyond_rims();
       EXPECT_EQ(rows.all()[2].area, 0);
-      EXPECT_NEAR(rows.all()[1].area, .5 + 1e-4, 1e-14);
-      EXPECT_NEAR(rows.all()[3].area, .5 + 1e-4, 1e-14);
+      EXPECT_NEAR(rows.all()[1].area, .5 + .2, 1e-14);
+      EXPECT_NEAR(rows.all()[3].area, .5 + .2, 1e-14);
     }
+}
+
+
+
+TEST(MortarRows, WhereNoNodeFacesTheMasterSliversGoToTheirNeighbours)
+{
+  MortarRows rows(faces_of(strip(2)), sharp);
+  cover(rows, 0, .4, 10);
+  cover(rows, 1, .01, 11); // node 2 has a sliver of it
+  rows.give_up_beyond_rims();
+  EXPECT_EQ(rows.all()[2].area, 0);
+  EXPECT_NEAR(rows.all()[0].area, .2, 1e-15);
+  EXPECT_NEAR(rows.all()[1].area, .2 + .01, 1e-15);
 }
 
 
@@ -205,7 +238,7 @@ TEST(MortarRows, WhoHasNoNeighbourWithMoreKeepsTheLittleThereIs)
 {
   MortarRows rows(faces_of(strip(1)), sharp);
   cover(rows, 0, 1e-5, 10);
-  rows.give_up_small();
+  rows.give_up_beyond_rims();
   EXPECT_NEAR(Totals(rows).area, 1e-5, 1e-20);
 }
 
