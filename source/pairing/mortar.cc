@@ -130,6 +130,8 @@ namespace conetact::pairing
       {
         for (std::size_t f = 0; f < slave.all().size(); ++f)
           meet(f);
+        if (!at_rims.empty())
+          rows.keep_upright(*structures[contact.body]);
         for (const auto &[f, sums] : at_rims)
           add(f, sums);
         rows.give_up_nodes(
@@ -260,34 +262,37 @@ namespace conetact::pairing
               around * least_covered *
                 std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
           return;
-        bool is_inside = true;
+        rows.join(f);
         for (std::size_t c = 0; c < face.nodes.size(); ++c)
-          if (sums.facing[c])
-            rows.at(f, c).faces_master = true;
-          else
-            is_inside = false;
-        if (is_inside)
+          {
+            MortarRow &row = rows.at(f, c);
+            row.covered += sums.areas[static_cast<Index>(c)];
+            row.kept = row.kept || sums.facing[c];
+          }
+        if (std::all_of(sums.facing.begin(),
+                        sums.facing.end(),
+                        [](const bool is_facing) { return is_facing; }))
           add(f, sums);
         else
           at_rims.emplace_back(f, std::move(sums));
       }
 
-      /** Nodes that have functions of their own: those that face the master, or
-       * if none does, the one that sees most of it. */
+      /** Nodes of a face that have functions of their own; if none is kept, the
+       * one that sees most of the master. */
       std::vector<Index>
       kept(const std::size_t f, const Eigen::VectorXd &areas)
       {
         constexpr double   rounding = 1e-9;
-        std::vector<Index> facing_it;
+        std::vector<Index> own;
         Index              most = 0;
         for (Index j = 0; j < areas.size(); ++j)
           {
-            if (rows.at(f, static_cast<std::size_t>(j)).faces_master)
-              facing_it.push_back(j);
+            if (rows.at(f, static_cast<std::size_t>(j)).kept)
+              own.push_back(j);
             if (areas[j] > (1 + rounding) * areas[most])
               most = j;
           }
-        return facing_it.empty() ? std::vector<Index>{most} : facing_it;
+        return own.empty() ? std::vector<Index>{most} : own;
       }
 
       void
@@ -310,7 +315,6 @@ namespace conetact::pairing
             for (const auto &[node, integrals] : sums.masters)
               row.masters[node] += dual.row(j) * integrals;
           }
-        rows.join(f);
       }
 
       /** Nodes of faces that see the master. */

@@ -76,6 +76,7 @@ namespace conetact::pairing
                          const double                      sharp_edge,
                          const bool                        axisymmetric)
     : row_of(faces.size())
+    , is_space(!faces.empty() && faces.front().corners.size() > 2)
   {
     for (std::size_t f = 0; f < faces.size(); ++f)
       row_of[f].resize(faces[f].nodes.size());
@@ -122,6 +123,75 @@ namespace conetact::pairing
       for (const std::size_t other : row_of[face])
         if (row != other)
           rows[row].neighbours.insert(other);
+  }
+
+  /** All rows that faces connect with one, and itself. */
+  std::vector<std::size_t>
+  MortarRows::patch_of(const std::size_t row, std::vector<bool> &done) const
+  {
+    std::vector<std::size_t> patch = {row};
+    done[row]                      = true;
+    for (std::size_t i = 0; i < patch.size(); ++i)
+      for (const std::size_t other : rows[patch[i]].neighbours)
+        if (!done[other])
+          {
+            done[other] = true;
+            patch.push_back(other);
+          }
+    return patch;
+  }
+
+  /** Whether kept nodes of a patch hold it: two in the plane, in space three
+   * that are not on a line. */
+  bool
+  MortarRows::spans(const std::vector<std::size_t> &patch,
+                    const bodies::Structure        &body) const
+  {
+    constexpr double      off_line = .1; // of a cell
+    std::vector<Point<3>> x;
+    double                cell = 0;
+    for (const std::size_t i : patch)
+      if (rows[i].kept)
+        {
+          x.push_back(body.position(rows[i].node));
+          cell = std::max(cell, std::sqrt(rows[i].whole));
+        }
+    if (x.size() < 2 || !is_space)
+      return x.size() > 1;
+    const auto far =
+      std::max_element(x.begin(),
+                       x.end(),
+                       [&](const Point<3> &a, const Point<3> &b) {
+                         return a.distance(x[0]) < b.distance(x[0]);
+                       });
+    const Tensor<1, 3> line = (*far - x[0]) / far->distance(x[0]);
+    return std::any_of(x.begin(), x.end(), [&](const Point<3> &p) {
+      return cross_product_3d(line, p - x[0]).norm() > off_line * cell;
+    });
+  }
+
+  void
+  MortarRows::keep_upright(const bodies::Structure &body)
+  {
+    constexpr double  as_much = .5;
+    std::vector<bool> done(rows.size(), false);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (!done[i] && !rows[i].neighbours.empty())
+        for (const std::vector<std::size_t> patch = patch_of(i, done);
+             !spans(patch, body);)
+          {
+            const auto part = [&](const std::size_t r) {
+              return rows[r].kept ? 0. : rows[r].covered / rows[r].whole;
+            };
+            double most = 0;
+            for (const std::size_t r : patch)
+              most = std::max(most, part(r));
+            if (most == 0)
+              break;
+            for (const std::size_t r : patch)
+              if (part(r) >= as_much * most)
+                rows[r].kept = true;
+          }
   }
 
   void
@@ -210,7 +280,7 @@ namespace conetact::pairing
   bool
   MortarRows::stands(const MortarRow &row) const
   {
-    return row.faces_master && row.area > row.least * row.whole;
+    return row.kept && row.area > row.least * row.whole;
   }
 
   std::vector<std::size_t>

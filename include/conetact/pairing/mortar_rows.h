@@ -24,9 +24,12 @@ namespace conetact::pairing
     double       area  = 0; ///< D_j, of what is covered [length^2]
     double       size  = 0; ///< longest edge of the faces that it meets
     /** The smallest gap of points that see the master [length]. */
-    double lowest       = std::numeric_limits<double>::max();
-    double least        = 0; ///< part of `whole` that a row must have to stand
-    bool   faces_master = false; ///< its node does: it is over the master
+    double lowest = std::numeric_limits<double>::max();
+    double least  = 0; ///< part of `whole` that a row must have to stand
+    /** Whether its node has a function of its own: it faces the master, or too
+     * few do around it. */
+    bool   kept    = false;
+    double covered = 0; ///< integral of its shape function [length^2]
     /** @f$\int \psi_j N_k@f$ of slave and of master nodes [length^2]. */
     std::map<unsigned int, double> slaves, masters;
     std::set<std::size_t>          neighbours; ///< rows of the same faces
@@ -56,6 +59,12 @@ namespace conetact::pairing
     /** Faces that have integrals make their rows neighbours. */
     void
     join(const std::size_t face);
+    /**
+     * Where the nodes that face the master are one, or lie on a line, it could
+     * turn about them: those that see most of it are kept as well.
+     */
+    void
+    keep_upright(const bodies::Structure &body);
     /** Hanging nodes have no rows: those that they follow take theirs. */
     void
     give_up(const std::vector<bodies::HangingNode> &hanging);
@@ -64,9 +73,9 @@ namespace conetact::pairing
     void
     give_up_nodes(const std::function<bool(const unsigned int node)> &is_none);
     /**
-     * Rows of nodes that do not face the master, or that have next to no area,
-     * give what they have to neighbours that stand, in shares of their areas.
-     * Where none does, what is small beside its neighbours goes to these.
+     * Rows that are not kept, or that have next to no area, give what they have
+     * to neighbours that stand, in shares of their areas. Where none does, what
+     * is small beside its neighbours goes to these.
      */
     void
     give_up_beyond_rims();
@@ -80,12 +89,18 @@ namespace conetact::pairing
     stands(const MortarRow &row) const;
     std::vector<std::size_t>
     takers_of(const MortarRow &row) const;
+    std::vector<std::size_t>
+    patch_of(const std::size_t row, std::vector<bool> &done) const;
+    bool
+    spans(const std::vector<std::size_t> &patch,
+          const bodies::Structure        &body) const;
     std::size_t
     row_like(const MortarRow &row, const unsigned int node);
 
     std::vector<MortarRow>                   rows;
     std::multimap<unsigned int, std::size_t> rows_at; ///< nodes
     std::vector<std::vector<std::size_t>>    row_of;  ///< faces' corners
+    bool is_space = false; ///< else faces are segments
   };
 } // namespace conetact::pairing
 

@@ -171,7 +171,7 @@ TEST(MortarRows, WhoIsBeyondTheRimGivesToWhoFacesTheMaster)
   cover(rows, 0, 1, 10);
   cover(rows, 1, .4, 11);
   for (const std::size_t c : {0u, 1u}) // node 2 is beyond the rim
-    rows.at(0, c).faces_master = true;
+    rows.at(0, c).kept = true;
   const Totals before(rows);
   rows.give_up_beyond_rims();
   const Totals after(rows);
@@ -191,7 +191,7 @@ TEST(MortarRows, WhatIsHardlyCoveredIsGivenUpEvenWhereItFacesTheMaster)
   cover(rows, 1, 1e-4, 11); // node 2 has a ten thousandth of its area
   for (const std::size_t f : {0u, 1u, 2u})
     for (const std::size_t c : {0u, 1u})
-      rows.at(f, c).faces_master = true;
+      rows.at(f, c).kept = true;
   rows.give_up_beyond_rims();
   EXPECT_EQ(rows.all()[2].area, 0);
   EXPECT_NEAR(rows.all()[1].area, .5 + 1e-4, 1e-15);
@@ -211,7 +211,7 @@ TEST(MortarRows, WhoIsBetweenTwoGivesToBothInSharesOfTheirAreas)
       cover(rows, 3, rounded, 13);
       for (const std::size_t f : {0u, 3u})
         for (const std::size_t c : {0u, 1u})
-          rows.at(f, c).faces_master = true;
+          rows.at(f, c).kept = true;
       rows.give_up_beyond_rims();
       EXPECT_EQ(rows.all()[2].area, 0);
       EXPECT_NEAR(rows.all()[1].area, .5 + .2, 1e-14);
