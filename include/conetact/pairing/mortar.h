@@ -21,9 +21,12 @@ namespace conetact::pairing
    * where gaps are closed and faces plane. The gap is that mean of the
    * distance, along the area-weighted normal of the faces at the node.
    *
-   * A node of which next to nothing is covered, or that hangs, gives its
-   * function to a neighbour, which then meets the master with a mean over
-   * both (ContactNode::slaves). Nodes that no face sees, because an edge or a
+   * A node beyond the rim of the master has no function of its own, for on a
+   * sliver a force would be a large pressure: on each face it is shared by the
+   * nodes that face the master, so that what is covered passes all the same
+   * (dual_functions.h; MortarRows::keep_upright where these are too few). A
+   * node that hangs gives its function to those it follows. Who takes over
+   * meets the master with a mean over both (ContactNode::slaves). Nodes that no face sees, because an edge or a
    * corner meets a face, are paired node to face. (Wohlmuth, Acta Numerica 20
    * (2011) 569-734; Popp, Gitterle, Gee, Wall, IJNME 83 (2010) 1428-1465.)
    */
