@@ -26,9 +26,10 @@ namespace conetact::pairing
    * nodes that face the master, so that what is covered passes all the same
    * (dual_functions.h; MortarRows::keep_upright where these are too few). A
    * node that hangs gives its function to those it follows. Who takes over
-   * meets the master with a mean over both (ContactNode::slaves). Nodes that no face sees, because an edge or a
-   * corner meets a face, are paired node to face. (Wohlmuth, Acta Numerica 20
-   * (2011) 569-734; Popp, Gitterle, Gee, Wall, IJNME 83 (2010) 1428-1465.)
+   * meets the master with a mean over both (ContactNode::slaves). Nodes that no
+   * face sees, because an edge or a corner meets a face, are paired node to
+   * face. (Wohlmuth, Acta Numerica 20 (2011) 569-734; Popp, Gitterle, Gee,
+   * Wall, IJNME 83 (2010) 1428-1465.)
    */
   PairedNodes
   pair_by_mortar(const Contact                                &contact,
