@@ -268,6 +268,9 @@ namespace conetact::analysis
       }
     done.add(report);
     unsolved = !report.converged;
+    if (const std::string limit = unsolved ? limit_of(problem, increment) : "";
+        !limit.empty())
+      return limit;
     if (unsolved)
       return report.reason.empty() ?
                "the residual is " + to_text(report.residual) :
@@ -576,7 +579,8 @@ namespace conetact::analysis
       existence->check(contact::resultants_of(problem, model),
                        -increment.before.start().r.head(
                          problem.system->n_contact_unknowns()),
-                       history.largest_force());
+                       history.largest_force(),
+                       problem.gap);
     return result.admissible ?
              "" :
              std::string("no equilibrium exists") +
@@ -584,6 +588,26 @@ namespace conetact::analysis
                (search.is_needed() ? " with contacts as they were found, " :
                                      ", ") +
                describe(result, model);
+  }
+
+  /* What slips or tips under the part of the load that was solved; empty: the
+     method has failed otherwise. */
+  std::string
+  IncrementAnalysis::limit_of(const solvers::ContactProblem &problem,
+                              const PendingIncrement        &increment)
+  {
+    const Eigen::Index n = problem.system->n_contact_unknowns();
+    if (!existence || model.is_iterative() || increment.end.r.size() < n)
+      return "";
+    const Eigen::VectorXd    last = increment.end.r.head(n);
+    const solvers::Existence limit =
+      existence->limit_state(contact::resultants_of(problem, model),
+                             -increment.before.start().r.head(n),
+                             last);
+    return limit.admissible ?
+             "" :
+             "no equilibrium exists, " +
+               describe_limit(limit, last, scene.contact_names, model);
   }
 
   Eigen::MatrixXd

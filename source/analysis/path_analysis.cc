@@ -24,13 +24,6 @@ namespace conetact::analysis
     /** Over the spacing of nodes: smaller gaps are closed. */
     constexpr double touching = 1e-9;
 
-    /** Rounding of the loads f. */
-    bool
-    is_nothing(const Eigen::VectorXd &x, const Eigen::VectorXd &f)
-    {
-      return solvers::largest(x) <= 1e-14 * solvers::largest(f);
-    }
-
     bool
     numbers_are_unique(const contact::ContactPoints &points)
     {
@@ -62,7 +55,7 @@ namespace conetact::analysis
 
   PathAnalysis::PathAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
-    , initial_gap(model.points.layout().n_nodes())
+    , initial_gap(gaps_at_start(model.points, scene))
     , names_are_unique(numbers_are_unique(model.points))
   {
     options.law       = scene.path.law;
@@ -70,10 +63,7 @@ namespace conetact::analysis
     options.cohesion.resize(initial_gap.size());
     Eigen::Index i = 0;
     for (const contact::ContactPoint &point : model.points)
-      {
-        initial_gap[i]        = point.node->gap;
-        options.cohesion[i++] = point.node->cohesion;
-      }
+      options.cohesion[i++] = point.node->cohesion;
     if (initial_gap.size() == 0)
       throw InputError("Solver/Method: supports hold all contact nodes, or "
                        "they are bound or face nothing, so that no contact "
@@ -250,9 +240,10 @@ namespace conetact::analysis
       stored.rate         = (to - from) / (stored.end - stored.begin);
       output::write_problem_text(folder, number, stored);
     };
-    Eigen::VectorXd f = case_at(0).f;
-    if (const Eigen::VectorXd nothing = multiply(system(), unloaded());
-        !is_nothing(f - nothing, f))
+    Case            begin   = case_at(0);
+    Eigen::VectorXd f       = begin.f;
+    Eigen::VectorXd nothing = multiply(system(), unloaded());
+    if (!is_nothing(begin))
       write(0, nothing, f);
     stored.end = 0;
     for (unsigned int k = 1; k <= scene.times.size(); ++k)
@@ -271,9 +262,11 @@ namespace conetact::analysis
   load_path::PathResult
   PathAnalysis::follow(load_path::PathFollower &follower)
   {
-    Case                  begin  = case_at(0);
-    double                start  = 0;
-    load_path::PathResult result = apply_constant_loads(follower, begin);
+    Case   begin = case_at(0);
+    double start = constant_until(begin);
+    if (start > 0)
+      begin = between(begin, case_at(scene.times[0]), start / scene.times[0]);
+    load_path::PathResult result = apply_constant_loads(follower, begin, start);
     for (const double end : scene.times)
       {
         if (result.outcome != load_path::PathOutcome::target_reached &&
@@ -291,56 +284,6 @@ namespace conetact::analysis
         begin = std::move(next);
         start = end;
       }
-    return result;
-  }
-
-
-
-  /* Displacements before anything acts. */
-  Eigen::VectorXd
-  PathAnalysis::unloaded()
-  {
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(system().n_unknowns());
-    for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
-      v[system().normal(i)] = std::max(initial_gap[i], 0.);
-    return v;
-  }
-
-
-
-  /* From nothing: interferences are part of what is applied. */
-  load_path::PathResult
-  PathAnalysis::apply_constant_loads(load_path::PathFollower &follower,
-                                     const Case              &constant)
-  {
-    last.v                        = unloaded();
-    last.r                        = Eigen::VectorXd::Zero(last.v.size());
-    const Eigen::VectorXd nothing = multiply(system(), last.v);
-
-    load_path::PathResult result;
-    result.outcome = load_path::PathOutcome::target_reached;
-    if (is_nothing(constant.f - nothing, constant.f))
-      return result;
-    constant_stage               = true;
-    load_path::PathPoint reached = last;
-    result                       = follower.follow(
-      {nothing, constant.f - nothing, 0, 1},
-      [&](const load_path::PathPoint &point) {
-        for (const load_path::PathChange &change : point.changes)
-          log.note(to_text(point.parameter) + " of the constant loads: node " +
-                   node_name(change.node) + " " + state_name(change.from) +
-                   " -> " + state_name(change.to));
-        reached = point;
-      });
-    if (result.outcome != load_path::PathOutcome::target_reached &&
-        result.outcome != load_path::PathOutcome::no_further_change)
-      {
-        last = reached;
-        return result;
-      }
-    reached.changes.clear();
-    constant_stage = false;
-    record(reached, constant, 0);
     return result;
   }
 

@@ -17,6 +17,20 @@ namespace conetact::contact
      * is less is rounding. */
     constexpr double least_flexibility = 1e-14, least_motion = 1e-10;
 
+    /** BLAS does not take a matrix without rows, and says so. */
+    Eigen::VectorXd
+    times(const Eigen::MatrixXd &A, const Eigen::VectorXd &x)
+    {
+      return A.rows() > 0 ? Eigen::VectorXd(A * x) : Eigen::VectorXd();
+    }
+
+    Eigen::VectorXd
+    transposed_times(const Eigen::MatrixXd &A, const Eigen::VectorXd &x)
+    {
+      return A.rows() > 0 ? Eigen::VectorXd(A.transpose() * x) :
+                            Eigen::VectorXd::Zero(A.cols());
+    }
+
     /** An orthonormal basis of the columns. */
     Eigen::MatrixXd
     basis_of(const Eigen::MatrixXd &columns)
@@ -148,7 +162,7 @@ namespace conetact::contact
   {
     VectorXd result(n_bound + M.cols());
     result << load.segment(n_contact, n_bound),
-      M.transpose() * load.tail(M.rows());
+      transposed_times(M, load.tail(M.rows()));
     return result;
   }
 
@@ -156,7 +170,7 @@ namespace conetact::contact
   BoundUnknowns::kept_part(const VectorXd &load) const
   {
     VectorXd result(n_contact + N.cols());
-    result << load.head(n_contact), N.transpose() * load.tail(N.rows());
+    result << load.head(n_contact), transposed_times(N, load.tail(N.rows()));
     return result;
   }
 
@@ -173,22 +187,23 @@ namespace conetact::contact
   {
     const Index n_k = answer.cols();
     return -(sign.head(n_k).asDiagonal() *
-             (answer.transpose() * (sign.tail(answer.rows()).asDiagonal() *
-                                    chosen_part(bound_load))));
+             transposed_times(answer,
+                              sign.tail(answer.rows()).asDiagonal() *
+                                chosen_part(bound_load)));
   }
 
   Eigen::VectorXd
   BoundUnknowns::bound_of(const VectorXd &unknowns,
                           const VectorXd &bound_load) const
   {
-    VectorXd x = -(answer * unknowns);
+    VectorXd x = -times(answer, unknowns);
     if (x.size() > 0)
       x -= scaling.asDiagonal() *
            factor.solve(scaling.asDiagonal() * chosen_part(bound_load));
     VectorXd   result     = VectorXd::Zero(n_bound + M.rows());
     const auto n_rows     = static_cast<Index>(rows.size());
     result(rows)          = x.head(n_rows);
-    result.tail(M.rows()) = M * x.tail(M.cols());
+    result.tail(M.rows()) = times(M, x.tail(M.cols()));
     return result;
   }
 
@@ -199,7 +214,7 @@ namespace conetact::contact
     const VectorXd bound = bound_of(unknowns, bound_load);
     VectorXd       result(n_contact + bound.size());
     result << unknowns.head(n_contact), bound;
-    result.tail(N.rows()) += N * unknowns.tail(N.cols());
+    result.tail(N.rows()) += times(N, unknowns.tail(N.cols()));
     return result;
   }
 } // namespace conetact::contact

@@ -111,10 +111,11 @@ namespace conetact::contact
     system->matrix *= stiffness_scale;
     // Frames may have motions that nobody has named; those of other bodies
     // are rigid, and known to the last digit.
-    system->null_space = find_mechanisms && n > 0 && n <= largest_rank_search ?
-                           solvers::null_space_basis(system->matrix) :
-                           set.gather(null_space);
-    contact_system     = system;
+    system->null_space =
+      find_mechanisms && n > 0 && n <= largest_rank_search ?
+        solvers::null_space_basis(system->matrix, set.gather(null_space)) :
+        set.gather(null_space);
+    contact_system = system;
   }
 
   Eigen::MatrixXd

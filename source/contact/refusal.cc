@@ -5,6 +5,7 @@
 
 #include "conetact/base/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace conetact::contact
@@ -91,6 +92,36 @@ namespace conetact::contact
             return body + "lifts off, moving " + describe(motion);
         }
     }
+
+    /** Contacts that touch, and where no node has friction left. */
+    std::vector<std::string>
+    contacts_that_slip(const Eigen::VectorXd          &r,
+                       const std::vector<std::string> &contact_names,
+                       const ContactModel             &model)
+    {
+      constexpr double used_up = .99, presses = 1e-6; // of the largest reaction
+      const solvers::ContactSystem &layout  = model.working_set().layout();
+      const double                  largest = solvers::largest(r);
+      std::vector<int>              slips(contact_names.size(), 0);
+      for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+        {
+          const Eigen::Index p =
+            model.working_set().nodes()[static_cast<std::size_t>(i)];
+          const double r_n = r[layout.normal(i)];
+          const double r_t =
+            r.segment(layout.first[i], layout.n_tangents(i)).norm();
+          int &state = slips[model.points[p].node->contact];
+          if (r_n <= presses * largest || layout.mu[i] == 0)
+            continue;
+          const bool slides = r_t >= used_up * layout.mu[i] * r_n;
+          state             = slides && state >= 0 ? 1 : -1;
+        }
+      std::vector<std::string> result;
+      for (std::size_t c = 0; c < slips.size(); ++c)
+        if (slips[c] > 0)
+          result.push_back("'" + contact_names[c] + "'");
+      return result;
+    }
   } // namespace
 
   solvers::ExistenceCheck
@@ -153,5 +184,25 @@ namespace conetact::contact
     return text + (same ? ": no friction could hold it" :
                           ": the contacts that have friction could not hold "
                           "it whatever their coefficients");
+  }
+
+  std::string
+  describe_limit(const solvers::Existence       &limit,
+                 const Eigen::VectorXd          &last,
+                 const std::vector<std::string> &contact_names,
+                 const ContactModel             &model)
+  {
+    constexpr double   digits = 1e4; // more are not known
+    const auto         slips  = contacts_that_slip(last, contact_names, model);
+    solvers::Existence told   = limit;
+    told.fraction = std::max(std::floor(digits * limit.fraction), 1.) / digits;
+    return describe(told, model) +
+           (slips.empty() ?
+              "" :
+              ", where all of contact " + join(slips) + " slips") +
+           ". Apply less load" +
+           (model.bodies.n_rigid > 0 ?
+              "" :
+              ", or let Solver/Method = load path find the limit");
   }
 } // namespace conetact::contact

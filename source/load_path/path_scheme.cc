@@ -81,7 +81,9 @@ namespace conetact::load_path
     // Mechanisms must be singular to the last digit.
     K -= null_space * (null_space.transpose() * K).eval();
     K -= ((K * null_space) * null_space.transpose()).eval();
-    K    = .5 * (K + K.transpose()).eval();
+    K = .5 * (K + K.transpose()).eval();
+    if (null_space.cols() == K.cols()) // nothing strains
+      K.setZero();
     held = K + shift * null_space * null_space.transpose();
   }
 

@@ -111,9 +111,13 @@ namespace conetact::solvers
   /* The distance falls with the friction; its derivative is what the reactions
      at their cones' mantle would gain. */
   void
-  ExistenceCheck::find_needed_friction(const VectorXd &c,
+  ExistenceCheck::find_needed_friction(const MatrixXd &motions,
+                                       const VectorXd &c,
                                        Existence      &result) const
   {
+    const auto reach = [&](const VectorXd &given, const VectorXd &friction) {
+      return nearest_reach(*system, motions, given, friction);
+    };
     const double   zero = noise * c.norm();
     const double   most = system->mu.maxCoeff();
     const VectorXd mu =
@@ -144,7 +148,7 @@ namespace conetact::solvers
             continue;
           }
         low                 = factor;
-        const VectorXd v    = R * at.z / distance;
+        const VectorXd v    = motions * at.z / distance;
         double         gain = 0;
         for (Index j = 0; j < system->n_nodes(); ++j)
           {
@@ -178,10 +182,27 @@ namespace conetact::solvers
 
 
 
+  /* Nodes that are open where the body stands see none of its motions. */
+  MatrixXd
+  ExistenceCheck::motions_of_touching(const VectorXd &gap) const
+  {
+    constexpr double as_close = 1e-6; // of the widest gap
+    MatrixXd         motions  = R;
+    const double most = gap.minCoeff() + as_close * gap.cwiseAbs().maxCoeff();
+    for (Index i = 0; i < system->n_nodes(); ++i)
+      if (gap[i] > most)
+        motions.middleRows(system->first[i], system->n_tangents(i) + 1)
+          .setZero();
+    return motions;
+  }
+
+
+
   Existence
   ExistenceCheck::check(const VectorXd &load,
                         const VectorXd &start,
-                        const double    reference_force) const
+                        const double    reference_force,
+                        const VectorXd &gap) const
   {
     Existence result;
     if (R.cols() == 0)
@@ -211,7 +232,10 @@ namespace conetact::solvers
       {
         result.fraction = 0;
         result.w        = w;
-        find_needed_friction(c, result);
+        if (gap.size() > 0)
+          find_needed_friction(motions_of_touching(gap), c, result);
+        if (!result.friction_needed)
+          find_needed_friction(R, c, result);
         if (!lifts_off)
           limit(even_pressure(c.norm()), c, result.w);
       }
@@ -296,6 +320,8 @@ namespace conetact::solvers
   {
     Index       largest = 0, start = 0;
     const Index n = system->n_nodes();
+    // rows of nodes that no motion moves may hold rounding
+    const double none = 1e-10 * R.cwiseAbs().maxCoeff();
     v.cwiseAbs().maxCoeff(&largest);
     while (system->first[start + 1] <= largest)
       ++start;
@@ -312,6 +338,7 @@ namespace conetact::solvers
             const Index begin = system->first[j],
                         rows  = system->first[j + 1] - begin;
             if (!seen[static_cast<std::size_t>(j)] &&
+                R.middleRows(begin, rows).norm() > none &&
                 coupled.middleRows(begin, rows).norm() >
                   1e-10 * own.norm() * R.middleRows(begin, rows).norm())
               {

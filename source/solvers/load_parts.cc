@@ -88,6 +88,11 @@ namespace conetact::solvers
       }
     std::ostringstream text;
     text.precision(4);
+    if (done > 0 && !system.large) // where the increment may have its limit
+      {
+        state   = now;
+        state.v = slip + start_of(system, part.gap);
+      }
     text << report.reason << "; solved up to " << done
          << " of the load of this increment";
     report.reason = text.str();

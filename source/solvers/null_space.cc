@@ -3,6 +3,7 @@
 
 #include "conetact/solvers/null_space.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -74,18 +75,30 @@ namespace conetact::solvers
 
 
   Eigen::MatrixXd
-  null_space_basis(const Eigen::MatrixXd &K, const double tolerance)
+  null_space_basis(const Eigen::MatrixXd &K,
+                   const Eigen::MatrixXd &known,
+                   const double           tolerance)
   {
+    constexpr double   of_rounding = 1e3, same = 1e-6;
     const Eigen::Index n    = K.rows();
     const double       zero = tolerance * tolerance * K.diagonal().maxCoeff();
-    const Eigen::VectorXd scale = K.diagonal().unaryExpr(
-      [zero](const double d) { return d > zero ? 1 / std::sqrt(d) : 0.; });
+    const Eigen::MatrixXd G = orthonormal_basis(known);
+    // K G would be zero, and shows what K is known to.
+    Eigen::VectorXd rounding = Eigen::VectorXd::Zero(n);
+    if (G.cols() > 0)
+      rounding = of_rounding * (K * G).cwiseAbs().rowwise().maxCoeff();
+    const Eigen::VectorXd scale =
+      K.diagonal().binaryExpr(rounding, [zero](const double d, const double r) {
+        return d > std::max(zero, r) ? 1 / std::sqrt(d) : 0.;
+      });
     const Eigen::MatrixXd scaled = scale.asDiagonal() * K * scale.asDiagonal();
 
     const PivotedCholesky cholesky = factorize(scaled, tolerance);
     const Eigen::Index    rank = cholesky.rank, k = n - rank;
-    if (k == 0)
+    if (k == 0 && G.cols() == 0)
       return Eigen::MatrixXd(n, 0);
+    if (k <= G.cols()) // what is known is known to the last digit
+      return G;
     if (rank == 0)
       return Eigen::MatrixXd::Identity(n, n);
     const auto L = cholesky.factor.topRows(rank).triangularView<Eigen::Lower>();
@@ -107,6 +120,11 @@ namespace conetact::solvers
     // entries without any stiffness move freely
     for (Eigen::Index i = 0; i < n; ++i)
       basis.row(i) *= scale[i] > 0 ? scale[i] : 1.;
-    return orthonormal_basis(basis, 1e-14);
+    basis = orthonormal_basis(basis, 1e-14);
+    if (G.cols() == 0)
+      return basis;
+    Eigen::MatrixXd all(n, G.cols() + k);
+    all << G, basis;
+    return orthonormal_basis(all, same);
   }
 } // namespace conetact::solvers

@@ -55,6 +55,30 @@ namespace conetact::solvers
 
 
 
+    /** The same on r_n >= 0, |r_t| <= radius. */
+    void
+    project_on_disc(const SmallVector &x,
+                    const double       radius,
+                    SmallVector       &value,
+                    SmallMatrix       &derivative)
+    {
+      const Index  t = x.size() - 1;
+      const double a = x.head(t).norm();
+      derivative.setIdentity(t + 1, t + 1);
+      value = x;
+      if (a > radius)
+        {
+          const SmallVector e = x.head(t) / a;
+          value.head(t)       = radius * e;
+          derivative.topLeftCorner(t, t) =
+            radius / a * (SmallMatrix::Identity(t, t) - e * e.transpose());
+        }
+      if (!(x[t] > 0))
+        value[t] = derivative(t, t) = 0;
+    }
+
+    using Projection = decltype(&project_node);
+
     /**
      * One proximal step: z = c + R^T P(r - sigma R z), the gradient of a
      * strongly convex function of z. Writes the new r.
@@ -65,11 +89,13 @@ namespace conetact::solvers
       ProximalStep(const ContactSystem &layout,
                    const MatrixXd      &null_space,
                    const VectorXd      &load,
-                   const VectorXd      &friction)
+                   const VectorXd      &friction,
+                   const Projection     on_set)
         : system(layout)
         , R(null_space)
         , c(load)
         , mu(friction)
+        , project(on_set)
       {}
 
       void
@@ -116,7 +142,7 @@ namespace conetact::solvers
           {
             const Index begin = system.first[i],
                         size  = system.first[i + 1] - begin;
-            project_node(x.segment(begin, size), mu[i], p, D);
+            project(x.segment(begin, size), mu[i], p, D);
             projected.segment(begin, size) = p;
             if (p.isZero(0))
               continue;
@@ -132,11 +158,38 @@ namespace conetact::solvers
       const MatrixXd      &R;
       const VectorXd      &c;
       const VectorXd      &mu;
+      const Projection     project;
 
       VectorXd projected, gradient;
       MatrixXd hessian;
       double   value = 0;
     };
+
+    /** c is of length one. */
+    Reach
+    nearest(const ContactSystem &layout,
+            const MatrixXd      &R,
+            const VectorXd      &c,
+            const VectorXd      &mu,
+            const Projection     project)
+    {
+      Reach        result{c, VectorXd::Zero(R.rows())};
+      ProximalStep step(layout, R, c, mu, project);
+      VectorXd    &z = result.z, &r = result.r;
+      double       sigma = 1;
+      for (unsigned int i = 0; i < 60; ++i)
+        {
+          const VectorXd old = r;
+          step.solve(sigma, z, r);
+          // by how much z fails to prove that it is the nearest
+          const double error = (r - old).norm() / sigma;
+          if (z.norm() <= 1e-13 || error <= 1e-14 * z.norm())
+            break;
+          // sigma z, not sigma, decides on speed and on cancellation
+          sigma = std::min(10 * sigma, 1e3 / z.norm());
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -147,27 +200,26 @@ namespace conetact::solvers
                 const VectorXd      &c,
                 const VectorXd      &mu)
   {
-    Reach        result{c, VectorXd::Zero(R.rows())};
     const double size = c.norm();
     if (!(size > 0))
-      return result;
-    const VectorXd unit = c / size;
-    ProximalStep   step(layout, R, unit, mu);
-    VectorXd       z = unit, &r = result.r;
-    double         sigma = 1;
-    for (unsigned int i = 0; i < 60; ++i)
-      {
-        const VectorXd old = r;
-        step.solve(sigma, z, r);
-        // by how much z fails to prove that it is the nearest
-        const double error = (r - old).norm() / sigma;
-        if (z.norm() <= 1e-13 || error <= 1e-14 * z.norm())
-          break;
-        // sigma z, not sigma, decides on speed and on cancellation
-        sigma = std::min(10 * sigma, 1e3 / z.norm());
-      }
-    r *= size;
-    result.z = z * size;
-    return result;
+      return {c, VectorXd::Zero(R.rows())};
+    const Reach unit = nearest(layout, R, c / size, mu, &project_node);
+    return {size * unit.z, size * unit.r};
+  }
+
+
+
+  Reach
+  nearest_reach_of_discs(const ContactSystem &layout,
+                         const MatrixXd      &R,
+                         const VectorXd      &c,
+                         const VectorXd      &radius)
+  {
+    const double size = c.norm();
+    if (!(size > 0))
+      return {c, VectorXd::Zero(R.rows())};
+    const Reach unit =
+      nearest(layout, R, c / size, radius / size, &project_on_disc);
+    return {size * unit.z, size * unit.r};
   }
 } // namespace conetact::solvers

@@ -5,8 +5,9 @@ import itertools
 import math
 from pathlib import Path
 
-from support.scenes import SHIPPED, box, contact, entries, floor, load, merge, pushed_block, support
+from support.scenes import SHIPPED, box, contact, entries, floor, joint, load, merge, pushed_block, support
 from support.tables import Events, read
+from support.vectors import apply, rotation
 
 REFERENCE = Path(__file__).resolve().parents[1] / "reference"
 PATH = entries(Solver__Method="load path", Output__VTU=0)
@@ -191,6 +192,33 @@ def path_turned_pairs(laws):
                 laws.demand("  it slides: " + events.words, events.words == "limit load: sliding")
 
 
+def path_from_nothing(laws):
+    """Turned blocks that miss the floor and each other by the last digits rest on them under the first load."""
+    for axis, degrees in (((-.889, -.385, .081), .2), ((-.731, .078, -.678), 179.0), ((.3, -.5, .8), 77.3)):
+        turn = rotation(axis, degrees)
+
+        def vector(*v, m=turn):
+            return apply(m, v)
+
+        def traction(p, h, m=turn):
+            down, side = apply(m, (0, 0, -1)), apply(m, (1, 0, 0))
+            return " ; ".join(f"{p}*({a!r})*min(t, 1) + {h}*({b!r})*max(t - 1, 0)" for a, b in zip(down, side))
+        place = {"Rotation": (*map(float, axis), degrees)}
+        scene = {"Dimension": 3, "Body lower": box((2, 2, 2), (2.0, 2.0, .56), (-1.0, -1.0, 0.0), poisson=0.0, **place),
+                 "Body upper": box((1, 1, 2), (1.5, 1.5, .56), (-.75, -.75, .56), **place),
+                 "Obstacle floor": {"Shape": "half space", "Normal": vector(0, 0, 1)},
+                 "Contact ground": contact("lower", 4, mu=.3), "Contact joint": joint(
+                     "upper", 4, "lower", 5, **{"Friction coefficient": .5}),
+                 "Load push": load("traction", traction(.1, .04), 5, "upper"),
+                 "Time": {"Times": "1, 2"}, "Output": {"VTU": 0}, "Solver": {"Method": "load path"}}
+        run = laws.run(scene)
+        events = Events(run.folder)
+        laws.demand(f"two blocks turned by {degrees} degrees: {events.words}", events.words == "limit load: sliding")
+        laws.check("  its limit", abs(events.parameter - 1.75), 1e-6)
+        done, _ = laws.start(scene, "-s", "Solver/Method=automatic")
+        laws.check("  by increments", abs(float(done.stderr.split("at most ")[1].split(". ")[0]) - .75), 1e-4)
+
+
 def path_in_space(laws):
     for degrees in (0, 17, 45, 110):
         angle = math.radians(degrees)
@@ -224,4 +252,5 @@ def path(laws):
     path_turns(laws)
     path_increments(laws)
     path_turned_pairs(laws)
+    path_from_nothing(laws)
     path_in_space(laws)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
-                  hertz, initial_strain, iterative, iterative_sliding, kill, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling,
+                  hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling,
                   round_pairs, sliding,
                   supports, threads, tie, transformations, vanishing)
 from support.checks import run_families  # noqa: E402
@@ -35,6 +35,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
             "mortar-held": mortar.held, "mortar-hertz": mortar.hertz, "mortar-rings": mortar.rings, "mortar-many": mortar.many, "mortar-apart": mortar.apart, "tie": tie.tie_family,
+            "limits": limits.limits,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload, "vanishing": vanishing.vanishing,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,

@@ -110,6 +110,9 @@ namespace conetact::analysis
     std::string
     no_equilibrium(const solvers::ContactProblem &problem,
                    const PendingIncrement        &increment);
+    std::string
+    limit_of(const solvers::ContactProblem &problem,
+             const PendingIncrement        &increment);
     void
     solve_motions(const solvers::ContactProblem &problem,
                   solvers::ContactState         &state,

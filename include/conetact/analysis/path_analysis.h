@@ -15,6 +15,11 @@
 
 namespace conetact::analysis
 {
+  /** Signed gaps of contact nodes before anything acts. */
+  Eigen::VectorXd
+  gaps_at_start(const contact::ContactPoints &points,
+                const application::Scene     &scene);
+
   /**
    * The load-parameter path of a scene, [P]: what acts at t = 0 is applied
    * first, then one stage up to each of the scene's times, in which the
@@ -60,11 +65,19 @@ namespace conetact::analysis
     write_problem_texts();
     Eigen::VectorXd
     unloaded();
+    /** Beside all that acts later, and all that cancels in K (0, gap). */
+    bool
+    is_nothing(const Case &constant);
+    /** The parameter up to which what acts at t = 0 is applied with the loads
+     * of the first stage. */
+    double
+    constant_until(const Case &constant);
     load_path::PathResult
     follow(load_path::PathFollower &follower);
     load_path::PathResult
     apply_constant_loads(load_path::PathFollower &follower,
-                         const Case              &constant);
+                         Case                    &constant,
+                         const double             t);
     void
     record(const load_path::PathPoint &point, const Case &at, const double t);
     void

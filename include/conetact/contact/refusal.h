@@ -8,6 +8,7 @@
 #include "conetact/solvers/existence.h"
 
 #include <string>
+#include <vector>
 
 namespace conetact::contact
 {
@@ -29,6 +30,16 @@ namespace conetact::contact
    */
   std::string
   describe(const solvers::Existence &refusal, const ContactModel &model);
+
+  /**
+   * The same of ExistenceCheck::limit_state(), with the contacts all of whose
+   * nodes slip under the reactions `last` and what to do.
+   */
+  std::string
+  describe_limit(const solvers::Existence       &limit,
+                 const Eigen::VectorXd          &last,
+                 const std::vector<std::string> &contact_names,
+                 const ContactModel             &model);
 } // namespace conetact::contact
 
 #endif

@@ -87,12 +87,27 @@ namespace conetact::solvers
      * (start: any f with the same rigid resultants, e.g. minus the reactions
      * in equilibrium there; zero if nothing has happened yet).
      * `reference_force` is that of ContactProblem: what is less than 1e-12 of
-     * it is round-off.
+     * it is round-off. With `gap`, one of each node at the start, the friction
+     * that would be needed is that of the nodes that touch as they stand, if
+     * these can hold the load.
      */
     Existence
     check(const Eigen::VectorXd &load,
           const Eigen::VectorXd &start,
-          const double           reference_force = 0) const;
+          const double           reference_force = 0,
+          const Eigen::VectorXd &gap             = {}) const;
+
+    /**
+     * The same of a load that reactions in the cones could balance but those
+     * of Coulomb's law do not: `last` are the reactions under the largest part
+     * of the load that was solved. With the friction that they allow, the rest
+     * of the load drives a motion at once where the limit is near; its
+     * fraction is that part. Admissible: something else has failed.
+     */
+    Existence
+    limit_state(const Eigen::VectorXd &load,
+                const Eigen::VectorXd &start,
+                const Eigen::VectorXd &last) const;
 
     /** The orthonormal basis R in use, n x k. */
     const Eigen::MatrixXd &
@@ -113,7 +128,11 @@ namespace conetact::solvers
           const Eigen::VectorXd &to,
           Eigen::VectorXd       &w) const;
     void
-    find_needed_friction(const Eigen::VectorXd &c, Existence &result) const;
+    find_needed_friction(const Eigen::MatrixXd &motions,
+                         const Eigen::VectorXd &c,
+                         Existence             &result) const;
+    Eigen::MatrixXd
+    motions_of_touching(const Eigen::VectorXd &gap) const;
     Eigen::VectorXd
     even_pressure(const double force) const;
     void

@@ -33,7 +33,8 @@ namespace conetact::solvers
   /**
    * Solves an increment in parts, which grow where they are solved and shrink
    * where not. The state is that at its start, v = (0, gap), and becomes that
-   * at its end, with the slips of all parts; it stays where they end early.
+   * at its end, with the slips of all parts, or that of the last one that was
+   * solved (not of large systems).
    */
   SolverReport
   solve_in_parts(const LoadParts      &parts,

@@ -14,11 +14,15 @@ namespace conetact::solvers
    * @f$D^{-1/2} K D^{-1/2}@f$, D the diagonal of K: rigid motions and
    * mechanisms nobody has named. The scaling makes the rank independent of
    * units and of stiff and soft bodies side by side. A pivot below `tolerance`
-   * (without units) counts as zero. Costs n^3/3 operations at most; meant for
-   * sizes up to about a thousand.
+   * (without units) counts as zero, as do diagonal entries that rounding may
+   * have left: the columns of `known` are motions without strain, for which
+   * K gives nothing else. Costs n^3/3 operations at most; meant for sizes up
+   * to about a thousand.
    */
   Eigen::MatrixXd
-  null_space_basis(const Eigen::MatrixXd &K, const double tolerance = 1e-11);
+  null_space_basis(const Eigen::MatrixXd &K,
+                   const Eigen::MatrixXd &known     = {},
+                   const double           tolerance = 1e-11);
 
   /**
    * Orthonormal basis of the span of the columns; those that depend on the

@@ -39,6 +39,14 @@ namespace conetact::solvers
                 const Eigen::MatrixXd &R,
                 const Eigen::VectorXd &c,
                 const Eigen::VectorXd &mu);
+
+  /** The same with r_n >= 0 and |r_t| below a radius that r_n does not
+   * change. */
+  Reach
+  nearest_reach_of_discs(const ContactSystem   &layout,
+                         const Eigen::MatrixXd &R,
+                         const Eigen::VectorXd &c,
+                         const Eigen::VectorXd &radius);
 } // namespace conetact::solvers
 
 #endif

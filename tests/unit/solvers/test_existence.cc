@@ -449,6 +449,24 @@ TEST(NullSpace, StiffAndSoftBodies)
 
 
 
+TEST(NullSpace, NothingButRounding)
+{
+  std::srand(3);
+  // three rigid motions of a body that three unknowns hold: K is rounding
+  const MatrixXd A = MatrixXd::Random(3, 3);
+  const MatrixXd K = 1e-9 * A * A.transpose();
+  EXPECT_EQ(null_space_basis(K, MatrixXd::Random(3, 3)).cols(), 3);
+  // a mechanism beside them
+  MatrixXd L            = MatrixXd::Zero(5, 5);
+  L.topLeftCorner(3, 3) = K;
+  L(3, 3)               = 1;
+  MatrixXd known        = MatrixXd::Zero(5, 3);
+  known.topRows(3)      = MatrixXd::Random(3, 3);
+  EXPECT_EQ(null_space_basis(L, known).cols(), 4);
+}
+
+
+
 TEST(NullSpace, DefiniteAndZero)
 {
   EXPECT_EQ(null_space_basis(MatrixXd::Identity(5, 5)).cols(), 0);

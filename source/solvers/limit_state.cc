@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/existence.h"
+
+#include <algorithm>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::MatrixXd;
+    using Eigen::VectorXd;
+
+    /** Of a load: what is off the way to it by more is not a part of it. */
+    constexpr double off_the_way = 1e-6;
+
+    /** Remainders below this part of a load show no direction. */
+    constexpr double directed = 1e-7;
+
+    /** Of the increment: a limit that is further away is not what failed. */
+    constexpr double near = .02;
+
+    /** The friction that reactions allow, node by node. */
+    VectorXd
+    friction_of(const ContactSystem &system, const VectorXd &r)
+    {
+      VectorXd radius(system.n_nodes());
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        radius[i] = system.mu[i] * std::max(0., r[system.normal(i)]);
+      return radius;
+    }
+
+    /**
+     * The largest s for which from + s rate is balanced with this friction, and
+     * the motion w that sets in there: the zeros of tangents to the distance,
+     * which is convex, come down to it from above.
+     */
+    double
+    largest_share(const ContactSystem &system,
+                  const MatrixXd      &R,
+                  const VectorXd      &radius,
+                  const VectorXd      &from,
+                  const VectorXd      &rate,
+                  VectorXd            &w)
+    {
+      constexpr unsigned int most_steps = 100;
+      double                 s          = 1;
+      for (unsigned int i = 0; i < most_steps; ++i)
+        {
+          const VectorXd c = from + s * rate;
+          const VectorXd z = nearest_reach_of_discs(system, R, c, radius).z;
+          if (z.norm() <= directed * std::max(c.norm(), from.norm()))
+            return s;
+          w                    = z.normalized();
+          const double slope   = rate.dot(w);
+          const double balance = s - z.norm() / slope; // where z vanishes
+          if (!(slope > 0 && balance > 0))
+            return 0;
+          s = balance;
+        }
+      return s;
+    }
+  } // namespace
+
+
+
+  Existence
+  ExistenceCheck::limit_state(const VectorXd &load,
+                              const VectorXd &start,
+                              const VectorXd &last) const
+  {
+    Existence      result;
+    const VectorXd c = R.transpose() * load, c0 = R.transpose() * start;
+    const VectorXd now = -R.transpose() * last, way = c - c0;
+    if (R.cols() == 0 || !(way.norm() > 0))
+      return result;
+    const double solved = (now - c0).dot(way) / way.squaredNorm();
+    if (!(solved >= 0 && solved < 1) ||
+        (now - c0 - solved * way).norm() > off_the_way * way.norm())
+      return result;
+    VectorXd     w;
+    const double more =
+      largest_share(*system, R, friction_of(*system, last), now, c - now, w);
+    if (w.size() == 0 || more * (1 - solved) > near)
+      return result;
+    result.admissible = false;
+    result.fraction   = solved;
+    result.w          = w;
+    name_motion(result);
+    return result;
+  }
+} // namespace conetact::solvers
