@@ -480,8 +480,10 @@ namespace conetact::analysis
   Acceptance::restore(const Archive &archive)
   {
     verification.restore(archive);
-    contact_rows.restore(archive);
-    energies.restore(archive, scene.support_names);
+    contact_rows.restore(archive,
+                         verification.accepted_displacements(),
+                         verification.accepted_time());
+    energies.restore(archive, scene.support_names, model.points);
     archive.fill("acceptance/largest_force", largest_force);
   }
 

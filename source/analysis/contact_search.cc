@@ -3,9 +3,11 @@
 
 #include "conetact/analysis/contact_search.h"
 
+#include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/face_nodes.h"
 #include "conetact/pairing/closest_point.h"
+#include "conetact/pairing/found_nodes.h"
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -135,7 +137,7 @@ namespace conetact::analysis
   {
     const contact::RigidMotions &motions = model.motions;
     Eigen::VectorXd              before  = motions.none(), deformed;
-    model.bodies.move_frames()           = frames;
+    go_back();
     if (start.size() > 0)
       {
         before   = motions.placement(start_t);
@@ -156,29 +158,33 @@ namespace conetact::analysis
     const auto at = [&](const unsigned int body, const unsigned int node) {
       return model.displacement(u, body, node);
     };
+    const auto         &points = model.points.all();
+    Eigen::VectorXd     r(model.points.n_all_unknowns());
     std::vector<double> forces;
     double              largest = 0;
     Change              worst;
-    for (const contact::ContactPoint &point : model.points)
+    r << increment.state.r, increment.bound.r;
+    for (const contact::ContactPoint &point : points)
       {
-        forces.push_back(contact::force_of(point, increment.state.r).norm());
+        forces.push_back(contact::force_of(point, r).norm());
         largest = std::max(largest, forces.back());
       }
-    for (std::size_t i = 0; i < model.points.size(); ++i)
+    for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const pairing::ContactNode &node = *model.points[i].node;
+        const pairing::ContactNode &node = *points[i].node;
         if (!node.slides)
           continue;
         const pairing::ContactNode &now =
           found[static_cast<std::size_t>(&node - model.points.nodes().data())];
         const double t    = increment.record.time;
-        const bool   open = increment.state.node[i] == solvers::NodeState::open;
+        const bool   open = i < model.points.size() &&
+                          increment.state.node[i] == solvers::NodeState::open;
         pairing::FoundChange change = pairing::change_of(
           node,
           now,
           contact::relative_displacement(now, at, t),
           node.gap + node.n * contact::relative_displacement(node, at, t),
-          open ? 0 : forces[i] / largest);
+          open || largest == 0 ? 0 : forces[i] / largest);
         if (node.obstacle != nullptr && !open)
           // an obstacle that turns moves otherwise at its other points
           change.force =
@@ -337,7 +343,7 @@ namespace conetact::analysis
   {
     for (const pairing::ContactNode &node : model.points.nodes())
       {
-        if (!node.slides || node.obstacle == nullptr)
+        if (!node.slides || node.obstacle == nullptr || node.is_bound())
           continue;
         const auto at = [&](const double part) {
           return contacts.find_on_obstacle(
@@ -576,7 +582,8 @@ namespace conetact::analysis
     for (std::size_t i = 0; i < end.size(); ++i)
       {
         const pairing::ContactNode &then = start_nodes[i], &now = end[i];
-        if (!now.slides || now.obstacle != nullptr || then.masters.empty())
+        if (!now.slides || now.is_bound() || now.obstacle != nullptr ||
+            then.masters.empty())
           continue;
         const double depth =
           -then.gap - then.n * contact::difference_of_sides(then, at);
@@ -605,5 +612,63 @@ namespace conetact::analysis
     frames       = model.bodies.frames();
     start_nodes  = model.points.nodes();
     start_inside = inside;
+  }
+
+  void
+  ContactSearch::go_back()
+  {
+    model.bodies.move_frames() = frames;
+  }
+
+  void
+  ContactSearch::save(Archive &archive) const
+  {
+    if (!is_needed())
+      return;
+    pairing::save_found(start_nodes, archive);
+    pairing::save_frames(frames, archive);
+    pairing::SlidingContacts::save(start_inside, archive);
+  }
+
+  namespace
+  {
+    bool
+    is_moved(const pairing::RigidMotion &frame)
+    {
+      const Tensor<2, 3> turn =
+        frame.rotation - dealii::unit_symmetric_tensor<3>();
+      return frame.translation.norm_square() + turn.norm_square() > 0;
+    }
+  } // namespace
+
+  /* Of a run whose contacts stay all is where it was at the start. */
+  void
+  ContactSearch::restore(const Archive           &archive,
+                         contact::ContactHistory &history)
+  {
+    const bool has_searched = archive.has("found/inside");
+    if (!is_needed() && has_searched)
+      throw InputError("Option --restart: a support has turned a body of the "
+                       "run that is continued, and none does so here. Keep its "
+                       "Turn, as an expression that stays the same if need "
+                       "be.");
+    if (!is_needed())
+      return;
+    start.resize(model.coordinates.n_dofs());
+    archive.fill("verification/u", start);
+    archive.fill("verification/t", start_t);
+    if (!has_searched)
+      return;
+    pairing::restore_frames(archive, frames);
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      if (!model.has_frame(body) && is_moved(frames[body]))
+        throw InputError("Option --restart: " + model.bodies.called(body) +
+                         " has turned far in the run that is continued, and "
+                         "supports hold it here so that it turns little. Hold "
+                         "it as before.");
+    pairing::restore_found(archive, model.bodies.structures, start_nodes);
+    start_inside = contacts.restore(archive);
+    go_back();
+    take(start_nodes, history);
   }
 } // namespace conetact::analysis

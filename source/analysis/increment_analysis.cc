@@ -103,6 +103,16 @@ namespace conetact::analysis
     if (every == 0 || n_on_disk == n_saved ||
         (!at_end && n_on_disk % every != 0 && n_on_disk != scene.times.size()))
       return;
+    if (search.is_needed())
+      {
+        if (search.time() != scene.times[n_on_disk - 1])
+          return;   // in parts of the next increment
+        if (at_end) // the model has contacts of an increment that failed
+          {
+            search.go_back();
+            take(search.accepted());
+          }
+      }
     Archive archive;
     archive.put_text("scene", scene.values());
     archive.put("times",
@@ -113,6 +123,7 @@ namespace conetact::analysis
     archive.put("one by one", one_by_one ? 1. : 0.);
     archive.put("iterative", model.is_iterative() ? 1. : 0.);
     put_reaction_rows(archive, n_reaction_rows);
+    search.save(archive);
     history.save(archive);
     acceptance.save(archive);
     archive.write(description.folder / "checkpoint.bin");
@@ -131,6 +142,7 @@ namespace conetact::analysis
     output::check_former_tables(scene.restart->folder,
                                 scene.n_done(),
                                 n_reaction_rows);
+    search.restore(archive, history);
     history.restore(archive);
     acceptance.restore(archive);
     n_saved = n_on_disk = first_unsure = scene.n_done();

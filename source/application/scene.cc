@@ -355,13 +355,6 @@ namespace conetact::application
   void
   Scene::check_sliding() const
   {
-    const bool keeps_state = checkpoint_every > 0 || restart;
-    for (const bodies::Support &support : bodies.supports)
-      if (support.turn && keeps_state)
-        throw InputError("Support '" + support.name +
-                         "', Turn: a run in which bodies turn far cannot be "
-                         "continued from a checkpoint. Set Output/Checkpoint "
-                         "to 0.");
     for (const bodies::Support &support : bodies.supports)
       if (support.turn && (path.follows || adaptive.cycles > 0))
         throw InputError("Support '" + support.name +
@@ -375,10 +368,6 @@ namespace conetact::application
         if (!contact.slides)
           continue;
         const std::string in = "Contact '" + contact.name + "', Kinematics: ";
-        if (keeps_state)
-          throw InputError(in + "a run in which contacts slide far cannot be "
-                                "continued from a checkpoint. Set "
-                                "Output/Checkpoint to 0.");
         if (path.follows)
           throw InputError(in + "a load path follows contacts of undeformed "
                                 "bodies. Choose small, or another "

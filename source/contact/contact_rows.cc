@@ -198,8 +198,12 @@ namespace conetact::contact
   }
 
   void
-  ContactRows::restore(const Archive &archive)
+  ContactRows::restore(const Archive         &archive,
+                       const Eigen::VectorXd &displacements,
+                       const double           t)
   {
+    last_u = displacements;
+    last_t = t;
     std::vector<double>       gaps(last.size()), states(last.size());
     std::vector<Tensor<1, 3>> u(last.size()), du(u), reactions(u);
     archive.fill("rows/gaps", gaps);
@@ -210,6 +214,7 @@ namespace conetact::contact
     archive.fill("rows/other", other_before);
     for (std::size_t i = 0; i < last.size(); ++i)
       {
+        place(*model.points.all()[i].node, last[i]);
         last[i].gap      = gaps[i];
         last[i].state    = static_cast<solvers::NodeState>(states[i]);
         last[i].u        = u[i];

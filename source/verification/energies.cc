@@ -98,6 +98,12 @@ namespace conetact::verification
     last_foundations = finding.foundations;
     last_r           = r;
     last_t           = t;
+    remember_nodes(points);
+  }
+
+  void
+  Energies::remember_nodes(const contact::ContactPoints &points)
+  {
     last_nodes.clear();
     if (points.slide())
       for (const contact::ContactPoint &point : points.all())
@@ -125,8 +131,10 @@ namespace conetact::verification
 
   void
   Energies::restore(const Archive                  &archive,
-                    const std::vector<std::string> &supports)
+                    const std::vector<std::string> &supports,
+                    const contact::ContactPoints   &points)
   {
+    remember_nodes(points);
     const auto number = [&](const std::string &name) {
       double value = 0;
       archive.fill(name, value);

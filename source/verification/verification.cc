@@ -624,6 +624,18 @@ namespace conetact::verification
     archive.fill("verification/history", past.force);
     archive.fill("verification/springs", past.on_springs);
     archive.fill("verification/supports", past.on_supports);
+    remember_contacts();
+  }
+
+  void
+  Verification::remember_contacts()
+  {
+    if (!points.slide())
+      return;
+    last.nodes  = points.nodes();
+    last.points = points.all();
+    for (contact::ContactPoint &point : last.points)
+      point.node = last.nodes.data() + (point.node - points.nodes().data());
   }
 
   void
@@ -631,13 +643,7 @@ namespace conetact::verification
   {
     // The slip of the next increment starts here.
     last = {finding.u, t, {}, {}};
-    if (points.slide())
-      {
-        last.nodes  = points.nodes();
-        last.points = points.all();
-        for (contact::ContactPoint &point : last.points)
-          point.node = last.nodes.data() + (point.node - points.nodes().data());
-      }
+    remember_contacts();
     for (std::size_t body = 0; body < past.force.size(); ++body)
       past.force[body] =
         std::max(past.force[body], finding.largest_force[body]);

@@ -6,7 +6,9 @@ import signal
 import subprocess
 import time
 
+from laws.far_turns import bar, rolled
 from laws.kill import readable, rows_on_disk
+from laws.sliding import disc, slab
 from support.scenes import SHIPPED, box, contact, floor, load, merge, press_and_shear, stack, support, write_scene
 from support.tables import TEXTS, Run, read
 
@@ -75,15 +77,28 @@ def kinds():
             "two blocks": blocks, "tied blocks": tied, "in space": space}
 
 
+def far_kinds():
+    """Scenes in which contacts are found again and bodies turn."""
+    pushed = press_and_shear(2, increments=12)
+    pushed["Support top"]["Displacement"] = pushed["Support top"]["Displacement"].replace("0.004", "0.21")
+    pairs = {f"slab, {pairing}": slab(pushed, (26, 4), (6.5, 1.0), (-2.25, -1.0), "bottom", Pairing=pairing)
+             for pairing in ("mortar", "node to face")}
+    turning = merge(bar(2, 70.0, steps=10), {"Load end": load("traction", "3*t ; -2*t", 1, "bar")})
+    cut_in_parts = disc(9, way=3.75)  # more than friction takes at once
+    cut_in_parts["Obstacle disc"]["Turn"] = "25*max(t - 1, 0)*9"
+    return {"swept disc": disc(10, way=1.0), "increments in parts": cut_in_parts, **pairs, "turned bar": turning,
+            "rolled disc": rolled(10, way=1.0, cells=3)}
+
+
 def same_as_in_one_go(laws):
-    for name, scene in kinds().items():
+    for name, scene in {**kinds(), **far_kinds()}.items():
         scene = merge(scene, {"Output": {"Checkpoint": 5}})
         whole = laws.run(scene)
         plain = laws.run(merge(scene, {"Output": {"Checkpoint": 0}}))
         laws.check(f"{name}: checkpoints change the tables by", difference(plain.folder, whole.folder), 1e-12)
         times = [row["time"] for row in whole.increments]
         file = laws.folder / f"{laws.n_runs}-short.prm"
-        write_scene(merge(scene, {"Time": {"End": None, "Increments": None, "Times": times[:7]}}), file)
+        write_scene(merge(scene, {"Time": {"End": None, "Increments": None, "Stages": None, "Times": times[:7]}}), file)
         folder = laws.folder / f"{laws.n_runs}-parts"
         subprocess.run([laws.program, file, "-o", folder, "--quiet"], check=True)
         full = laws.folder / f"{laws.n_runs}-full.prm"
@@ -164,10 +179,28 @@ def by_the_other_backend(laws):
 
 def restart(laws):
     same_as_in_one_go(laws)
+    after_a_failure(laws)
     after_a_kill(laws)
     with_other_loads(laws)
     by_the_other_backend(laws)
     refusals(laws)
+
+
+def after_a_failure(laws):
+    """A block slides off a slab: the checkpoint is that of the last increment on disk, whatever was tried after it."""
+    scene = merge(far_kinds()["slab, mortar"], {"Output": {"Checkpoint": 5}})
+    scene["Support top"] = {**scene["Support top"], "Directions": "y"}
+    scene["Load push"] = load("traction", "0.3*max(t - 1, 0) ; 0", 3)
+    done, folder = laws.start(scene)
+    laws.demand(f"pushed until it slides ({done.returncode}): {done.stderr.strip()[:100]}", done.returncode == 2)
+    n = rows_on_disk(folder)
+    laws.demand(f"{n} increments are on disk, more than at the last regular checkpoint", n % 5 != 0 and n > 0)
+    gentle = merge(scene, {"Load push": {"Value": f"0.3*max(min(t, {n + .2!r}) - 1, 0) ; 0"}})
+    whole = laws.run(gentle)
+    file = laws.folder / "gentle.prm"
+    write_scene(gentle, file)
+    if go_on(laws, file, folder):
+        laws.check("difference from a run without the failure", difference(whole.folder, folder), 1e-12)
 
 
 def refusals(laws):

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
+from laws import (axisymmetric, axisymmetric_sliding, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh,  # noqa: E402
                   hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling,
                   round_pairs, sliding,
                   supports, threads, tie, transformations, vanishing)
@@ -26,7 +26,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "shapes": driven.shapes, "free": driven.free_obstacles, "turning": driven.turning,
             "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "pieces": pieces.pieces, "kill": kill.kill,
-            "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "gmsh": gmsh.gmsh,
+            "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "axisymmetric-sliding": axisymmetric_sliding.axisymmetric_sliding,
+            "gmsh": gmsh.gmsh,
             "orthotropic": orthotropic.orthotropy, "path": path.path, "iterative": iterative.iterative,
             "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating,
             "iterative-frames": iterative.iterative_frames, "iterative-sliding": iterative_sliding.iterative_sliding, "restart": restart.restart,

@@ -112,6 +112,22 @@ namespace conetact::analysis
     {
       return start_t;
     }
+    /** Contacts as they were then. */
+    const Nodes &
+    accepted() const
+    {
+      return start_nodes;
+    }
+    /** Bodies stand where they stood then. */
+    void
+    go_back();
+
+    /** What of it is kept in a checkpoint, and taken from one again, also by
+     * the history. Throws InputError. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive, contact::ContactHistory &history);
 
   private:
     using Ways = std::vector<pairing::BodyWay>;

@@ -48,11 +48,15 @@ namespace conetact::contact
      */
     void
     relink();
-    /** What of it is kept in a checkpoint, and taken from one again. */
+    /** What of it is kept in a checkpoint, and taken from one again: of the
+     * contacts as the model has found them, at these displacements of all dofs
+     * and time t. */
     void
     save(Archive &archive) const;
     void
-    restore(const Archive &archive);
+    restore(const Archive         &archive,
+            const Eigen::VectorXd &displacements,
+            const double           t);
 
     /** Before the first increment: gaps, and nothing else. */
     std::vector<output::ContactRow>

@@ -33,11 +33,17 @@ namespace conetact::verification
     /** What of it is kept in a checkpoint, and taken from one again. */
     void
     save(Archive &archive, const std::vector<std::string> &supports) const;
-    /** Springs of supports that the checkpoint does not know are new. */
+    /** Springs of supports that the checkpoint does not know are new; points
+     * that slide are where it found them. */
     void
-    restore(const Archive &archive, const std::vector<std::string> &supports);
+    restore(const Archive                  &archive,
+            const std::vector<std::string> &supports,
+            const contact::ContactPoints   &points);
 
   private:
+    void
+    remember_nodes(const contact::ContactPoints &points);
+
     // at the end of the increment that came last
     Eigen::VectorXd last_u, last_forces; ///< external, all dofs
     std::vector<contact::Foundation> last_foundations;

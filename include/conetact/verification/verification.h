@@ -115,6 +115,12 @@ namespace conetact::verification
     {
       return last.u;
     }
+    /** Their time. */
+    double
+    accepted_time() const
+    {
+      return last.t;
+    }
     /** What it found of a claim at time t becomes the state that the next one
      * is judged against. */
     void
@@ -179,6 +185,8 @@ namespace conetact::verification
                            const double           t) const;
     void
     find_changes(const double t, Finding &out) const;
+    void
+    remember_contacts();
 
     const contact::Bodies        &bodies;
     const contact::ElasticSystem &elastic;

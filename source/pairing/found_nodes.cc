@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/found_nodes.h"
+
+#include "conetact/base/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    using Weights = std::vector<std::pair<unsigned int, double>>;
+
+    [[noreturn]] void
+    refuse(const std::string &what)
+    {
+      throw InputError("The checkpoint does not fit the scene: " + what +
+                       ". Meshes, contacts and their bodies must be those of "
+                       "the run that is continued.");
+    }
+
+    /** Reads numbers one by one; what is none that was written is refused. */
+    class Numbers
+    {
+    public:
+      explicit Numbers(const std::vector<double> &v)
+        : values(v)
+      {}
+      double
+      next()
+      {
+        if (i == values.size() || !std::isfinite(values[i]))
+          refuse("weights of contact nodes are missing");
+        return values[i++];
+      }
+      unsigned int
+      next_below(const std::size_t limit)
+      {
+        const double value = next();
+        if (!(value >= 0 && value < static_cast<double>(limit)) ||
+            value != std::floor(value))
+          refuse("contact nodes face others that do not exist");
+        return static_cast<unsigned int>(value);
+      }
+      bool
+      at_end() const
+      {
+        return i == values.size();
+      }
+
+    private:
+      const std::vector<double> &values;
+      std::size_t                i = 0;
+    };
+
+    /** One of the two sides of contact nodes, means over nodes of a body. */
+    struct Side
+    {
+      const char *name;
+      Weights ContactNode::*weights;
+      unsigned int ContactNode::*body;
+    };
+    constexpr Side sides[] = {
+      {"masters", &ContactNode::masters, &ContactNode::master},
+      {"slaves", &ContactNode::slaves, &ContactNode::body}};
+
+    /** Of each node how many others it has, then these and their weights. */
+    std::vector<double>
+    to_numbers(const std::vector<ContactNode> &nodes, const Side &side)
+    {
+      std::vector<double> result;
+      for (const ContactNode &node : nodes)
+        {
+          const Weights &weights = node.*side.weights;
+          result.push_back(static_cast<double>(weights.size()));
+          for (const auto &[other, weight] : weights)
+            {
+              result.push_back(other);
+              result.push_back(weight);
+            }
+        }
+      return result;
+    }
+
+    void
+    take(const std::vector<double>                    &values,
+         const Side                                   &side,
+         const std::vector<const bodies::Structure *> &structures,
+         std::vector<ContactNode>                     &nodes)
+    {
+      Numbers numbers(values);
+      for (ContactNode &node : nodes)
+        {
+          const unsigned int n_nodes = structures[node.*side.body]->n_nodes();
+          Weights           &weights = node.*side.weights;
+          weights.clear();
+          for (unsigned int n = numbers.next_below(values.size()); n > 0; --n)
+            {
+              const unsigned int other = numbers.next_below(n_nodes);
+              weights.emplace_back(other, numbers.next());
+            }
+        }
+      if (!numbers.at_end())
+        refuse("there are weights of other contact nodes");
+    }
+
+    /** What tells nodes apart, as they are at the start. */
+    std::vector<double>
+    fingerprint(const std::vector<ContactNode> &nodes)
+    {
+      std::vector<double> numbers;
+      for (const ContactNode &node : nodes)
+        {
+          numbers.push_back(node.contact);
+          numbers.push_back(node.node);
+          for (unsigned int d = 0; d < 3; ++d)
+            numbers.push_back(node.position[d]);
+        }
+      return numbers;
+    }
+
+    struct VectorRow
+    {
+      const char  *name;
+      Tensor<1, 3> ContactNode::*member;
+    };
+    constexpr VectorRow vectors[] = {{"n", &ContactNode::n},
+                                     {"t1", &ContactNode::t1},
+                                     {"t2", &ContactNode::t2},
+                                     {"axis 1", &ContactNode::axis_1},
+                                     {"axis 2", &ContactNode::axis_2},
+                                     {"moved", &ContactNode::moved}};
+
+    struct LengthRow
+    {
+      const char *name;
+      double ContactNode::*member;
+    };
+    constexpr LengthRow lengths[] = {{"gap", &ContactNode::gap},
+                                     {"area", &ContactNode::area}};
+
+    const std::string found = "found/", placed = "frames/"; // in checkpoints
+  }                                                         // namespace
+
+  void
+  save_found(const std::vector<ContactNode> &nodes, Archive &archive)
+  {
+    archive.put(found + "nodes", fingerprint(nodes));
+    for (const VectorRow &row : vectors)
+      {
+        std::vector<Tensor<1, 3>> values;
+        for (const ContactNode &node : nodes)
+          values.push_back(node.*row.member);
+        archive.put(found + row.name, values);
+      }
+    for (const LengthRow &row : lengths)
+      {
+        std::vector<double> values;
+        for (const ContactNode &node : nodes)
+          values.push_back(node.*row.member);
+        archive.put(found + row.name, values);
+      }
+    for (const Side &side : sides)
+      archive.put(found + side.name, to_numbers(nodes, side));
+  }
+
+  void
+  restore_found(const Archive                                &archive,
+                const std::vector<const bodies::Structure *> &structures,
+                std::vector<ContactNode>                     &nodes)
+  {
+    const std::vector<double> now  = fingerprint(nodes);
+    std::vector<double>       then = now;
+    archive.fill(found + "nodes", then);
+    if (now != then)
+      refuse("contact nodes are others, or at other places");
+    for (const VectorRow &row : vectors)
+      {
+        std::vector<Tensor<1, 3>> values(nodes.size());
+        archive.fill(found + row.name, values);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          nodes[i].*row.member = values[i];
+      }
+    for (const LengthRow &row : lengths)
+      {
+        std::vector<double> values(nodes.size());
+        archive.fill(found + row.name, values);
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          nodes[i].*row.member = values[i];
+      }
+    for (const Side &side : sides)
+      take(archive.get(found + side.name), side, structures, nodes);
+  }
+
+  void
+  save_frames(const std::vector<RigidMotion> &frames, Archive &archive)
+  {
+    std::vector<Tensor<1, 3>> translations, rows;
+    for (const RigidMotion &frame : frames)
+      {
+        translations.push_back(frame.translation);
+        for (unsigned int d = 0; d < 3; ++d)
+          rows.push_back(frame.rotation[d]);
+      }
+    archive.put(placed + "translations", translations);
+    archive.put(placed + "rotations", rows);
+  }
+
+  void
+  restore_frames(const Archive &archive, std::vector<RigidMotion> &frames)
+  {
+    constexpr double          rounding = 1e-9;
+    std::vector<Tensor<1, 3>> translations(frames.size());
+    std::vector<Tensor<1, 3>> rows(3 * frames.size());
+    archive.fill(placed + "translations", translations);
+    archive.fill(placed + "rotations", rows);
+    for (std::size_t b = 0; b < frames.size(); ++b)
+      {
+        frames[b].translation = translations[b];
+        for (unsigned int d = 0; d < 3; ++d)
+          frames[b].rotation[d] = rows[3 * b + d];
+        const Tensor<2, 3> one =
+          frames[b].rotation * transpose(frames[b].rotation);
+        if (!((one - dealii::unit_symmetric_tensor<3>()).norm() < rounding))
+          refuse("a body is turned by what is no rotation");
+      }
+  }
+} // namespace conetact::pairing

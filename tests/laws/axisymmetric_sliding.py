@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bodies of revolution that slide far along each other and along obstacles."""
+import math
+
+from laws.axisymmetric import POISSON, YOUNG, scene, section
+from laws.sliding import FAR, energy_error, touching
+from support.scenes import contact, joint, merge, support
+from support.tables import MOTION, in_space
+
+MU = .1
+
+
+def lame(inner, middle, outer, interference):
+    """Pressure between two tubes of one material, of which one is pressed on the other."""
+    return interference / (middle / YOUNG * ((outer**2 + middle**2) / (outer**2 - middle**2) +
+                                             (middle**2 + inner**2) / (middle**2 - inner**2)))
+
+
+def axisymmetric_sliding(laws):
+    fit_pushed_off(laws)
+    pressed_along(laws)
+    planes(laws)
+    drawn_over_ball(laws)
+    stretched_joint(laws)
+
+
+def fit_pushed_off(laws):
+    """A hub shrunk on a sleeve of its length: its push-off force is mu p pi d L."""
+    length, overlap = 2.0, .0002
+    pressure = lame(1.0, 2.0, 3.0, overlap)
+    force = MU * pressure * 2 * math.pi * 2.0 * length
+    runs = {}
+    for pairing, backend, up in (("mortar", "condensed", 0.0), ("mortar", "iterative", 0.0), ("node to face", "condensed", 0.0),
+                                 ("mortar", "condensed", 7.0)):
+        run = laws.run({**scene(), "Body sleeve": section((8, 16), (1.0, length), (1.0, up)),
+                        "Body hub": section((8, 19), (1.0, length), (2.0 - overlap, up)),
+                        "Contact fit": joint("hub", 0, "sleeve", 1, **{"Friction coefficient": MU, **FAR, "Pairing": pairing}),
+                        "Support ground": support(2, "y", body="sleeve"),
+                        "Support pusher": support(2, "y", "0.002*max(t - 1, 0)", "hub"),
+                        "Time": {"Times": "1, 1.5, 2"}, "Solver": {"Backend": backend}})
+        runs[pairing, backend, up] = run
+        what = f"push-off force, {pairing}, {backend}, moved by {up:g}"
+        last = run.increments[-1]
+        laws.check(what, abs(last["support_pusher_f_y"] / force - 1), .01)
+        laws.check(f"{what}: both sides", abs(last["fit_f_y"] + last["fit_master_f_y"]) / force, 1e-12)
+        laws.check("  radial forces of both sides", abs(last["fit_f_x"] / last["fit_master_f_x"] + 1), 1e-10)
+        laws.check("  energies", energy_error(run), 1e-9)
+        rows = [row for row in run.last() if row["contact"] == "fit"]
+        laws.check("  areas are those of the cylinder where the nodes are",
+                   abs(sum(row["area"] for row in rows) / (2 * math.pi * 2.0 * length) - 1), 1e-3)
+    forces = [run.increments[-1]["support_pusher_f_y"] for run in runs.values()]
+    laws.check("both backends", abs(forces[1] / forces[0] - 1), 1e-8)
+    laws.check("both pairings", abs(forces[2] / forces[0] - 1), 2e-3)
+    laws.check("moved along the axis", abs(forces[3] / forces[0] - 1), 1e-9)
+
+
+def pressed_along(laws):
+    """A short hub slides along a long shaft by several cells: the shaft is the same everywhere."""
+    overlap = .0005
+    for pairing in ("mortar", "node to face"):
+        run = laws.run({**scene(), "Body shaft": section((4, 40), (1.0, 10.0), (1.0, 0.0)),
+                        "Body hub": section((4, 8), (1.0, 2.0), (2.0 - overlap, 3.0)),
+                        "Contact fit": joint("hub", 0, "shaft", 1, **{"Friction coefficient": MU, **FAR, "Pairing": pairing}),
+                        "Support ground": support(2, "y", body="shaft"),
+                        "Support pusher": support(2, "y", "0.5*max(t - 1, 0)", "hub"),
+                        "Time": {"End": 8, "Increments": 8}})
+        forces = [row["support_pusher_f_y"] for row in run.increments if row["time"] > 1]
+        pressures = [row["fit_f_x"] for row in run.increments if row["time"] > 1]
+        laws.check(f"pressed along a shaft, {pairing}: force from place to place", max(forces) / min(forces) - 1, 1e-4)
+        laws.check("  it is mu times that of the pressure", max(abs(f / (MU * p) - 1) for f, p in zip(forces, pressures)), 1e-4)
+        way = [row for row in run.last() if row["contact"] == "fit"]
+        laws.check("  it has slid by 14 cells", abs(max(abs(row["u_t1"]) for row in way) / 3.5 - 1), 1e-2)
+        laws.check("  energies", energy_error(run), 1e-9)
+
+
+def planes(laws):
+    """A flat floor and a cone are planes in the section: small sliding is exact there."""
+    disc = {**scene(), "Body block": section((10, 4), (2.0, 1.0), (1.0, 0.0)), "Obstacle floor": {"Shape": "half space", "Normal": (0, 1)},
+            "Contact bottom": contact(mu=.2), "Support top": support(3, "y", "-0.02*min(t, 1)"),
+            "Support rim": support(1, "x", "0.01*max(t - 1, 0)"), "Time": {"End": 4, "Increments": 4}}
+    angle = math.radians(10)
+    cone = {**scene(), "Body block": section((3, 12), (.5, 2.0), (2.0, 0.0)),
+            "Obstacle floor": {"Shape": "half space", "Normal": (math.cos(angle), math.sin(angle)), "Point": (2.0, 0.0),
+                               "Displacement": "0 ; 0.05*t"},
+            "Contact bottom": contact(ids=0, mu=.2), "Support top": support(3, "y"), "Time": {"End": 4, "Increments": 4}}
+    for name, plane in (("floor", disc), ("cone", cone)):
+        laws.same(f"round the axis, {name}", laws.run(plane), laws.run(merge(plane, {"Contact bottom": FAR})), 1e-9)
+
+
+def drawn_over_ball(laws):
+    """A thin ring is pushed over a rigid ball as large as its bore: it widens, and narrows behind the equator."""
+    run = laws.run({**scene(), "Body ring": section((3, 6), (.1, .4), (.96, .5)),
+                    "Obstacle ball": {"Shape": "sphere", "Center": (0, 0), "Radius": 1.0},
+                    "Contact bore": contact("ring", 0, "ball", 0.0, **FAR),
+                    "Support hold": {**support(7, "y", "-1.2*t", "ring")},
+                    "Time": {"End": 1, "Increments": 24}}
+                   | {"Body ring": merge(section((3, 6), (.1, .4), (.96, .5)), {"Mesh": {"Boundary ids": "7: x > 1.059 && y > 0.69 && y < 0.71"}})})
+    rows = touching(run)
+    off = [math.hypot(row["x"] + in_space(row, 2, MOTION)[0], row["y"] + in_space(row, 2, MOTION)[1]) - 1 for row in rows]
+    laws.check(f"ring over a ball: {len(rows)} rows are on it", max(map(abs, off)), 1e-9)
+    work = sum(row["external_work"] for row in run.increments)
+    laws.check("ring over a ball: work without friction is what is stored, to the increments",
+               abs(work - run.increments[-1]["strain_energy"]) / max(row["strain_energy"] for row in run.increments), .1)
+
+
+def stretched_joint(laws):
+    """A soft ring is stretched on a plate: its pressure passes where it is then, over the areas that it has then."""
+    stretch, p = .05, 2.0
+    for pairing in ("mortar", "node to face"):
+        run = laws.run({**scene(), "Body plate": section((14, 2), (4.0, .5), (.5, -.5), young=1e6),
+                        "Body ring": section((9, 2), (1.0, .5), (2.0, 0.0)),
+                        "Contact joint": joint("ring", 2, "plate", 3, **{"Friction coefficient": 0, **FAR, "Pairing": pairing}),
+                        "Support ground": support(2, "y", body="plate"),
+                        "Support inside": support(0, "x", f"{2 * stretch!r}*t", "ring"),
+                        "Load top": {"Body": "ring", "Boundary ids": 3, "Kind": "pressure", "Value": f"{p!r}"},
+                        "Time": {"End": 1, "Increments": 4}})
+        last = run.increments[-1]
+        what = f"stretched ring, {pairing}"
+        laws.check(f"{what}: the plate carries the load", abs(last["joint_f_y"] / -last["load_top_f_y"] - 1), 1e-10)
+        laws.check(f"{what}: both sides", abs(last["joint_f_y"] + last["joint_master_f_y"]) / last["joint_f_y"], 1e-12)
+        rows = [row for row in run.last() if row["contact"] == "joint"]
+        ends = sorted((row["x"] + in_space(row, 2, MOTION)[0] for row in rows))
+        if pairing == "mortar":
+            area = math.pi * (ends[-1]**2 - ends[0]**2)
+            laws.check(f"{what}: areas", abs(sum(row["area"] for row in rows) / area - 1), 1e-3)
