@@ -627,7 +627,7 @@ namespace conetact::analysis
       return;
     pairing::save_found(start_nodes, archive);
     pairing::save_frames(frames, archive);
-    pairing::SlidingContacts::save(start_inside, archive);
+    pairing::save_entries(start_inside, archive);
   }
 
   namespace
@@ -667,7 +667,8 @@ namespace conetact::analysis
                          "supports hold it here so that it turns little. Hold "
                          "it as before.");
     pairing::restore_found(archive, model.bodies.structures, start_nodes);
-    start_inside = contacts.restore(archive);
+    start_inside =
+      pairing::restore_entries(archive, model.bodies.structures, start_nodes);
     go_back();
     take(start_nodes, history);
   }

@@ -5,8 +5,8 @@
 
 #include "conetact/base/errors.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace conetact::pairing
 {
@@ -33,7 +33,7 @@ namespace conetact::pairing
       next()
       {
         if (i == values.size() || !std::isfinite(values[i]))
-          refuse("weights of contact nodes are missing");
+          refuse("numbers of contact nodes are missing");
         return values[i++];
       }
       unsigned int
@@ -142,8 +142,11 @@ namespace conetact::pairing
     constexpr LengthRow lengths[] = {{"gap", &ContactNode::gap},
                                      {"area", &ContactNode::area}};
 
+    using BodyPair = std::pair<unsigned int, unsigned int>;
+
     const std::string found = "found/", placed = "frames/"; // in checkpoints
-  }                                                         // namespace
+    const std::string entries = found + "inside";
+  } // namespace
 
   void
   save_found(const std::vector<ContactNode> &nodes, Archive &archive)
@@ -193,6 +196,46 @@ namespace conetact::pairing
       }
     for (const Side &side : sides)
       take(archive.get(found + side.name), side, structures, nodes);
+  }
+
+  void
+  save_entries(const Entries &inside, Archive &archive)
+  {
+    std::vector<double> numbers;
+    for (const auto &[node, face] : inside)
+      for (const unsigned int number : {node[0], node[1], node[2], face})
+        numbers.push_back(number);
+    archive.put(entries, numbers);
+  }
+
+  Entries
+  restore_entries(const Archive                                &archive,
+                  const std::vector<const bodies::Structure *> &structures,
+                  const std::vector<ContactNode>               &nodes)
+  {
+    Entries                          inside;
+    std::map<unsigned int, BodyPair> pairs; // of contacts
+    for (const ContactNode &node : nodes)
+      if (node.slides && node.obstacle == nullptr)
+        pairs[node.contact] = {node.body, node.master};
+    for (Numbers numbers(archive.get(entries)); !numbers.at_end();)
+      {
+        constexpr auto     any     = std::numeric_limits<unsigned int>::max();
+        const unsigned int contact = numbers.next_below(any);
+        const unsigned int body    = numbers.next_below(structures.size());
+        const auto         pair    = pairs.find(contact);
+        if (pair == pairs.end() ||
+            (body != pair->second.first && body != pair->second.second))
+          refuse("nodes are in bodies that they do not meet");
+        const unsigned int other =
+          body == pair->second.first ? pair->second.second : pair->second.first;
+        const unsigned int node =
+          numbers.next_below(structures[body]->n_nodes());
+        const bodies::Structure &around = *structures[other];
+        inside[{{contact, body, node}}] = numbers.next_below(
+          around.surface(around.boundary_ids()).faces.size());
+      }
+    return inside;
   }
 
   void

@@ -331,56 +331,6 @@ namespace conetact::pairing
     return found;
   }
 
-  namespace
-  {
-    constexpr const char *name_of_entries = "found/inside"; // in checkpoints
-  }
-
-  void
-  SlidingContacts::save(const Entries &inside, Archive &archive)
-  {
-    std::vector<double> numbers;
-    for (const auto &[node, face] : inside)
-      for (const unsigned int number : {node[0], node[1], node[2], face})
-        numbers.push_back(number);
-    archive.put(name_of_entries, numbers);
-  }
-
-  SlidingContacts::Entries
-  SlidingContacts::restore(const Archive &archive) const
-  {
-    const std::vector<double> &numbers = archive.get(name_of_entries);
-    Entries                    inside;
-    bool                       is_right = numbers.size() % 4 == 0;
-    for (std::size_t i = 0; is_right && i < numbers.size(); i += 4)
-      {
-        const auto is_below = [&](const std::size_t k, const std::size_t n) {
-          return numbers[i + k] >= 0 && numbers[i + k] < static_cast<double>(n);
-        };
-        const auto at = [&](const std::size_t k) {
-          return static_cast<unsigned int>(numbers[i + k]);
-        };
-        is_right = is_below(0, contacts.size()) &&
-                   is_pair_that_slides(contacts[at(0)]) &&
-                   is_below(1, structures.size()) &&
-                   is_below(2, structures[at(1)]->n_nodes());
-        if (!is_right)
-          break;
-        const Contact           &pair = contacts[at(0)];
-        const bodies::Structure &other =
-          *structures[at(1) == pair.body ? pair.master : pair.body];
-        is_right =
-          is_below(3, other.surface(other.boundary_ids()).faces.size());
-        if (is_right)
-          inside[{{at(0), at(1), at(2)}}] = at(3);
-      }
-    if (!is_right)
-      throw InputError("The checkpoint does not fit the scene: nodes are in "
-                       "bodies that they do not meet. Meshes and contacts "
-                       "must be those of the run that is continued.");
-    return inside;
-  }
-
   SlidingContacts::DepthOfMasters
   SlidingContacts::master_in_slave(const Displacement &at,
                                    const double        depth) const

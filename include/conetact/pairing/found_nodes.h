@@ -8,6 +8,8 @@
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/rigid_motion.h"
 
+#include <array>
+#include <map>
 #include <vector>
 
 namespace conetact::pairing
@@ -23,6 +25,17 @@ namespace conetact::pairing
   restore_found(const Archive                                &archive,
                 const std::vector<const bodies::Structure *> &structures,
                 std::vector<ContactNode>                     &nodes);
+
+  /** By which face of the other body a node of one came in, see
+   * SlidingContacts::passages(): contact, body, node. */
+  using Entries = std::map<std::array<unsigned int, 3>, unsigned int>;
+  /** The same of entries, of contacts that have these nodes. */
+  void
+  save_entries(const Entries &inside, Archive &archive);
+  Entries
+  restore_entries(const Archive                                &archive,
+                  const std::vector<const bodies::Structure *> &structures,
+                  const std::vector<ContactNode>               &nodes);
 
   /** The same of frames of bodies, whose centres stay. */
   void

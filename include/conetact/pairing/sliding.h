@@ -4,7 +4,6 @@
 #ifndef conetact_pairing_sliding_h
 #define conetact_pairing_sliding_h
 
-#include "conetact/base/archive.h"
 #include "conetact/pairing/body_way.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/passages.h"
@@ -76,11 +75,6 @@ namespace conetact::pairing
     /** By which face of the other body a node of one came in: contact, body,
      * node. */
     using Entries = std::map<std::array<unsigned int, 3>, unsigned int>;
-    /** Keeps entries, and takes them again. Throws InputError. */
-    static void
-    save(const Entries &inside, Archive &archive);
-    Entries
-    restore(const Archive &archive) const;
     /** Of all pairs that slide, on the ways of their bodies. `inside`: what is
      * in another body at the start, and then at the end. */
     std::vector<PairPassage>
