@@ -26,29 +26,32 @@ def axisymmetric_sliding(laws):
 
 
 def fit_pushed_off(laws):
-    """A hub shrunk on a sleeve of its length: its push-off force is mu p pi d L."""
-    length, overlap = 2.0, .0002
+    """A hub shrunk on a sleeve of its length: its push-off force is mu p pi d L, where friction strains neither."""
+    length, overlap, way, mu = 2.0, .0002, .002, .01
     pressure = lame(1.0, 2.0, 3.0, overlap)
-    force = MU * pressure * 2 * math.pi * 2.0 * length
+    force = mu * pressure * 2 * math.pi * 2.0 * (length - way)
     runs = {}
     for pairing, backend, up in (("mortar", "condensed", 0.0), ("mortar", "iterative", 0.0), ("node to face", "condensed", 0.0),
                                  ("mortar", "condensed", 7.0)):
-        run = laws.run({**scene(), "Body sleeve": section((8, 16), (1.0, length), (1.0, up)),
-                        "Body hub": section((8, 19), (1.0, length), (2.0 - overlap, up)),
-                        "Contact fit": joint("hub", 0, "sleeve", 1, **{"Friction coefficient": MU, **FAR, "Pairing": pairing}),
-                        "Support ground": support(2, "y", body="sleeve"),
-                        "Support pusher": support(2, "y", "0.002*max(t - 1, 0)", "hub"),
+        ends = {name: {"Boundary ids": f"7: y < {up + 1e-6!r} && {side}"} for name, side in (("sleeve", "x < 1.8"), ("hub", "x > 2.2"))}
+        run = laws.run({**scene(), "Body sleeve": section((6, 12), (1.0, length), (1.0, up), **ends["sleeve"]),
+                        "Body hub": section((6, 14), (1.0, length), (2.0 - overlap, up), **ends["hub"]),
+                        "Contact fit": joint("hub", 0, "sleeve", 1, **{"Friction coefficient": mu, **FAR, "Pairing": pairing}),
+                        "Support ground": support(7, "y", body="sleeve"),
+                        "Support pusher": support(7, "y", f"{way!r}*max(t - 1, 0)", "hub"),
                         "Time": {"Times": "1, 1.5, 2"}, "Solver": {"Backend": backend}})
         runs[pairing, backend, up] = run
         what = f"push-off force, {pairing}, {backend}, moved by {up:g}"
         last = run.increments[-1]
-        laws.check(what, abs(last["support_pusher_f_y"] / force - 1), .01)
+        laws.check(what, abs(last["support_pusher_f_y"] / force - 1), 3e-3)
         laws.check(f"{what}: both sides", abs(last["fit_f_y"] + last["fit_master_f_y"]) / force, 1e-12)
         laws.check("  radial forces of both sides", abs(last["fit_f_x"] / last["fit_master_f_x"] + 1), 1e-10)
         laws.check("  energies", energy_error(run), 1e-9)
+        if pairing == "node to face":
+            continue  # areas of all nodes, also of those beyond the sleeve
         rows = [row for row in run.last() if row["contact"] == "fit"]
         laws.check("  areas are those of the cylinder where the nodes are",
-                   abs(sum(row["area"] for row in rows) / (2 * math.pi * 2.0 * length) - 1), 1e-3)
+                   abs(sum(row["area"] for row in rows) / (2 * math.pi * 2.0 * (length - way)) - 1), 2e-4)
     forces = [run.increments[-1]["support_pusher_f_y"] for run in runs.values()]
     laws.check("both backends", abs(forces[1] / forces[0] - 1), 1e-8)
     laws.check("both pairings", abs(forces[2] / forces[0] - 1), 2e-3)
@@ -64,13 +67,13 @@ def pressed_along(laws):
                         "Contact fit": joint("hub", 0, "shaft", 1, **{"Friction coefficient": MU, **FAR, "Pairing": pairing}),
                         "Support ground": support(2, "y", body="shaft"),
                         "Support pusher": support(2, "y", "0.5*max(t - 1, 0)", "hub"),
-                        "Time": {"End": 8, "Increments": 8}})
-        forces = [row["support_pusher_f_y"] for row in run.increments if row["time"] > 1]
-        pressures = [row["fit_f_x"] for row in run.increments if row["time"] > 1]
-        laws.check(f"pressed along a shaft, {pairing}: force from place to place", max(forces) / min(forces) - 1, 1e-4)
-        laws.check("  it is mu times that of the pressure", max(abs(f / (MU * p) - 1) for f, p in zip(forces, pressures)), 1e-4)
+                        "Time": {"End": 6, "Increments": 6}})
+        forces = [row["support_pusher_f_y"] for row in run.increments if row["time"] > 2]
+        pressures = [row["fit_f_x"] for row in run.increments if row["time"] > 2]
+        laws.check(f"pressed along a shaft, {pairing}: force from place to place", max(forces) / min(forces) - 1, 2e-3)
+        laws.check("  it is mu times that of the pressure", max(abs(f / (MU * p) - 1) for f, p in zip(forces, pressures)), 2e-4)
         way = [row for row in run.last() if row["contact"] == "fit"]
-        laws.check("  it has slid by 14 cells", abs(max(abs(row["u_t1"]) for row in way) / 3.5 - 1), 1e-2)
+        laws.check("  it has slid by 10 cells", abs(max(abs(row["u_t1"]) for row in way) / 2.5 - 1), 1e-2)
         laws.check("  energies", energy_error(run), 1e-9)
 
 
@@ -80,10 +83,10 @@ def planes(laws):
             "Contact bottom": contact(mu=.2), "Support top": support(3, "y", "-0.02*min(t, 1)"),
             "Support rim": support(1, "x", "0.01*max(t - 1, 0)"), "Time": {"End": 4, "Increments": 4}}
     angle = math.radians(10)
-    cone = {**scene(), "Body block": section((3, 12), (.5, 2.0), (2.0, 0.0)),
+    cone = {**scene(), "Body block": section((3, 12), (.5, 2.0), (2.0, 0.0), **{"Boundary ids": "7: y > 1.99 && x > 2.2"}),
             "Obstacle floor": {"Shape": "half space", "Normal": (math.cos(angle), math.sin(angle)), "Point": (2.0, 0.0),
                                "Displacement": "0 ; 0.05*t"},
-            "Contact bottom": contact(ids=0, mu=.2), "Support top": support(3, "y"), "Time": {"End": 4, "Increments": 4}}
+            "Contact bottom": contact(ids=0, mu=.2), "Support top": support(7, "y"), "Time": {"End": 4, "Increments": 4}}
     for name, plane in (("floor", disc), ("cone", cone)):
         laws.same(f"round the axis, {name}", laws.run(plane), laws.run(merge(plane, {"Contact bottom": FAR})), 1e-9)
 
