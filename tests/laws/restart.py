@@ -189,7 +189,7 @@ def restart(laws):
 def after_a_failure(laws):
     """A block slides off a slab: the checkpoint is that of the last increment on disk, whatever was tried after it."""
     scene = merge(far_kinds()["slab, mortar"], {"Output": {"Checkpoint": 5}})
-    scene["Support top"] = {**scene["Support top"], "Directions": "y"}
+    scene["Support top"] = {**scene["Support top"], "Directions": "y", "Displacement": "-0.01*min(t, 1)"}
     scene["Load push"] = load("traction", "0.3*max(t - 1, 0) ; 0", 3)
     done, folder = laws.start(scene)
     laws.demand(f"pushed until it slides ({done.returncode}): {done.stderr.strip()[:100]}", done.returncode == 2)
