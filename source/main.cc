@@ -22,9 +22,11 @@
 
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <new>
 #include <sstream>
+#include <utility>
 
 namespace
 {
@@ -168,28 +170,47 @@ namespace
       }
   }
 
-  /**
-   * Whether there is another mesh to run the history on; `lock` is there from
-   * when there may be files on disk.
-   */
-  bool
-  run_mesh(const application::CommandLine &line,
-           analysis::AdaptiveRefinement   &adaptive,
-           Log                            &log,
-           std::unique_ptr<FolderLock>    &lock)
+  /** What goes on from one run of the history to the next. */
+  struct Progress
   {
-    application::Scene scene(line);
+    analysis::AdaptiveRefinement        adaptive;
+    std::map<unsigned int, std::string> shown_to_slide; ///< contacts
+    std::unique_ptr<FolderLock>         lock; ///< there may be files on disk
+  };
+
+  /** Contacts that slide far need all of their history so. */
+  void
+  note_slides(const analysis::Analysis &analysis,
+              const application::Scene &scene,
+              Progress                 &progress,
+              Log                      &log)
+  {
+    for (const auto &[contact, why] : analysis.leaves_small())
+      {
+        log.note("contact " + scene.contact_names[contact] + ": " + why +
+                 ". It takes finite sliding, and the run begins anew");
+        progress.shown_to_slide.emplace(contact, why);
+      }
+  }
+
+  /** Whether the history is to be run again: on another mesh, or with contacts
+   * that slide far. */
+  bool
+  run_mesh(const application::CommandLine &line, Log &log, Progress &progress)
+  {
+    analysis::AdaptiveRefinement &adaptive = progress.adaptive;
+    application::Scene            scene(line);
+    scene.shown_to_slide = progress.shown_to_slide;
     if (line.print_parameters)
       {
         print(scene.documentation());
         return false;
       }
-    const bool first = adaptive.n_meshes() == 0;
-    const bool last  = adaptive.n_meshes() == scene.adaptive.cycles;
+    const bool last = adaptive.n_meshes() == scene.adaptive.cycles;
     if (!last)
       scene.draw_nothing();
     ProcessSession::set_threads(scene.threads);
-    if (first)
+    if (!progress.lock)
       log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
     scene.build(adaptive.refinements());
     log.time("bodies, obstacles, contacts");
@@ -208,9 +229,14 @@ namespace
     const std::filesystem::path folder = folder_of(line, scene);
     check_folder(folder);
     analysis->prepare();
-    if (first)
-      lock = start_writing(folder, scene, log);
+    if (!progress.lock)
+      progress.lock = start_writing(folder, scene, log);
     run_history(*analysis, folder, line, log);
+    if (!analysis->leaves_small().empty())
+      {
+        note_slides(*analysis, scene, progress, log);
+        return true;
+      }
     if (scene.adaptive.cycles > 0)
       adaptive.advance(scene, analysis->last_increment(), folder, log);
     if (last)
@@ -222,30 +248,32 @@ namespace
   void
   run(const application::CommandLine &line)
   {
-    Log                          log(line.quiet, line.dry_run);
-    analysis::AdaptiveRefinement adaptive;
-    std::unique_ptr<FolderLock>  lock;
+    Log      log(line.quiet, line.dry_run);
+    Progress progress;
     try
       {
-        while (run_mesh(line, adaptive, log, lock))
+        while (run_mesh(line, log, progress))
           {}
       }
     catch (const std::bad_alloc &)
       {
         const std::string why = "The scene needs more memory than there is. "
                                 "Use a coarser mesh or fewer contact nodes.";
-        if (lock)
+        if (progress.lock)
           throw AnalysisError(why);
         throw InputError(why);
       }
     catch (const InputError &error)
       {
-        if (adaptive.n_meshes() == 0)
+        const unsigned int n_meshes = progress.adaptive.n_meshes();
+        if (n_meshes == 0 && progress.shown_to_slide.empty())
           throw;
-        // results of the mesh before are on disk
-        const std::string why = "Adaptive refinement, mesh " +
-                                std::to_string(adaptive.n_meshes() + 1) + ": " +
-                                error.what();
+        // results of the run before are on disk
+        const std::string why =
+          (n_meshes == 0 ? std::string("With finite sliding: ") :
+                           "Adaptive refinement, mesh " +
+                             std::to_string(n_meshes + 1) + ": ") +
+          error.what();
         log.note(why);
         throw AnalysisError(why);
       }

@@ -6,7 +6,6 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/frame/frame.h"
 #include "conetact/output/extremes.h"
-#include "conetact/pairing/true_gap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,18 +14,15 @@ namespace conetact::analysis
 {
   namespace
   {
-    /** Over the spacing of nodes: beyond, a foot is on another face. */
-    constexpr double farthest_slide = 1;
-    /** The same: what is further off does not touch whatever its foot is. */
-    constexpr double nearby = .5;
-    /** The same: how far a slip may be off because a node is not at its foot.
-     */
-    constexpr double largest_false_slip = .01;
-    /** The same: a support that pushes a node in by less is rounding. */
+    /** Over the spacing of nodes: a support that pushes a node in by less is
+     * rounding. */
     constexpr double least_depth = 1e-6;
 
     /** Of the largest force so far: what is left of it is rounding. */
     constexpr double noise = 64 * 2.2e-16;
+
+    /** A kind of warning: one is enough. */
+    const std::string small_is_off = "small kinematics";
 
     /**
      * The sum of all resultants over the largest of them; nothing where they
@@ -77,6 +73,7 @@ namespace conetact::analysis
                    scene.solver.tolerance)
     , contact_rows(model, scene.master_side)
     , warnings(model, log)
+    , small(scene, model)
   {
     for (const bodies::Structure *structure : model.bodies.structures)
       reach = std::max(reach, bodies::reach(*structure));
@@ -171,62 +168,6 @@ namespace conetact::analysis
       model.motions.field(amounts(increment)) + w);
   }
 
-  std::string
-  Acceptance::wrong_gap(const PendingIncrement      &increment,
-                        const verification::Finding &finding,
-                        const Eigen::VectorXd       &w,
-                        const Eigen::VectorXd       &u) const
-  {
-    std::vector<pairing::MovedNode> moved;
-    double                          indentation = 0;
-    const auto                      at = [&](const Eigen::VectorXd      &x,
-                        const pairing::ContactNode &node) {
-      return model.displacement(x, node.body, node.node);
-    };
-    const contact::ContactPoints &points  = model.points;
-    const Eigen::VectorXd         motions = amounts(increment);
-    for (std::size_t i = 0; i < points.all().size(); ++i)
-      {
-        const contact::ContactPoint &point = points.all()[i];
-        const pairing::ContactNode  &node  = *point.node;
-        const bool                   open  = i < points.size() &&
-                          increment.state.node[i] == solvers::NodeState::open;
-        // A node that is tied to an obstacle goes with it, wherever that goes.
-        if (node.obstacle == nullptr || node.kind == pairing::ContactKind::tie)
-          continue;
-        // A closed node claims a gap of zero.
-        moved.push_back({&node,
-                         at(u, node),
-                         obstacle_motion(node, motions, increment.record.time),
-                         open || node.is_bound() ?
-                           node.gap + finding.displacements[point.normal()] :
-                           0.});
-        if (!open)
-          // Only what deforms counts: a body that is carried along is not
-          // indented.
-          indentation =
-            std::max(indentation,
-                     std::abs(model.bodies.in_space(node.body, at(w, node)) *
-                              node.n));
-      }
-    const auto worst = pairing::worst_gap_error(moved, indentation);
-    return worst ? pairing::to_sentence(*worst) : "";
-  }
-
-  /** Prescribed, or found with that of the bodies. */
-  pairing::RigidMotion
-  Acceptance::obstacle_motion(const pairing::ContactNode &node,
-                              const Eigen::VectorXd      &amounts,
-                              const double                t) const
-  {
-    if (node.masters.empty())
-      return node.obstacle->motion_at(t);
-    return pairing::RigidMotion::turned(
-      model.motions.at(amounts, node.master, 0),
-      model.motions.turn(amounts, node.master),
-      node.obstacle->reference);
-  }
-
   /** Displacement of a node relative to what it may touch. */
   Tensor<1, 3>
   Acceptance::relative(const pairing::ContactNode &node,
@@ -270,69 +211,79 @@ namespace conetact::analysis
     return "";
   }
 
+  /* What is asked for is done, and said. What has been chosen is left for
+     finite sliding, where that is possible. */
   std::string
-  Acceptance::wrong_foot(const PendingIncrement      &increment,
-                         const verification::Finding &finding) const
+  Acceptance::leave(const unsigned int contact, const std::string &why)
   {
-    const contact::ContactPoints &points = model.points;
-    for (std::size_t i = 0; i < points.all().size(); ++i)
+    const pairing::ContactKinematics &of = scene.kinematics[contact];
+    if (of.asked == pairing::Kinematics::small)
       {
-        const contact::ContactPoint &point = points.all()[i];
-        const pairing::ContactNode  &node  = *point.node;
-        const double                 gap =
-          node.is_bound() ? 0. : increment.state.v[point.normal()];
-        // The weights of the masters belong to the foot at the start.
-        // What an obstacle's shape does beside the foot wrong_gap() knows.
-        if (node.masters.empty() || node.obstacle != nullptr || node.slides ||
-            gap > nearby * node.spacing)
-          continue;
-        Tensor<1, 3> slid = relative(node, finding.u, increment.record.time);
-        // Opening does not move the foot, sliding does.
-        slid -= (slid * node.n) * node.n;
-        if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
-          return "the contact node at " + to_text(node.position) +
-                 " of body '" + model.bodies.names[node.body] +
-                 "' has slid by " + to_text(slid.norm()) +
-                 " along its master, whose faces it meets where the bodies "
-                 "were undeformed. Contacts of bodies are for slides of less "
-                 "than a cell (" +
-                 to_text(node.spacing) + "): use a smaller motion";
+        warnings.once(small_is_off,
+                      "contact '" + scene.contact_names[contact] + "': " + why +
+                        ". Contact is that of the undeformed bodies "
+                        "(Kinematics = small), and is wrong by as much.");
+        return "";
       }
-    return "";
+    if (scene.contact(contact).slides)
+      return why;
+    if (of.may_slide())
+      {
+        leaves.emplace(contact, why);
+        return why;
+      }
+    return why +
+           ". Contact is that of the undeformed bodies: finite sliding, which "
+           "would follow them, is not for it (" +
+           of.why_not_finite +
+           "). Use a smaller motion; Kinematics = small takes such results, "
+           "with a warning";
   }
 
-  /* Friction acts between a node and its foot, which are apart before they
-     touch: bodies that turn together slip there although nothing slides. */
   std::string
-  Acceptance::wrong_turn(const PendingIncrement &increment) const
+  Acceptance::leave_small(const IncrementEnd &end)
   {
-    const Eigen::VectorXd moved = amounts(increment);
-    for (std::size_t i = 0; i < model.points.all().size(); ++i)
-      {
-        const pairing::ContactNode &node = *model.points.all()[i].node;
-        const bool                  acts =
-          i < model.points.size() ?
-                             node.mu_1 + node.mu_2 > 0 &&
-              increment.state.node[i] != solvers::NodeState::open :
-                             node.kind == pairing::ContactKind::tie;
-        if (node.masters.empty() || node.slides || !acts)
-          continue;
-        const Tensor<1, 3> apart =
-          pairing::undeformed_distance(node, model.bodies.structures);
-        const double turn = model.motions.rotation(moved, node.master);
-        if (turn * apart.norm() > largest_false_slip * node.spacing)
-          return model.bodies.called(node.master) + " turns by " +
-                 to_text(turn) + " rad, and the contact node at " +
-                 to_text(node.position) + " of body '" +
-                 model.bodies.names[node.body] + "' was " +
-                 to_text(apart.norm()) +
-                 " away from it. Contact is that of the undeformed bodies: "
-                 "the slip there is off by " +
-                 to_text(turn * apart.norm()) +
-                 ". Hold one of the bodies against turning, or let them touch "
-                 "from the start";
-      }
-    return "";
+    constexpr double too_far = .25; // rad
+    std::string      reason;
+    for (const auto &[contact, why] : small.left(end))
+      if (const std::string more = leave(contact, why); reason.empty())
+        reason = more;
+    for (const SmallKinematics::Turned &turned : small.turned(end.amounts))
+      if (turned.could_turn)
+        {
+          for (const unsigned int contact : turned.small)
+            leaves.emplace(contact, turned.why);
+          reason = turned.why;
+        }
+      else if (turned.is_automatic && turned.angle > too_far &&
+               !scene.path.follows && reason.empty())
+        reason = turned.why +
+                 ", and what holds or joins it does not turn with it. Use a "
+                 "smaller motion; Kinematics = small takes such results, with "
+                 "a warning";
+    if (reason.empty())
+      warn_of_tilt(end);
+    return reason;
+  }
+
+  void
+  Acceptance::warn_of_tilt(const IncrementEnd &end)
+  {
+    if (warnings.has_said(small_is_off))
+      return;
+    const auto tilted = small.tilted(end);
+    if (!tilted)
+      return;
+    const std::string &why_not = scene.kinematics[tilted->first].why_not_finite;
+    warnings.once(small_is_off,
+                  "contact '" + scene.contact_names[tilted->first] +
+                    "': " + tilted->second +
+                    ", and contact is that of the undeformed bodies (" +
+                    (why_not.empty() ?
+                       "Kinematics = small" :
+                       "finite sliding is not for it: " + why_not) +
+                    "): directions of forces are off by as much, friction "
+                    "of what is only pressed by more.");
   }
 
   std::string
@@ -347,12 +298,9 @@ namespace conetact::analysis
       return finding.why;
     // The law holds for the contacts as they were linearised. What follows asks
     // whether those are still the right ones.
-    if (const std::string why = wrong_gap(increment, finding, w, finding.u);
+    if (const std::string why =
+          leave_small({increment, finding, w, amounts(increment)});
         !why.empty())
-      return why;
-    if (const std::string why = wrong_foot(increment, finding); !why.empty())
-      return why;
-    if (const std::string why = wrong_turn(increment); !why.empty())
       return why;
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())

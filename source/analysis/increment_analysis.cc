@@ -89,8 +89,13 @@ namespace conetact::analysis
               first_unsure = next - 1;
               break;
             case Outcome::failed:
+              if (!leaves_small().empty())
+                return;
               if (!condense_all() && !solve_otherwise(step.why) && !cut(next))
-                throw AnalysisError(step.why);
+                {
+                  const std::string why = why_it_leaves(next);
+                  throw AnalysisError(why.empty() ? step.why : why);
+                }
           }
       }
     report_skips(scene, model, loads, set, log);
@@ -433,7 +438,9 @@ namespace conetact::analysis
                  to_text(change.gap) +
                  " of a cell, also in parts of the increment" +
                  where(change.worst) +
-                 ". Use smaller increments, or smoother surfaces";
+                 ". Use smaller increments or smoother surfaces; Kinematics = small "
+                 "keeps the contacts of the start, with a warning where they "
+                 "are wrong";
         model.move_frames(moved);
         if (is_slow || n_slow > 1) // from now on
           found = search.find_between(u, increment.record.time, 1. / ++n_slow);
@@ -588,6 +595,35 @@ namespace conetact::analysis
                (search.is_needed() ? " with contacts as they were found, " :
                                      ", ") +
                describe(result, model);
+  }
+
+  /* The way on was not found: what is known is that there must be one. */
+  std::string
+  IncrementAnalysis::why_it_leaves(const unsigned int k)
+  {
+    if (!lost_contacts)
+      return "";
+    take(search.guess(search.time()));
+    PendingIncrement increment{history, history};
+    increment.record.increment = k;
+    increment.record.time      = parts.end(scene.times[k - 1]);
+    apply_loads(increment);
+    const solvers::ContactProblem problem = history.problem(increment.load);
+    if (problem.system->null_space.cols() == 0)
+      return "";
+    const auto here =
+      contact::check_where_it_stands(problem.gap,
+                                     contact::resultants_of(problem, model),
+                                     -history.start().r.head(
+                                       problem.system->n_contact_unknowns()),
+                                     history.largest_force(),
+                                     model);
+    return here && here->friction_needed ?
+             failed(increment.record,
+                    "no equilibrium exists where bodies stand at its start, " +
+                      describe(*here, model) +
+                      ", and none is found where they go from there") :
+             "";
   }
 
   /* What slips or tips under the part of the load that was solved; empty: the

@@ -33,6 +33,26 @@ namespace conetact::analysis
       log.note(text);
     }
 
+    /** What holds of a contact, and why. */
+    void
+    report_kinematics(const pairing::Contact           &contact,
+                      const pairing::ContactKinematics &kinematics,
+                      Log                              &log)
+    {
+      std::string text = "Contact " + contact.name + ": kinematics " +
+                         (contact.slides ? "finite sliding" : "small");
+      if (kinematics.asked != pairing::Kinematics::automatic)
+        text += ", as asked for";
+      else if (contact.kind == pairing::ContactKind::tie)
+        text += ", a tie";
+      else if (kinematics.why_finite.empty())
+        text += ", both sides are plane";
+      else
+        text += ": " + kinematics.why_finite +
+                (contact.slides ? "" : ", but " + kinematics.why_not_finite);
+      log.note(text);
+    }
+
     void
     warn_of_memory(const double bytes, Log &log)
     {
@@ -160,7 +180,10 @@ namespace conetact::analysis
         " contact nodes are likely to touch, the others are condensed "
         "when they do");
     for (std::size_t c = 0; c < scene.pairings.size(); ++c)
-      report_pairing(scene.contact_names[c], scene.pairings[c], log);
+      {
+        report_pairing(scene.contact_names[c], scene.pairings[c], log);
+        report_kinematics(scene.contact(c), scene.kinematics[c], log);
+      }
     Eigen::Index n_no_cone = 0;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       n_no_cone += layout.n_tangents(i) == 0;

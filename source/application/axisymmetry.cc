@@ -80,13 +80,6 @@ namespace conetact::application
     for (const pairing::Contact &contact : contacts)
       {
         const std::string in = "Contact '" + contact.name + "', ";
-        if (contact.slides)
-          throw InputError(
-            in +
-            "Kinematics: bodies of revolution (Plane = axisymmetric) slide "
-            "little along " +
-            (contact.obstacle != nullptr ? "obstacles" : "each other") +
-            ". Choose small.");
         refuse_axis(*structures[contact.body],
                     contact.ids,
                     in + "Boundary ids");

@@ -206,6 +206,7 @@ namespace conetact::application
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
       contacts.push_back(pairing::create_contact(
         prm, name, dim, bodies.names, bodies.structures, obstacles));
+      kinematics.push_back({pairing::read_kinematics(prm), {}, {}});
       if (dim == 2 && contacts.back().second_friction)
         throw InputError("Contact '" + name +
                          "', Second friction coefficient: "
@@ -232,16 +233,11 @@ namespace conetact::application
             side_bodies.push_back(contacts[c].master);
           }
       }
+    check_turning_supports();
+    pair_contacts();
     for (const pairing::Contact &contact : contacts)
       // rows change all the time: all nodes are known from the start
       leave_out_far_nodes &= !contact.slides;
-    pairing::ContactNodes found = pairing::find_contact_nodes(contacts,
-                                                              bodies.names,
-                                                              bodies.structures,
-                                                              dim);
-    bodies.contact_nodes        = std::move(found.nodes);
-    pairings                    = std::move(found.pairings);
-    contact::align_with_supports(bodies, bodies.contact_nodes);
     keep_nodes();
     contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();
@@ -253,7 +249,6 @@ namespace conetact::application
                                   "Output, Probes");
     prm.leave_subsection();
     check_path();
-    check_sliding();
     check_adaptive(adaptive, bodies.structures);
     for (auto &body : contact::add_free_obstacles(obstacles, bodies))
       structures.push_back(std::move(body));
@@ -331,63 +326,6 @@ namespace conetact::application
                                     bodies.structures,
                                     bodies.contact_nodes,
                                     bodies.dim);
-  }
-
-  /* The normals of nodes stay, those of the obstacle do not. */
-  void
-  Scene::refuse_far_turn(const pairing::Contact &contact) const
-  {
-    constexpr double largest = 30; // degrees
-    if (contact.obstacle == nullptr || !contact.obstacle->turn)
-      return;
-    for (const double t : times)
-      if (const double turn = (*contact.obstacle->turn)(Point<3>(), t);
-          std::abs(turn) > largest)
-        throw InputError("Obstacle '" + contact.obstacle->name +
-                         "', Turn: it is " + to_text(turn) +
-                         " degrees at t = " + to_text(t) +
-                         ", and normals of contacts with Kinematics = small "
-                         "are those of the start. Set Kinematics = finite "
-                         "sliding in Contact '" +
-                         contact.name + "'.");
-  }
-
-  void
-  Scene::check_sliding() const
-  {
-    const bool keeps_state = checkpoint_every > 0 || restart;
-    for (const bodies::Support &support : bodies.supports)
-      if (support.turn && keeps_state)
-        throw InputError("Support '" + support.name +
-                         "', Turn: a run in which bodies turn far cannot be "
-                         "continued from a checkpoint. Set Output/Checkpoint "
-                         "to 0.");
-    for (const bodies::Support &support : bodies.supports)
-      if (support.turn && (path.follows || adaptive.cycles > 0))
-        throw InputError("Support '" + support.name +
-                         "', Turn: load paths and adaptive meshes are for "
-                         "bodies that turn little. Leave Turn 0, or choose "
-                         "another Solver/Method and Adaptive refinement = 0.");
-    for (const pairing::Contact &contact : contacts)
-      {
-        if (!contact.slides)
-          refuse_far_turn(contact);
-        if (!contact.slides)
-          continue;
-        const std::string in = "Contact '" + contact.name + "', Kinematics: ";
-        if (keeps_state)
-          throw InputError(in + "a run in which contacts slide far cannot be "
-                                "continued from a checkpoint. Set "
-                                "Output/Checkpoint to 0.");
-        if (path.follows)
-          throw InputError(in + "a load path follows contacts of undeformed "
-                                "bodies. Choose small, or another "
-                                "Solver/Method.");
-        if (adaptive.cycles > 0)
-          throw InputError(in + "meshes are refined for contacts of undeformed "
-                                "bodies. Choose small, or set Adaptive "
-                                "refinement to 0.");
-      }
   }
 
   std::string

@@ -10,6 +10,7 @@
 #include "conetact/bodies/loads.h"
 #include "conetact/bodies/supports.h"
 #include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/kinematics.h"
 #include "conetact/pairing/obstacle_table.h"
 
 namespace conetact::application
@@ -141,7 +142,10 @@ namespace conetact::application
     declare_adaptive(prm);
     declare_each(prm, "Body", names.bodies, bodies::declare_body);
     declare_each(prm, "Obstacle", names.obstacles, pairing::declare_obstacle);
-    declare_each(prm, "Contact", names.contacts, pairing::declare_contact);
+    declare_each(prm, "Contact", names.contacts, [](auto &entries) {
+      pairing::declare_contact(entries);
+      pairing::declare_kinematics(entries);
+    });
     declare_each(prm, "Support", names.supports, bodies::declare_support);
     declare_each(prm, "Load", names.loads, bodies::declare_load);
     prm.enter_subsection("Time");

@@ -7,6 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace conetact::contact
 {
@@ -124,22 +128,84 @@ namespace conetact::contact
     }
   } // namespace
 
+  namespace
+  {
+    solvers::ExistenceCheck
+    existence_check(std::shared_ptr<const solvers::ContactSystem> system,
+                    const ContactModel                           &model)
+    {
+      std::vector<solvers::ExistenceCheck::Frame> frames;
+      for (const Eigen::Index i : model.working_set().nodes())
+        {
+          const auto &directions = model.points[i].directions;
+          solvers::ExistenceCheck::Frame frame(
+            3, static_cast<Eigen::Index>(directions.size()));
+          for (Eigen::Index c = 0; c < frame.cols(); ++c)
+            for (unsigned int d = 0; d < 3; ++d)
+              frame(d, c) = directions[static_cast<std::size_t>(c)][d];
+          frames.push_back(frame);
+        }
+      return solvers::ExistenceCheck(std::move(system), std::move(frames));
+    }
+
+    /** Whether a node is among the nearest of its contact. */
+    std::vector<bool>
+    nearest_nodes(const Eigen::VectorXd &gaps, const ContactModel &model)
+    {
+      constexpr double               near  = .01; // of a cell
+      const auto                    &nodes = model.working_set().nodes();
+      std::map<unsigned int, double> least; // of a contact
+      const auto                     at = [&](const std::size_t i) {
+        return *model.points[nodes[i]].node;
+      };
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        {
+          const double gap   = gaps[static_cast<Eigen::Index>(i)];
+          const auto   found = least.emplace(at(i).contact, gap).first;
+          found->second      = std::min(found->second, gap);
+        }
+      std::vector<bool> nearest;
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        nearest.push_back(gaps[static_cast<Eigen::Index>(i)] <=
+                          least[at(i).contact] + near * at(i).spacing);
+      return nearest;
+    }
+  } // namespace
+
   solvers::ExistenceCheck
   make_existence_check(ContactModel &model)
   {
-    std::vector<solvers::ExistenceCheck::Frame> frames;
-    for (const Eigen::Index i : model.working_set().nodes())
-      {
-        const auto                    &directions = model.points[i].directions;
-        solvers::ExistenceCheck::Frame frame(
-          3, static_cast<Eigen::Index>(directions.size()));
-        for (Eigen::Index c = 0; c < frame.cols(); ++c)
-          for (unsigned int d = 0; d < 3; ++d)
-            frame(d, c) = directions[static_cast<std::size_t>(c)][d];
-        frames.push_back(frame);
-      }
-    return solvers::ExistenceCheck(model.condense().system(),
-                                   std::move(frames));
+    return existence_check(model.condense().system(), model);
+  }
+
+  std::optional<solvers::Existence>
+  check_where_it_stands(const Eigen::VectorXd &gaps,
+                        const Eigen::VectorXd &load,
+                        const Eigen::VectorXd &start,
+                        const double           reference_force,
+                        ContactModel          &model)
+  {
+    const solvers::ContactSystem &all     = *model.condense().system();
+    const std::vector<bool>       nearest = nearest_nodes(gaps, model);
+    auto system        = std::make_shared<solvers::ContactSystem>();
+    system->first      = all.first; // all that the check asks for
+    system->n_motions  = all.n_motions;
+    system->mu         = all.mu;
+    system->null_space = all.null_space;
+    for (Eigen::Index i = 0; i < all.n_nodes(); ++i)
+      if (const auto k = static_cast<std::size_t>(i); !nearest[k])
+        system->null_space
+          .middleRows(all.first[k], all.first[k + 1] - all.first[k])
+          .setZero();
+    const Eigen::MatrixXd balance = system->null_space.transpose();
+    const auto            solve   = balance.completeOrthogonalDecomposition();
+    if (solve.rank() < balance.rows())
+      return {};
+    const auto on_nearest = [&](const Eigen::VectorXd &f) -> Eigen::VectorXd {
+      return solve.solve(all.null_space.transpose() * f);
+    };
+    return existence_check(system, model)
+      .check(on_nearest(load), on_nearest(start), reference_force);
   }
 
   Eigen::VectorXd

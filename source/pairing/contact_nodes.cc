@@ -557,23 +557,6 @@ namespace conetact::pairing
     }
 
     void
-    declare_kinematics(dealii::ParameterHandler &prm)
-    {
-      prm.declare_entry(
-        "Kinematics",
-        "small",
-        dealii::Patterns::Selection("small|finite sliding"),
-        "small: gaps and normals are those of the undeformed bodies, for "
-        "slides that are small beside a cell or along plane obstacles. finite "
-        "sliding: contact is where bodies and obstacles are at the end of each "
-        "increment; they may slide, move and turn as far as they like (bodies "
-        "of frames, on foundations, or held along some directions only: turn "
-        "little). Each increment is solved a few times then; "
-        "friction is that of the slip in its last tangent plane, so that the "
-        "error of a curved way falls with the increments. [-]");
-    }
-
-    void
     declare_friction(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
@@ -653,46 +636,8 @@ namespace conetact::pairing
     declare_kind(prm);
     declare_preload(prm);
     declare_pairing(prm);
-    declare_kinematics(prm);
     declare_friction(prm);
   }
-
-  namespace
-  {
-    /** What finite sliding knows. */
-    void
-    check_sliding(const Contact                                &contact,
-                  const std::string                            &in,
-                  const std::vector<const bodies::Structure *> &structures)
-    {
-      const std::string small = " Choose Kinematics = small.";
-      if (contact.kind != ContactKind::contact)
-        throw InputError(in +
-                         "Kinematics: ties and bilateral contacts stay with "
-                         "what they met at the start." +
-                         small);
-      if (contact.obstacle != nullptr)
-        return;
-      if (contact.body == contact.master)
-        throw InputError(in +
-                         "Kinematics: a body slides far along another "
-                         "one only, not along itself." +
-                         small);
-      if (contact.gap)
-        throw InputError(in +
-                         "Gap: where bodies slide far it comes from "
-                         "geometry. Leave it empty." +
-                         small);
-      for (const bodies::Surface &surface :
-           {structures[contact.body]->surface(contact.ids),
-            structures[contact.master]->surface(contact.master_ids)})
-        if (surface.two_sided || surface.faces.empty())
-          throw InputError(in +
-                           "Kinematics: a frame slides far along "
-                           "obstacles only, not with a Master body." +
-                           small);
-    }
-  } // namespace
 
   namespace
   {
@@ -788,9 +733,6 @@ namespace conetact::pairing
 
     find_limits(prm, in, contact);
     refuse_single_nodes(contact, in, structures);
-    contact.slides = prm.get("Kinematics") == "finite sliding";
-    if (contact.slides)
-      check_sliding(contact, in, structures);
     contact.friction.emplace(prm.get("Friction coefficient"),
                              in + "Friction coefficient");
     if (!prm.get("Second friction coefficient").empty())
@@ -819,11 +761,6 @@ namespace conetact::pairing
       throw InputError(in + "Pairing: mortar is for faces of a Master body. "
                             "Obstacles are met node by node: leave the entry "
                             "out.");
-    if (contact.slides && !contact.prestress->is_zero())
-      throw InputError(in +
-                       "Prestress: it keeps its direction, but normals turn "
-                       "where bodies slide far. Leave it 0, or choose "
-                       "Kinematics = small.");
     return contact;
   }
 

@@ -5,6 +5,7 @@
 
 #include "conetact/pairing/dual_functions.h"
 #include "conetact/pairing/facing_parts.h"
+#include "conetact/pairing/master_normals.h"
 #include "conetact/pairing/mortar_rows.h"
 #include "conetact/pairing/nodal_shapes.h"
 #include "conetact/pairing/node_to_face.h"
@@ -113,6 +114,9 @@ namespace conetact::pairing
         , one_by_one(contact, structures)
         , slave(*structures[contact.body], one_by_one.slave_surface())
         , facing(one_by_one.master_surface())
+        , normals(contact.slides ?
+                    structures[contact.master]->surface(contact.master_ids) :
+                    bodies::Surface())
         , axisymmetric(structures[contact.body]->is_axisymmetric())
         , rows(slave.all(), contact.sharp_edge, axisymmetric)
         , thickness(
@@ -279,10 +283,12 @@ namespace conetact::pairing
       {
         ContactNode node = one_by_one.free_node(s);
         node.area        = thickness * row.area;
-        node.n           = -row.normal / row.normal.norm();
         node.master      = contact.master;
         node.masters     = weights(row.masters, row.area);
-        node.slaves      = weights(row.slaves, row.area);
+        node.n           = row.normal / row.normal.norm();
+        node.n =
+          contact.slides ? normals.between(node.n, node.masters) : -node.n;
+        node.slaves = weights(row.slaves, row.area);
         // biorthogonal: a node meets the master by itself unless it took over
         if (node.slaves.size() == 1)
           node.slaves.clear();
@@ -311,6 +317,7 @@ namespace conetact::pairing
       NodeToFace                                    one_by_one;
       FaceNet                                       slave;
       FacingParts                                   facing;
+      MasterNormals                                 normals; ///< if it slides
       bool                                          axisymmetric;
       MortarRows                                    rows;
       double                                        thickness;

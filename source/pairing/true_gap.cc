@@ -67,8 +67,6 @@ namespace conetact::pairing
            " by the obstacle's shape, but " + to_text(error.linearised) +
            " by the contact, which is linearised at the undeformed node; " +
            to_text(error.allowed) +
-           " is allowed, a hundredth of a cell or of the indentation. Let "
-           "them move less, or let the obstacle start nearer to where it "
-           "ends";
+           " is allowed, a hundredth of a cell or of the indentation";
   }
 } // namespace conetact::pairing

@@ -182,7 +182,8 @@ def cylinders(laws, n, ratio, pairing="mortar"):
         half_cylinder(laws.folder / f"{name}.msh", step, radius, size, sign)
     bodies = {f"Body {name}": {"Mesh": {"File": f"{name}.msh"},
                                "Material": {"Young modulus": young, "Poisson ratio": poisson}} for name in ("upper", "lower")}
-    scene = {"Dimension": 2, **bodies, f"Contact {JOINT}": joint("upper", 1, "lower", 1, Pairing=pairing),
+    # Hertz has pressures act on surfaces as they were
+    scene = {"Dimension": 2, **bodies, f"Contact {JOINT}": joint("upper", 1, "lower", 1, Pairing=pairing, Kinematics="small"),
              "Support ground": support(2, "y", body="lower"),
              "Support middle lower": support(3, "x", body="lower"), "Support middle upper": support(3, "x", body="upper"),
              "Load top": load("traction", f"0 ; {-math.pi * peak / 4 / size!r}", 2, "upper"), "Output": {"VTU": 0}}

@@ -4,7 +4,7 @@
 #ifndef conetact_analysis_acceptance_h
 #define conetact_analysis_acceptance_h
 
-#include "conetact/analysis/pending_increment.h"
+#include "conetact/analysis/small_kinematics.h"
 #include "conetact/analysis/warnings.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
@@ -70,6 +70,14 @@ namespace conetact::analysis
       contact_rows.relink();
     }
 
+    /** Contacts for which small kinematics was chosen and does not hold, by
+     * number, and why: finite sliding can do it. */
+    const std::map<unsigned int, std::string> &
+    leaves_small() const
+    {
+      return leaves;
+    }
+
     /** Stiffness of each contact node. */
     void
     set_stiffness(const contact::ElasticBackend &elastic);
@@ -86,14 +94,13 @@ namespace conetact::analysis
     Eigen::VectorXd
     reactions(const PendingIncrement &increment) const;
     std::string
-    wrong_gap(const PendingIncrement      &increment,
-              const verification::Finding &finding,
-              const Eigen::VectorXd       &w,
-              const Eigen::VectorXd       &u) const;
-    pairing::RigidMotion
-    obstacle_motion(const pairing::ContactNode &node,
-                    const Eigen::VectorXd      &amounts,
-                    const double                t) const;
+    leave(const unsigned int contact, const std::string &why);
+    /** Whether small kinematics no longer holds, a sentence; empty: it does, or
+     * is asked for. */
+    std::string
+    leave_small(const IncrementEnd &end);
+    void
+    warn_of_tilt(const IncrementEnd &end);
     Tensor<1, 3>
     relative(const pairing::ContactNode &node,
              const Eigen::VectorXd      &u,
@@ -101,11 +108,6 @@ namespace conetact::analysis
     std::string
     wrong_at_supports(const PendingIncrement      &increment,
                       const verification::Finding &finding) const;
-    std::string
-    wrong_foot(const PendingIncrement      &increment,
-               const verification::Finding &finding) const;
-    std::string
-    wrong_turn(const PendingIncrement &increment) const;
     void
     add_resultants(output::IncrementRecord     &record,
                    const verification::Finding &finding);
@@ -122,14 +124,16 @@ namespace conetact::analysis
                       const Eigen::VectorXd   &u,
                       const Eigen::VectorXd   &w) const;
 
-    const application::Scene    &scene;
-    const contact::ContactModel &model;
-    verification::Verification   verification;
-    contact::ContactRows         contact_rows;
-    verification::Energies       energies;
-    Warnings                     warnings;
-    double                       reach         = 0; ///< of the bodies [length]
-    double                       largest_force = 0; ///< sum on a body so far
+    const application::Scene           &scene;
+    const contact::ContactModel        &model;
+    verification::Verification          verification;
+    contact::ContactRows                contact_rows;
+    verification::Energies              energies;
+    Warnings                            warnings;
+    SmallKinematics                     small;
+    std::map<unsigned int, std::string> leaves;
+    double                              reach = 0; ///< of the bodies [length]
+    double largest_force                      = 0; ///< sum on a body so far
   };
 } // namespace conetact::analysis
 

@@ -73,6 +73,17 @@ namespace conetact::analysis
       return !closing_lines.empty();
     }
 
+    /**
+     * Contacts that need finite sliding after all, by number, and why: run()
+     * has stopped there, and the scene is to be run with them anew. Empty: all
+     * increments are done.
+     */
+    const std::map<unsigned int, std::string> &
+    leaves_small() const
+    {
+      return acceptance.leaves_small();
+    }
+
     /** What was done so far. */
     Work
     work() const;

@@ -113,6 +113,10 @@ namespace conetact::analysis
     std::string
     limit_of(const solvers::ContactProblem &problem,
              const PendingIncrement        &increment);
+    /** Why bodies must move from where they stand before increment k, a
+     * sentence; empty: that is not known. */
+    std::string
+    why_it_leaves(const unsigned int k);
     void
     solve_motions(const solvers::ContactProblem &problem,
                   solvers::ContactState         &state,

@@ -44,6 +44,11 @@ namespace conetact::analysis
     /** Says the sentence the first time that one of this kind comes. */
     void
     once(const std::string &kind, const std::string &sentence);
+    bool
+    has_said(const std::string &kind) const
+    {
+      return said.count(kind) > 0;
+    }
 
   private:
     /** Distance of an element's nodes from its first one [length]. */

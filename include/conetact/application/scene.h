@@ -12,12 +12,14 @@
 #include "conetact/bodies/nodal_loads.h"
 #include "conetact/bodies/probes.h"
 #include "conetact/contact/node_rules.h"
+#include "conetact/pairing/kinematics.h"
 #include "conetact/pairing/obstacles.h"
 #include "conetact/pairing/sliding.h"
 #include "conetact/solvers/contact_solver.h"
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -70,6 +72,11 @@ namespace conetact::application
     /** Contacts as they are found again where bodies slide far. */
     pairing::SlidingContacts
     sliding_contacts() const;
+    const pairing::Contact &
+    contact(const std::size_t number) const
+    {
+      return contacts[number];
+    }
     /** What is possible and hardly meant, a sentence each. */
     std::vector<std::string>
     cautions() const;
@@ -94,14 +101,15 @@ namespace conetact::application
     std::vector<unsigned int>     master_side;
     std::vector<unsigned int>     side_bodies; ///< the body of each of them
     std::vector<pairing::Pairing> pairings;    ///< of each contact
-    std::vector<double>           times;
-    solvers::SolverOptions        solver;
-    const backends::Condenser    *condenser = &backends::default_condenser();
-    Backend                       backend   = Backend::automatic;
-    PathSettings                  path;
-    AdaptiveSettings              adaptive;
-    std::vector<bodies::Probe>    probes;
-    unsigned int                  vtu_every = 1;
+    std::vector<pairing::ContactKinematics> kinematics; ///< the same
+    std::vector<double>                     times;
+    solvers::SolverOptions                  solver;
+    const backends::Condenser *condenser = &backends::default_condenser();
+    Backend                    backend   = Backend::automatic;
+    PathSettings               path;
+    AdaptiveSettings           adaptive;
+    std::vector<bodies::Probe> probes;
+    unsigned int               vtu_every = 1;
     /** Increments that are drawn. */
     std::size_t
     n_drawings() const
@@ -130,8 +138,13 @@ namespace conetact::application
     {
       return restart ? restart->n_done : 0;
     }
-    unsigned int           checkpoint_every    = 0; ///< 0: never
-    unsigned int           threads             = 1;
+    /**
+     * Contacts of automatic kinematics, by number, that a run has shown to need
+     * finite sliding, and why, a part of a sentence. To be set before build().
+     */
+    std::map<unsigned int, std::string> shown_to_slide;
+    unsigned int                        checkpoint_every = 0; ///< 0: never
+    unsigned int                        threads          = 1;
     bool                   leave_out_far_nodes = true; ///< working set
     std::set<unsigned int> fclib_increments; ///< with a file of their own
     std::set<unsigned int> text_increments;  ///< or stages of a load path
@@ -153,11 +166,20 @@ namespace conetact::application
     void
     check_path() const;
     void
-    check_sliding() const;
+    check_turning_supports() const;
     void
     check_preloads() const;
+    /** Finds contact nodes, with the kinematics that each contact needs. */
     void
-    refuse_far_turn(const pairing::Contact &contact) const;
+    pair_contacts();
+    std::string
+    why_not_sliding(const pairing::Contact &contact) const;
+    std::string
+    why_it_turns(const pairing::Contact &contact) const;
+    void
+    begin_kinematics(const unsigned int contact);
+    bool
+    change_kinematics(const unsigned int contact, const std::string &held);
     void
     keep_nodes();
     void

@@ -6,6 +6,9 @@
 
 #include "conetact/contact/node_rules.h"
 
+#include <map>
+#include <string>
+
 namespace conetact::contact
 {
   /**
@@ -17,6 +20,13 @@ namespace conetact::contact
    */
   void
   give_up_held_nodes(Bodies &bodies);
+
+  /**
+   * Why contacts that slide far cannot because supports hold their nodes, a
+   * sentence without its full stop for each contact by number; others can.
+   */
+  std::map<unsigned int, std::string>
+  why_held_nodes_do_not_slide(const Bodies &bodies);
 } // namespace conetact::contact
 
 #endif

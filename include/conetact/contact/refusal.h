@@ -7,6 +7,7 @@
 #include "conetact/contact/contact_model.h"
 #include "conetact/solvers/existence.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,19 @@ namespace conetact::contact
   /** The existence check of a model's contact system, in its node frames. */
   solvers::ExistenceCheck
   make_existence_check(ContactModel &model);
+
+  /**
+   * The same by those contact nodes alone that are nearest to what they face,
+   * contact by contact: what holds a body where it stands. `gaps` of the
+   * working set; the load and the start of the increment are as check() takes
+   * them for all nodes. Nothing: those nodes do not see all free motions.
+   */
+  std::optional<solvers::Existence>
+  check_where_it_stands(const Eigen::VectorXd &gaps,
+                        const Eigen::VectorXd &load,
+                        const Eigen::VectorXd &start,
+                        const double           reference_force,
+                        ContactModel          &model);
 
   /**
    * Forces on the contact unknowns with the same resultants against the free

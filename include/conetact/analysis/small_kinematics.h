@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_small_kinematics_h
+#define conetact_analysis_small_kinematics_h
+
+#include "conetact/analysis/pending_increment.h"
+#include "conetact/application/scene.h"
+#include "conetact/verification/verification.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace conetact::analysis
+{
+  /** The end of an increment, as small kinematics is judged there. */
+  struct IncrementEnd
+  {
+    const PendingIncrement      &increment;
+    const verification::Finding &finding;
+    const Eigen::VectorXd       &w;       ///< deformation of all dofs
+    const Eigen::VectorXd       &amounts; ///< of all rigid motions
+  };
+
+  /**
+   * Contacts that are those of undeformed bodies, and what shows that they are
+   * no longer. Sentences say what has happened, without a full stop.
+   */
+  class SmallKinematics
+  {
+  public:
+    SmallKinematics(const application::Scene    &scene,
+                    const contact::ContactModel &model);
+
+    /** What contacts are wrong for, by their number: gaps, feet, slips. */
+    std::map<unsigned int, std::string>
+    left(const IncrementEnd &end) const;
+
+    /** A body that has turned further than linear motions are good for. */
+    struct Turned
+    {
+      std::string               why;
+      double                    angle;        ///< [rad]
+      std::vector<unsigned int> small;        ///< contacts of it
+      bool                      is_automatic; ///< a contact of it
+      /** If these slide far it has a frame that turns with it. */
+      bool could_turn;
+    };
+    std::vector<Turned>
+    turned(const Eigen::VectorXd &amounts) const;
+
+    /** A contact of curved sides whose normals have turned; none: little. */
+    std::optional<std::pair<unsigned int, std::string>>
+    tilted(const IncrementEnd &end) const;
+
+  private:
+    using Found = std::map<unsigned int, std::string>;
+    void
+    add_wrong_gaps(const IncrementEnd &end, Found &found) const;
+    void
+    add_wrong_feet(const IncrementEnd &end, Found &found) const;
+    void
+    add_wrong_turns(const IncrementEnd &end, Found &found) const;
+    pairing::RigidMotion
+    obstacle_motion(const pairing::ContactNode &node,
+                    const Eigen::VectorXd      &amounts,
+                    const double                t) const;
+    Tensor<1, 3>
+    turn_of_normal(const pairing::ContactNode &node,
+                   const IncrementEnd         &end) const;
+
+    const application::Scene    &scene;
+    const contact::ContactModel &model;
+    /** Faces at the nodes of contacts with other bodies that may tilt. */
+    std::map<std::pair<unsigned int, unsigned int>,
+             std::vector<std::vector<unsigned int>>>
+      faces_at;
+  };
+} // namespace conetact::analysis
+
+#endif

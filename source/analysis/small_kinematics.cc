@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/small_kinematics.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/true_gap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::analysis
+{
+  namespace
+  {
+    /** Over the spacing of nodes: beyond, a foot is on another face. */
+    constexpr double farthest_slide = 1;
+    /** The same: what is further off does not touch whatever its foot is. */
+    constexpr double nearby = .5;
+    /** The same: how far a slip may be off because a node is not at its foot.
+     */
+    constexpr double largest_false_slip = .01;
+    /** Of bodies [rad]: linear motions lengthen them by half of its square. */
+    constexpr double largest_turn = .05;
+    /** Of normals [rad]: forces are askew by it, friction by some times that.
+     */
+    constexpr double largest_tilt = .01, largest_tilt_of_friction = .004;
+
+    /** Normal of a face, with its size, from positions of its corners. */
+    Tensor<1, 3>
+    normal_of(const std::vector<Point<3>> &corners)
+    {
+      Tensor<1, 3> n;
+      if (corners.size() == 2)
+        {
+          const Tensor<1, 3> along = corners[1] - corners[0];
+          n                        = Tensor<1, 3>({along[1], -along[0], 0.});
+        }
+      else if (corners.size() == 3)
+        n = cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+      else
+        n = cross_product_3d(corners[3] - corners[0], corners[2] - corners[1]);
+      return n / n.norm();
+    }
+  } // namespace
+
+  SmallKinematics::SmallKinematics(const application::Scene    &s,
+                                   const contact::ContactModel &m)
+    : scene(s)
+    , model(m)
+  {
+    for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
+      {
+        const pairing::Contact &contact = scene.contact(c);
+        if (contact.slides || scene.kinematics[c].why_finite.empty() ||
+            contact.obstacle != nullptr)
+          continue;
+        const bodies::Structure &body = *model.bodies.structures[contact.body];
+        for (const bodies::SurfaceFace &face : body.surface(contact.ids).faces)
+          {
+            std::vector<unsigned int> corners(
+              face.nodes.begin(),
+              face.nodes.begin() +
+                static_cast<std::ptrdiff_t>(bodies::n_corners(body, face)));
+            for (const unsigned int i : face.nodes)
+              faces_at[{c, i}].push_back(corners);
+          }
+      }
+  }
+
+  std::map<unsigned int, std::string>
+  SmallKinematics::left(const IncrementEnd &end) const
+  {
+    Found found;
+    add_wrong_gaps(end, found);
+    add_wrong_feet(end, found);
+    add_wrong_turns(end, found);
+    return found;
+  }
+
+  void
+  SmallKinematics::add_wrong_gaps(const IncrementEnd &end, Found &found) const
+  {
+    std::map<unsigned int, std::vector<pairing::MovedNode>> moved; // contacts
+    double                                                  indentation = 0;
+    const auto at = [&](const Eigen::VectorXd      &x,
+                        const pairing::ContactNode &node) {
+      return model.displacement(x, node.body, node.node);
+    };
+    const contact::ContactPoints &points = model.points;
+    for (std::size_t i = 0; i < points.all().size(); ++i)
+      {
+        const contact::ContactPoint &point = points.all()[i];
+        const pairing::ContactNode  &node  = *point.node;
+        const bool open = i < points.size() && end.increment.state.node[i] ==
+                                                 solvers::NodeState::open;
+        // A node that is tied to an obstacle goes with it, wherever that goes.
+        if (node.obstacle == nullptr || node.kind == pairing::ContactKind::tie)
+          continue;
+        // A closed node claims a gap of zero.
+        moved[node.contact].push_back(
+          {&node,
+           at(end.finding.u, node),
+           obstacle_motion(node, end.amounts, end.increment.record.time),
+           open || node.is_bound() ?
+             node.gap + end.finding.displacements[point.normal()] :
+             0.});
+        if (!open)
+          // Only what deforms counts: a body that is carried along is not
+          // indented.
+          indentation =
+            std::max(indentation,
+                     std::abs(
+                       model.bodies.in_space(node.body, at(end.w, node)) *
+                       node.n));
+      }
+    for (const auto &[contact, nodes] : moved)
+      if (const auto worst = pairing::worst_gap_error(nodes, indentation))
+        found.emplace(contact, pairing::to_sentence(*worst));
+  }
+
+  /** Prescribed, or found with that of the bodies. */
+  pairing::RigidMotion
+  SmallKinematics::obstacle_motion(const pairing::ContactNode &node,
+                                   const Eigen::VectorXd      &amounts,
+                                   const double                t) const
+  {
+    if (node.masters.empty())
+      return node.obstacle->motion_at(t);
+    return pairing::RigidMotion::turned(
+      model.motions.at(amounts, node.master, 0),
+      model.motions.turn(amounts, node.master),
+      node.obstacle->reference);
+  }
+
+  void
+  SmallKinematics::add_wrong_feet(const IncrementEnd &end, Found &found) const
+  {
+    const contact::ContactPoints &points = model.points;
+    const auto at = [&](const unsigned int body, const unsigned int i) {
+      return model.displacement(end.finding.u, body, i);
+    };
+    for (const contact::ContactPoint &point : points.all())
+      {
+        const pairing::ContactNode &node = *point.node;
+        const double                gap =
+          node.is_bound() ? 0. : end.increment.state.v[point.normal()];
+        // The weights of the masters belong to the foot at the start.
+        // What an obstacle's shape does beside the foot add_wrong_gaps() knows.
+        if (node.masters.empty() || node.obstacle != nullptr || node.slides ||
+            gap > nearby * node.spacing)
+          continue;
+        Tensor<1, 3> slid =
+          contact::relative_displacement(node, at, end.increment.record.time);
+        // Opening does not move the foot, sliding does.
+        slid -= (slid * node.n) * node.n;
+        if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
+          found.emplace(node.contact,
+                        "the contact node at " + to_text(node.position) +
+                          " of " + model.bodies.called(node.body) +
+                          " has slid by " + to_text(slid.norm()) +
+                          " along its master, more than a cell (" +
+                          to_text(node.spacing) + ")");
+      }
+  }
+
+  /* Friction acts between a node and its foot, which are apart before they
+     touch: bodies that turn together slip there although nothing slides. */
+  void
+  SmallKinematics::add_wrong_turns(const IncrementEnd &end, Found &found) const
+  {
+    for (std::size_t i = 0; i < model.points.all().size(); ++i)
+      {
+        const pairing::ContactNode &node = *model.points.all()[i].node;
+        const bool                  acts =
+          i < model.points.size() ?
+                             node.mu_1 + node.mu_2 > 0 &&
+              end.increment.state.node[i] != solvers::NodeState::open :
+                             node.kind == pairing::ContactKind::tie;
+        if (node.masters.empty() || node.slides || !acts)
+          continue;
+        const Tensor<1, 3> apart =
+          pairing::undeformed_distance(node, model.bodies.structures);
+        const double turn = model.motions.rotation(end.amounts, node.master);
+        if (turn * apart.norm() > largest_false_slip * node.spacing)
+          found.emplace(node.contact,
+                        model.bodies.called(node.master) + " turns by " +
+                          to_text(turn) + " rad, and the contact node at " +
+                          to_text(node.position) + " of " +
+                          model.bodies.called(node.body) + " was " +
+                          to_text(apart.norm()) +
+                          " away from it, so that the slip there is off by " +
+                          to_text(turn * apart.norm()));
+      }
+  }
+
+  std::vector<SmallKinematics::Turned>
+  SmallKinematics::turned(const Eigen::VectorXd &amounts) const
+  {
+    std::vector<Turned> found;
+    for (unsigned int b = 0; b < model.bodies.n_elastic(); ++b)
+      {
+        const double angle = model.motions.rotation(amounts, b);
+        if (!(angle > largest_turn) || model.has_frame(b))
+          continue;
+        Turned turned{model.bodies.called(b) + " turns by " + to_text(angle) +
+                        " rad",
+                      angle,
+                      {},
+                      false,
+                      // elements that turn have no frame
+                      model.bodies.structures[b]->n_components() <=
+                        model.bodies.dim};
+        for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
+          if (const pairing::Contact &contact = scene.contact(c);
+              contact.kind != pairing::ContactKind::tie &&
+              (contact.body == b ||
+               (contact.obstacle == nullptr && contact.master == b)))
+            {
+              const pairing::ContactKinematics &of = scene.kinematics[c];
+              if (!contact.slides)
+                turned.small.push_back(c);
+              turned.is_automatic |= of.asked == pairing::Kinematics::automatic;
+              turned.could_turn &= contact.slides || of.may_slide();
+            }
+        turned.could_turn &= !turned.small.empty();
+        found.push_back(std::move(turned));
+      }
+    return found;
+  }
+
+  Tensor<1, 3>
+  SmallKinematics::turn_of_normal(const pairing::ContactNode &node,
+                                  const IncrementEnd         &end) const
+  {
+    Tensor<1, 3> change;
+    if (node.obstacle != nullptr)
+      {
+        const auto motion =
+          obstacle_motion(node, end.amounts, end.increment.record.time);
+        try
+          {
+            const Tensor<1, 3> own = motion.relative(
+              node.position,
+              model.displacement(end.finding.u, node.body, node.node));
+            change =
+              motion.direction_to_space(
+                node.obstacle->shape->closest(node.position + own, node.spacing)
+                  .normal) -
+              node.n;
+          }
+        catch (const InputError &)
+          {} // there is no normal there
+        return change;
+      }
+    const auto faces = faces_at.find({node.contact, node.node});
+    if (faces == faces_at.end())
+      return change;
+    const bodies::Structure &body = *model.bodies.structures[node.body];
+    for (const std::vector<unsigned int> &corners : faces->second)
+      {
+        std::vector<Point<3>> then, now;
+        for (const unsigned int i : corners)
+          {
+            then.push_back(body.position(i));
+            now.push_back(then.back() +
+                          model.displacement(end.finding.u, node.body, i));
+          }
+        change += (normal_of(now) - normal_of(then)) /
+                  static_cast<double>(faces->second.size());
+      }
+    return change;
+  }
+
+  std::optional<std::pair<unsigned int, std::string>>
+  SmallKinematics::tilted(const IncrementEnd &end) const
+  {
+    const auto                    &points = model.points;
+    std::map<unsigned int, double> largest; // force of a contact
+    const auto force_of = [&](const contact::ContactPoint &point) {
+      return contact::force_of(point, end.increment.state.r).norm();
+    };
+    for (const contact::ContactPoint &point : points)
+      if (!point.node->slides &&
+          !scene.kinematics[point.node->contact].why_finite.empty())
+        {
+          double &most = largest[point.node->contact];
+          most         = std::max(most, force_of(point));
+        }
+    for (const contact::ContactPoint &point : points)
+      {
+        const pairing::ContactNode &node  = *point.node;
+        const auto                  found = largest.find(node.contact);
+        if (found == largest.end() || !(found->second > 0))
+          continue;
+        const double tilt = turn_of_normal(node, end).norm();
+        if (tilt * force_of(point) > (node.mu_1 + node.mu_2 > 0 ?
+                                        largest_tilt_of_friction :
+                                        largest_tilt) *
+                                       found->second)
+          return std::make_pair(node.contact,
+                                "the contact normal at " +
+                                  to_text(node.position) + " of " +
+                                  model.bodies.called(node.body) +
+                                  " has turned by " + to_text(tilt) + " rad");
+      }
+    return {};
+  }
+} // namespace conetact::analysis

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Which contacts slide far: what is asked for, or what geometry, prescribed
+// motions and former runs tell.
+
+#include "conetact/application/scene.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/contact/held_nodes.h"
+#include "conetact/pairing/flatness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::application
+{
+  std::string
+  Scene::why_not_sliding(const pairing::Contact &contact) const
+  {
+    const bool keeps_state = checkpoint_every > 0 || restart;
+    if (keeps_state)
+      return "a run in which contacts slide far cannot be continued from a "
+             "checkpoint. Set Output/Checkpoint to 0";
+    if (path.follows)
+      return "a load path follows contacts of undeformed bodies";
+    if (adaptive.cycles > 0)
+      return "meshes are refined for contacts of undeformed bodies. Set "
+             "Adaptive refinement to 0";
+    if (bodies.structures[contact.body]->is_axisymmetric())
+      return "bodies of revolution (Plane = axisymmetric) slide little along " +
+             std::string(contact.obstacle != nullptr ? "obstacles" :
+                                                       "each other");
+    return pairing::why_not_sliding(contact, bodies.structures);
+  }
+
+  /* Turns that are prescribed. */
+  std::string
+  Scene::why_it_turns(const pairing::Contact &contact) const
+  {
+    constexpr double least = .05; // degrees
+    const auto       turns = [&](const Expression &angle) {
+      return std::any_of(times.begin(), times.end(), [&](const double t) {
+        return std::abs(angle(Point<3>(), t)) > least;
+      });
+    };
+    if (contact.obstacle != nullptr && contact.obstacle->turn &&
+        turns(*contact.obstacle->turn))
+      return "obstacle '" + contact.obstacle->name + "' turns";
+    for (const bodies::Support &support : bodies.supports)
+      if (support.turn && turns(support.turn->angle) &&
+          (support.body == contact.body ||
+           (contact.obstacle == nullptr && support.body == contact.master)))
+        return "body '" + bodies.names[support.body] + "' turns";
+    return "";
+  }
+
+  void
+  Scene::begin_kinematics(const unsigned int c)
+  {
+    pairing::Contact           &contact = contacts[c];
+    pairing::ContactKinematics &chosen  = kinematics[c];
+    chosen.why_not_finite               = why_not_sliding(contact);
+    chosen.why_finite                   = why_it_turns(contact);
+    if (shown_to_slide.count(c) > 0)
+      chosen.why_finite = shown_to_slide.at(c);
+    if (chosen.asked == pairing::Kinematics::finite_sliding)
+      {
+        if (!chosen.why_not_finite.empty())
+          throw InputError("Contact '" + contact.name + "', Kinematics: " +
+                           chosen.why_not_finite + ". Or choose small.");
+        chosen.why_finite = "it is asked for";
+      }
+    contact.slides = chosen.slides();
+  }
+
+  /* What its nodes have shown. Returns whether they must be found anew. */
+  bool
+  Scene::change_kinematics(const unsigned int c, const std::string &held)
+  {
+    pairing::Contact           &contact = contacts[c];
+    pairing::ContactKinematics &chosen  = kinematics[c];
+    const bool                  before  = contact.slides;
+    if (before && !held.empty())
+      {
+        chosen.why_not_finite = held;
+        if (chosen.asked == pairing::Kinematics::finite_sliding)
+          throw InputError("Contact '" + contact.name +
+                           "', Kinematics: " + held + ".");
+      }
+    if (chosen.why_finite.empty() && contact.kind != pairing::ContactKind::tie)
+      chosen.why_finite = pairing::why_not_plane(
+        contact, c, bodies.contact_nodes, bodies.structures, bodies.dim);
+    contact.slides = chosen.slides();
+    return contact.slides != before;
+  }
+
+  void
+  Scene::pair_contacts()
+  {
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      begin_kinematics(c);
+    for (bool again = true; again;)
+      {
+        pairing::ContactNodes found = pairing::find_contact_nodes(
+          contacts, bodies.names, bodies.structures, bodies.dim);
+        bodies.contact_nodes = std::move(found.nodes);
+        pairings             = std::move(found.pairings);
+        contact::align_with_supports(bodies, bodies.contact_nodes);
+        const auto held = contact::why_held_nodes_do_not_slide(bodies);
+        again           = false;
+        for (unsigned int c = 0; c < contacts.size(); ++c)
+          again |=
+            change_kinematics(c,
+                              held.count(c) > 0 ? held.at(c) : std::string());
+      }
+  }
+
+  void
+  Scene::check_turning_supports() const
+  {
+    const bool keeps_state = checkpoint_every > 0 || restart;
+    for (const bodies::Support &support : bodies.supports)
+      if (support.turn && keeps_state)
+        throw InputError("Support '" + support.name +
+                         "', Turn: a run in which bodies turn far cannot be "
+                         "continued from a checkpoint. Set Output/Checkpoint "
+                         "to 0.");
+    for (const bodies::Support &support : bodies.supports)
+      if (support.turn && (path.follows || adaptive.cycles > 0))
+        throw InputError("Support '" + support.name +
+                         "', Turn: load paths and adaptive meshes are for "
+                         "bodies that turn little. Leave Turn 0, or choose "
+                         "another Solver/Method and Adaptive refinement = 0.");
+  }
+} // namespace conetact::application

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/kinematics.h"
+
+#include "conetact/base/text.h"
+
+#include <algorithm>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    struct KinematicsRow
+    {
+      Kinematics  kinematics;
+      std::string name, description;
+    };
+
+    /** The first one is the default. */
+    const std::vector<KinematicsRow> &
+    kinematics_table()
+    {
+      static const std::vector<KinematicsRow> rows = {
+        {Kinematics::automatic,
+         "automatic",
+         "finite sliding where the sides that meet are curved or not parallel, "
+         "where what they belong to turns, or once bodies slide by more than "
+         "a cell or turn by more than 0.05 rad, as the run finds out; small "
+         "where both sides are plane and stay so. log.txt tells "
+         "which. What finite sliding does not know stays small: load paths, "
+         "adaptive meshes, Prestress, a Gap, frames as masters, and a body "
+         "that meets itself; a run that would be wrong then by more "
+         "than a hundredth warns or ends"},
+        {Kinematics::finite_sliding,
+         "finite sliding",
+         "contact is where bodies and obstacles are at the end of each "
+         "increment; they may slide, move and turn as far as they like "
+         "(bodies of frames, on foundations, or held along some directions "
+         "only: turn little). Each increment is solved a few times then; "
+         "friction is that of the slip in its last tangent plane, so that the "
+         "error of a curved way falls with the increments"},
+        {Kinematics::small,
+         "small",
+         "gaps and normals are those of the undeformed bodies however far "
+         "these move, as in [K] and [P]; one warning where that is wrong by "
+         "more than a hundredth"}};
+      return rows;
+    }
+  } // namespace
+
+  void
+  declare_kinematics(dealii::ParameterHandler &prm)
+  {
+    std::vector<std::string> names;
+    std::string              text;
+    for (const KinematicsRow &row : kinematics_table())
+      {
+        names.push_back(row.name);
+        text += row.name + ": " + row.description + ". ";
+      }
+    prm.declare_entry("Kinematics",
+                      names.front(),
+                      dealii::Patterns::Selection(join(names, "|")),
+                      text + "[-]");
+  }
+
+  Kinematics
+  read_kinematics(const dealii::ParameterHandler &prm)
+  {
+    return std::find_if(kinematics_table().begin(),
+                        kinematics_table().end(),
+                        [&](const KinematicsRow &row) {
+                          return row.name == prm.get("Kinematics");
+                        })
+      ->kinematics;
+  }
+
+  std::string
+  why_not_sliding(const Contact                                &contact,
+                  const std::vector<const bodies::Structure *> &structures)
+  {
+    if (contact.kind != ContactKind::contact)
+      return "ties and bilateral contacts stay with what they met at the start";
+    if (!contact.prestress->is_zero())
+      return "a Prestress keeps its direction, but normals turn where bodies "
+             "slide far";
+    if (contact.obstacle != nullptr)
+      return "";
+    if (contact.body == contact.master)
+      return "a body slides far along another one only, not along itself";
+    if (contact.gap)
+      return "a Gap is that of undeformed bodies, and where they slide far it "
+             "comes from geometry";
+    for (const bodies::Surface &surface :
+         {structures[contact.body]->surface(contact.ids),
+          structures[contact.master]->surface(contact.master_ids)})
+      if (surface.two_sided || surface.faces.empty())
+        return "a frame slides far along obstacles only, not with a Master "
+               "body";
+    return "";
+  }
+} // namespace conetact::pairing

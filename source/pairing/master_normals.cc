@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/master_normals.h"
+
+namespace conetact::pairing
+{
+  MasterNormals::MasterNormals(const bodies::Surface &master)
+  {
+    for (const bodies::SurfaceNode &node : master.nodes)
+      normals[node.node] = node.normals;
+  }
+
+  Tensor<1, 3>
+  MasterNormals::between(
+    const Tensor<1, 3>                                 &outward,
+    const std::vector<std::pair<unsigned int, double>> &masters) const
+  {
+    constexpr double opposite = .5; // cosine: beyond, they do not face
+    Tensor<1, 3>     sum;
+    for (const auto &[node, weight] : masters)
+      if (const auto found = normals.find(node); found != normals.end())
+        {
+          const Tensor<1, 3> *nearest = nullptr; // of the sides of an edge
+          for (const Tensor<1, 3> &n : found->second)
+            if (nearest == nullptr || n * outward < *nearest * outward)
+              nearest = &n;
+          if (nearest != nullptr)
+            sum += weight * *nearest;
+        }
+    if (sum * outward > -opposite * sum.norm() || sum.norm() == 0)
+      return -outward;
+    const Tensor<1, 3> n = sum / sum.norm() - outward;
+    return n / n.norm();
+  }
+} // namespace conetact::pairing
