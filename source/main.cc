@@ -227,7 +227,8 @@ namespace
       }
 
     const std::filesystem::path folder = folder_of(line, scene);
-    check_folder(folder);
+    if (!progress.lock)
+      check_folder(folder);
     analysis->prepare();
     if (!progress.lock)
       progress.lock = start_writing(folder, scene, log);

@@ -128,6 +128,7 @@ namespace conetact::analysis
     archive.put("one by one", one_by_one ? 1. : 0.);
     archive.put("iterative", model.is_iterative() ? 1. : 0.);
     put_reaction_rows(archive, n_reaction_rows);
+    scene.save_kinematics(archive);
     search.save(archive);
     history.save(archive);
     acceptance.save(archive);

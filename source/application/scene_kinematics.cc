@@ -16,6 +16,29 @@
 
 namespace conetact::application
 {
+  namespace
+  {
+    constexpr const char *sliding_contacts = "sliding contacts";
+
+    bool
+    slides_in_continued_run(const Restart &run, const unsigned int contact)
+    {
+      const std::vector<double> numbers = run.state.get(sliding_contacts);
+      return std::find(numbers.begin(), numbers.end(), contact) !=
+             numbers.end();
+    }
+  } // namespace
+
+  void
+  Scene::save_kinematics(Archive &archive) const
+  {
+    std::vector<double> numbers;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      if (contacts[c].slides)
+        numbers.push_back(c);
+    archive.put(sliding_contacts, numbers);
+  }
+
   std::string
   Scene::why_not_sliding(const pairing::Contact &contact) const
   {
@@ -57,6 +80,15 @@ namespace conetact::application
     chosen.why_finite                   = why_it_turns(contact);
     if (shown_to_slide.count(c) > 0)
       chosen.why_finite = shown_to_slide.at(c);
+    if (restart && chosen.asked == pairing::Kinematics::automatic)
+      {
+        if (slides_in_continued_run(*restart, c))
+          chosen.why_finite = "it slides far in the run that is continued";
+        else
+          chosen.why_not_finite =
+            "the run that is continued has it small; run the scene from its "
+            "start";
+      }
     if (chosen.asked == pairing::Kinematics::finite_sliding)
       {
         if (!chosen.why_not_finite.empty())

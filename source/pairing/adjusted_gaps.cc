@@ -10,12 +10,6 @@
 
 namespace conetact::pairing
 {
-  bool
-  adjusts_gaps(const dealii::ParameterHandler &prm)
-  {
-    return prm.get("Gap") == "adjust";
-  }
-
   void
   adjust_gaps(const Contact                                &contact,
               const unsigned int                            number,

@@ -8,8 +8,6 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
-#include "conetact/pairing/adjusted_gaps.h"
-#include "conetact/pairing/face_to_node.h"
 
 #include <algorithm>
 #include <cmath>
@@ -618,6 +616,21 @@ namespace conetact::pairing
     return node.obstacle != nullptr ?
              node.obstacle->motion_at(t).displacement(foot_found(node)) :
              Tensor<1, 3>();
+  }
+
+  bool
+  has_nodes_as_masters(const Contact                                &contact,
+                       const std::vector<const bodies::Structure *> &structures)
+  {
+    return contact.obstacle == nullptr && structures[contact.master]
+                                            ->surface(contact.master_ids)
+                                            .faces.empty();
+  }
+
+  bool
+  adjusts_gaps(const dealii::ParameterHandler &prm)
+  {
+    return prm.get("Gap") == "adjust";
   }
 
   void

@@ -33,15 +33,6 @@ namespace conetact::pairing
     }
   } // namespace
 
-  bool
-  has_nodes_as_masters(const Contact                                &contact,
-                       const std::vector<const bodies::Structure *> &structures)
-  {
-    return contact.obstacle == nullptr && structures[contact.master]
-                                            ->surface(contact.master_ids)
-                                            .faces.empty();
-  }
-
   PairedNodes
   pair_faces_with_nodes(
     const Contact                                &contact,

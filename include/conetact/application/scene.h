@@ -143,8 +143,11 @@ namespace conetact::application
      * finite sliding, and why, a part of a sentence. To be set before build().
      */
     std::map<unsigned int, std::string> shown_to_slide;
-    unsigned int                        checkpoint_every = 0; ///< 0: never
-    unsigned int                        threads          = 1;
+    /** A run that continues this one must take contacts as it does. */
+    void
+                           save_kinematics(Archive &archive) const;
+    unsigned int           checkpoint_every    = 0; ///< 0: never
+    unsigned int           threads             = 1;
     bool                   leave_out_far_nodes = true; ///< working set
     std::set<unsigned int> fclib_increments; ///< with a file of their own
     std::set<unsigned int> text_increments;  ///< or stages of a load path

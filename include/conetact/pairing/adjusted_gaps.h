@@ -11,10 +11,6 @@ namespace conetact::pairing
   /** Estimates of facets may be that much too small. */
   constexpr double facet_margin = 1.5;
 
-  /** Whether `Gap = adjust` in the entries of a contact. */
-  bool
-  adjusts_gaps(const dealii::ParameterHandler &prm);
-
   /**
    * Takes nodes of a contact as touching where they are drawn to touch: their
    * gap, positive or negative, is within what the facets of both sides stand

@@ -223,6 +223,19 @@ namespace conetact::pairing
   undeformed_distance(const ContactNode                            &node,
                       const std::vector<const bodies::Structure *> &structures);
 
+  /**
+   * Whether the master is single nodes, as the end of a frame's member that a
+   * body may run against: no face or member of it is in the boundary ids.
+   */
+  bool
+  has_nodes_as_masters(
+    const Contact                                &contact,
+    const std::vector<const bodies::Structure *> &structures);
+
+  /** Whether `Gap = adjust` in the entries of a contact. */
+  bool
+  adjusts_gaps(const dealii::ParameterHandler &prm);
+
   /** Entries of `subsection Contact NAME`. */
   void
   declare_contact(dealii::ParameterHandler &prm);

@@ -9,15 +9,6 @@
 namespace conetact::pairing
 {
   /**
-   * Whether the master is single nodes, as the end of a frame's member that a
-   * body may run against: no face or member of it is in the boundary ids.
-   */
-  bool
-  has_nodes_as_masters(
-    const Contact                                &contact,
-    const std::vector<const bodies::Structure *> &structures);
-
-  /**
    * Each node of the master meets the nearest point of the body's faces: a
    * mean over the nodes of the face that holds it (ContactNode::slaves).
    */
