@@ -134,8 +134,6 @@ namespace conetact::pairing
           rows.keep_upright(*structures[contact.body]);
         for (const auto &[f, sums] : at_rims)
           add(f, sums);
-        rows.give_up_nodes(
-          [&](const unsigned int node) { return one_by_one.is_joined(node); });
         note_seen();
         // Hanging nodes first: what they give may be next to nothing.
         rows.give_up(structures[contact.body]->hanging_nodes());
@@ -266,6 +264,11 @@ namespace conetact::pairing
         for (std::size_t c = 0; c < face.nodes.size(); ++c)
           {
             MortarRow &row = rows.at(f, c);
+            if (one_by_one.is_joined(face.nodes[c])) // none of the contact
+              {
+                sums.facing[c] = false;
+                continue;
+              }
             row.covered += sums.areas[static_cast<Index>(c)];
             row.kept = row.kept || sums.facing[c];
           }

@@ -260,23 +260,6 @@ namespace conetact::pairing
         }
   }
 
-  void
-  MortarRows::give_up_nodes(
-    const std::function<bool(const unsigned int node)> &is_none)
-  {
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (is_none(rows[i].node))
-        {
-          std::vector<std::size_t> takers;
-          for (const std::size_t other : rows[i].neighbours)
-            if (!is_none(rows[other].node))
-              takers.push_back(other);
-          for (const std::size_t to : takers)
-            give(i, to, 1. / static_cast<double>(takers.size()));
-          rows[i].area = 0;
-        }
-  }
-
   bool
   MortarRows::stands(const MortarRow &row) const
   {

@@ -6,7 +6,6 @@
 
 #include "conetact/pairing/face_net.h"
 
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -68,10 +67,6 @@ namespace conetact::pairing
     /** Hanging nodes have no rows: those that they follow take theirs. */
     void
     give_up(const std::vector<bodies::HangingNode> &hanging);
-    /** Nodes that are none of the contact leave what they have to the nodes of
-     * the same faces. */
-    void
-    give_up_nodes(const std::function<bool(const unsigned int node)> &is_none);
     /**
      * Rows that are not kept, or that have next to no area, give what they have
      * to neighbours that stand, in shares of their areas. Where none does, what
