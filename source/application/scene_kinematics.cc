@@ -18,12 +18,13 @@ namespace conetact::application
 {
   namespace
   {
-    constexpr const char *sliding_contacts = "sliding contacts";
+    constexpr const char *kept_sliding = "sliding contacts";
 
     bool
-    slides_in_continued_run(const Restart &run, const unsigned int contact)
+    slides_in_continued_run(const Scene::Restart &run,
+                            const unsigned int    contact)
     {
-      const std::vector<double> numbers = run.state.get(sliding_contacts);
+      const std::vector<double> numbers = run.state.get(kept_sliding);
       return std::find(numbers.begin(), numbers.end(), contact) !=
              numbers.end();
     }
@@ -36,7 +37,7 @@ namespace conetact::application
     for (unsigned int c = 0; c < contacts.size(); ++c)
       if (contacts[c].slides)
         numbers.push_back(c);
-    archive.put(sliding_contacts, numbers);
+    archive.put(kept_sliding, numbers);
   }
 
   std::string

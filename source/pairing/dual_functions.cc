@@ -23,7 +23,8 @@ namespace conetact::pairing
       const VectorXd own = areas(kept).cwiseMax(0.);
       const double   sum = own.sum();
       const VectorXd share =
-        sum > 0 ? VectorXd(own / sum) : VectorXd(VectorXd::Constant(m, 1. / m));
+        sum > 0 ? VectorXd(own / sum) :
+                  VectorXd(VectorXd::Constant(m, 1. / static_cast<double>(m)));
       MatrixXd functions = share * VectorXd::Ones(areas.size()).transpose();
       for (const Index k : kept)
         functions.col(k).setZero();
