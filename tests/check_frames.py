@@ -53,7 +53,7 @@ def bar_on_rigid_base(program):
 
 def beam_three_supports(program):
     for p in (1e-6, 1, 40):
-        code, message, rows = run(program, "beam-three-supports", **{"Load force/Value": f"0 ; -{p}*t"})
+        code, message, rows = run(program, "beam-three-supports", **{"Load force/Value": f"0 ; -{p}*t", "Contact supports/Kinematics": "small"})
         found = [float(row[c]) / p for row in rows for c in ("gap", "r_n", "r_t1")]
         error = max((abs(a - b) for a, b in zip([.5, 0, 0, 0, .5, 0, 0, .5, 0], found)), default=1)
         print(f"beam with p = {p}: exit code {code}, error {error:.2g}")

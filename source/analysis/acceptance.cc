@@ -249,14 +249,15 @@ namespace conetact::analysis
       if (const std::string more = leave(contact, why); reason.empty())
         reason = more;
     for (const SmallKinematics::Turned &turned : small.turned(end.amounts))
-      if (turned.could_turn)
+      if (turned.angle <= too_far)
+        continue;
+      else if (turned.could_turn)
         {
           for (const unsigned int contact : turned.small)
             leaves.emplace(contact, turned.why);
           reason = turned.why;
         }
-      else if (turned.is_automatic && turned.angle > too_far &&
-               !scene.path.follows && reason.empty())
+      else if (turned.is_automatic && !scene.path.follows && reason.empty())
         reason = turned.why +
                  ", and what holds or joins it does not turn with it. Use a "
                  "smaller motion; Kinematics = small takes such results, with "
@@ -280,7 +281,7 @@ namespace conetact::analysis
                     "': " + tilted->second +
                     ", and contact is that of the undeformed bodies (" +
                     (why_not.empty() ?
-                       "Kinematics = small" :
+                       "Kinematics = finite sliding would follow them" :
                        "finite sliding is not for it: " + why_not) +
                     "): directions of forces are off by as much, friction "
                     "of what is only pressed by more.");

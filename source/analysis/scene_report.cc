@@ -46,7 +46,10 @@ namespace conetact::analysis
       else if (contact.kind == pairing::ContactKind::tie)
         text += ", a tie";
       else if (kinematics.why_finite.empty())
-        text += ", both sides are plane";
+        text += kinematics.why_not_plane.empty() ?
+                  ", both sides are plane" :
+                  ", until that is wrong (" + kinematics.why_not_plane +
+                    ": finite sliding would follow that)";
       else
         text += ": " + kinematics.why_finite +
                 (contact.slides ? "" : ", but " + kinematics.why_not_finite);

@@ -54,7 +54,7 @@ namespace conetact::analysis
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       {
         const pairing::Contact &contact = scene.contact(c);
-        if (contact.slides || scene.kinematics[c].why_finite.empty() ||
+        if (contact.slides || !scene.kinematics[c].may_tilt() ||
             contact.obstacle != nullptr)
           continue;
         const bodies::Structure &body = *model.bodies.structures[contact.body];
@@ -284,7 +284,7 @@ namespace conetact::analysis
     };
     for (const contact::ContactPoint &point : points)
       if (!point.node->slides &&
-          !scene.kinematics[point.node->contact].why_finite.empty())
+          scene.kinematics[point.node->contact].may_tilt())
         {
           double &most = largest[point.node->contact];
           most         = std::max(most, force_of(point));

@@ -209,7 +209,7 @@ namespace conetact::application
         adjusted_contacts.push_back(static_cast<unsigned int>(contacts.size()));
       contacts.push_back(pairing::create_contact(
         prm, name, dim, bodies.names, bodies.structures, obstacles));
-      kinematics.push_back({pairing::read_kinematics(prm), {}, {}});
+      kinematics.push_back({pairing::read_kinematics(prm), {}, {}, {}});
       if (dim == 2 && contacts.back().second_friction)
         throw InputError("Contact '" + name +
                          "', Second friction coefficient: "

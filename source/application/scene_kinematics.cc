@@ -114,8 +114,11 @@ namespace conetact::application
           throw InputError("Contact '" + contact.name +
                            "', Kinematics: " + held + ".");
       }
-    if (chosen.why_finite.empty() && contact.kind != pairing::ContactKind::tie)
-      chosen.why_finite = pairing::why_not_plane(
+    // told, but no reason yet: what is curved and pressed only is right to the
+    // order of the angle by which its normals turn, and always found
+    if (chosen.asked != pairing::Kinematics::finite_sliding &&
+        contact.kind != pairing::ContactKind::tie)
+      chosen.why_not_plane = pairing::why_not_plane(
         contact, c, bodies.contact_nodes, bodies.structures, bodies.dim);
     contact.slides = chosen.slides();
     return contact.slides != before;

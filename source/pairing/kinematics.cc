@@ -24,10 +24,11 @@ namespace conetact::pairing
       static const std::vector<KinematicsRow> rows = {
         {Kinematics::automatic,
          "automatic",
-         "finite sliding where the sides that meet are curved or not parallel, "
-         "where what they belong to turns, or once bodies slide by more than "
-         "a cell or turn by more than 0.05 rad, as the run finds out; small "
-         "where both sides are plane and stay so. log.txt tells "
+         "small, but finite sliding where obstacles or bodies turn, and once "
+         "bodies slide by more than a cell or turn by more than 0.25 rad, as "
+         "the run finds out. Curved sides that are pressed and sheared only "
+         "stay small, with one warning where their normals turn by more than "
+         "a hundredth: finite sliding follows those. log.txt tells "
          "which. What finite sliding does not know stays small: load paths, "
          "adaptive meshes, Prestress, a Gap, frames as masters, and a body "
          "that meets itself; a run that would be wrong then by more "

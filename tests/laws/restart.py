@@ -84,7 +84,7 @@ def far_kinds():
     pairs = {f"slab, {pairing}": slab(pushed, (26, 4), (6.5, 1.0), (-2.25, -1.0), "bottom", Pairing=pairing)
              for pairing in ("mortar", "node to face")}
     turning = merge(bar(2, 70.0, steps=10), {"Load end": load("traction", "3*t ; -2*t", 1, "bar")})
-    cut_in_parts = disc(9, way=3.75)  # more than friction takes at once
+    cut_in_parts = disc(9, way=3.75, mu=.03)  # turns further than is taken at once
     cut_in_parts["Obstacle disc"]["Turn"] = "25*max(t - 1, 0)*9"
     return {"swept disc": disc(10, way=1.0), "increments in parts": cut_in_parts, **pairs, "turned bar": turning,
             "rolled disc": rolled(10, way=1.0, cells=3)}

@@ -16,7 +16,7 @@ namespace conetact::pairing
   /** How far the sides of a contact may move along each other. */
   enum class Kinematics
   {
-    automatic,      ///< whichever of the others is right
+    automatic,      ///< small, until that is found to be wrong
     finite_sliding, ///< as far as they like: it is found again and again
     small           ///< gaps and normals are those of the undeformed bodies
   };
@@ -28,12 +28,20 @@ namespace conetact::pairing
     /** Why small kinematics is wrong for it, and why finite sliding is not for
      * it, parts of sentences; empty: it is right, it can be. */
     std::string why_finite, why_not_finite;
+    /** Why its sides are no planes, a part of a sentence; empty: they are. */
+    std::string why_not_plane;
 
     bool
     slides() const
     {
       return asked != Kinematics::small && !why_finite.empty() &&
              why_not_finite.empty();
+    }
+    /** Whether normals may turn: sides are curved, or something turns. */
+    bool
+    may_tilt() const
+    {
+      return !why_not_plane.empty() || !why_finite.empty();
     }
     /** Whether it is small by choice, and may be finite sliding. */
     bool
