@@ -88,9 +88,9 @@ def refusals(laws):
     beyond += [("floating-block, slides", SHIPPED / "floating-block.prm", ("Load push/Value=0.6*t",)),
                ("floating-block, lifts off", SHIPPED / "floating-block.prm", ("Load weight/Value=-0.1*t", "Load push/Value=0*t")),
                ("stacked-blocks, too far", SHIPPED / "stacked-blocks.prm",
-                ("Contact joint 1/Friction coefficient=0.01", "Support top/Displacement=0.4*max(t - 1, 0) ; -0.01*min(t, 1)")),
+                ("Contact joint 1/Friction coefficient=0.01", "Contact joint 1/Gap=0", "Support top/Displacement=0.4*max(t - 1, 0) ; -0.01*min(t, 1)")),
                ("sphere-on-layer, curved", SHIPPED / "sphere-on-layer.prm",
-                ("Obstacle sphere/Displacement=2*t ; 0 ; -0.2*t", "Body layer/Mesh/Arguments=20, 20, 3 : -20, -20, -4 : 20, 20, 0 : true"))]
+                ("Contact top/Prestress=1e-6", "Obstacle sphere/Displacement=2*t ; 0 ; -0.2*t", "Body layer/Mesh/Arguments=20, 20, 3 : -20, -20, -4 : 20, 20, 0 : true"))]
     for what, scene, changes in beyond:
         ends = [laws.start(scene, *changed(f"Solver/Backend={name}", *changes), *more)
                 for name, more in by_two[:2 if isinstance(scene, dict) else 3]]
