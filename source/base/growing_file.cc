@@ -55,12 +55,13 @@ namespace conetact
     else
       {
         size = fs::file_size(file, error);
+        if (error)
+          fail_to_write(file, error);
         create_anew(temporary);
-        if (!error)
-          fs::copy_file(file,
-                        temporary,
-                        fs::copy_options::overwrite_existing,
-                        error);
+        fs::copy_file(file,
+                      temporary,
+                      fs::copy_options::overwrite_existing,
+                      error);
         if (error)
           fail_to_write(file, error);
         bytes += size;
