@@ -7,6 +7,7 @@
 #include "conetact/backends/large_stiffness.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
+#include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@ namespace conetact::analysis
     void
     report_pairing(const std::string      &name,
                    const pairing::Pairing &found,
+                   const unsigned int      n_shared,
                    Log                    &log)
     {
       const unsigned int n_free = found.n_nodes - found.n_paired;
@@ -30,6 +32,10 @@ namespace conetact::analysis
       if (n_free > 0)
         text += ", " + std::to_string(n_free) +
                 " face no master within reach and stay free";
+      if (n_shared > 0)
+        text += ", " + std::to_string(n_shared) +
+                " at seams belong to contacts before it, with the faces and "
+                "reactions of both";
       log.note(text);
     }
 
@@ -184,7 +190,12 @@ namespace conetact::analysis
         "when they do");
     for (std::size_t c = 0; c < scene.pairings.size(); ++c)
       {
-        report_pairing(scene.contact_names[c], scene.pairings[c], log);
+        report_pairing(scene.contact_names[c],
+                       scene.pairings[c],
+                       pairing::n_shared(static_cast<unsigned int>(c),
+                                         scene.pairings[c].n_paired,
+                                         scene.bodies.contact_nodes),
+                       log);
         report_kinematics(scene.contact(c), scene.kinematics[c], log);
       }
     Eigen::Index n_no_cone = 0;
@@ -275,7 +286,7 @@ namespace conetact::analysis
                  std::to_string(n_all) + " " + what);
     };
     if (!model.is_iterative())
-      note(model.work().factorizations,
+      note(std::max(model.work().factorizations, 1u), // of small bodies: none
            n_increments,
            "factorisations, the stiffness stays the same");
     note(model.condense().n_reductions(),

@@ -204,21 +204,18 @@ namespace conetact::contact
   bool
   ContactModel::moves_as_rigid_only() const
   {
-    constexpr Eigen::Index few = 200;
-    if (points.n_unknowns() > few)
+    constexpr Eigen::Index few = 600;
+    const Eigen::Index     n   = coordinates.n_unknowns();
+    if (n > few)
       return false;
-    try
-      {
-        const WorkingSet   all(points.layout());
-        const Condensation stiffness(
-          elastic, rules, points, all, motions.null_space(), true, condenser);
-        return stiffness.system()->null_space.cols() ==
-               solvers::orthonormal_basis(motions.null_space()).cols();
-      }
-    catch (const backends::SingularMatrix &)
-      {
-        return false;
-      }
+    const Eigen::MatrixXd all = Eigen::MatrixXd(assemble(elastic, coordinates))
+                                  .selfadjointView<Eigen::Upper>();
+    Eigen::MatrixXd       rigid(n, motions.n_free());
+    for (Eigen::Index j = 0; j < rigid.cols(); ++j)
+      rigid.col(j) = coordinates.values(motions.field(
+        motions.of_free(Eigen::VectorXd::Unit(rigid.cols(), j))));
+    return solvers::null_space_basis(all, rigid).cols() ==
+           solvers::orthonormal_basis(rigid).cols();
   }
 
   bool

@@ -120,9 +120,7 @@ namespace conetact::pairing
         , one_by_one(contact, structures)
         , slave(*structures[contact.body], one_by_one.slave_surface())
         , facing(one_by_one.master_surface())
-        , normals(contact.slides ?
-                    structures[contact.master]->surface(contact.master_ids) :
-                    bodies::Surface())
+        , normals(structures[contact.master]->surface(contact.master_ids))
         , axisymmetric(structures[contact.body]->is_axisymmetric())
         , rows(slave.all(), contact.sharp_edge, axisymmetric)
         , thickness(
@@ -355,9 +353,8 @@ namespace conetact::pairing
         node.area        = thickness * row.area;
         node.master      = contact.master;
         node.masters     = weights(row.masters, row.area);
-        node.n           = row.normal / row.normal.norm();
         node.n =
-          contact.slides ? normals.between(node.n, node.masters) : -node.n;
+          normals.between(row.normal / row.normal.norm(), node.masters);
         node.slaves = weights(row.slaves, row.area);
         // biorthogonal: a node meets the master by itself unless it took over
         if (node.slaves.size() == 1)

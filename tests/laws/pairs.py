@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bodies on bodies: glued joints, meshes that do not match, a shrink fit."""
+import itertools
 import math
 
 from support.scenes import SHIPPED, beam, box, joint, load, stack, support
@@ -54,6 +55,38 @@ def pairs(laws):
     mean = sum(row["r_n"] for row in ring.rows if row["contact"] == "joint") / math.pi
     laws.check("shrink fit: mean pressure against Lame", abs(mean / .234375 - 1), 1e-3)
     rails(laws)
+    seams(laws)
+
+
+def seams(laws):
+    """The sole of a block that is cut in two, as faces from CAD are, is one: a node at the seam is held once."""
+    for dim, pairing, x, mu in itertools.product((2, 3), ("mortar", "node to face"), (.75, 1.0), (0.0, .3)):
+        across = (1,) * (dim - 2)
+        side = "y" if dim == 2 else "z"
+        parts = [f"abs({side} - 1) < 1e-9 && x {sign} {x}" for sign in "<>"]
+        upper = box((8, *across, 2), (2.0, *(1.0 for _ in across), 1.0), (*(0.0 for _ in range(dim - 1)), 1.0))
+        upper["Mesh"]["Boundary ids"] = f"7: {parts[0]} ; 8: {parts[1]}"
+        top, bottom = 2 * dim - 1, 2 * dim - 2
+        common = {"Dimension": dim, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 2}, "Body upper": upper,
+                  "Body lower": box((3, *across, 2), (2.0, *(1.0 for _ in across), 1.0)),
+                  "Support floor": support(bottom, ", ".join("xyz"[:dim]), body="lower"),
+                  "Load press": load("traction", " ; ".join(("2*t" if mu else "0", *("0" for _ in across), "-10*t*(1 + .2*x)")),
+                                     top, "upper")}
+        if not mu:
+            common["Support guide"] = support(0, "x", body="upper")
+        if dim == 3:
+            common["Support sides"] = support("2, 3", "y", body="upper")
+        friction = {"Pairing": pairing, "Friction coefficient": mu}
+        one = laws.run({**common, "Contact sole": joint("upper", "7, 8", "lower", top, **friction)})
+        two = laws.run({**common, "Contact left": joint("upper", 7, "lower", top, **friction),
+                        "Contact right": joint("upper", 8, "lower", top, **friction)})
+        what = f"{dim}D, {pairing}, cut at {x}, mu {mu}"
+        for run in (one, two):
+            run.nodes = {(r["x"], r["y"], r["z"]): r for r in run.last() if not r["contact"].endswith("_master")}
+        largest = max(r["r_n"] for r in one.nodes.values())
+        laws.demand(f"{what}: the same nodes", set(one.nodes) == set(two.nodes))
+        laws.check("  reactions of one contact", max(abs(r[c] - two.nodes[at][c]) / largest for at, r in one.nodes.items()
+                                                     for c in ("r_n", "area") + ("r_t1",)), 1e-9)
 
 
 def rails(laws):

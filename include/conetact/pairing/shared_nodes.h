@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_shared_nodes_h
+#define conetact_pairing_shared_nodes_h
+
+#include "conetact/pairing/contact_nodes.h"
+
+#include <vector>
+
+namespace conetact::pairing
+{
+  /**
+   * Whether two contact nodes are one that two contacts share, as where a face
+   * from CAD is split: the same node of a body, against the same master, along
+   * normals that differ by less than a sharp edge. Two rows for it would leave
+   * open which of them carries what.
+   */
+  bool
+  are_one(const ContactNode          &first,
+          const ContactNode          &second,
+          const std::vector<Contact> &contacts);
+
+  /**
+   * Makes `whole` what one contact with the faces of both would have: means
+   * over the areas of both, of friction coefficients, too. It stays a node of
+   * its contact.
+   */
+  void
+  unite(ContactNode &whole, const ContactNode &part, const unsigned int dim);
+
+  /** Nodes of a contact that face its master and belong to earlier contacts. */
+  unsigned int
+  n_shared(const unsigned int              contact,
+           const unsigned int              n_paired,
+           const std::vector<ContactNode> &nodes);
+} // namespace conetact::pairing
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/shared_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    using Weights = std::vector<std::pair<unsigned int, double>>;
+
+    Weights
+    mean(const Weights &first,
+         const double   first_part,
+         const Weights &second,
+         const double   second_part)
+    {
+      std::map<unsigned int, double> sum;
+      for (const auto &[node, weight] : first)
+        sum[node] += first_part * weight;
+      for (const auto &[node, weight] : second)
+        sum[node] += second_part * weight;
+      return {sum.begin(), sum.end()};
+    }
+
+    Weights
+    own_side(const ContactNode &node)
+    {
+      return node.slaves.empty() ? Weights{{node.node, 1.}} : node.slaves;
+    }
+  } // namespace
+
+  bool
+  are_one(const ContactNode          &first,
+          const ContactNode          &second,
+          const std::vector<Contact> &contacts)
+  {
+    const Contact &one = contacts[first.contact];
+    const Contact &two = contacts[second.contact];
+    return first.body == second.body && first.node == second.node &&
+           !first.masters.empty() && !second.masters.empty() &&
+           first.master == second.master && first.contact != second.contact &&
+           one.kind == two.kind && one.pairing == two.pairing &&
+           !one.slides && !two.slides && !one.gap && !two.gap &&
+           !one.preload && !two.preload &&
+           first.n * second.n >
+             std::cos(std::min(one.sharp_edge, two.sharp_edge));
+  }
+
+  void
+  unite(ContactNode &whole, const ContactNode &part, const unsigned int dim)
+  {
+    const double area = whole.area + part.area;
+    const double a    = area > 0 ? whole.area / area : .5;
+    const double b    = 1 - a;
+    whole.masters     = mean(whole.masters, a, part.masters, b);
+    if (!whole.slaves.empty() || !part.slaves.empty())
+      whole.slaves = mean(own_side(whole), a, own_side(part), b);
+    whole.gap     = a * whole.gap + b * part.gap;
+    whole.area    = area;
+    whole.spacing = std::max(whole.spacing, part.spacing);
+    whole.mu_1    = a * whole.mu_1 + b * part.mu_1;
+    whole.mu_2    = a * whole.mu_2 + b * part.mu_2;
+    whole.outward.insert(whole.outward.end(),
+                         part.outward.begin(),
+                         part.outward.end());
+    const Tensor<1, 3> normal = a * whole.n + b * part.n;
+    set_frame(whole, normal / normal.norm(), dim);
+  }
+
+  unsigned int
+  n_shared(const unsigned int              contact,
+           const unsigned int              n_paired,
+           const std::vector<ContactNode> &nodes)
+  {
+    std::set<unsigned int> own;
+    for (const ContactNode &node : nodes)
+      if (node.contact == contact && !node.meets_nothing())
+        own.insert(node.node);
+    return n_paired > own.size() ?
+             n_paired - static_cast<unsigned int>(own.size()) :
+             0;
+  }
+} // namespace conetact::pairing
