@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <cstring>
 
 namespace
 {
@@ -20,33 +21,71 @@ namespace
     "conetact: The limit of memory (ulimit -v) is below 680 MB, which the "
     "program and its libraries need to start. Raise it.\n";
 
-  void
-  forget_unless_whole_number(const char *const variable)
+  /** The value of a variable, if this is it. */
+  const char *
+  value_of(const char *const variable, const char *const name)
   {
-    const char *const text = std::getenv(variable);
-    if (text == nullptr)
-      return;
+    const std::size_t length = std::strlen(name);
+    return std::strncmp(variable, name, length) == 0 &&
+               variable[length] == '=' ?
+             variable + length + 1 :
+             nullptr;
+  }
+
+  bool
+  is_whole_number(const char *const text)
+  {
     char *end = nullptr;
     std::strtol(text, &end, 10);
-    if (end == text || *end != 0)
-      unsetenv(variable);
+    return end != text && *end == 0;
+  }
+
+  /**
+   * The C library does not know the environment yet and would not take changes:
+   * the program begins once more with another one, if it must.
+   */
+  void
+  begin_again(char **const arguments,
+              char **const environment,
+              const bool   one_thread)
+  {
+    constexpr std::size_t most  = 4096;
+    static char           one[] = "OPENBLAS_NUM_THREADS=1";
+    static char          *changed[most + 2];
+    std::size_t           n = 0, n_before = 0;
+    bool                  has_threads = false;
+    for (; environment[n_before] != nullptr; ++n_before)
+      {
+        char *const       variable = environment[n_before];
+        const char *const threads  = value_of(variable, "DEAL_II_NUM_THREADS");
+        has_threads |= value_of(variable, "OPENBLAS_NUM_THREADS") != nullptr;
+        if (threads != nullptr && !is_whole_number(threads))
+          continue;
+        if (n == most)
+          return;
+        changed[n++] = variable;
+      }
+    if (one_thread && !has_threads)
+      changed[n++] = one;
+    else if (n == n_before)
+      return;
+    execve("/proc/self/exe", arguments, changed);
   }
 
   void
-  settle(int, char **, char **)
+  settle(int, char **arguments, char **environment)
   {
-    forget_unless_whole_number("DEAL_II_NUM_THREADS");
-    rlimit limit;
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-      return;
-    if (limit.rlim_cur < least_memory)
+    rlimit     limit;
+    const bool is_limited =
+      getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    if (is_limited && limit.rlim_cur < least_memory)
       {
         const ssize_t told =
           ::write(STDERR_FILENO, too_little, sizeof(too_little) - 1);
         _exit(told < 0 ? 3 : 1);
       }
     // Threads are given to OpenBLAS later, where they are of use.
-    setenv("OPENBLAS_NUM_THREADS", "1", /*overwrite=*/0);
+    begin_again(arguments, environment, is_limited);
   }
 
   // The loader calls what stands in this section before it starts libraries.

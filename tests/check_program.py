@@ -476,7 +476,7 @@ class Case:
 
 def pressed(increments):
     """A block pressed on a floor and pushed, with a checkpoint of each increment."""
-    text = block(2, "floor", "bottom", loads="top") + FLOOR.format(up="0, 1", bottom=2) + load("top", "traction", "0.1*t/10 ; -t", 3)
+    text = block(2, "floor", "bottom", loads="top") + FLOOR.format(up="0, 1", bottom=2) + load("top", "traction", "1e-6*t ; -1e-4*t", 3)
     return (text + subsection("Time", {"End": increments, "Increments": increments}) +
             subsection("Output", {"VTU": 0, "Checkpoint": 1}))
 

@@ -176,7 +176,8 @@ namespace conetact::analysis
         const ContactNode &node = start[static_cast<std::size_t>(
           points[i].node - model.points.nodes().data())];
         closed[c].gaps.push_back(pairing::gap_at_start(node));
-        closed[c].facets.push_back(facets[c].in_gap(node));
+        const double facet = facets[c].in_gap(node);
+        closed[c].facets.push_back(facet > digits * node.spacing ? facet : 0);
         closed[c].normals.push_back(node.n);
       }
     of_facets.clear();

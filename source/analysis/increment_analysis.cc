@@ -446,14 +446,9 @@ namespace conetact::analysis
             return passes_through(increment.record, u);
           }
         if (n++ == most)
-          return "contacts that slide are found elsewhere again and again, "
-                 "their gaps are off by " +
-                 to_text(change.gap) +
-                 " of a cell, also in parts of the increment" +
-                 where(change.worst) +
-                 ". Use smaller increments or smoother surfaces; Kinematics = small "
-                 "keeps the contacts of the start, with a warning where they "
-                 "are wrong";
+          return why_unsettled(change, turn) +
+                 "; Kinematics = small keeps the contacts of the start, with a "
+                 "warning where they are wrong";
         model.move_frames(moved);
         if (is_slow || n_slow > 1) // from now on
           found = search.find_between(u, increment.record.time, 1. / ++n_slow);
@@ -461,6 +456,21 @@ namespace conetact::analysis
             !why.empty())
           return why;
       }
+  }
+
+  std::string
+  IncrementAnalysis::why_unsettled(const ContactSearch::Change &change,
+                                   const double                 turn) const
+  {
+    if (turn > std::max(change.gap, change.force))
+      return "how far bodies turn is found otherwise again and again, as where "
+             "they deform so much that small strains are wrong. Use smaller "
+             "loads or stiffer bodies";
+    return "contacts that slide are found elsewhere again and again, their "
+           "gaps are off by " +
+           to_text(change.gap) + " of a cell, also in parts of the increment" +
+           where(change.worst) +
+           ". Use smaller increments or smoother surfaces";
   }
 
   /* Where a surface ends, what slides off it has no neighbour to be found on.

@@ -167,9 +167,13 @@ namespace conetact::contact
           if (std::abs(it.value()) > 1e-9)
             nodes.insert(node_of[static_cast<std::size_t>(it.row())]);
         // Where supports hold both sides, as in a plane of symmetry, nothing is
-        // to share.
-        if (nodes.size() > 1 || (*nodes.begin())->masters.empty())
-          return *nodes.begin();
+        // to share, nor is it on an axis.
+        const pairing::ContactNode &node = **nodes.begin();
+        if (nodes.size() > 1 ||
+            (node.masters.empty() &&
+             !(bodies.structures[node.body]->is_axisymmetric() &&
+               node.position[0] == 0)))
+          return &node;
       }
     return nullptr;
   }
@@ -210,10 +214,10 @@ namespace conetact::contact
       return false;
     const Eigen::MatrixXd all = Eigen::MatrixXd(assemble(elastic, coordinates))
                                   .selfadjointView<Eigen::Upper>();
-    Eigen::MatrixXd       rigid(n, motions.n_free());
+    Eigen::MatrixXd rigid(n, motions.n_free());
     for (Eigen::Index j = 0; j < rigid.cols(); ++j)
-      rigid.col(j) = coordinates.values(motions.field(
-        motions.of_free(Eigen::VectorXd::Unit(rigid.cols(), j))));
+      rigid.col(j) = coordinates.values(
+        motions.field(motions.of_free(Eigen::VectorXd::Unit(rigid.cols(), j))));
     return solvers::null_space_basis(all, rigid).cols() ==
            solvers::orthonormal_basis(rigid).cols();
   }

@@ -8,7 +8,6 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
-#include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -843,16 +842,8 @@ namespace conetact::pairing
                   "' against obstacles with the same normal. A node stands in "
                   "several contacts where their normals differ: change "
                   "Boundary ids.");
-            const auto whole = std::find_if(begin, end, [&](const auto &other) {
-              return are_one(result.nodes[other.second], node, contacts);
-            });
             set_friction(node, contact);
             set_frame(node, node.n, dim);
-            if (whole != end)
-              {
-                unite(result.nodes[whole->second], node, dim);
-                continue;
-              }
             node.kind   = contact.kind;
             node.closes = contact.gap.has_value();
             node.growth = growth_of(node, contact, structures);

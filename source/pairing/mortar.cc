@@ -31,6 +31,9 @@ namespace conetact::pairing
      * coordinates of mesh files have six to eight digits.
      */
     constexpr double overhang = 1e-2;
+    /** The same of a node that faced it where bodies stood last: so contacts
+     * that slide are not found with it and without it in turn. */
+    constexpr double overhang_of_faced = .1;
     /**
      * Of a face: where little of it is seen, means over dual functions reach
      * beyond what they are means of, gaps by no more than this.
@@ -114,9 +117,12 @@ namespace conetact::pairing
     class Mortar
     {
     public:
-      Mortar(const Contact &c, const std::vector<const bodies::Structure *> &s)
+      Mortar(const Contact                                &c,
+             const std::vector<const bodies::Structure *> &s,
+             const std::set<unsigned int>                 &last)
         : contact(c)
         , structures(s)
+        , faced(last)
         , one_by_one(contact, structures)
         , slave(*structures[contact.body], one_by_one.slave_surface())
         , facing(one_by_one.master_surface())
@@ -241,9 +247,12 @@ namespace conetact::pairing
       {
         for (std::size_t c = 0; c < face.nodes.size(); ++c)
           if (!are[c])
-            are[c] = distance(where,
-                              plane.project(structures[contact.body]->position(
-                                face.nodes[c]))) <= overhang * face.size;
+            are[c] =
+              distance(where,
+                       plane.project(
+                         structures[contact.body]->position(face.nodes[c]))) <=
+              face.size *
+                (faced.count(face.nodes[c]) > 0 ? overhang_of_faced : overhang);
       }
 
       /** Faces that reach beyond a rim wait until it is known which of their
@@ -353,8 +362,7 @@ namespace conetact::pairing
         node.area        = thickness * row.area;
         node.master      = contact.master;
         node.masters     = weights(row.masters, row.area);
-        node.n =
-          normals.between(row.normal / row.normal.norm(), node.masters);
+        node.n = normals.between(row.normal / row.normal.norm(), node.masters);
         node.slaves = weights(row.slaves, row.area);
         // biorthogonal: a node meets the master by itself unless it took over
         if (node.slaves.size() == 1)
@@ -381,6 +389,7 @@ namespace conetact::pairing
 
       const Contact                                &contact;
       const std::vector<const bodies::Structure *> &structures;
+      const std::set<unsigned int>                 &faced;
       NodeToFace                                    one_by_one;
       FaceNet                                       slave;
       FacingParts                                   facing;
@@ -397,6 +406,14 @@ namespace conetact::pairing
   pair_by_mortar(const Contact                                &contact,
                  const std::vector<const bodies::Structure *> &structures)
   {
-    return Mortar(contact, structures).nodes();
+    return pair_by_mortar(contact, structures, {});
+  }
+
+  PairedNodes
+  pair_by_mortar(const Contact                                &contact,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::set<unsigned int>                 &faced)
+  {
+    return Mortar(contact, structures, faced).nodes();
   }
 } // namespace conetact::pairing

@@ -7,12 +7,14 @@
 #include "conetact/bodies/displaced.h"
 #include "conetact/bodies/rigid_body.h"
 #include "conetact/pairing/face_net.h"
+#include "conetact/pairing/mortar.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
+#include <set>
 
 namespace conetact::pairing
 {
@@ -277,10 +279,16 @@ namespace conetact::pairing
                              const Displacement       &at,
                              std::vector<ContactNode> &nodes) const
   {
-    const Contact    &contact = contacts[c];
-    const PairedNodes found =
-      pairing_of(contact, displaced).pair(contact, displaced);
-    auto now = found.nodes.begin();
+    const Contact         &contact = contacts[c];
+    const PairingRow      &row     = pairing_of(contact, displaced);
+    std::set<unsigned int> faced;
+    for (const ContactNode &node : nodes)
+      if (node.contact == c && !node.meets_nothing())
+        faced.insert(node.node);
+    const PairedNodes found = row.takes_means ?
+                                pair_by_mortar(contact, displaced, faced) :
+                                row.pair(contact, displaced);
+    auto              now   = found.nodes.begin();
     for (ContactNode &node : nodes)
       if (node.contact == c)
         {

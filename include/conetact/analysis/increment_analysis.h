@@ -81,6 +81,8 @@ namespace conetact::analysis
     try_to_settle(PendingIncrement &increment);
     /** A node as part of a sentence; empty without one. */
     std::string
+    why_unsettled(const ContactSearch::Change &change, const double turn) const;
+    std::string
     where(const pairing::ContactNode *node) const;
     /** Whether contacts that do not stay are near enough to those at the end,
      * or cutting the increment would not help. */

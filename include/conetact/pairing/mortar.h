@@ -6,6 +6,7 @@
 
 #include "conetact/pairing/contact_nodes.h"
 
+#include <set>
 #include <vector>
 
 namespace conetact::pairing
@@ -19,7 +20,8 @@ namespace conetact::pairing
    * both sides are integrated at the same points, hence a constant pressure
    * passes between any two meshes, and no force is lost. Moments are kept
    * where gaps are closed and faces plane. The gap is that mean of the
-   * distance, along the area-weighted normal of the faces at the node.
+   * distance, along the mean of the area-weighted normals of both sides
+   * (master_normals.h).
    *
    * A node beyond the rim of the master has no function of its own, for on a
    * sliver a force would be a large pressure: on each face it is shared by the
@@ -34,6 +36,14 @@ namespace conetact::pairing
   PairedNodes
   pair_by_mortar(const Contact                                &contact,
                  const std::vector<const bodies::Structure *> &structures);
+
+  /** The same of a contact that slides, and of which these slave nodes faced
+   * the master last: they do until they are a tenth of a face beyond its rim.
+   */
+  PairedNodes
+  pair_by_mortar(const Contact                                &contact,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::set<unsigned int>                 &faced);
 } // namespace conetact::pairing
 
 #endif

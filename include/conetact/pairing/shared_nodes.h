@@ -11,23 +11,17 @@
 namespace conetact::pairing
 {
   /**
-   * Whether two contact nodes are one that two contacts share, as where a face
-   * from CAD is split: the same node of a body, against the same master, along
+   * Makes one of nodes that two contacts share at a seam, as where a face from
+   * CAD is split: the same node of a body, against the same master, along
    * normals that differ by less than a sharp edge. Two rows for it would leave
-   * open which of them carries what.
-   */
-  bool
-  are_one(const ContactNode          &first,
-          const ContactNode          &second,
-          const std::vector<Contact> &contacts);
-
-  /**
-   * Makes `whole` what one contact with the faces of both would have: means
-   * over the areas of both, of friction coefficients, too. It stays a node of
-   * its contact.
+   * open which of them carries what. It becomes what one contact with the faces
+   * of both would have, with means over the areas of both, of friction
+   * coefficients, too, and is a node of the first of them.
    */
   void
-  unite(ContactNode &whole, const ContactNode &part, const unsigned int dim);
+  unite_shared(const std::vector<Contact> &contacts,
+               const unsigned int          dim,
+               std::vector<ContactNode>   &nodes);
 
   /** Nodes of a contact that face its master and belong to earlier contacts. */
   unsigned int

@@ -74,10 +74,10 @@ namespace
     EXPECT_LT((N.transpose() * all.tail(k) - x.tail(n_free)).norm(),
               1e-13 * size);
     // against what each equation sums: rows of stiff bodies have large terms
-    const VectorXd terms =
-      matrix.cwiseAbs() * all.cwiseAbs() + load.cwiseAbs();
-    EXPECT_LT(v.cwiseQuotient(terms).segment(n_c, n_t).lpNorm<Eigen::Infinity>(),
-              1e-13);
+    const VectorXd terms = matrix.cwiseAbs() * all.cwiseAbs() + load.cwiseAbs();
+    EXPECT_LT(
+      v.cwiseQuotient(terms).segment(n_c, n_t).lpNorm<Eigen::Infinity>(),
+      1e-13);
     EXPECT_LT((M.transpose() * v.tail(k))
                 .cwiseQuotient(M.cwiseAbs().transpose() * terms.tail(k))
                 .lpNorm<Eigen::Infinity>(),
