@@ -53,14 +53,17 @@ namespace conetact::analysis
   }
 
   ContactSearch::Nodes
-  ContactSearch::find_there(const Eigen::VectorXd &u, const double t) const
+  ContactSearch::find_there(const Eigen::VectorXd &u,
+                            const double           t,
+                            const bool             keep_faced) const
   {
     return contacts.find(
       model.points.nodes(),
       [&](const unsigned int body, const unsigned int node) {
         return model.displacement(u, body, node);
       },
-      t);
+      t,
+      keep_faced);
   }
 
   ContactSearch::Nodes
@@ -72,9 +75,11 @@ namespace conetact::analysis
   }
 
   ContactSearch::Nodes
-  ContactSearch::find(const Eigen::VectorXd &u, const double t) const
+  ContactSearch::find(const Eigen::VectorXd &u,
+                      const double           t,
+                      const bool             keep_faced) const
   {
-    return linearised(find_there(u, t));
+    return linearised(find_there(u, t, keep_faced));
   }
 
   ContactSearch::Nodes
@@ -82,7 +87,7 @@ namespace conetact::analysis
                               const double           t,
                               const double           part) const
   {
-    Nodes nodes = find_there(u, t);
+    Nodes nodes = find_there(u, t, /*keep_faced=*/true);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (const Tensor<1, 3> &last = model.points.nodes()[i].n;
           nodes[i].slides && nodes[i].n * last > 0)

@@ -425,8 +425,9 @@ namespace conetact::analysis
       {
         const Eigen::VectorXd w =
           model.condense().expand({&increment.load}, {increment.primal});
-        const Eigen::VectorXd u     = acceptance.displacements(increment, w);
-        ContactSearch::Nodes  found = search.find(u, increment.record.time);
+        const Eigen::VectorXd u = acceptance.displacements(increment, w);
+        ContactSearch::Nodes  found =
+          search.find(u, increment.record.time, n_slow > 1);
         const ContactSearch::Change change = search.change(increment, u, found);
         const Eigen::VectorXd       moved =
           acceptance.amounts(increment) +

@@ -237,14 +237,15 @@ namespace conetact::pairing
   std::vector<ContactNode>
   SlidingContacts::find(const std::vector<ContactNode> &last,
                         const Displacement             &at,
-                        const double                    t) const
+                        const double                    t,
+                        const bool                      keep_faced) const
   {
     std::vector<ContactNode> nodes = last;
     for (ContactNode &node : nodes)
       if (node.slides && node.obstacle != nullptr)
         node = find_on_obstacle(std::move(node), at, t);
     if (std::any_of(contacts.begin(), contacts.end(), is_pair_that_slides))
-      find_pairs(at, nodes);
+      find_pairs(at, keep_faced, nodes);
     return nodes;
   }
 
@@ -259,6 +260,7 @@ namespace conetact::pairing
 
   void
   SlidingContacts::find_pairs(const Displacement       &at,
+                              const bool                keep_faced,
                               std::vector<ContactNode> &nodes) const
   {
     std::vector<bodies::Displaced> displaced;
@@ -270,20 +272,21 @@ namespace conetact::pairing
       there.push_back(&body);
     for (unsigned int c = 0; c < contacts.size(); ++c)
       if (is_pair_that_slides(contacts[c]))
-        find_pair(c, there, at, nodes);
+        find_pair(c, there, at, keep_faced, nodes);
   }
 
   void
   SlidingContacts::find_pair(const unsigned int        c,
                              const Structures         &displaced,
                              const Displacement       &at,
+                             const bool                keep_faced,
                              std::vector<ContactNode> &nodes) const
   {
     const Contact         &contact = contacts[c];
     const PairingRow      &row     = pairing_of(contact, displaced);
     std::set<unsigned int> faced;
     for (const ContactNode &node : nodes)
-      if (node.contact == c && !node.meets_nothing())
+      if (keep_faced && node.contact == c && !node.meets_nothing())
         faced.insert(node.node);
     const PairedNodes found = row.takes_means ?
                                 pair_by_mortar(contact, displaced, faced) :

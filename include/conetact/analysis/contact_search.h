@@ -68,13 +68,16 @@ namespace conetact::analysis
     angle_to_body(const pairing::ContactNode &node) const;
 
     using Nodes = std::vector<pairing::ContactNode>;
-    /** Contacts where bodies are at time t: displacements u of all dofs. */
+    /** Contacts where bodies are at time t: displacements u of all dofs.
+     * `keep_faced`: see SlidingContacts::find(). */
     Nodes
-    find(const Eigen::VectorXd &u, const double t) const;
+    find(const Eigen::VectorXd &u,
+         const double           t,
+         const bool             keep_faced = false) const;
     /**
      * The same, but normals go only a part of the way from those that the model
      * has. On the edge between two facets each of them leads to the other one;
-     * what holds there is a normal between theirs.
+     * what holds there is a normal between theirs. Nodes at a rim are kept.
      */
     Nodes
     find_between(const Eigen::VectorXd &u,
@@ -166,7 +169,9 @@ namespace conetact::analysis
     std::string
     master_comes_between(const Eigen::VectorXd &u, const double deep);
     Nodes
-    find_there(const Eigen::VectorXd &u, const double t) const;
+    find_there(const Eigen::VectorXd &u,
+               const double           t,
+               const bool             keep_faced) const;
     Nodes
     linearised(Nodes nodes) const;
 

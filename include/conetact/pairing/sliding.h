@@ -54,12 +54,15 @@ namespace conetact::pairing
     /**
      * All contact nodes as they are at time t, in their order, from those that
      * were found last. Nodes that slide have the normal and the gap that they
-     * find there; linearise() is still to come.
+     * find there; linearise() is still to come. Where `keep_faced`, means over
+     * faces keep nodes that faced the master last somewhat longer (mortar.h):
+     * for those that are at its rim, and found on either side of it in turn.
      */
     std::vector<ContactNode>
     find(const std::vector<ContactNode> &last,
          const Displacement             &at,
-         const double                    t) const;
+         const double                    t,
+         const bool                      keep_faced = false) const;
     /** The same of one node on an obstacle. */
     ContactNode
     find_on_obstacle(ContactNode         node,
@@ -108,11 +111,14 @@ namespace conetact::pairing
                     const Displacement &at,
                     const double        depth) const;
     void
-    find_pairs(const Displacement &at, std::vector<ContactNode> &nodes) const;
+    find_pairs(const Displacement       &at,
+               const bool                keep_faced,
+               std::vector<ContactNode> &nodes) const;
     void
     find_pair(const unsigned int        contact,
               const Structures         &displaced,
               const Displacement       &at,
+              const bool                keep_faced,
               std::vector<ContactNode> &nodes) const;
 
     const std::vector<Contact> &contacts;
