@@ -218,9 +218,9 @@ namespace conetact::analysis
       through     ///< to the other side, or it was deep inside
     };
 
-    constexpr double other_side = -.5, same_side = .5; // cosines
-    constexpr double deep_enough = .25;                // of a cell
-    constexpr double closed      = 1e-6;               // of a cell
+    constexpr double opposite_side = -.5, same_side = .5; // cosines
+    constexpr double deep_enough = .25;                   // of a cell
+    constexpr double closed      = 1e-6;                  // of a cell
 
     /**
      * Follows a node on its way, given at parts of it from 0 to 1, to where
@@ -257,7 +257,7 @@ namespace conetact::analysis
       for (double part = 0; part < 1; part += longest)
         depth = std::max(depth, -at(part).gap / end.spacing);
       const double cosine = before.n * end.n;
-      if (cosine < other_side || depth > 1)
+      if (cosine < opposite_side || depth > 1)
         return Way::through;
       return cosine < same_side && depth > deep_enough &&
                  end.gap < closed * end.spacing ?
@@ -280,7 +280,7 @@ namespace conetact::analysis
       if (passage.is_out())
         {
           const double cosine = passage.entered * passage.left;
-          if (cosine < other_side || depth > 1)
+          if (cosine < opposite_side || depth > 1)
             return Way::through;
           return cosine < same_side && depth > deep_enough &&
                      held.n.norm_square() > 0 &&
@@ -296,8 +296,9 @@ namespace conetact::analysis
       const double     cosine = passage.entered * held.n;
       if (cosine >= same_side || depth <= unseen)
         return Way::right;
-      return cosine < other_side || held.n.norm_square() == 0 ? Way::through :
-                                                                Way::round_edge;
+      return cosine < opposite_side || held.n.norm_square() == 0 ?
+               Way::through :
+               Way::round_edge;
     }
 
     bool

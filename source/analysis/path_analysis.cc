@@ -19,7 +19,7 @@ namespace conetact::analysis
   namespace
   {
     /** Reactions below this part of the largest are those of open nodes. */
-    constexpr double noise = 1e-12;
+    constexpr double path_noise = 1e-12;
 
     /** Over the spacing of nodes: smaller gaps are closed. */
     constexpr double touching = 1e-9;
@@ -314,8 +314,8 @@ namespace conetact::analysis
     pending.contact                 = point.v;
     pending.state.v                 = point.v - last.v;
     pending.state.r                 = point.r;
-    const double zero               = noise * solvers::largest(point.r);
-    const double rest               = noise * solvers::largest(point.v);
+    const double zero               = path_noise * solvers::largest(point.r);
+    const double rest               = path_noise * solvers::largest(point.v);
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       {
         const Eigen::Index k = system().normal(i);

@@ -146,7 +146,7 @@ namespace conetact::bodies
           throw InputError(entry + ": '" + part +
                            "' is not an id and a condition. Write " +
                            "'id: condition', such as 7: y > 79.9.");
-        const auto        ids       = to_ids(part.substr(0, colon), entry);
+        const auto        ids = conetact::to_ids(part.substr(0, colon), entry);
         const std::string condition = trim(part.substr(colon + 1));
         Expression        expression(condition, entry);
         if (ids.size() != 1)

@@ -136,12 +136,12 @@ namespace conetact::contact
       {
         const std::size_t n = numbers.size();
         numbers.resize(std::min(n, most_told));
-        texts.push_back((n == 1 ? "node " : "nodes ") + join(numbers) +
-                        (n > most_told ?
-                           " and " + std::to_string(n - most_told) + " more" :
+        texts.push_back(
+          (n == 1 ? "node " : "nodes ") + conetact::join(numbers) +
+          (n > most_told ? " and " + std::to_string(n - most_told) + " more" :
                            "") +
-                        " of contact '" + contact_names[contact] + "'");
+          " of contact '" + contact_names[contact] + "'");
       }
-    return join(texts);
+    return conetact::join(texts);
   }
 } // namespace conetact::contact

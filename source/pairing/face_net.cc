@@ -17,7 +17,7 @@ namespace conetact::pairing
   namespace
   {
     /** Misses below this part of a face's size are round-off. */
-    constexpr double round_off = 1e-8;
+    constexpr double corner_round_off = 1e-8;
 
     using EdgeCorners = std::array<unsigned int, 4>;
 
@@ -285,7 +285,7 @@ namespace conetact::pairing
     std::vector<std::size_t> edges;
     for (std::size_t e = 0; e < faces[at.face].edges.size(); ++e)
       if (distance_to_edge(faces[at.face].corners.size(), at.at, e) <=
-          round_off)
+          corner_round_off)
         edges.push_back(e);
     return edges;
   }
@@ -302,7 +302,7 @@ namespace conetact::pairing
     const auto weights = shape_values(face.corners.size(), at.at);
     for (std::size_t i = 0; i < face.corners.size(); ++i)
       // At a corner all faces of the node meet, not only those across edges.
-      if (weights[i] >= 1 - 2 * round_off)
+      if (weights[i] >= 1 - 2 * corner_round_off)
         others.insert(faces_at_node[face.nodes[i]].begin(),
                       faces_at_node[face.nodes[i]].end());
     std::vector<Closest> result = {at};
@@ -310,14 +310,15 @@ namespace conetact::pairing
       if (other != at.face)
         {
           const Closest there = project(other, p);
-          const double  scale = round_off * std::max(face.size, at.distance);
+          const double  scale =
+            corner_round_off * std::max(face.size, at.distance);
           // A neighbour is nearer: the foot belongs there.
           if (there.distance < at.distance - scale)
             return {};
           // Distances are flat about their minimum: their points agree to the
           // root of what they agree to themselves.
           if (there.point.distance(at.point) <=
-              10 * std::sqrt(round_off) * face.size)
+              10 * std::sqrt(corner_round_off) * face.size)
             result.push_back(there);
         }
     return result;

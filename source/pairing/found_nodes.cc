@@ -57,19 +57,19 @@ namespace conetact::pairing
     };
 
     /** One of the two sides of contact nodes, means over nodes of a body. */
-    struct Side
+    struct SideRow
     {
       const char *name;
       Weights ContactNode::*weights;
       unsigned int ContactNode::*body;
     };
-    constexpr Side sides[] = {
+    constexpr SideRow sides[] = {
       {"masters", &ContactNode::masters, &ContactNode::master},
       {"slaves", &ContactNode::slaves, &ContactNode::body}};
 
     /** Of each node how many others it has, then these and their weights. */
     std::vector<double>
-    to_numbers(const std::vector<ContactNode> &nodes, const Side &side)
+    to_numbers(const std::vector<ContactNode> &nodes, const SideRow &side)
     {
       std::vector<double> result;
       for (const ContactNode &node : nodes)
@@ -87,7 +87,7 @@ namespace conetact::pairing
 
     void
     take(const std::vector<double>                    &values,
-         const Side                                   &side,
+         const SideRow                                &side,
          const std::vector<const bodies::Structure *> &structures,
          std::vector<ContactNode>                     &nodes)
     {
@@ -166,7 +166,7 @@ namespace conetact::pairing
           values.push_back(node.*row.member);
         archive.put(found + row.name, values);
       }
-    for (const Side &side : sides)
+    for (const SideRow &side : sides)
       archive.put(found + side.name, to_numbers(nodes, side));
   }
 
@@ -194,7 +194,7 @@ namespace conetact::pairing
         for (std::size_t i = 0; i < nodes.size(); ++i)
           nodes[i].*row.member = values[i];
       }
-    for (const Side &side : sides)
+    for (const SideRow &side : sides)
       take(archive.get(found + side.name), side, structures, nodes);
   }
 

@@ -23,17 +23,17 @@ namespace conetact::pairing
     using Eigen::Index;
 
     /** Weights below this part of the sum are rounding. */
-    constexpr double round_off = 1e-13;
+    constexpr double weight_round_off = 1e-13;
     /** A face of which less is covered sees nothing. */
     constexpr double least_covered = 1e-12;
     /**
      * How far beyond a rim a node still faces the master, in sizes of its face:
      * coordinates of mesh files have six to eight digits.
      */
-    constexpr double overhang = 1e-2;
+    constexpr double face_overhang = 1e-2;
     /** The same of a node that faced it where bodies stood last: so contacts
      * that slide are not found with it and without it in turn. */
-    constexpr double overhang_of_faced = .1;
+    constexpr double face_overhang_once = .1;
     /**
      * Of a face: where little of it is seen, means over dual functions reach
      * beyond what they are means of, gaps by no more than this.
@@ -251,8 +251,8 @@ namespace conetact::pairing
               distance(where,
                        plane.project(
                          structures[contact.body]->position(face.nodes[c]))) <=
-              face.size *
-                (faced.count(face.nodes[c]) > 0 ? overhang_of_faced : overhang);
+              face.size * (faced.count(face.nodes[c]) > 0 ? face_overhang_once :
+                                                            face_overhang);
       }
 
       /** Faces that reach beyond a rim wait until it is known which of their
@@ -342,7 +342,7 @@ namespace conetact::pairing
       {
         std::vector<std::pair<unsigned int, double>> result;
         for (const auto &[node, integral] : integrals)
-          if (std::abs(integral) > round_off * area)
+          if (std::abs(integral) > weight_round_off * area)
             result.emplace_back(node, integral / area);
         return result;
       }

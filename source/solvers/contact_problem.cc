@@ -52,7 +52,7 @@ namespace conetact::solvers
      * them. In stiffness form it is the solver's own unknown.
      */
     VectorXd
-    rounding(const ContactProblem &problem, const ContactState &state)
+    velocity_rounding(const ContactProblem &problem, const ContactState &state)
     {
       const ContactSystem &system = *problem.system;
       const Index          n      = system.n_contact_unknowns();
@@ -107,7 +107,7 @@ namespace conetact::solvers
       const Index n        = system.n_contact_unknowns();
       VectorXd    residual = multiply(system, state.r) + problem.load - state.v;
       residual.head(n)     = rho.cwiseProduct(
-        without_rounding(residual.head(n), rounding(problem, state)));
+        without_rounding(residual.head(n), velocity_rounding(problem, state)));
       return residual;
     }
 
@@ -120,7 +120,7 @@ namespace conetact::solvers
       const ContactSystem &system = *problem.system;
       const Index          n      = system.n_contact_unknowns();
       const VectorXd       closest =
-        without_rounding(state.v.head(n), rounding(problem, state));
+        without_rounding(state.v.head(n), velocity_rounding(problem, state));
       VectorXd result(system.n_unknowns());
       result.tail(system.n_motions) = state.v.tail(system.n_motions);
       for (Index i = 0; i < system.n_nodes(); ++i)

@@ -36,7 +36,7 @@ namespace conetact::solvers
     constexpr double near_enough = 1e-3;
 
     /** Residuals below this that do not improve any more are rounding. */
-    constexpr double noise = 1e-11;
+    constexpr double balance_noise = 1e-11;
 
     /**
      * The part of the slip law that turns is at most this over one that does
@@ -283,7 +283,8 @@ namespace conetact::solvers
         const double gain =
           residual / before * std::min(forces / forces_before, 1.);
         improved = gain < .5;
-        if (residual <= noise && (!settled || residual < settled->residual()))
+        if (residual <= balance_noise &&
+            (!settled || residual < settled->residual()))
           settled = point;
         if (settled && !improved)
           {
@@ -342,10 +343,11 @@ namespace conetact::solvers
     state.u               = body->numbers(point.u);
     if (!has_offset)
       state.u.tail(n) = state.v;
-    state.node       = classify(problem, state, 0);
-    report.residual  = contact_residual(problem, state);
-    report.converged = report.residual <= options.tolerance &&
-                       point.balance <= std::max(options.tolerance, noise);
+    state.node      = classify(problem, state, 0);
+    report.residual = contact_residual(problem, state);
+    report.converged =
+      report.residual <= options.tolerance &&
+      point.balance <= std::max(options.tolerance, balance_noise);
     if (report.converged)
       {
         report.reason.clear();

@@ -20,7 +20,7 @@ namespace conetact::solvers
     using Eigen::VectorXd;
 
     /** Interior point steps at most, and in a row without half the residual. */
-    constexpr unsigned int max_steps = 100, max_stalls = 15;
+    constexpr unsigned int most_steps = 100, most_stalls = 15;
 
     /** Sweeps before anything else. */
     constexpr unsigned int few_sweeps = 100;
@@ -143,7 +143,7 @@ namespace conetact::solvers
       double        least = 1, tried = .1;
       VectorXd      r      = iteration.reactions();
       unsigned int  stalls = 0;
-      for (unsigned int i = 0; i < max_steps && stalls < max_stalls; ++i)
+      for (unsigned int i = 0; i < most_steps && stalls < most_stalls; ++i)
         {
           if (stopped() || !iteration.step())
             break;
