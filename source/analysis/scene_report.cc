@@ -47,10 +47,12 @@ namespace conetact::analysis
     {
       std::string text = "Contact " + contact.name + ": kinematics " +
                          (contact.slides ? "finite sliding" : "small");
-      if (kinematics.asked != pairing::Kinematics::automatic)
+      if (contact.kind == pairing::ContactKind::tie)
+        text += contact.obstacle != nullptr ?
+                  ", a tie" :
+                  ", a tie, which turns with its bodies";
+      else if (kinematics.asked != pairing::Kinematics::automatic)
         text += ", as asked for";
-      else if (contact.kind == pairing::ContactKind::tie)
-        text += ", a tie";
       else if (kinematics.why_finite.empty())
         text += kinematics.why_not_plane.empty() ?
                   ", both sides are plane" :

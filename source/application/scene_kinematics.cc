@@ -52,12 +52,39 @@ namespace conetact::application
     return pairing::why_not_sliding(contact, bodies.structures);
   }
 
+  namespace
+  {
+    /** Bodies of a contact, and those that turn with them because they are
+     * tied. */
+    std::vector<unsigned int>
+    bodies_with(const pairing::Contact              &contact,
+                const std::vector<pairing::Contact> &all)
+    {
+      std::vector<unsigned int> found = {contact.body};
+      if (contact.obstacle == nullptr)
+        found.push_back(contact.master);
+      const auto has = [&](const unsigned int body) {
+        return std::count(found.begin(), found.end(), body) > 0;
+      };
+      for (std::size_t before = 0; before != found.size();)
+        {
+          before = found.size();
+          for (const pairing::Contact &tie : all)
+            if (tie.kind == pairing::ContactKind::tie &&
+                tie.obstacle == nullptr && has(tie.body) != has(tie.master))
+              found.push_back(has(tie.body) ? tie.master : tie.body);
+        }
+      return found;
+    }
+  } // namespace
+
   /* Turns that are prescribed. */
   std::string
   Scene::why_it_turns(const pairing::Contact &contact) const
   {
-    constexpr double least = .05; // degrees
-    const auto       turns = [&](const Expression &angle) {
+    constexpr double                least  = .05; // degrees
+    const std::vector<unsigned int> joined = bodies_with(contact, contacts);
+    const auto                      turns  = [&](const Expression &angle) {
       return std::any_of(times.begin(), times.end(), [&](const double t) {
         return std::abs(angle(Point<3>(), t)) > least;
       });
@@ -67,8 +94,7 @@ namespace conetact::application
       return "obstacle '" + contact.obstacle->name + "' turns";
     for (const bodies::Support &support : bodies.supports)
       if (support.turn && turns(support.turn->angle) &&
-          (support.body == contact.body ||
-           (contact.obstacle == nullptr && support.body == contact.master)))
+          std::count(joined.begin(), joined.end(), support.body) > 0)
         return "body '" + bodies.names[support.body] + "' turns";
     return "";
   }
@@ -80,6 +106,10 @@ namespace conetact::application
     pairing::ContactKinematics &chosen  = kinematics[c];
     chosen.why_not_finite               = why_not_sliding(contact);
     chosen.why_finite                   = why_it_turns(contact);
+    const bool may_ask                  = chosen.why_not_finite.empty();
+    if (may_ask && contact.kind == pairing::ContactKind::tie)
+      chosen.why_not_finite =
+        "a tie turns with its bodies only where its sides touch at the start";
     if (shown_to_slide.count(c) > 0)
       chosen.why_finite = shown_to_slide.at(c);
     if (restart && chosen.asked == pairing::Kinematics::automatic)
@@ -93,7 +123,7 @@ namespace conetact::application
       }
     if (chosen.asked == pairing::Kinematics::finite_sliding)
       {
-        if (!chosen.why_not_finite.empty())
+        if (!may_ask)
           throw InputError("Contact '" + contact.name + "', Kinematics: " +
                            chosen.why_not_finite + ". Or choose small.");
         chosen.why_finite = "it is asked for";

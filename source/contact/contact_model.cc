@@ -34,6 +34,61 @@ namespace conetact::contact
 
     /** The same of the force that it takes to hold back what moves. */
     constexpr double rounding_of_motion = 1e-3;
+
+    /** Over the spacing of nodes: ties of what is further apart do not turn. */
+    constexpr double tied_apart = 1e-9;
+
+    /** Whether the tie goes on to be one where its bodies turn together. */
+    bool
+    turns_along(const pairing::ContactNode &tie, const Bodies &bodies)
+    {
+      return tie.kind == pairing::ContactKind::tie && !tie.masters.empty() &&
+             !tie.opening &&
+             pairing::undeformed_distance(tie, bodies.structures).norm() <=
+               tied_apart * tie.spacing;
+    }
+
+    /** What equations join turns together, or not at all. */
+    std::vector<bool>
+    together(const RigidMotions &motions, const std::vector<bool> &alone)
+    {
+      std::vector<bool> may = alone;
+      for (unsigned int body = 0; body < alone.size(); ++body)
+        for (unsigned int other = 0; other < alone.size(); ++other)
+          if (motions.first_tied(body) == motions.first_tied(other))
+            may[body] = may[body] && alone[other];
+      return may;
+    }
+
+    [[noreturn]] void
+    refuse_turn(const bodies::Support &support, const Bodies &bodies)
+    {
+      throw InputError(
+        "Support '" + support.name + "', Turn: " + bodies.called(support.body) +
+        " is held along some directions only, has a foundation, or contacts "
+        "with Kinematics = small, which would stay where they are, or is "
+        "tied to an obstacle, with a Preload, across a gap, or to such a "
+        "body. Hold it by this support alone, and set Kinematics = finite "
+        "sliding in its contacts.");
+    }
+
+    /** Directions of ties turn with their bodies. */
+    void
+    turn_ties(const Bodies &bodies, std::vector<pairing::ContactNode> &nodes)
+    {
+      if (bodies.frames().empty())
+        return;
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].kind == pairing::ContactKind::tie)
+          for (const auto direction : {&pairing::ContactNode::n,
+                                       &pairing::ContactNode::t1,
+                                       &pairing::ContactNode::t2,
+                                       &pairing::ContactNode::axis_1,
+                                       &pairing::ContactNode::axis_2})
+            nodes[i].*direction =
+              bodies.in_space(nodes[i].body,
+                              bodies.contact_nodes[i].*direction);
+    }
   } // namespace
 
   ContactModel::ContactModel(const Bodies              &b,
@@ -71,7 +126,7 @@ namespace conetact::contact
     return std::all_of(bodies.contact_nodes.begin(),
                        bodies.contact_nodes.end(),
                        [&](const pairing::ContactNode &node) {
-                         return node.slides ||
+                         return node.slides || turns_along(node, bodies) ||
                                 (node.body != body &&
                                  (node.masters.empty() || node.master != body));
                        });
@@ -86,21 +141,21 @@ namespace conetact::contact
                   bodies.supports.end(),
                   [](const auto &support) { return support.turn.has_value(); });
     bodies.move_frames().clear();
+    std::vector<bool> may;
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      may.push_back(may_turn(body));
+    may = together(motions, may);
     for (const bodies::Support &support : bodies.supports)
-      if (support.turn && !may_turn(support.body))
-        throw InputError(
-          "Support '" + support.name +
-          "', Turn: " + bodies.called(support.body) +
-          " is held along some directions only, has a foundation, or contacts "
-          "with Kinematics = small or Kind = tie, which would stay where they "
-          "are. Hold it by this support alone, and set Kinematics = finite "
-          "sliding in its contacts.");
-    for (unsigned int body = 0; body < bodies.structures.size() && far; ++body)
+      if (support.turn && !may[support.body])
+        refuse_turn(support, bodies);
+    if (!far)
+      return;
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
-        turns.push_back(may_turn(body));
+        turns.push_back(may[body]);
         bodies.move_frames().emplace_back();
         bodies.move_frames().back().centre =
-          motions.of_body(motions.none(), body).centre;
+          motions.of_body(motions.none(), motions.first_tied(body)).centre;
       }
   }
 
@@ -109,19 +164,22 @@ namespace conetact::contact
   {
     double largest = 0;
     for (unsigned int body = 0; body < turns.size(); ++body)
-      if (turns[body])
+      if (turns[body] && motions.first_tied(body) == body)
         largest = std::max(largest, motions.rotation(amounts, body));
     return largest;
   }
 
+  /* What is tied has one frame, that of the first: rigid motions leave ties
+     alone. */
   void
   ContactModel::move_frames(const Eigen::VectorXd &amounts)
   {
     for (unsigned int body = 0; body < turns.size(); ++body)
       if (turns[body])
         {
-          const RigidMotions::Motion more  = motions.of_body(amounts, body);
-          pairing::RigidMotion      &frame = bodies.move_frames()[body];
+          const RigidMotions::Motion more =
+            motions.of_body(amounts, motions.first_tied(body));
+          pairing::RigidMotion &frame = bodies.move_frames()[body];
           frame.translation += frame.rotation * more.translation;
           frame.rotation =
             frame.rotation *
@@ -481,6 +539,7 @@ namespace conetact::contact
   ContactModel::relink(std::vector<pairing::ContactNode> nodes,
                        Eigen::VectorXd                  &elastic_unknowns)
   {
+    turn_ties(bodies, nodes);
     points.relink(std::move(nodes), times);
     motions.see_contacts(points);
     if (condensed && is_dual()) // without contacts there are no rows

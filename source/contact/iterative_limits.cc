@@ -94,14 +94,16 @@ namespace conetact::contact
     /** Whether what supports hold of a bound node is bound there as well, or
      * not at all: it is theirs then. */
     bool
-    is_bound_or_held(const ContactPoint &point, const NodeRules &supports)
+    is_bound_or_held(const ContactPoint &point,
+                     const NodeRules    &supports,
+                     const Bodies       &bodies)
     {
       const NodeRule *rule = supports.find(point.node->body, point.node->node);
       if (rule == nullptr)
         return true;
-      const auto is_one_of = [](const Tensor<1, 3> &h, const auto &all) {
+      const auto is_one_of = [&](const Tensor<1, 3> &h, const auto &all) {
         return std::any_of(all.begin(), all.end(), [&](const auto &direction) {
-          return is_along(h, direction);
+          return is_along(h, bodies.in_frame(point.node->body, direction));
         });
       };
       return rule->masters.empty() &&
@@ -132,7 +134,7 @@ namespace conetact::contact
         return "solves bodies that deform, and " + bodies.called(b) +
                " is rigid and free";
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
-      if (!is_bound_or_held(points.all()[i], supports))
+      if (!is_bound_or_held(points.all()[i], supports, bodies))
         return "knows no ties and no bilateral contacts of nodes that supports "
                "hold askew, or where these do not hold what it meets";
     if (const pairing::ContactNode *node = shared_node(points))

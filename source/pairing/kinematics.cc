@@ -30,17 +30,19 @@ namespace conetact::pairing
          "stay small, with one warning where their normals turn by more than "
          "a hundredth: finite sliding follows those. log.txt tells "
          "which. What finite sliding does not know stays small: load paths, "
-         "adaptive meshes, Prestress, a Gap, frames as masters, and a body "
-         "that meets itself; a run that would be wrong then by more "
-         "than a hundredth warns or ends"},
+         "adaptive meshes, Prestress, a Gap, frames as masters, bilateral "
+         "contacts, and a body that meets itself; a run that would be wrong "
+         "then by more than a hundredth warns or ends"},
         {Kinematics::finite_sliding,
          "finite sliding",
          "contact is where bodies and obstacles are at the end of each "
          "increment; they may slide, move and turn as far as they like "
          "(bodies of frames, on foundations, or held along some directions "
-         "only: turn little). Each increment is solved a few times then; "
-         "friction is that of the slip in its last tangent plane, so that the "
-         "error of a curved way falls with the increments"},
+         "only: turn little). Ties turn with their bodies, whatever is chosen "
+         "for them, where their sides touch at the start. Each increment is "
+         "solved a few times then; friction is that of the slip in its last "
+         "tangent plane, so that the error of a curved way falls with the "
+         "increments"},
         {Kinematics::small,
          "small",
          "gaps and normals are those of the undeformed bodies however far "
@@ -81,8 +83,15 @@ namespace conetact::pairing
   why_not_sliding(const Contact                                &contact,
                   const std::vector<const bodies::Structure *> &structures)
   {
-    if (contact.kind != ContactKind::contact)
-      return "ties and bilateral contacts stay with what they met at the start";
+    if (contact.kind == ContactKind::bilateral)
+      return "bilateral contacts stay with what they met at the start";
+    if (contact.kind == ContactKind::tie && contact.obstacle != nullptr)
+      return "what is tied to an obstacle moves with it, and turns little";
+    if (contact.kind == ContactKind::tie && contact.preload)
+      return "a Preload keeps its direction, but ties turn where bodies turn "
+             "far";
+    if (contact.kind == ContactKind::tie)
+      return ""; // it goes with its bodies
     if (!contact.prestress->is_zero())
       return "a Prestress keeps its direction, but normals turn where bodies "
              "slide far";

@@ -5,7 +5,8 @@ import itertools
 import math
 from pathlib import Path
 
-from support.scenes import SHIPPED, box, contact, entries, floor, joint, load, merge, pushed_block, support
+from support.logs import log_of
+from support.scenes import SHIPPED, box, contact, entries, floor, joint, load, merge, press_and_shear, pushed_block, support
 from support.tables import Events, read
 from support.vectors import apply, rotation
 
@@ -242,7 +243,27 @@ def path_in_space(laws):
         laws.demand("  it slides: " + events.words, events.words == "limit load: sliding")
 
 
+def path_far(laws):
+    """Along a plane the contact of undeformed bodies is exact, however far they slide."""
+    for degrees in (0.0, 30.0):
+        m = rotation((0, 0, 1), degrees)
+        scene = press_and_shear(2, cells=(8, 4), increments=3, Rotation=degrees)
+        motion = [" + ".join(f"({m[d][e]!r})*({f})" for e, f in enumerate(("7*max(t - 1, 0)", "-0.01*min(t, 1)"))) for d in range(2)]
+        scene = merge(scene, {"Obstacle floor": {"Normal": apply(m, (0, 1, 0))[:2]},
+                              "Support top": {"Displacement": " ; ".join(motion)}})
+        increments, done = laws.run(scene), laws.run(merge(scene, {"Solver": {"Method": "load path"}}))
+        rows = [{(row["x"], row["y"]): row for row in run.last()} for run in (increments, done)]
+        force = max(row["r_n"] for row in rows[0].values())
+        what = f"load path along a plane, by 7 lengths, turned by {degrees:g}"
+        laws.check(f"{what}: reactions", max(abs(rows[1][p][c] - row[c]) for p, row in rows[0].items() for c in ("r_n", "r_t1")) / force, 1e-9)
+        laws.check("  the way of its nodes", max(abs(abs(row["u_t1"]) / 14 - 1) for row in rows[1].values()), 1e-2)
+        laws.check("  friction", max(abs(abs(row["r_t1"]) - .3 * row["r_n"]) for row in rows[1].values()) / force, 1e-10)
+        log = log_of(done)
+        laws.demand("  small kinematics, no warning", "bottom: kinematics small, both sides are plane" in log and "warning" not in log)
+
+
 def path(laws):
+    path_far(laws)
     path_prestress(laws)
     path_limits(laws)
     path_bar(laws)

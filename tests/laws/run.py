@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling, redundant, kinematics, axisymmetric_sliding, meshes, rims,  # noqa: E402
+from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling, redundant, kinematics, axisymmetric_sliding, meshes, rims,  # noqa: E402
                   round_pairs, sliding,
                   supports, threads, tie, transformations, vanishing)
 from support.checks import run_families  # noqa: E402
@@ -30,7 +30,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "orthotropic": orthotropic.orthotropy, "path": path.path, "iterative": iterative.iterative,
             "iterative-pairs": iterative.iterative_pairs, "iterative-floating": iterative.iterative_floating,
             "iterative-frames": iterative.iterative_frames, "iterative-sliding": iterative_sliding.iterative_sliding, "restart": restart.restart,
-            "backends": backends.backends, "backends-shared": backends.backends_shared, "sliding": sliding.sliding, "kinematics": kinematics.kinematics, "far-turns": far_turns.far_turns,
+            "backends": backends.backends, "backends-shared": backends.backends_shared, "sliding": sliding.sliding, "kinematics": kinematics.kinematics, "far-turns": far_turns.far_turns, "far-ties": far_ties.far_ties,
             "drawn": drawn.drawn_family, "driven-far": driven_far.driven_far, "passing": passing.passing, "rolling": rolling.rolling, "round-plane": round_pairs.plane, "round-orders": round_pairs.orders_of_plane, "round-space": round_pairs.space,
             "mortar-plane": mortar.plane, "mortar-space": mortar.space, "mortar-triangles": mortar.triangles,
             "mortar-covered": mortar.covered,
