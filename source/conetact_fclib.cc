@@ -239,6 +239,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  bool has_understood = false;
   try
     {
       use_one_thread_by_default();
@@ -249,6 +250,7 @@ main(int argc, char **argv)
           std::cout << usage();
           return 0;
         }
+      has_understood = true;
       return solve(line);
     }
   catch (const WriteError &error)
@@ -263,8 +265,9 @@ main(int argc, char **argv)
     }
   catch (const std::exception &error)
     {
-      std::cerr << error.what()
-                << "\nconetact-fclib --help explains the use.\n";
+      std::cerr << error.what() << '\n';
+      if (!has_understood)
+        std::cerr << "conetact-fclib --help explains the use.\n";
       return 1;
     }
 }

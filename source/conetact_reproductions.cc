@@ -196,15 +196,20 @@ namespace
     return code;
   }
 
-  int
-  run(const CommandLine &line)
+  void
+  check(const CommandLine &line)
   {
-    const bool lemke = line.method == "lemke";
-    if (!lemke && line.method != "smoothing")
+    if (line.method != "lemke" && line.method != "smoothing")
       throw std::invalid_argument("There is no method '" + line.method +
                                   "', but lemke and smoothing.");
     if (line.files.empty())
       throw std::invalid_argument("Which problem files are to be read?");
+  }
+
+  int
+  run(const CommandLine &line)
+  {
+    const bool lemke = line.method == "lemke";
     if (!lemke)
       std::printf("%-4s%12s%18s%10s%10s%10s  %s\n",
                   "set",
@@ -230,6 +235,7 @@ main(int argc, char **argv)
   if (openblas_set_num_threads != nullptr &&
       std::getenv("OPENBLAS_NUM_THREADS") == nullptr)
     openblas_set_num_threads(1);
+  bool has_understood = false;
   try
     {
       const CommandLine line = read_arguments({argv + 1, argv + argc});
@@ -238,12 +244,15 @@ main(int argc, char **argv)
           std::cout << usage;
           return 0;
         }
+      check(line);
+      has_understood = true;
       return run(line);
     }
   catch (const std::exception &error)
     {
-      std::cerr << error.what()
-                << "\nconetact-reproductions --help explains the use.\n";
+      std::cerr << error.what() << '\n';
+      if (!has_understood)
+        std::cerr << "conetact-reproductions --help explains the use.\n";
       return 1;
     }
 }

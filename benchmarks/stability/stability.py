@@ -30,6 +30,7 @@ from program import Case, Result, run
 from static_cases import header, line, run_static  # first: it knows the way to tests/support
 from families_apart import no_touch
 from families_cycles import through_zero
+from families_overhang import overhang
 from families_pressed import pressed_and_pushed
 from families_rollers import roller_box
 from families_statics import balanced, joints, stiff_on_soft
@@ -49,6 +50,7 @@ STATICS = {
     "roller-box": ("boxes on rollers", roller_box, 20, range(20)),
     "pressed": ("free blocks, pressed and pushed in many increments", pressed_and_pushed, 200, (1, 3, 6, 20, 56)),
     "through-zero": ("cycles through zero load", through_zero, 200, (1, 5, 6, 7, 8, 9, 10)),
+    "overhang": ("overhangs of random blocks", overhang, 200, range(10)),
     "balanced-frictionless": ("balanced loads on frictionless floors", balanced, 60, range(24)),
 }
 

@@ -5,7 +5,7 @@ import csv
 import re
 import subprocess
 import sys
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "tests"))
@@ -25,6 +25,7 @@ class StaticCase:
     limit: float = None  # of a load path: the load parameter of its limit
     target: bool = False  # a load path that reaches its target
     more: list = field(default_factory=list)  # functions of a folder that return further faults
+    beside: dict = None  # another scene of the same statement; its results are in ../beside/result for `more`
 
 
 @dataclass
@@ -86,15 +87,24 @@ def verdict_of(case, folder, code, sentence):
     return ("WRONG", faults[0] + more) if faults else ("solved", "")
 
 
-def run_static(program, number, case, folder, seconds=120):
-    folder.mkdir(parents=True)
-    write_scene(case.scene, folder / "scene.prm")
+def run_scene(program, case, scene, folder, seconds):
+    """Outcome and why."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_scene(scene, folder / "scene.prm")
     command = [str(program), str(folder / "scene.prm"), "-o", str(folder / "result"), "--quiet"]
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired:
-        return Verdict(number, case, "crash", f"no end within {seconds} s")
-    return Verdict(number, case, *verdict_of(case, folder / "result", done.returncode, done.stderr.strip()))
+        return "crash", f"no end within {seconds} s"
+    return verdict_of(case, folder / "result", done.returncode, done.stderr.strip())
+
+
+def run_static(program, number, case, folder, seconds=120):
+    if case.beside:
+        outcome, text = run_scene(program, replace(case, more=[]), case.beside, folder / "beside", seconds)
+        if outcome != "solved":
+            return Verdict(number, case, outcome, f"the scene beside it: {text}")
+    return Verdict(number, case, *run_scene(program, case, case.scene, folder, seconds))
 
 
 def header():

@@ -21,6 +21,9 @@ namespace conetact::analysis
     /** Of the largest force so far: what is left of it is rounding. */
     constexpr double noise = 64 * 2.2e-16;
 
+    /** Of coordinates: what they are known to. */
+    constexpr double known_to = 16 * 2.2e-16;
+
     /** A kind of warning: one is enough. */
     const std::string small_is_off = "small kinematics";
 
@@ -57,6 +60,28 @@ namespace conetact::analysis
                std::max(sum.force.norm() / largest,
                         sum.moment.norm() / (largest * reach)) :
                0.;
+    }
+
+    /**
+     * States in which open nodes whose gaps are rounding of positions touch:
+     * which of them are open is a matter of chance.
+     */
+    std::vector<solvers::NodeState>
+    with_touching(const contact::ContactPoints   &points,
+                  std::vector<solvers::NodeState> states,
+                  const verification::Finding    &finding)
+    {
+      const double moved = solvers::largest(finding.u);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const pairing::ContactNode &node = *points[i].node;
+          const double                gap =
+            node.gap + finding.displacements[points[i].normal()];
+          if (states[i] == solvers::NodeState::open &&
+              gap <= known_to * (node.position.norm() + moved))
+            states[i] = solvers::NodeState::slip;
+        }
+      return states;
     }
   } // namespace
 
@@ -318,12 +343,14 @@ namespace conetact::analysis
                                     finding.u,
                                     record.time,
                                     record.report.substeps <= 1);
-    const auto &states         = increment.state.node;
     record.determinate =
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),
                                        solvers::largest(increment.state.r))) &&
-      warnings.are_forces_determinate(states, increment.state.r);
+      warnings.are_forces_determinate(with_touching(model.points,
+                                                    increment.state.node,
+                                                    finding),
+                                      increment.state.r);
     warnings.check_size(amounts(increment), w);
     observe(record, finding.u);
     if (drawn)

@@ -22,6 +22,7 @@ namespace conetact::contact
       const pairing::ContactNode          *node;
       std::vector<std::pair<Node, double>> sides;
       std::vector<Tensor<1, 3>>            forces;
+      double                               force; ///< what it carries
     };
 
     Closed
@@ -29,7 +30,7 @@ namespace conetact::contact
                 const solvers::NodeState state,
                 const Eigen::VectorXd   &r)
     {
-      Closed closed{point.node, {}, {}};
+      Closed closed{point.node, {}, {}, 0};
       pairing::for_each_side(
         *point.node,
         [&](const unsigned int body,
@@ -40,12 +41,13 @@ namespace conetact::contact
         });
       if (state == solvers::NodeState::stick)
         closed.forces = point.dual;
-      else
-        {
-          const Tensor<1, 3> force = force_of(point, r);
-          if (force.norm() > 0)
-            closed.forces.push_back(force / force.norm());
-        }
+      if (point.node->is_bound())
+        return closed;
+      const Tensor<1, 3> force = force_of(point, r);
+      closed.force             = force.norm();
+      if (closed.forces.empty()) // what only touches may press
+        closed.forces.push_back(closed.force > 0 ? force / closed.force :
+                                                   point.dual.back());
       return closed;
     }
 
@@ -172,11 +174,17 @@ namespace conetact::contact
         make_closed(points.all()[i], solvers::NodeState::stick, r));
     closed = joined(std::move(closed));
     for (const auto &group : groups_of(closed))
-      // what is bound by itself has its share as it is told
+      // what is bound by itself has its share as it is told, and cones in which
+      // nothing is carried cannot give
       if (std::any_of(group.begin(),
                       group.end(),
                       [](const Closed *one) {
                         return !one->node->is_bound();
+                      }) &&
+          std::any_of(group.begin(),
+                      group.end(),
+                      [](const Closed *one) {
+                        return one->node->is_bound() || one->force > 0;
                       }) &&
           exchange_forces(group))
         return group.front()->node;

@@ -234,6 +234,20 @@ def glued(laws):
         laws.check(f"{dim}D: it does not lift off", max(abs(row["gap"]) for row in joint_rows(run)), 0)
 
 
+def on_thin_plate(laws):
+    """A block is lowered on a thin plate that it may slide along, and that nothing else holds: springs in a row."""
+    for element, cells in itertools.product(("Q1", "Q2"), ((2, 3), (3, 2))):
+        scene = {"Dimension": 2, "Obstacle floor": floor(2), "Contact ground": contact("plate", 2, mu=.1),
+                 "Body plate": {"Element": element, **box((5, 5), (2.0, .04), young=100.0, poisson=0)},
+                 "Body block": box(cells, (2.0, .05), (0.0, .04), young=1e5, poisson=0),
+                 f"Contact {JOINT}": {**tie("block", 2, "plate", 3), "Kind": "bilateral"},
+                 "Support top": support(3, "x, y", "1e-3*t ; -1e-4*t", "block"), "Output": {"VTU": 0}}
+        rows = joint_rows(laws.run(scene))
+        expected = 1e-4 / (.04 / 100 + .05 / 1e5)
+        laws.check(f"on a thin plate of {element}, {cells[0]} cells: pressure",
+                   max(abs(row["r_n"] / row["area"] / expected - 1) for row in rows), 1e-9)
+
+
 def springs(laws):
     """Two tied bars that only a foundation holds: its force, and where it lets them go."""
     scene = bars(2, bar(2, (2, 2)), bar(2, (2, 3), 1.0))
@@ -363,5 +377,5 @@ def heated(laws):
 
 
 def tie_family(laws):
-    for family in (tension, turned, turned_and_uniform, cut, one_mesh, bending, floating, glued, springs, path, elsewhere, redundant, press_fits, heated):
+    for family in (tension, turned, turned_and_uniform, cut, one_mesh, bending, floating, glued, on_thin_plate, springs, path, elsewhere, redundant, press_fits, heated):
         family(laws)

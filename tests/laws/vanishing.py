@@ -4,6 +4,7 @@
 import math
 
 from support.scenes import box, contact, floor, load, merge, support
+from support.vectors import apply, rotation
 
 PRESSED = {"Dimension": 2, "Body block": box((3, 3), (2.0, 1.0), (-1.0, 0.0), poisson=.4), "Obstacle floor": floor(2),
            "Contact bottom": contact(ids=2, mu=.05), "Load press": load("traction", "0 ; -t", 3),
@@ -51,7 +52,28 @@ def pulses(laws):
     laws.check("pulses: what is left of reactions", max(left) / run.largest("r_n"), 1e-14)
 
 
+def below_springs(laws):
+    """A block on springs presses one that stands on the floor, and leaves it: what springs round goes through both."""
+    turn = (-.56, -.964, -.859, -99.14)
+    m = rotation(turn[:3], turn[3])
+    low = box((2, 2, 1), (30.0, 33.0, 11.4), (-15.0, -16.5, 0.0), young=1.17e5, poisson=.127, Rotation=turn)
+    high = box((3, 1, 1), (26.6, 24.8, 9.9), (-13.3, -12.4, 11.4), young=5890.0, poisson=.23, Rotation=turn)
+    way = " ; ".join(f"({x!r})*abs(sin({math.pi!r}*t))" for x in apply(m, (.003, 0.0, -.01)))
+    scene = {"Dimension": 3, "Body low": {"Element": "Q1 incompatible modes", **low},
+             "Body high": {"Element": "Q1 B-bar", **high},
+             "Obstacle floor": floor(3, Normal=apply(m, (0, 0, 1))), "Contact bottom": contact("low", 4, mu=.3),
+             "Contact joint": {"Body": "high", "Boundary ids": 4, "Master body": "low", "Master boundary ids": 5,
+                               "Friction coefficient": .41, "Pairing": "node to face"},
+             "Support springs": support(5, "x, y, z", way, "high", Stiffness=3590),
+             "Time": {"Times": "0.3, 0.5, 1"}, "Output": {"VTU": 0}}
+    for kinematics in ("small", "finite sliding"):
+        run = laws.run(merge(scene, {f"Contact {name}": {"Kinematics": kinematics} for name in ("bottom", "joint")}))
+        laws.check(f"below a block on springs, {kinematics}: what is left of reactions",
+                   max(abs(row["r_n"]) for row in run.last()) / run.largest("r_n"), 1e-12)
+
+
 def vanishing(laws):
     all_slip(laws)
     springs(laws)
+    below_springs(laws)
     pulses(laws)

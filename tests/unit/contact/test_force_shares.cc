@@ -37,16 +37,27 @@ namespace
 
   /** Whether all forces are determined where every node is in a state. */
   bool
-  determined(const std::string &friction, const NodeState state)
+  determined(const std::string &friction,
+             const NodeState    on_floor,
+             const NodeState    at_wall,
+             const double       r_floor,
+             const double       r_wall)
   {
     const auto          scene = corner(friction);
     const NodeRules     rules(scene->bodies, {1});
     const ContactPoints points(scene->bodies, rules, {1});
     EXPECT_EQ(points.size(), 6u);
-    return undetermined_share(points,
-                              std::vector<NodeState>(points.size(), state),
-                              Eigen::VectorXd::Ones(points.n_unknowns())) ==
-           nullptr;
+    std::vector<NodeState> states(3, on_floor);
+    states.resize(6, at_wall);
+    Eigen::VectorXd r = Eigen::VectorXd::Constant(points.n_unknowns(), r_floor);
+    r.tail(points.n_unknowns() / 2).setConstant(r_wall);
+    return undetermined_share(points, states, r) == nullptr;
+  }
+
+  bool
+  determined(const std::string &friction, const NodeState state)
+  {
+    return determined(friction, state, state, 1, 1);
   }
 } // namespace
 
@@ -63,4 +74,13 @@ TEST(ForceShares, AreDeterminedWithoutFrictionAndWhereNothingTouches)
 {
   EXPECT_TRUE(determined("0", NodeState::stick));
   EXPECT_TRUE(determined("0.3", NodeState::open));
+}
+
+
+
+TEST(ForceShares, AWallThatOnlyTouchesMayPressWhatSticks)
+{
+  EXPECT_FALSE(determined("0.3", NodeState::stick, NodeState::slip, 1, 0));
+  EXPECT_TRUE(determined("0.3", NodeState::stick, NodeState::open, 1, 0));
+  EXPECT_TRUE(determined("0.3", NodeState::stick, NodeState::slip, 0, 0));
 }
