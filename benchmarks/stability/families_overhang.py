@@ -130,7 +130,8 @@ class Overhang:
             scene[f"Body b{k}"] = self.block(k, low, fitted)
             low += self.heights[k]
             if k > 0:
-                scene[f"Support guide {k}"] = support("0" if dim == 2 else "0, 2", "normal", body=f"b{k}")
+                scene[f"Support guide {k}"] = support("0" if dim == 2 else "0, 2", "normal", body=f"b{k}",
+                                                        Stiffness=10 * self.youngs[k] / self.unit)  # leaves friction be
                 scene[f"Contact c{k}"] = self.joint(k, bottom, top)
         if first == 0:
             scene["Support floor"] = support(bottom, ", ".join("xyz"[:dim]), body="b0")
