@@ -189,7 +189,8 @@ def pressure_faults(areas):
             expected, _, place = largest_of(beside[name])
             least = mean_about(beside[name], place, own_area)
             if not least / FACTOR <= pressure <= FACTOR * expected:
-                faults.append(f"{name}: largest pressure {pressure:.6g} instead of {expected:.6g}, {least:.6g} over its area")
+                faults.append(f"{name}: largest pressure {pressure:.6g} instead of {expected:.6g}, "
+                              f"{least:.6g} over its area")
             area = sum(node[1] for node in nodes)
             if name in areas and abs(area / areas[name] - 1) > AREAS:
                 faults.append(f"{name}: areas sum to {area:.10g} instead of {areas[name]:.10g}")
