@@ -130,7 +130,8 @@ class Overhang:
             scene[f"Body b{k}"] = self.block(k, low, fitted)
             low += self.heights[k]
             if k > 0:
-                scene[f"Support guide {k}"] = support("0" if dim == 2 else "0, 2", "normal", body=f"b{k}")
+                scene[f"Support guide {k}"] = support("0" if dim == 2 else "0, 2", "normal", body=f"b{k}",
+                                                        Stiffness=10 * self.youngs[k] / self.unit)  # leaves friction be
                 scene[f"Contact c{k}"] = self.joint(k, bottom, top)
         if first == 0:
             scene["Support floor"] = support(bottom, ", ".join("xyz"[:dim]), body="b0")
@@ -188,7 +189,8 @@ def pressure_faults(areas):
             expected, _, place = largest_of(beside[name])
             least = mean_about(beside[name], place, own_area)
             if not least / FACTOR <= pressure <= FACTOR * expected:
-                faults.append(f"{name}: largest pressure {pressure:.6g} instead of {expected:.6g}, {least:.6g} over its area")
+                faults.append(f"{name}: largest pressure {pressure:.6g} instead of {expected:.6g}, "
+                              f"{least:.6g} over its area")
             area = sum(node[1] for node in nodes)
             if name in areas and abs(area / areas[name] - 1) > AREAS:
                 faults.append(f"{name}: areas sum to {area:.10g} instead of {areas[name]:.10g}")
