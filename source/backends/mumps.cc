@@ -15,7 +15,7 @@ namespace conetact::backends
 {
   namespace
   {
-    constexpr int begin = -1, end = -2; // jobs, as MUMPS calls them
+    constexpr int job_begin = -1, job_end = -2; // jobs, as MUMPS calls them
 
     int n_shared = 0; // made so far
 
@@ -36,7 +36,7 @@ namespace conetact::backends
       data.par = 1; // the first process works, too
       data.comm_fortran =
         static_cast<MUMPS_INT>(MPI_Comm_c2f(processes.handle()));
-      data.job = begin;
+      data.job = job_begin;
       dmumps_c(&data);
       for (const int i : {1, 2, 3}) // silent
         data.icntl[i - 1] = -1;
@@ -68,7 +68,7 @@ namespace conetact::backends
   {
     if (number == 0 ? ProcessSession::mpi_is_running() :
                       Together::is_possible())
-      call(end);
+      call(job_end);
   }
 
 
@@ -152,7 +152,7 @@ namespace conetact::backends
       return;
     part->second.job = order.value;
     dmumps_c(&part->second);
-    if (order.value == end)
+    if (order.value == job_end)
       parts.erase(part);
   }
 } // namespace conetact::backends

@@ -22,7 +22,7 @@ namespace conetact::contact
     constexpr double nothing = 1e-12;
 
     /** Of friction: what is less away from its limit is at it. */
-    constexpr double limit = 1e-9;
+    constexpr double at_limit = 1e-9;
 
     /** Of the way: what is less is rounding. */
     constexpr double rounding = 1e-12;
@@ -71,7 +71,7 @@ namespace conetact::contact
   bool
   is_at_limit(const VectorXd &friction, const double largest_friction)
   {
-    return friction.norm() >= (1 - limit) * largest_friction;
+    return friction.norm() >= (1 - at_limit) * largest_friction;
   }
 
   OpenMotions::OpenMotions(const RigidMotions          &m,
@@ -100,7 +100,8 @@ namespace conetact::contact
         opposed.push_back(seen.row(n));
         if (points[i].mu == 0)
           continue;
-        // along the slip, and across it; at its limit what sticks may slip
+        // along the slip, and across it; at its limit what sticks may
+        // slip
         const VectorXd friction = -state.r.segment(first, n - first);
         const bool slips = !presses_nothing(friction.norm(), largest_force) &&
                            (state.node[static_cast<std::size_t>(i)] ==

@@ -144,30 +144,31 @@ namespace conetact::pairing
 
     using BodyPair = std::pair<unsigned int, unsigned int>;
 
-    const std::string found = "found/", placed = "frames/"; // in checkpoints
-    const std::string entries = found + "inside";
+    const std::string found_names = "found/",
+                      placed      = "frames/"; // in checkpoints
+    const std::string entries     = found_names + "inside";
   } // namespace
 
   void
   save_found(const std::vector<ContactNode> &nodes, Archive &archive)
   {
-    archive.put(found + "nodes", fingerprint(nodes));
+    archive.put(found_names + "nodes", fingerprint(nodes));
     for (const VectorRow &row : vectors)
       {
         std::vector<Tensor<1, 3>> values;
         for (const ContactNode &node : nodes)
           values.push_back(node.*row.member);
-        archive.put(found + row.name, values);
+        archive.put(found_names + row.name, values);
       }
     for (const LengthRow &row : lengths)
       {
         std::vector<double> values;
         for (const ContactNode &node : nodes)
           values.push_back(node.*row.member);
-        archive.put(found + row.name, values);
+        archive.put(found_names + row.name, values);
       }
     for (const SideRow &side : sides)
-      archive.put(found + side.name, to_numbers(nodes, side));
+      archive.put(found_names + side.name, to_numbers(nodes, side));
   }
 
   void
@@ -177,25 +178,25 @@ namespace conetact::pairing
   {
     const std::vector<double> now  = fingerprint(nodes);
     std::vector<double>       then = now;
-    archive.fill(found + "nodes", then);
+    archive.fill(found_names + "nodes", then);
     if (now != then)
       refuse("contact nodes are others, or at other places");
     for (const VectorRow &row : vectors)
       {
         std::vector<Tensor<1, 3>> values(nodes.size());
-        archive.fill(found + row.name, values);
+        archive.fill(found_names + row.name, values);
         for (std::size_t i = 0; i < nodes.size(); ++i)
           nodes[i].*row.member = values[i];
       }
     for (const LengthRow &row : lengths)
       {
         std::vector<double> values(nodes.size());
-        archive.fill(found + row.name, values);
+        archive.fill(found_names + row.name, values);
         for (std::size_t i = 0; i < nodes.size(); ++i)
           nodes[i].*row.member = values[i];
       }
     for (const SideRow &side : sides)
-      take(archive.get(found + side.name), side, structures, nodes);
+      take(archive.get(found_names + side.name), side, structures, nodes);
   }
 
   void
