@@ -33,11 +33,11 @@ namespace
   }
 
   bool
-  is_whole_number(const char *const text)
+  is_a_number_of_threads(const char *const text)
   {
-    char *end = nullptr;
-    std::strtol(text, &end, 10);
-    return end != text && *end == 0;
+    char      *end    = nullptr;
+    const long number = std::strtol(text, &end, 10);
+    return end != text && *end == 0 && number > 0;
   }
 
   /**
@@ -59,7 +59,7 @@ namespace
         char *const       variable = environment[n_before];
         const char *const threads  = value_of(variable, "DEAL_II_NUM_THREADS");
         has_threads |= value_of(variable, "OPENBLAS_NUM_THREADS") != nullptr;
-        if (threads != nullptr && !is_whole_number(threads))
+        if (threads != nullptr && !is_a_number_of_threads(threads))
           continue;
         if (n == most)
           return;

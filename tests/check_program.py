@@ -346,7 +346,7 @@ class Case:
             run = self.run(held(2), "--dry-run", env={k: v for k, v in os.environ.items() if "NUM_THREADS" not in k}, timeout=60,
                            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20,) * 2))
             self.refuses(f"{megabytes} MB of memory", run, "ulimit -v", code)
-        for value in ("", "many"):
+        for value in ("", "many", "0"):
             run = self.run(held(2), "--dry-run", env={**os.environ, "DEAL_II_NUM_THREADS": value})
             self.demand(f"DEAL_II_NUM_THREADS={value}", run.returncode == 0, run)
 

@@ -60,6 +60,26 @@ namespace conetact::contact
       return may;
     }
 
+    /**
+     * Of what is tied to a body: the one whose frame all of them have. It is
+     * held by supports alone, if one is: the others follow it by their ties,
+     * and turn where these are strained.
+     */
+    unsigned int
+    leader_of(const unsigned int  body,
+              const Bodies       &bodies,
+              const RigidMotions &motions)
+    {
+      const unsigned int first = motions.first_tied(body);
+      const auto        &own   = motions.body_of_own();
+      for (unsigned int other = first; other < bodies.structures.size();
+           ++other)
+        if (motions.first_tied(other) == first &&
+            std::find(own.begin(), own.end(), other) == own.end())
+          return other;
+      return first;
+    }
+
     [[noreturn]] void
     refuse_turn(const bodies::Support &support, const Bodies &bodies)
     {
@@ -155,7 +175,8 @@ namespace conetact::contact
         turns.push_back(may[body]);
         bodies.move_frames().emplace_back();
         bodies.move_frames().back().centre =
-          motions.of_body(motions.none(), motions.first_tied(body)).centre;
+          motions.of_body(motions.none(), leader_of(body, bodies, motions))
+            .centre;
       }
   }
 
@@ -164,13 +185,12 @@ namespace conetact::contact
   {
     double largest = 0;
     for (unsigned int body = 0; body < turns.size(); ++body)
-      if (turns[body] && motions.first_tied(body) == body)
+      if (turns[body] && leader_of(body, bodies, motions) == body)
         largest = std::max(largest, motions.rotation(amounts, body));
     return largest;
   }
 
-  /* What is tied has one frame, that of the first: rigid motions leave ties
-     alone. */
+  /* What is tied has one frame: rigid motions leave ties alone. */
   void
   ContactModel::move_frames(const Eigen::VectorXd &amounts)
   {
@@ -178,7 +198,7 @@ namespace conetact::contact
       if (turns[body])
         {
           const RigidMotions::Motion more =
-            motions.of_body(amounts, motions.first_tied(body));
+            motions.of_body(amounts, leader_of(body, bodies, motions));
           pairing::RigidMotion &frame = bodies.move_frames()[body];
           frame.translation += frame.rotation * more.translation;
           frame.rotation =
