@@ -33,7 +33,7 @@ namespace conetact::pairing
     constexpr double face_overhang = 1e-2;
     /** The same of a node that faced it where bodies stood last: so contacts
      * that slide are not found with it and without it in turn. */
-    constexpr double face_overhang_once = .1;
+    constexpr double face_overhang_of_faced = .1;
     /**
      * Of a face: where little of it is seen, means over dual functions reach
      * beyond what they are means of, gaps by no more than this.
@@ -247,12 +247,12 @@ namespace conetact::pairing
       {
         for (std::size_t c = 0; c < face.nodes.size(); ++c)
           if (!are[c])
-            are[c] =
-              distance(where,
-                       plane.project(
-                         structures[contact.body]->position(face.nodes[c]))) <=
-              face.size * (faced.count(face.nodes[c]) > 0 ? face_overhang_once :
-                                                            face_overhang);
+            are[c] = distance(where,
+                              plane.project(structures[contact.body]->position(
+                                face.nodes[c]))) <=
+                     face.size * (faced.count(face.nodes[c]) > 0 ?
+                                    face_overhang_of_faced :
+                                    face_overhang);
       }
 
       /** Faces that reach beyond a rim wait until it is known which of their

@@ -40,8 +40,13 @@ namespace conetact::pairing
     Weights
     own_side(const ContactNode &node)
     {
-      return node.slaves.empty() ? Weights{{node.node, 1.}} : node.slaves;
+      Weights weights;
+      for_each_slave(node, [&](const unsigned int slave, const double weight) {
+        weights.emplace_back(slave, weight);
+      });
+      return weights;
     }
+
     bool
     are_one(const ContactNode          &first,
             const ContactNode          &second,

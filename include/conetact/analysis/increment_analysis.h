@@ -79,9 +79,9 @@ namespace conetact::analysis
     settle(PendingIncrement &increment);
     std::string
     try_to_settle(PendingIncrement &increment);
-    /** A node as part of a sentence; empty without one. */
     std::string
     why_unsettled(const ContactSearch::Change &change, const double turn) const;
+    /** A node as part of a sentence; empty without one. */
     std::string
     where(const pairing::ContactNode *node) const;
     /** Whether contacts that do not stay are near enough to those at the end,
