@@ -155,6 +155,13 @@ def mesh_scene(dim, file, has_ids, names=False):
     return scene(dim, f"    set File = {file}\n{ids}")
 
 
+def is_finite_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
 def table_faults(folder):
     """What no table of a run may have."""
     for file in sorted(folder.glob("*.csv")):
@@ -168,7 +175,7 @@ def table_faults(folder):
                 yield f"{file.name} has a row of {len(cells)} columns"
                 break
             for column, cell in zip(columns, cells):
-                if not TEXTS.fullmatch(column) and not math.isfinite(float(cell)):
+                if not TEXTS.fullmatch(column) and not is_finite_number(cell):
                     yield f"{file.name} has {cell} for {column}"
                     break
     for file in folder.glob("*.tmp"):

@@ -63,23 +63,33 @@ namespace conetact::analysis
     }
 
     /**
-     * States in which open nodes whose gaps are rounding of positions touch:
-     * which of them are open is a matter of chance.
+     * States in which nodes touch whose gaps are rounding of positions, and
+     * stick whose slips are: which of them are open, or at the limit of their
+     * friction, is a matter of chance.
      */
     std::vector<solvers::NodeState>
-    with_touching(const contact::ContactPoints   &points,
-                  std::vector<solvers::NodeState> states,
-                  const verification::Finding    &finding)
+    states_by_motion(const contact::ContactPoints &points,
+                     const solvers::ContactState  &state,
+                     const verification::Finding  &finding)
     {
-      const double moved = solvers::largest(finding.u);
+      using solvers::NodeState;
+      std::vector<NodeState> states = state.node;
+      const double           moved  = solvers::largest(finding.u);
       for (std::size_t i = 0; i < points.size(); ++i)
         {
           const pairing::ContactNode &node = *points[i].node;
           const double                gap =
             node.gap + finding.displacements[points[i].normal()];
-          if (states[i] == solvers::NodeState::open &&
-              gap <= known_to * (node.position.norm() + moved))
-            states[i] = solvers::NodeState::slip;
+          const double rounding = known_to * (node.position.norm() + moved);
+          const double slip =
+            state.v
+              .segment(points[i].first, points[i].normal() - points[i].first)
+              .norm();
+          if (states[i] == NodeState::open && gap <= rounding)
+            states[i] = NodeState::slip;
+          else if (states[i] == NodeState::slip && slip <= rounding &&
+                   points[i].mu > 0)
+            states[i] = NodeState::stick;
         }
       return states;
     }
@@ -347,9 +357,9 @@ namespace conetact::analysis
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),
                                        solvers::largest(increment.state.r))) &&
-      warnings.are_forces_determinate(with_touching(model.points,
-                                                    increment.state.node,
-                                                    finding),
+      warnings.are_forces_determinate(states_by_motion(model.points,
+                                                       increment.state,
+                                                       finding),
                                       increment.state.r);
     warnings.check_size(amounts(increment), w);
     observe(record, finding.u);

@@ -91,6 +91,9 @@ namespace conetact::analysis
         const Contact &contact = contacts.contact(c);
         facets.emplace_back(contact, scene.bodies.structures);
         const auto &structures = scene.bodies.structures;
+        if (contact.obstacle == nullptr &&
+            contact.kind == pairing::ContactKind::contact)
+          patterns.try_emplace(c, *structures[contact.body], contact.ids);
         second_degree.push_back(
           has_second_degree(*structures[contact.body], contact.ids) ||
           (contact.obstacle == nullptr &&
@@ -179,42 +182,117 @@ namespace conetact::analysis
         const double facet = facets[c].in_gap(node);
         closed[c].facets.push_back(facet > digits * node.spacing ? facet : 0);
         closed[c].normals.push_back(node.n);
+        closed[c].pressures[node.node] =
+          rows[i].reaction[0] / (rows[i].area > 0 ? rows[i].area : 1.);
       }
     of_facets.clear();
     sentences.clear();
     for (unsigned int c = 0; c < closed.size(); ++c)
       if (!closed[c].gaps.empty())
-        judge_facets(c, closed[c]);
+        {
+          judge_facets(c, closed[c]);
+          judge_lonely(c, closed[c]);
+        }
+  }
+
+  std::string
+  ContactNotices::uneven(const unsigned int c,
+                         const Closed      &closed,
+                         const double       facet) const
+  {
+    constexpr double some    = .1; // of the nodes that press
+    const auto       pattern = patterns.find(c);
+    if (pattern == patterns.end())
+      return "";
+    const unsigned int n        = pattern->second.n_pits(closed.pressures);
+    const std::size_t  n_closed = closed.pressures.size();
+    if (n < 2 || n < some * static_cast<double>(n_closed))
+      return "";
+    return "pressures go up and down from node to node (" + std::to_string(n) +
+           " nodes in pits, " + std::to_string(n_closed) +
+           " that press), as where facets stand off curved surfaces, here by " +
+           to_text(facet) +
+           ". Exchange the sides where the other one has larger cells, or use "
+           "smaller cells.";
+  }
+
+  /* The geometry of faces, not of bodies: chords of cells of different lengths
+     are apart where bodies bend, and beside a support that takes force. */
+  void
+  ContactNotices::judge_lonely(const unsigned int c, const Closed &closed)
+  {
+    constexpr double large   = .1; // of the largest pressure
+    const auto       pattern = patterns.find(c);
+    if (pattern == patterns.end() || sentences.count(c) > 0 ||
+        closed.pressures.size() < 2)
+      return;
+    const unsigned int     body = contacts.contact(c).body;
+    std::set<unsigned int> could_press;
+    double                 most = 0;
+    for (const ContactNode &node : scene.bodies.contact_nodes)
+      if (node.contact == c && !node.meets_nothing())
+        could_press.insert(node.node);
+    // What supports hold has given its share to the nodes beside it.
+    for (const bodies::Support &support : scene.bodies.supports)
+      if (support.body == body && !support.stiffness)
+        for (const bodies::SurfaceNode &node : support.surface.nodes)
+          could_press.insert(node.node);
+    for (const auto &[node, pressure] : closed.pressures)
+      most = std::max(most, pressure);
+    for (const unsigned int node :
+         pattern->second.lonely(closed.pressures, could_press))
+      if (closed.pressures.at(node) > large * most)
+        {
+          sentences[c] =
+            "contact '" + contacts.contact(c).name + "': the node at " +
+            to_text(scene.bodies.structures[body]->position(node)) +
+            " of body '" + scene.bodies.names[body] +
+            "' presses alone, as where bodies bend and their faces, which "
+            "stay straight, do not match: what it carries may be due to "
+            "the mesh. Use matching meshes or smaller cells, or exchange the "
+            "sides.";
+          of_facets.insert(c);
+          return;
+        }
+  }
+
+  std::string
+  ContactNotices::of_facet(const unsigned int c,
+                           const Closed      &closed,
+                           const double       facet) const
+  {
+    const bool is_given = contacts.contact(c).gap.has_value();
+    if (!is_given && pairing::is_adjusted(c, scene.bodies.contact_nodes))
+      return uneven(c, closed, facet);
+    if (second_degree[c])
+      return "its curved faces are of second degree (Element = Q2 or P2), "
+             "whose edges are straight: their middle nodes lie " +
+             to_text(facet) +
+             " off the curve, and pressures go up and down by about 13 % from "
+             "node to node. Use Element = Q1 there.";
+    const double gap = closed_gap(closed.gaps, closed.normals);
+    if (!is_given && facet > large_facet * gap)
+      return "facets stand off its curved surfaces by " + to_text(facet) +
+             ", more than a tenth of the gaps or interferences that close "
+             "there (" +
+             to_text(gap) +
+             "): pressures of single nodes are those of facets. Use smaller "
+             "cells, or give Gap = adjust where they are drawn to touch, or "
+             "its Gap.";
+    return uneven(c, closed, facet);
   }
 
   void
   ContactNotices::judge_facets(const unsigned int c, const Closed &closed)
   {
-    const Contact &contact = contacts.contact(c);
-    const double   facet =
+    const double facet =
       exceeded_by(second_degree[c] ? of_middles : .5, closed.facets);
-    if (facet == 0 || contact.kind != pairing::ContactKind::contact ||
-        (!contact.gap && pairing::is_adjusted(c, scene.bodies.contact_nodes)))
+    if (facet == 0 || contacts.contact(c).kind != pairing::ContactKind::contact)
       return;
-    const std::string in = "contact '" + contact.name + "': ";
-    if (second_degree[c])
-      sentences[c] =
-        in +
-        "its curved faces are of second degree (Element = Q2 or P2), "
-        "whose edges are straight: their middle nodes lie " +
-        to_text(facet) +
-        " off the curve, and pressures go up and down by about 13 % from node "
-        "to node. Use Element = Q1 there.";
-    else if (const double gap = closed_gap(closed.gaps, closed.normals);
-             !contact.gap && facet > large_facet * gap)
-      sentences[c] =
-        in + "facets stand off its curved surfaces by " + to_text(facet) +
-        ", more than a tenth of the gaps or interferences that close there (" +
-        to_text(gap) +
-        "): pressures of single nodes are those of facets. Use smaller cells, "
-        "or give Gap = adjust where they are drawn to touch, or its Gap.";
-    else
+    const std::string why = of_facet(c, closed, facet);
+    if (why.empty())
       return;
+    sentences[c] = "contact '" + contacts.contact(c).name + "': " + why;
     of_facets.insert(c);
   }
 

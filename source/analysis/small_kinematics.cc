@@ -5,7 +5,9 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/displaced.h"
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/face_net.h"
 #include "conetact/pairing/true_gap.h"
 
 #include <algorithm>
@@ -19,6 +21,8 @@ namespace conetact::analysis
     constexpr double farthest_slide = 1;
     /** The same: what is further off does not touch whatever its foot is. */
     constexpr double nearby = .5;
+    /** The same: an open node may seem so deep inside its master. */
+    constexpr double depth_of_facets = .01;
     /** The same: how far a slip may be off because a node is not at its foot.
      */
     constexpr double largest_false_slip = .01;
@@ -44,6 +48,57 @@ namespace conetact::analysis
         n = cross_product_3d(corners[3] - corners[0], corners[2] - corners[1]);
       return n / n.norm();
     }
+
+    /** The master sides of contacts, displaced; made when they are asked for.
+     */
+    class DisplacedMasters
+    {
+    public:
+      DisplacedMasters(const application::Scene    &s,
+                       const contact::ContactModel &m,
+                       const Eigen::VectorXd       &displacements)
+        : scene(s)
+        , model(m)
+        , u(displacements)
+      {}
+
+      /** Negative: inside [length]. Of a node where it is now. */
+      double
+      distance(const pairing::ContactNode &node, const Point<3> &now)
+      {
+        const pairing::FaceNet &faces   = faces_of(node);
+        const auto              foot    = faces.nearest(now);
+        const auto              feature = faces.feature(foot, now);
+        const Tensor<1, 3>      outward =
+          feature.empty() ? foot.normal : faces.sum_of_normals(feature);
+        return (now - foot.point) * outward < 0 ? -foot.distance :
+                                                  foot.distance;
+      }
+
+    private:
+      const pairing::FaceNet &
+      faces_of(const pairing::ContactNode &node)
+      {
+        const auto found = known.find(node.contact);
+        if (found != known.end())
+          return found->second;
+        const bodies::Structure  &body = *model.bodies.structures[node.master];
+        std::vector<Tensor<1, 3>> moved;
+        for (unsigned int i = 0; i < body.n_nodes(); ++i)
+          moved.push_back(model.displacement(u, node.master, i));
+        const bodies::Displaced now(body, std::move(moved));
+        return known
+          .emplace(node.contact,
+                   pairing::FaceNet(
+                     now, now.surface(scene.contact(node.contact).master_ids)))
+          .first->second;
+      }
+
+      const application::Scene                &scene;
+      const contact::ContactModel             &model;
+      const Eigen::VectorXd                   &u;
+      std::map<unsigned int, pairing::FaceNet> known; // by contact
+    };
   } // namespace
 
   SmallKinematics::SmallKinematics(const application::Scene    &s,
@@ -142,10 +197,20 @@ namespace conetact::analysis
     const auto at = [&](const unsigned int body, const unsigned int i) {
       return model.displacement(end.finding.u, body, i);
     };
-    for (const contact::ContactPoint &point : points.all())
+    DisplacedMasters masters(scene, model, end.finding.u);
+    // What has no force does no harm until it is inside the master.
+    const auto stays_open = [&](const std::size_t i) {
+      const pairing::ContactNode &node = *points.all()[i].node;
+      return i < points.size() &&
+             end.increment.state.node[i] == solvers::NodeState::open &&
+             masters.distance(node, node.position + at(node.body, node.node)) >
+               -depth_of_facets * node.spacing;
+    };
+    for (std::size_t i = 0; i < points.all().size(); ++i)
       {
-        const pairing::ContactNode &node = *point.node;
-        const double                gap =
+        const contact::ContactPoint &point = points.all()[i];
+        const pairing::ContactNode  &node  = *point.node;
+        const double                 gap =
           node.is_bound() ? 0. : end.increment.state.v[point.normal()];
         // The weights of the masters belong to the foot at the start.
         // What an obstacle's shape does beside the foot add_wrong_gaps() knows.
@@ -156,7 +221,8 @@ namespace conetact::analysis
           contact::relative_displacement(node, at, end.increment.record.time);
         // Opening does not move the foot, sliding does.
         slid -= (slid * node.n) * node.n;
-        if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing)
+        if (node.spacing > 0 && slid.norm() > farthest_slide * node.spacing &&
+            found.count(node.contact) == 0 && !stays_open(i))
           found.emplace(node.contact,
                         "the contact node at " + to_text(node.position) +
                           " of " + model.bodies.called(node.body) +

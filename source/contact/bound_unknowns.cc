@@ -46,12 +46,13 @@ namespace conetact::contact
     return size;
   }
 
-  BoundUnknowns::BoundUnknowns(const MatrixXd &all,
-                               const Index     n_c,
-                               const Index     n_t,
-                               const MatrixXd &free,
-                               const MatrixXd &tied,
-                               RedundantRows   held_twice)
+  BoundUnknowns::BoundUnknowns(const MatrixXd           &all,
+                               const Index               n_c,
+                               const Index               n_t,
+                               const MatrixXd           &free,
+                               const MatrixXd           &tied,
+                               const std::vector<Index> &loose,
+                               RedundantRows             held_twice)
     : n_contact(n_c)
     , n_bound(n_t)
     , N(free)
@@ -79,11 +80,12 @@ namespace conetact::contact
       VectorXd::Ones(n_rows), -VectorXd::Ones(M.cols());
 
     // Only what foundations resist strains a tie; the rest is rounding.
-    MatrixXd       G_N = G * N;
-    const MatrixXd C_N = C * N;
-    for (Index j = 0; j < N.cols(); ++j)
-      if (C_N.col(j).isZero(0))
+    MatrixXd G_N = G * N, C_N = C * N;
+    for (const Index j : loose)
+      {
         G_N.col(j).tail(n_t).setZero();
+        C_N.col(j).setZero();
+      }
 
     MatrixXd       bound(n_e, n_e), coupling(n_e, n_k); // of what stays
     const MatrixXd W_t = all.block(n_c, 0, n_t, n_c + n_t)(rows, Eigen::all);

@@ -857,6 +857,15 @@ namespace conetact::contact
       problem.load += system->matrix.rightCols(k) * base;
     // In compliance form f has forces in its balance rows only.
     largest = std::max(largest, conetact::solvers::largest(load.f.tail(k)));
+    if (model->points.n_bound() > 0)
+      {
+        // What is bound may carry nearly all, and leave rounding of it.
+        const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(load.f.size());
+        largest                       = std::max(largest,
+                           conetact::solvers::largest(
+                             model->condense().bound_state(load, nothing).r));
+        problem.reference_force       = rounding_of_past * largest;
+      }
     return problem;
   }
 

@@ -416,6 +416,7 @@ namespace conetact::contact
           n_bound,
           motions.free_of_own(),
           motions.tied_of_own(),
+          motions.loose(),
           find_redundant_rows(elastic.bodies, points, coordinates, motions));
         system->matrix = bound.matrix();
         // where supports hold both sides nothing gives way: as elsewhere
@@ -423,14 +424,7 @@ namespace conetact::contact
         stiffness_of_bound = diagonal.tail(n_bound).unaryExpr(
           [mean](const double w) { return 1 / (w > 1e-14 * mean ? w : mean); });
       }
-    // foundations make up for what contacts do not see
-    if (system->matrix.bottomRightCorner(k, k).isZero(0))
-      {
-        MatrixXd G = system->matrix.topRightCorner(n, k);
-        unseen     = forget_unseen(G);
-        system->matrix.topRightCorner(n, k)   = G;
-        system->matrix.bottomLeftCorner(k, n) = -G.transpose();
-      }
+    forget_unseen_motions(*system);
     // The check of existence asks for motions that not even foundations resist.
     system->null_space = set.gather(motions.null_space());
     contact_system     = system;
@@ -438,6 +432,24 @@ namespace conetact::contact
     stiffness_scale = diagonal.sum() > 0 ?
                         static_cast<double>(diagonal.size()) / diagonal.sum() :
                         1.;
+  }
+
+  /* Foundations make up for what contacts do not see. */
+  void
+  DualBackend::forget_unseen_motions(solvers::ContactSystem &system)
+  {
+    const Index n = system.n_contact_unknowns(), k = system.n_motions;
+    const auto &loose = motions.loose();
+    MatrixXd    G     = system.matrix.topRightCorner(n, k)(Eigen::all, loose);
+    unseen            = motions.unresisted() * forget_unseen(G);
+    for (std::size_t j = 0; j < loose.size(); ++j)
+      {
+        const Index i = n + loose[j];
+        system.matrix.col(i).setZero();
+        system.matrix.row(i).setZero();
+        system.matrix.col(i).head(n) = G.col(static_cast<Index>(j));
+        system.matrix.row(i).head(n) = -G.col(static_cast<Index>(j));
+      }
   }
 
   Eigen::MatrixXd

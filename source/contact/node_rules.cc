@@ -100,18 +100,18 @@ namespace conetact::contact
   {
     constexpr double largest_facet_angle = .1; // as a sine
 
-    if (std::none_of(nodes.begin(),
-                     nodes.end(),
-                     [](const pairing::ContactNode &node) {
-                       return !node.masters.empty();
-                     }))
+    // What meets nothing yet may do so later.
+    const auto faces_body = [](const pairing::ContactNode &node) {
+      return !node.masters.empty() || node.obstacle == nullptr;
+    };
+    if (std::none_of(nodes.begin(), nodes.end(), faces_body))
       return;
 
     const SupportedNodes held = supported_nodes(bodies);
     for (pairing::ContactNode &node : nodes)
       {
         const auto found = held.find({node.body, node.node});
-        if (node.masters.empty() || found == held.end())
+        if (!faces_body(node) || found == held.end())
           continue;
         for (const Tensor<1, 3> &e : found->second)
           // Nearly in the plane of symmetry: the part across it is an error of

@@ -239,6 +239,8 @@ namespace conetact::contact
              " can carry at most " + to_text(refusal.fraction);
     const Eigen::VectorXd &mu   = model.points.layout().mu;
     const bool             same = mu.minCoeff() == mu.maxCoeff();
+    if (!refusal.friction_needed && mu.maxCoeff() == 0)
+      return text + ": the contacts, which have no friction, cannot hold it";
     if (refusal.friction_needed)
       return text + (same ?
                        ": a friction coefficient of " +

@@ -402,9 +402,11 @@ namespace conetact::contact
                      assembly.front());
   }
 
-  /* The same with springs: of the free motions those that no foundation
-     resists. Only whether, not how strongly, matters here: stiffnesses are left
-     out, or soft springs would be taken for none. */
+  /* The same with springs: free motions are turned so that foundations resist
+     some and do not see the others, which are told apart once for all: later
+     on what a foundation does not see would be rounding. Only whether, not how
+     strongly, matters here: stiffnesses are left out, or soft springs would be
+     taken for none. */
   void
   RigidMotions::find_resisted()
   {
@@ -421,7 +423,31 @@ namespace conetact::contact
                 const Index first = support.body * n_one;
                 springs.block(first, first, n_one, n_one) += r.transpose() * r;
               }
-    without_springs = split(free_modes.transpose() * springs * free_modes).null;
+    const Index     k      = free_modes.cols();
+    Eigen::MatrixXd turned = Eigen::MatrixXd::Identity(k, k);
+    loose_motions.clear();
+    for (Index begin = 0, n = 0; begin < k; begin += n)
+      {
+        const auto body = free_body.begin() + begin;
+        n               = std::find_if(body,
+                         free_body.end(),
+                         [&](const unsigned int b) { return b != *body; }) -
+            body;
+        const Eigen::MatrixXd one   = free_modes.middleCols(begin, n);
+        const Split           parts = split(one.transpose() * springs * one);
+        const Index           none  = parts.null.cols();
+        if (none > 0 && none < n)
+          turned.block(begin, begin, n, n) << parts.null, parts.range;
+        for (Index j = 0; j < none; ++j)
+          loose_motions.push_back(begin + j);
+      }
+    free_modes *= turned;
+    if (ties.empty())
+      own_modes = free_modes;
+    else
+      free_parts *= turned;
+    without_springs =
+      Eigen::MatrixXd::Identity(k, k)(Eigen::all, loose_motions);
   }
 
   /* One motion of all bodies at a time: they do not see each other. */
@@ -471,6 +497,14 @@ namespace conetact::contact
           ++i;
         }
     forget_unseen(seen_by_contacts);
+  }
+
+  Eigen::MatrixXd
+  RigidMotions::null_space() const
+  {
+    Eigen::MatrixXd result = seen_by_contacts * without_springs;
+    forget_unseen(result);
+    return result;
   }
 
   Eigen::MatrixXd

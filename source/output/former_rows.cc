@@ -62,12 +62,14 @@ namespace conetact::output
              column == "determinate" || ends("_body") || ends("_contact");
     }
 
+    /** As this program writes them: strtod also reads 0x10 and blanks. */
     bool
     is_finite_number(const std::string &text)
     {
       char        *end   = nullptr;
       const double value = std::strtod(text.c_str(), &end);
-      return !text.empty() && *end == 0 && std::isfinite(value);
+      return !text.empty() && *end == 0 && std::isfinite(value) &&
+             text.find_first_not_of("0123456789+-.eE") == std::string::npos;
     }
 
     [[noreturn]] void

@@ -234,12 +234,33 @@ def rings(refinements=2):
     return scene
 
 
+def bent_strips(laws):
+    """Two leaf springs, clamped side by side: chords of their faces must not press beside the clamp without a word."""
+    def strips(below, above, **entries):
+        body = {"Element": "Q1 incompatible modes"}
+        return {"Dimension": 2, "Body lower": {**box((below, 2), (100.0, 1.0)), **body},
+                "Body upper": {**box((above, 2), (100.0, 1.0), (0.0, 1.0)), **body},
+                "Contact joint": {**joint("upper", 2, "lower", 3), **entries},
+                "Support lower": support(0, "x, y", body="lower"), "Support upper": support(0, "x, y", body="upper"),
+                "Load tip": load("traction", "0 ; -0.0001*t", 1, "upper"), "Output": {"VTU": 0}}
+    for cells in ((50, 40), (40, 30)):
+        warns(laws, f"strips of {cells} cells", laws.run(strips(*cells)), "contact 'joint'", "presses alone")
+    for cells in ((50, 50), (40, 50)):
+        run = laws.run(strips(*cells))
+        warns(laws, f"strips of {cells} cells", run)
+        force = sum(row["r_n"] for row in run.rows if row["contact"] == "joint")
+        laws.check(f"strips of {cells} cells: half of the load goes through the tips", force / 5e-5 - 1, .05)
+
+
 def facets(laws):
     """Facets that are taken for gaps are told; where gaps are plane, resolved or written down, there is no word."""
     warns(laws, "rings drawn to touch", laws.run(rings()), "contact 'joint': facets stand off", "more than a tenth")
     warns(laws, "rings with a Gap", laws.run(merge(rings(), {"Contact joint": {"Gap": 0}})))
     fitted = merge(rings(), {"Body inner": quarter(.2, .62, 4, 2), "Contact joint": {"Largest interference": .05}})
     warns(laws, "a ring with an interference far above its facets", laws.run(fitted))
+    fine = {"Body outer": quarter(.6, 1.0, 4, 3)}
+    warns(laws, "a fine ring on the facets of a coarse one", laws.run(merge(fitted, fine)), "contact 'joint'", "up and down")
+    bent_strips(laws)
     for name, cut in (("quadrilaterals", lambda body: body), ("triangles", simplices)):
         lower, upper = cut(box((8, 4), (2.0, 1.0))), cut(box((6, 3), (2.0, 1.0), (0.0, 1.0)))
         plane = {"Dimension": 2, "Body lower": lower, "Body upper": upper, "Contact joint": joint("upper", 2, "lower", 3),

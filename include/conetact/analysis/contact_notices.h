@@ -9,6 +9,7 @@
 #include "conetact/contact/contact_model.h"
 #include "conetact/output/output.h"
 #include "conetact/pairing/contact_facets.h"
+#include "conetact/pairing/pressure_pattern.h"
 
 #include <set>
 #include <string>
@@ -51,11 +52,24 @@ namespace conetact::analysis
       std::vector<double>       gaps; ///< where bodies are undeformed [length]
       std::vector<double>       facets; ///< what they may be off by [length]
       std::vector<Tensor<1, 3>> normals;
+      pairing::PressurePattern::Pressures pressures;
     };
     void
     say_interference(const unsigned int contact, Log &log) const;
     void
     judge_facets(const unsigned int contact, const Closed &closed);
+    /** What facets do to pressures; empty: nothing. */
+    std::string
+    of_facet(const unsigned int contact,
+             const Closed      &closed,
+             const double       facet) const;
+    /** Of pressures that go up and down from node to node; else empty. */
+    std::string
+    uneven(const unsigned int contact,
+           const Closed      &closed,
+           const double       facet) const;
+    void
+    judge_lonely(const unsigned int contact, const Closed &closed);
     void
     say_never_closed(Log &log) const;
 
@@ -63,7 +77,9 @@ namespace conetact::analysis
     const contact::ContactModel        &model;
     pairing::SlidingContacts            contacts;
     std::vector<pairing::ContactFacets> facets; ///< of each contact
-    std::vector<bool>                   second_degree, has_closed;
+    /** Of contacts between bodies, by number. */
+    std::map<unsigned int, pairing::PressurePattern> patterns;
+    std::vector<bool>                                second_degree, has_closed;
     std::vector<double>                 least_gaps; ///< of the last increment
     std::set<unsigned int>              of_facets;
     std::map<unsigned int, std::string> sentences; ///< of these contacts

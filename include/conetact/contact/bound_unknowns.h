@@ -39,15 +39,16 @@ namespace conetact::contact
     BoundUnknowns() = default;
     /**
      * `all`: the matrix above, of n_c and n_t rows of contacts; N and M:
-     * orthonormal columns that span all motions together; `redundant`: of the
-     * rows t.
+     * orthonormal columns that span all motions together; `loose`: columns of
+     * N that no foundation resists; `redundant`: of the rows t.
      */
-    BoundUnknowns(const Eigen::MatrixXd &all,
-                  const Eigen::Index     n_c,
-                  const Eigen::Index     n_t,
-                  const Eigen::MatrixXd &N,
-                  const Eigen::MatrixXd &M,
-                  RedundantRows          redundant);
+    BoundUnknowns(const Eigen::MatrixXd           &all,
+                  const Eigen::Index               n_c,
+                  const Eigen::Index               n_t,
+                  const Eigen::MatrixXd           &N,
+                  const Eigen::MatrixXd           &M,
+                  const std::vector<Eigen::Index> &loose,
+                  RedundantRows                    redundant);
 
     const RedundantRows &
     redundant_rows() const

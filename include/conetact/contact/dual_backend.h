@@ -193,6 +193,9 @@ namespace conetact::contact
     /** The same of rigid bodies, which have no own unknowns: all dofs. */
     VectorXd
     rigid_imbalance(const VectorXd &forces) const;
+    /** Of all motions that no foundation resists what contacts do not see. */
+    void
+    forget_unseen_motions(solvers::ContactSystem &system);
     /** Takes motions that nothing resists out of imbalances. */
     VectorXd
     without_unseen(const VectorXd &imbalance) const;

@@ -183,18 +183,21 @@ namespace conetact::contact
     {
       return seen_by_contacts;
     }
-    /** Combinations of the free motions that no foundation resists either. */
+    /** Numbers of the free motions that no foundation resists either. */
+    const std::vector<Eigen::Index> &
+    loose() const
+    {
+      return loose_motions;
+    }
+    /** The same as a selection of columns. */
     const Eigen::MatrixXd &
     unresisted() const
     {
       return without_springs;
     }
-    /** Those as the contact unknowns see them. */
+    /** Those as the contact unknowns see them; zero where by rounding only. */
     Eigen::MatrixXd
-    null_space() const
-    {
-      return seen_by_contacts * without_springs;
-    }
+    null_space() const;
     /**
      * Combinations of free motions that neither foundations nor contacts with
      * all their unknowns resist; orthonormal columns.
@@ -274,7 +277,8 @@ namespace conetact::contact
     Eigen::LDLT<Eigen::MatrixXd> free_factors; ///< of these
     std::vector<unsigned int>    tied_with;
     std::vector<Tie>             ties;
-    Eigen::MatrixXd              without_springs;
+    std::vector<Eigen::Index>    loose_motions;
+    Eigen::MatrixXd              without_springs; ///< selects these
     Eigen::MatrixXd              seen_by_contacts;
   };
 

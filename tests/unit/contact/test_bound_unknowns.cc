@@ -64,7 +64,7 @@ namespace
 
   TEST_P(BoundTest, EquationsHoldAndTheRestStays)
   {
-    const BoundUnknowns bound(matrix, n_c, n_t, N, M, redundant);
+    const BoundUnknowns bound(matrix, n_c, n_t, N, M, {}, redundant);
     const VectorXd      b    = bound.bound_part(load);
     const VectorXd      x    = random(n_c + n_free, 1);
     const VectorXd      all  = bound.complete(x, b);
@@ -94,7 +94,7 @@ namespace
 
   TEST_P(BoundTest, ReactionsAreTheLeastThatDoTheSame)
   {
-    const BoundUnknowns bound(matrix, n_c, n_t, N, M, redundant);
+    const BoundUnknowns bound(matrix, n_c, n_t, N, M, {}, redundant);
     const VectorXd      all =
       bound.complete(random(n_c + n_free, 1), bound.bound_part(load));
     const VectorXd r = all.segment(n_c, n_t);
@@ -108,7 +108,7 @@ namespace
   TEST_P(BoundTest, TheFormIsThatOfSolvers)
   {
     const MatrixXd K =
-      BoundUnknowns(matrix, n_c, n_t, N, M, redundant).matrix();
+      BoundUnknowns(matrix, n_c, n_t, N, M, {}, redundant).matrix();
     EXPECT_EQ(K.topLeftCorner(n_c, n_c), K.topLeftCorner(n_c, n_c).transpose());
     EXPECT_EQ(K.topRightCorner(n_c, n_free),
               -K.bottomLeftCorner(n_free, n_c).transpose());
@@ -131,6 +131,7 @@ namespace
                               1,
                               Eigen::Vector2d(s, s),
                               Eigen::Vector2d(s, -s),
+                              {0},
                               {{0}, Eigen::SparseMatrix<double>(1, 0)});
     EXPECT_EQ(bound.matrix(), MatrixXd::Zero(1, 1));
     // pulled apart by 3 each: the tie carries it

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_pressure_pattern_h
+#define conetact_pairing_pressure_pattern_h
+
+#include "conetact/bodies/structure.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace conetact::pairing
+{
+  /**
+   * What pressures of single nodes tell of their mesh: the pressure of bodies
+   * goes up and down over many nodes, that of facets from one to the next.
+   */
+  class PressurePattern
+  {
+  public:
+    using Pressures = std::map<unsigned int, double>; ///< by node; others: none
+
+    PressurePattern(const bodies::Structure   &body,
+                    const bodies::BoundaryIds &ids);
+
+    /**
+     * Nodes in pits: pressed clearly less than the two nodes before and behind
+     * them on a line.
+     */
+    unsigned int
+    n_pits(const Pressures &pressures) const;
+
+    /**
+     * Nodes that press and of which no neighbour does though all of them are
+     * among `could_press`; within a smooth part of the surface, not at its rim.
+     */
+    std::vector<unsigned int>
+    lonely(const Pressures              &pressures,
+           const std::set<unsigned int> &could_press) const;
+
+  private:
+    struct Around
+    {
+      std::set<unsigned int> nodes;
+      unsigned int           n_faces = 0;
+      Tensor<1, 3>           sum; ///< of the faces' unit normals
+    };
+    bool
+    is_pit(const unsigned int node,
+           const double       own,
+           const Pressures   &pressures) const;
+    bool
+    is_inside(const Around &around) const;
+
+    bool                             plane = false; ///< faces are segments
+    std::map<unsigned int, Around>   neighbours;
+    std::map<unsigned int, Point<3>> positions;
+  };
+} // namespace conetact::pairing
+
+#endif

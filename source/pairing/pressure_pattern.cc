@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/pressure_pattern.h"
+
+#include "conetact/bodies/face_nodes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    /** Pairs of corners; quadrilaterals stand row by row. */
+    std::vector<std::pair<std::size_t, std::size_t>>
+    edges_of(const std::size_t n_corners)
+    {
+      if (n_corners == 2)
+        return {{0, 1}};
+      if (n_corners == 3)
+        return {{0, 1}, {1, 2}, {2, 0}};
+      return {{0, 1}, {0, 2}, {1, 3}, {2, 3}};
+    }
+
+    double
+    at(const PressurePattern::Pressures &pressures, const unsigned int node)
+    {
+      const auto found = pressures.find(node);
+      return found == pressures.end() ? 0. : found->second;
+    }
+  } // namespace
+
+  PressurePattern::PressurePattern(const bodies::Structure   &body,
+                                   const bodies::BoundaryIds &ids)
+  {
+    for (const bodies::SurfaceFace &face : body.surface(ids).faces)
+      for (const auto &corners : bodies::parts_of_first_degree(body, face))
+        {
+          plane = corners.size() == 2;
+          for (const unsigned int node : corners)
+            {
+              ++neighbours[node].n_faces;
+              neighbours[node].sum += face.normal;
+              positions[node] = body.position(node);
+            }
+          for (const auto &[i, j] : edges_of(corners.size()))
+            {
+              neighbours[corners[i]].nodes.insert(corners[j]);
+              neighbours[corners[j]].nodes.insert(corners[i]);
+            }
+        }
+  }
+
+  /* Around a node in the middle there are as many faces as edges, at the rim
+     one edge more. */
+  bool
+  PressurePattern::is_inside(const Around &around) const
+  {
+    return plane ? around.n_faces == 2 : around.n_faces == around.nodes.size();
+  }
+
+  bool
+  PressurePattern::is_pit(const unsigned int node,
+                          const double       own,
+                          const Pressures   &pressures) const
+  {
+    constexpr double deep = .6, opposite = -.7; // cosine
+    const auto      &around = neighbours.at(node).nodes;
+    for (const unsigned int one : around)
+      for (const unsigned int other : around)
+        if (one < other &&
+            own < deep * std::min(at(pressures, one), at(pressures, other)))
+          {
+            const Tensor<1, 3> a = positions.at(one) - positions.at(node);
+            const Tensor<1, 3> b = positions.at(other) - positions.at(node);
+            if (a * b < opposite * a.norm() * b.norm())
+              return true;
+          }
+    return false;
+  }
+
+  unsigned int
+  PressurePattern::n_pits(const Pressures &pressures) const
+  {
+    return static_cast<unsigned int>(std::count_if(
+      neighbours.begin(), neighbours.end(), [&](const auto &entry) {
+        return is_pit(entry.first, at(pressures, entry.first), pressures);
+      }));
+  }
+
+  std::vector<unsigned int>
+  PressurePattern::lonely(const Pressures              &pressures,
+                          const std::set<unsigned int> &could_press) const
+  {
+    constexpr double          smooth = .99; // cosine
+    std::vector<unsigned int> result;
+    for (const auto &[node, pressure] : pressures)
+      {
+        const auto found = neighbours.find(node);
+        if (found == neighbours.end() || !is_inside(found->second))
+          continue;
+        const Around &around = found->second;
+        if (around.sum.norm() >= smooth * around.n_faces &&
+            std::all_of(around.nodes.begin(),
+                        around.nodes.end(),
+                        [&](const unsigned int other) {
+                          return could_press.count(other) > 0 &&
+                                 at(pressures, other) == 0;
+                        }))
+          result.push_back(node);
+      }
+    return result;
+  }
+} // namespace conetact::pairing
