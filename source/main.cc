@@ -20,6 +20,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -280,9 +281,15 @@ namespace
       }
   }
 
+  /* Sentences quote files, whatever is in them: a terminal must not obey it. */
   int
-  say(const std::string &sentence, const int code)
+  say(std::string sentence, const int code)
   {
+    std::replace_if(
+      sentence.begin(),
+      sentence.end(),
+      [](const unsigned char c) { return c < ' ' && c != '\n'; },
+      '?');
     if (ranks_of_mpirun().rank == 0) // of many processes one speaks for all
       std::cerr << "conetact: " << sentence << std::endl;
     return code;

@@ -126,7 +126,8 @@ def judge(program, number, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--count", type=int, default=300, help="the first so many scenes")
+    parser.add_argument("--count", type=int, default=300, help="so many scenes")
+    parser.add_argument("--first", type=int, default=0, help="from this one on")
     parser.add_argument("--scene", type=int, action="append", help="only this one (may be repeated)")
     parser.add_argument("--keep", type=Path, help="folder for scenes and results")
     parser.add_argument("--conetact", type=Path, default=ROOT / "build" / "conetact")
@@ -137,7 +138,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="conetact-invariance-") as scratch, ThreadPoolExecutor(options.jobs) as pool:
         folder = options.keep or Path(scratch)
         for number, words, first, faults in pool.map(lambda n: judge(program, n, folder / str(n)),
-                                                     options.scene or range(options.count)):
+                                                     options.scene or range(options.first, options.first + options.count)):
             end = "solved" if first.code == 0 else f"exit code {first.code}: {kind_of(first.sentence)}"
             ends[end] = ends.get(end, 0) + 1
             n_other += bool(faults)

@@ -42,8 +42,8 @@ namespace conetact::analysis
         else if (empty[c])
           throw InputError(
             "Contact '" + scene.contact_names[c] +
-            "' has no node that may touch: supports hold all of them along its "
-            "normal. Take them out of the supports, or remove the contact.");
+            "' has no node that may touch: supports or ties hold all of them along "
+            "its normal. Take them out of these, or remove the contact.");
     }
 
     /** Sides that are tied across a gap pass shear on without its couple. */

@@ -88,8 +88,8 @@ namespace conetact::analysis
     once("shares",
          "the node at " + to_text(node->position) + " of body '" +
            model.bodies.names[node->body] +
-           "' is in several contacts with friction: how they share its force "
-           "is not determined, nor is what follows from that; one of many "
+           "' is in several contacts, some with friction: how they share its "
+           "force is not determined, nor is what follows from that; one of many "
            "solutions is given.");
     return false;
   }

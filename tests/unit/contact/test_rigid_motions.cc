@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/base/text.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include "scene_fixture.h"
@@ -35,6 +36,35 @@ namespace
 
   const std::string rough = "|Friction coefficient = 0.2";
 } // namespace
+
+
+
+TEST(RigidMotions, FoundationsSeeSomeAndNothingOfTheOthers)
+{
+  // springs along one oblique direction leave what is across it
+  const double        c = std::cos(.3), s = std::sin(.3);
+  const Motions       all(test::triangle_on_floor(
+    "set Supports = springs\n",
+    test::section(
+      "Support springs",
+      "Body = frame|Boundary ids = 2|Stiffness = 10|Directions = (" +
+        to_text(c) + ", " + to_text(s) + ")"),
+    rough));
+  const RigidMotions &motions = all.motions;
+  ASSERT_EQ(motions.n_free(), 3);
+  ASSERT_EQ(motions.loose().size(), 2u);
+  EXPECT_EQ(motions.unresisted().cols(), 2);
+  const auto &springs = all.scene->bodies.supports[0];
+  for (const Eigen::Index k : motions.loose())
+    {
+      const Eigen::VectorXd u =
+        motions.field(motions.of_free(Eigen::Vector3d::Unit(k)));
+      for (const SurfaceNode &node : springs.surface.nodes)
+        EXPECT_NEAR(all.coordinates.at_node(u, 0, node.node) * vector(c, s),
+                    0,
+                    1e-15);
+    }
+}
 
 
 
