@@ -8,6 +8,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -809,6 +810,7 @@ namespace conetact::pairing
   {
     ContactNodes                                                      result;
     std::multimap<std::pair<unsigned int, unsigned int>, std::size_t> known;
+    std::vector<bool> takes_means; // of contacts
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact    &contact  = contacts[c];
@@ -822,10 +824,10 @@ namespace conetact::pairing
         if (contact.kind != ContactKind::contact && found.n_paired == 0)
           refuse_nothing_bound(contact, structures);
         result.pairings.push_back(count(found));
+        takes_means.push_back(row.takes_means);
         for (ContactNode &node : found.nodes)
           {
             node.contact = c;
-            node.is_mean = row.takes_means;
             node.slides  = contact.slides;
             // Two contacts of a node are rows of their own, unless their
             // normals agree: then only the sum of the reactions is determined.
@@ -852,6 +854,9 @@ namespace conetact::pairing
           }
         check(found.deepest, contact, bodies);
       }
+    unite_shared(contacts, dim, result.nodes);
+    for (ContactNode &node : result.nodes)
+      node.is_mean = pairing_of(contacts[node.contact], structures).takes_means;
     return result;
   }
 } // namespace conetact::pairing

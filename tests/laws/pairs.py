@@ -56,6 +56,37 @@ def pairs(laws):
     laws.check("shrink fit: mean pressure against Lame", abs(mean / .234375 - 1), 1e-3)
     rails(laws)
     seams(laws)
+    sliding_seams(laws)
+
+
+def sliding_seams(laws):
+    """A sole in two contacts that slides over its master and its rim is one all the way."""
+    for dim, pairing in itertools.product((2, 3), ("mortar", "node to face")):
+        across = (1,) * (dim - 2)
+        side = "y" if dim == 2 else "z"
+        parts = [f"abs({side} - 1) < 1e-9 && x {sign} .5" for sign in "<>"]
+        upper = box((6, *across, 2), (1.0, *(1.0 for _ in across), .5), (*(0.0 for _ in range(dim - 1)), 1.0))
+        upper["Mesh"]["Boundary ids"] = f"7: {parts[0]} ; 8: {parts[1]}"
+        upper["Material"] = {**upper.get("Material", {}), "Young modulus": 1e4}
+        top, bottom = 2 * dim - 1, 2 * dim - 2
+        lower = box((5, *across, 2), (1.3, *(1.0 for _ in across), 1.0))
+        lower["Material"] = {**lower.get("Material", {}), "Young modulus": 1e4}
+        common = {"Dimension": dim, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 4}, "Body upper": upper, "Body lower": lower,
+                  "Support floor": support(bottom, ", ".join("xyz"[:dim]), body="lower"),
+                  "Support drive": {**support(top, ", ".join("xyz"[:dim]), body="upper"),
+                                    "Displacement": " ; ".join((".45*t", *("0" for _ in across), "-1e-4"))}}
+        far = {"Pairing": pairing, "Friction coefficient": .3, "Kinematics": "finite sliding"}
+        one = laws.run({**common, "Contact sole": joint("upper", "7, 8", "lower", top, **far)})
+        two = laws.run({**common, "Contact left": joint("upper", 7, "lower", top, **far),
+                        "Contact right": joint("upper", 8, "lower", top, **far)})
+        for run in (one, two):
+            run.nodes = {(r["increment"], r["x"], r["y"], r["z"]): r for r in run.rows if not r["contact"].endswith("_master")}
+        what = f"{dim}D, {pairing}, a seam that slides"
+        laws.demand(f"{what}: the same nodes", set(one.nodes) == set(two.nodes) and len(two.nodes) == len(
+            [r for r in two.rows if not r["contact"].endswith("_master")]))
+        for value, bound in (("r_n", 1e-5), ("r_t1", 1e-5), ("area", 1e-3), ("pressure", 1e-3)):
+            largest = max(abs(r["r_n" if value == "r_t1" else value]) for r in one.nodes.values())
+            laws.check(f"  {value} of one contact", max(abs(r[value] - two.nodes[at][value]) / largest for at, r in one.nodes.items()), bound)
 
 
 def seams(laws):
