@@ -57,6 +57,44 @@ def pairs(laws):
     rails(laws)
     seams(laws)
     sliding_seams(laws)
+    recesses(laws)
+
+
+def recesses(laws):
+    """A block in a corner of its master: one contact of all its sides is as one for each side, and carries what presses it."""
+    for dim, mu, kinematics in ((2, 0.0, "small"), (2, .2, "small"), (2, .2, "finite sliding"), (3, 0.0, "small"), (3, .2, "finite sliding")):
+        axes = "xyz"[:dim]
+        cells = (4,) * dim if dim == 2 else (2,) * dim
+        block = box(cells, (1.0,) * dim)
+        corner = {"Mesh": {"Generator": "hyper_L", "Arguments": "-1 : 1 : false", "Global refinements": 3 - dim + 1, "Boundary ids": " ; ".join(
+            [f"{10 + i}: abs({axis}) < 1e-9 && " + " && ".join(f"{other} > 0" for other in axes if other != axis) for i, axis in enumerate(axes)]
+            + [f"{20 + i}: {axis} < -.999" for i, axis in enumerate(axes)])}, "Material": dict(block["Material"])}
+        walls = ", ".join(str(10 + i) for i in range(dim))
+        entries = {"Pairing": "node to face", "Friction coefficient": mu, "Kinematics": kinematics}
+        common = {"Dimension": dim, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 2}, "Body block": block, "Body corner": corner,
+                  "Support ground": support(", ".join(str(20 + i) for i in range(dim)), ", ".join(axes), body="corner")}
+        forces = (.003, .005, .004)[:dim]
+        for i, force in enumerate(forces):
+            push = " ; ".join(f"-{force}*t" if j == i else "0" for j in range(dim))
+            common[f"Load {axes[i]}"] = load("traction", push, 2 * i + 1, "block")
+        one = laws.run({**common, "Contact all": joint("block", ", ".join(str(2 * i) for i in range(dim)), "corner", walls, **entries)})
+        two = laws.run({**common, **{f"Contact {axis}": joint("block", 2 * i, "corner", walls, **entries) for i, axis in enumerate(axes)}})
+        for run in (one, two):
+            run.nodes = {}
+            for r in run.last():
+                if not r["contact"].endswith("_master") and math.isfinite(r["gap"]) and abs(r["gap"]) < .5:
+                    run.nodes[tuple(round(r[c], 6) for c in ("x", "y", "z")) + tuple(round(r[c]) for c in ("n_x", "n_y", "n_z"))] = r
+        what = f"{dim}D, mu {mu}, {kinematics}: a block in a corner of its master"
+        laws.demand(f"{what}: rows of one contact for each side", set(one.nodes) == set(two.nodes))
+        laws.demand("  and its corner has them all", sum(at[:3] == (0, 0, 0) for at in one.nodes) == dim)
+        largest = max(r["r_n"] for r in two.nodes.values())
+        if not mu:  # friction at the corner leaves open which side carries what
+            laws.check("  the same reactions", max(abs(one.nodes[at]["r_n"] - r["r_n"]) / largest for at, r in two.nodes.items()), 1e-9)
+        laws.check("  the same areas", max(abs(one.nodes[at]["area"] - r["area"]) for at, r in two.nodes.items()), 1e-5)
+        total = plus((0, 0, 0), *(in_space(r, dim, REACTION) for r in one.nodes.values()))
+        laws.check("  forces of the walls", max(abs(total[i] - force) / force for i, force in enumerate(forces)), 1e-9)
+        laws.check("  areas of the walls", abs(sum(r["area"] for r in one.nodes.values()) - dim), 1e-9)
+        laws.demand("  no node goes into a wall", all(r["gap"] > -1e-9 for r in one.nodes.values()))
 
 
 def sliding_seams(laws):
