@@ -8,7 +8,6 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
-#include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -810,7 +809,6 @@ namespace conetact::pairing
   {
     ContactNodes                                                      result;
     std::multimap<std::pair<unsigned int, unsigned int>, std::size_t> known;
-    std::vector<bool> takes_means; // of contacts
     for (unsigned int c = 0; c < contacts.size(); ++c)
       {
         const Contact    &contact  = contacts[c];
@@ -824,7 +822,6 @@ namespace conetact::pairing
         if (contact.kind != ContactKind::contact && found.n_paired == 0)
           refuse_nothing_bound(contact, structures);
         result.pairings.push_back(count(found));
-        takes_means.push_back(row.takes_means);
         for (ContactNode &node : found.nodes)
           {
             node.contact = c;
@@ -854,9 +851,6 @@ namespace conetact::pairing
           }
         check(found.deepest, contact, bodies);
       }
-    unite_shared(contacts, dim, result.nodes);
-    for (ContactNode &node : result.nodes)
-      node.is_mean = pairing_of(contacts[node.contact], structures).takes_means;
     return result;
   }
 } // namespace conetact::pairing

@@ -142,9 +142,10 @@ namespace conetact::pairing
   } // namespace
 
   void
-  unite_shared(const std::vector<Contact> &contacts,
-               const unsigned int          dim,
-               std::vector<ContactNode>   &nodes)
+  unite_shared(const std::vector<Contact>                   &contacts,
+               const std::vector<const bodies::Structure *> &structures,
+               const unsigned int                            dim,
+               std::vector<ContactNode>                     &nodes)
   {
     const std::vector<std::size_t> first = firsts(contacts, nodes);
     std::vector<std::size_t>       place(nodes.size());
@@ -157,6 +158,11 @@ namespace conetact::pairing
         }
       else
         unite(united[place[first[i]]], nodes[i], dim);
+    std::vector<bool> takes_means;
+    for (const Contact &contact : contacts)
+      takes_means.push_back(pairing_of(contact, structures).takes_means);
+    for (ContactNode &node : united)
+      node.is_mean = takes_means[node.contact];
     nodes = std::move(united);
   }
 

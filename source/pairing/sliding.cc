@@ -8,6 +8,7 @@
 #include "conetact/bodies/rigid_body.h"
 #include "conetact/pairing/face_net.h"
 #include "conetact/pairing/mortar.h"
+#include "conetact/pairing/shared_areas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -278,6 +279,7 @@ namespace conetact::pairing
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (found[i])
         take(*found[i], at, nodes[i]);
+    share_areas(contacts, there, /*only_sliding=*/true, nodes);
   }
 
   void

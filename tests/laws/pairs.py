@@ -58,6 +58,30 @@ def pairs(laws):
     seams(laws)
     sliding_seams(laws)
     recesses(laws)
+    borders(laws)
+
+
+def borders(laws):
+    """A block across the border of two masters, its nodes over it, too: areas and pressures are those of its faces on each."""
+    for dim, kinematics in itertools.product((2, 3), ("small", "finite sliding")):
+        across = (1,) * (dim - 2)
+        rest, zeros = tuple(1.0 for _ in across) + (1.0,), tuple(0.0 for _ in across)
+        flat = {"Young modulus": 1e4, "Poisson ratio": 0}
+        scene = {"Dimension": dim, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 1},
+                 "Body block": {**box((4, *across, 2), (2.0, *rest), (*zeros, 0.0, 0.0)), "Material": flat},
+                 "Load press": load("pressure", "2*t", 2 * dim - 1, "block"),
+                 "Support guide": support("0" if dim == 2 else "0, 2", "normal", body="block")}
+        for name, x, length, cells in (("left", 0.0, 1.0, 2), ("right", 1.0, 1.0, 2)):
+            scene[f"Body {name}"] = {**box((cells, *across, 2), (length, *rest), (x, *zeros, -1.0)), "Material": flat}
+            scene[f"Support {name}"] = support(2 * dim - 2, ", ".join("xyz"[:dim]), body=name)
+            scene[f"Contact on {name}"] = joint("block", 2 * dim - 2, name, 2 * dim - 1, Pairing="node to face", Kinematics=kinematics)
+        run = laws.run(scene)
+        sides = [[r for r in run.last() if r["contact"] == f"on {name}" and abs(r["gap"]) < .5] for name in ("left", "right")]
+        what = f"{dim}D, {kinematics}: a block on two masters"
+        laws.check(f"{what}: areas", max(abs(sum(r["area"] for r in rows) - 1) for rows in sides), 1e-9)
+        laws.check("  forces", max(abs(sum(r["r_n"] for r in rows) - 2) for rows in sides), 1e-9)
+        shared = [r for rows in sides for r in rows if abs(r["x"] - 1) < 1e-9]
+        laws.check("  mean pressure over the border", abs(sum(r["r_n"] for r in shared) / sum(r["area"] for r in shared) - 2), 1e-3)
 
 
 def recesses(laws):

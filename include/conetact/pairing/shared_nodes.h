@@ -18,14 +18,15 @@ namespace conetact::pairing
    * normals that differ by less than a sharp edge. Two rows for it would leave
    * open which of them carries what. It becomes what one contact with the faces
    * of both would have, with means over the areas of both, of friction
-   * coefficients, too, and is a node of the first of them. Nodes are as their
-   * pairings find them: of mortar, ContactNode::is_mean tells means from edges
-   * that meet a face.
+   * coefficients, too, and is a node of the first of them. Nodes come as their
+   * pairings find them, and ContactNode::is_mean tells means of mortar from
+   * edges that meet a face; it is that of whole contacts afterwards.
    */
   void
-  unite_shared(const std::vector<Contact> &contacts,
-               const unsigned int          dim,
-               std::vector<ContactNode>   &nodes);
+  unite_shared(const std::vector<Contact>                   &contacts,
+               const std::vector<const bodies::Structure *> &structures,
+               const unsigned int                            dim,
+               std::vector<ContactNode>                     &nodes);
 
   /** Adds what another contact finds for the same node to what one finds. */
   void
