@@ -10,6 +10,7 @@
 #include "conetact/contact/held_nodes.h"
 #include "conetact/pairing/adjusted_gaps.h"
 #include "conetact/pairing/flatness.h"
+#include "conetact/pairing/shared_areas.h"
 #include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
@@ -164,7 +165,14 @@ namespace conetact::application
       {
         pairing::ContactNodes found = pairing::find_contact_nodes(
           contacts, bodies.names, bodies.structures, bodies.dim);
-        pairing::unite_shared(contacts, bodies.dim, found.nodes);
+        pairing::unite_shared(contacts,
+                              bodies.structures,
+                              bodies.dim,
+                              found.nodes);
+        pairing::share_areas(contacts,
+                             bodies.structures,
+                             /*only_sliding=*/false,
+                             found.nodes);
         bodies.contact_nodes = std::move(found.nodes);
         pairings             = std::move(found.pairings);
         for (const unsigned int c : adjusted_contacts)

@@ -825,7 +825,6 @@ namespace conetact::pairing
         for (ContactNode &node : found.nodes)
           {
             node.contact = c;
-            node.is_mean = row.takes_means;
             node.slides  = contact.slides;
             // Two contacts of a node are rows of their own, unless their
             // normals agree: then only the sum of the reactions is determined.

@@ -359,6 +359,7 @@ namespace conetact::pairing
       mean(const bodies::SurfaceNode &s, const MortarRow &row)
       {
         ContactNode node = one_by_one.free_node(s);
+        node.is_mean     = true;
         node.area        = thickness * row.area;
         node.master      = contact.master;
         node.masters     = weights(row.masters, row.area);

@@ -4,6 +4,8 @@
 #include "conetact/pairing/node_to_face.h"
 
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/face_net.h"
+#include "conetact/pairing/mortar_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,12 +141,7 @@ namespace conetact::pairing
     if (surface.two_sided)
       // Members of frames have no outside.
       normals.push_back(-s.normal);
-    auto foot = master->foot(s.position,
-                             normals,
-                             {contact.reach,
-                              std::cos(contact.largest_angle),
-                              interference_allowed(contact, node.spacing),
-                              contact.body != contact.master});
+    auto foot = master->foot(s.position, normals, limits(node));
     if (!foot)
       return false;
     // A gap that is written down replaces the distance, not the direction.
@@ -159,6 +156,15 @@ namespace conetact::pairing
     return true;
   }
 
+  MasterSurface::Limits
+  NodeToFace::limits(const ContactNode &node) const
+  {
+    return {contact.reach,
+            std::cos(contact.largest_angle),
+            interference_allowed(contact, node.spacing),
+            contact.body != contact.master};
+  }
+
   void
   NodeToFace::judge(const ContactNode &node, const double face_size)
   {
@@ -166,6 +172,129 @@ namespace conetact::pairing
     // One message, for the worst node.
     if (node.gap < -bound && (!deepest || node.gap < deepest->gap))
       deepest = {node.position, node.gap, bound};
+  }
+
+  void
+  NodeToFace::find_edges()
+  {
+    edges.emplace();
+    if (!master || surface.two_sided ||
+        std::none_of(surface.nodes.begin(),
+                     surface.nodes.end(),
+                     [](const bodies::SurfaceNode &s) {
+                       return s.normals.size() > 1;
+                     }))
+      return;
+    const FaceNet                  net(body, surface);
+    const MortarRows               rows(net.all(),
+                          contact.sharp_edge,
+                          body.is_axisymmetric());
+    std::map<unsigned int, double> whole;
+    for (const MortarRow &row : rows.all())
+      whole[row.node] += row.whole;
+    for (const MortarRow &row : rows.all())
+      if (row.whole > 0 && row.whole < whole[row.node])
+        edges->emplace(row.node,
+                       Side{row.normal / row.normal.norm(),
+                            row.whole / whole[row.node]});
+  }
+
+  std::vector<NodeToFace::Side>
+  NodeToFace::sides_of(const unsigned int node)
+  {
+    if (!edges)
+      find_edges();
+    std::vector<Side> found;
+    const auto [begin, end] = edges->equal_range(node);
+    for (auto side = begin; side != end; ++side)
+      found.push_back(side->second);
+    return found;
+  }
+
+  bool
+  NodeToFace::sees(const Side &side, const ContactNode &row) const
+  {
+    constexpr double rounding = 1e-12;
+    return -(side.outward * row.n) >=
+           std::cos(contact.largest_angle) - rounding;
+  }
+
+  /** What faces on another side of an edge meet, along another normal than the
+   * first row of the node. */
+  std::optional<ContactNode>
+  NodeToFace::find_other(const bodies::SurfaceNode &s,
+                         const Side                &side,
+                         const ContactNode         &first) const
+  {
+    constexpr double rounding = 1e-6, off = .02; // of a cell
+    const auto foot = master->foot(s.position, {side.outward}, limits(first));
+    if (!foot || foot->normal * first.n > std::cos(contact.sharp_edge))
+      return {};
+    if (foot->gap < -rounding * first.spacing)
+      {
+        // Behind both faces of a master's own edge it is enough to come out of
+        // one, in a corner of the master it is not.
+        const Point<3> beyond =
+          s.position +
+          (off * first.spacing - std::min(first.gap, 0.)) * first.n;
+        const auto still = master->foot(beyond, {side.outward}, limits(first));
+        if (foot->gap < -interference_allowed(contact, first.spacing) ||
+            !still || still->gap > -.5 * rounding * first.spacing)
+          return {};
+      }
+    ContactNode node = free_node(s);
+    node.outward     = {side.outward};
+    node.area        = side.part * s.area;
+    node.gap         = contact.gap ? first.gap : foot->gap;
+    node.n           = foot->normal;
+    node.master      = contact.master;
+    node.masters     = foot->masters;
+    return node;
+  }
+
+  std::vector<ContactNode>
+  NodeToFace::find_sides(const bodies::SurfaceNode &s)
+  {
+    std::vector<ContactNode> rows;
+    auto                     first = find(s);
+    const auto               sides = sides_of(s.node);
+    if (sides.empty() || contact.kind == ContactKind::tie)
+      {
+        if (first || contact.slides)
+          rows.push_back(first ? *first : apart(s));
+        return rows;
+      }
+    // it is that of the side that looks at it most
+    const auto of_first = std::min_element(
+      sides.begin(), sides.end(), [&](const Side &a, const Side &b) {
+        return first && a.outward * first->n < b.outward * first->n;
+      });
+    double      covered   = 0; // of the area, by the first row
+    std::size_t first_row = 0;
+    for (auto side = sides.begin(); side != sides.end(); ++side)
+      {
+        std::optional<ContactNode> row;
+        if (first && side == of_first)
+          {
+            row       = *first;
+            first_row = rows.size();
+          }
+        else if (first)
+          row = find_other(s, *side, *first);
+        if (first && (side == of_first || !row) && sees(*side, *first))
+          covered += side->part;
+        if (!row && contact.slides)
+          {
+            row       = apart(s);
+            row->n    = -side->outward;
+            row->area = side->part * s.area;
+          }
+        if (row)
+          rows.push_back(std::move(*row));
+      }
+    if (covered > 0)
+      rows[first_row].area = covered * s.area;
+    return rows;
   }
 
   PairedNodes
@@ -180,13 +309,13 @@ namespace conetact::pairing
         if (pairing.is_joined(s.node))
           continue;
         ++found.n_nodes;
-        auto node = pairing.find(s);
-        if (node)
-          ++found.n_paired;
-        else if (contact.slides)
-          node = pairing.apart(s);
-        if (node)
-          found.nodes.push_back(std::move(*node));
+        bool meets = false;
+        for (ContactNode &node : pairing.find_sides(s))
+          {
+            meets = meets || !node.meets_nothing();
+            found.nodes.push_back(std::move(node));
+          }
+        found.n_paired += meets;
       }
     found.deepest = pairing.deepest_node();
     return found;

@@ -8,6 +8,7 @@
 #include "conetact/bodies/rigid_body.h"
 #include "conetact/pairing/face_net.h"
 #include "conetact/pairing/mortar.h"
+#include "conetact/pairing/shared_areas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -223,6 +224,7 @@ namespace conetact::pairing
     : contacts(c)
     , structures(s)
     , start(at_start)
+    , shared(contacts, structures, start)
     , dim(d)
   {}
 
@@ -270,39 +272,48 @@ namespace conetact::pairing
                              displacements(*structures[b], b, at));
     for (const bodies::Displaced &body : displaced)
       there.push_back(&body);
+    std::vector<std::optional<ContactNode>> found(nodes.size());
     for (unsigned int c = 0; c < contacts.size(); ++c)
       if (is_pair_that_slides(contacts[c]))
-        find_pair(c, there, at, keep_faced, nodes);
+        find_pair(c, there, keep_faced, nodes, found);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (found[i])
+        take(*found[i], at, nodes[i]);
+    share_areas(contacts, there, /*only_sliding=*/true, nodes);
   }
 
   void
-  SlidingContacts::find_pair(const unsigned int        c,
-                             const Structures         &displaced,
-                             const Displacement       &at,
-                             const bool                keep_faced,
-                             std::vector<ContactNode> &nodes) const
+  SlidingContacts::find_pair(
+    const unsigned int                       c,
+    const Structures                        &displaced,
+    const bool                               keep_faced,
+    const std::vector<ContactNode>          &nodes,
+    std::vector<std::optional<ContactNode>> &found) const
   {
     const Contact         &contact = contacts[c];
     const PairingRow      &row     = pairing_of(contact, displaced);
     std::set<unsigned int> faced;
-    for (const ContactNode &node : nodes)
-      if (keep_faced && node.contact == c && !node.meets_nothing())
-        faced.insert(node.node);
-    const PairedNodes found = row.takes_means ?
-                                pair_by_mortar(contact, displaced, faced) :
-                                row.pair(contact, displaced);
-    auto              now   = found.nodes.begin();
-    for (ContactNode &node : nodes)
-      if (node.contact == c)
-        {
-          if (now == found.nodes.end() || now->node != node.node)
-            throw AnalysisError(
-              "contact '" + contact.name +
-              "': bodies come so deep into each other, or bend so much, that "
-              "its nodes do not find their places again. Use smaller "
-              "increments");
-          take(*now++, at, node);
-        }
+    for (const std::size_t i : shared.of(c))
+      if (keep_faced && !nodes[i].meets_nothing())
+        faced.insert(nodes[i].node);
+    PairedNodes paired = row.takes_means ?
+                           pair_by_mortar(contact, displaced, faced) :
+                           row.pair(contact, displaced);
+    auto        now    = paired.nodes.begin();
+    for (const std::size_t i : shared.of(c))
+      {
+        if (now == paired.nodes.end() || now->node != nodes[i].node)
+          throw AnalysisError(
+            "contact '" + contact.name +
+            "': bodies come so deep into each other, or bend so much, that "
+            "its nodes do not find their places again. Use smaller "
+            "increments");
+        if (found[i])
+          unite_places(*found[i], *now, dim);
+        else
+          found[i] = std::move(*now);
+        ++now;
+      }
   }
 
   std::vector<SlidingContacts::PairPassage>
@@ -316,6 +327,7 @@ namespace conetact::pairing
                           const unsigned int         other,
                           const bodies::BoundaryIds &entries) {
       const MovingBoundary boundary(*structures[other], ways[other], entries);
+      const bool           is_slave = body == contacts[c].body;
       for (const bodies::SurfaceNode &node :
            structures[body]->surface(ids).nodes)
         {
@@ -326,8 +338,12 @@ namespace conetact::pairing
             by = then->second;
           for (const Passage &passage :
                boundary.passages(ways[body], node.node, by))
-            found.push_back(
-              {passage, c, body, node.node, other, body == contacts[c].body});
+            found.push_back({passage,
+                             is_slave ? shared.owner(c, node.node) : c,
+                             body,
+                             node.node,
+                             other,
+                             is_slave});
           inside.erase(key);
           if (by)
             inside[key] = *by;

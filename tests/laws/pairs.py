@@ -56,6 +56,99 @@ def pairs(laws):
     laws.check("shrink fit: mean pressure against Lame", abs(mean / .234375 - 1), 1e-3)
     rails(laws)
     seams(laws)
+    sliding_seams(laws)
+    recesses(laws)
+    borders(laws)
+
+
+def borders(laws):
+    """A block across the border of two masters, its nodes over it, too: areas and pressures are those of its faces on each."""
+    for dim, kinematics in itertools.product((2, 3), ("small", "finite sliding")):
+        across = (1,) * (dim - 2)
+        rest, zeros = tuple(1.0 for _ in across) + (1.0,), tuple(0.0 for _ in across)
+        flat = {"Young modulus": 1e4, "Poisson ratio": 0}
+        scene = {"Dimension": dim, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 1},
+                 "Body block": {**box((4, *across, 2), (2.0, *rest), (*zeros, 0.0, 0.0)), "Material": flat},
+                 "Load press": load("pressure", "2*t", 2 * dim - 1, "block"),
+                 "Support guide": support("0" if dim == 2 else "0, 2", "normal", body="block")}
+        for name, x, length, cells in (("left", 0.0, 1.0, 2), ("right", 1.0, 1.0, 2)):
+            scene[f"Body {name}"] = {**box((cells, *across, 2), (length, *rest), (x, *zeros, -1.0)), "Material": flat}
+            scene[f"Support {name}"] = support(2 * dim - 2, ", ".join("xyz"[:dim]), body=name)
+            scene[f"Contact on {name}"] = joint("block", 2 * dim - 2, name, 2 * dim - 1, Pairing="node to face", Kinematics=kinematics)
+        run = laws.run(scene)
+        sides = [[r for r in run.last() if r["contact"] == f"on {name}" and abs(r["gap"]) < .5] for name in ("left", "right")]
+        what = f"{dim}D, {kinematics}: a block on two masters"
+        laws.check(f"{what}: areas", max(abs(sum(r["area"] for r in rows) - 1) for rows in sides), 1e-9)
+        laws.check("  forces", max(abs(sum(r["r_n"] for r in rows) - 2) for rows in sides), 1e-9)
+        shared = [r for rows in sides for r in rows if abs(r["x"] - 1) < 1e-9]
+        laws.check("  mean pressure over the border", abs(sum(r["r_n"] for r in shared) / sum(r["area"] for r in shared) - 2), 1e-3)
+
+
+def recesses(laws):
+    """A block in a corner of its master: one contact of all its sides is as one for each side, and carries what presses it."""
+    for dim, mu, kinematics in ((2, 0.0, "small"), (2, .2, "small"), (2, .2, "finite sliding"), (3, 0.0, "small"), (3, .2, "finite sliding")):
+        axes = "xyz"[:dim]
+        cells = (4,) * dim if dim == 2 else (2,) * dim
+        block = box(cells, (1.0,) * dim)
+        corner = {"Mesh": {"Generator": "hyper_L", "Arguments": "-1 : 1 : false", "Global refinements": 3 - dim + 1, "Boundary ids": " ; ".join(
+            [f"{10 + i}: abs({axis}) < 1e-9 && " + " && ".join(f"{other} > 0" for other in axes if other != axis) for i, axis in enumerate(axes)]
+            + [f"{20 + i}: {axis} < -.999" for i, axis in enumerate(axes)])}, "Material": dict(block["Material"])}
+        walls = ", ".join(str(10 + i) for i in range(dim))
+        entries = {"Pairing": "node to face", "Friction coefficient": mu, "Kinematics": kinematics}
+        common = {"Dimension": dim, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 2}, "Body block": block, "Body corner": corner,
+                  "Support ground": support(", ".join(str(20 + i) for i in range(dim)), ", ".join(axes), body="corner")}
+        forces = (.003, .005, .004)[:dim]
+        for i, force in enumerate(forces):
+            push = " ; ".join(f"-{force}*t" if j == i else "0" for j in range(dim))
+            common[f"Load {axes[i]}"] = load("traction", push, 2 * i + 1, "block")
+        one = laws.run({**common, "Contact all": joint("block", ", ".join(str(2 * i) for i in range(dim)), "corner", walls, **entries)})
+        two = laws.run({**common, **{f"Contact {axis}": joint("block", 2 * i, "corner", walls, **entries) for i, axis in enumerate(axes)}})
+        for run in (one, two):
+            run.nodes = {}
+            for r in run.last():
+                if not r["contact"].endswith("_master") and math.isfinite(r["gap"]) and abs(r["gap"]) < .5:
+                    run.nodes[tuple(round(r[c], 6) for c in ("x", "y", "z")) + tuple(round(r[c]) for c in ("n_x", "n_y", "n_z"))] = r
+        what = f"{dim}D, mu {mu}, {kinematics}: a block in a corner of its master"
+        laws.demand(f"{what}: rows of one contact for each side", set(one.nodes) == set(two.nodes))
+        laws.demand("  and its corner has them all", sum(at[:3] == (0, 0, 0) for at in one.nodes) == dim)
+        largest = max(r["r_n"] for r in two.nodes.values())
+        if not mu:  # friction at the corner leaves open which side carries what
+            laws.check("  the same reactions", max(abs(one.nodes[at]["r_n"] - r["r_n"]) / largest for at, r in two.nodes.items()), 1e-9)
+        laws.check("  the same areas", max(abs(one.nodes[at]["area"] - r["area"]) for at, r in two.nodes.items()), 1e-5)
+        total = plus((0, 0, 0), *(in_space(r, dim, REACTION) for r in one.nodes.values()))
+        laws.check("  forces of the walls", max(abs(total[i] - force) / force for i, force in enumerate(forces)), 1e-9)
+        laws.check("  areas of the walls", abs(sum(r["area"] for r in one.nodes.values()) - dim), 1e-9)
+        laws.demand("  no node goes into a wall", all(r["gap"] > -1e-9 for r in one.nodes.values()))
+
+
+def sliding_seams(laws):
+    """A sole in two contacts that slides over its master and its rim is one all the way."""
+    for dim, pairing in itertools.product((2, 3), ("mortar", "node to face")):
+        across = (1,) * (dim - 2)
+        side = "y" if dim == 2 else "z"
+        parts = [f"abs({side} - 1) < 1e-9 && x {sign} .5" for sign in "<>"]
+        upper = box((6, *across, 2), (1.0, *(1.0 for _ in across), .5), (*(0.0 for _ in range(dim - 1)), 1.0))
+        upper["Mesh"]["Boundary ids"] = f"7: {parts[0]} ; 8: {parts[1]}"
+        upper["Material"] = {**upper.get("Material", {}), "Young modulus": 1e4}
+        top, bottom = 2 * dim - 1, 2 * dim - 2
+        lower = box((5, *across, 2), (1.3, *(1.0 for _ in across), 1.0))
+        lower["Material"] = {**lower.get("Material", {}), "Young modulus": 1e4}
+        common = {"Dimension": dim, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 4}, "Body upper": upper, "Body lower": lower,
+                  "Support floor": support(bottom, ", ".join("xyz"[:dim]), body="lower"),
+                  "Support drive": {**support(top, ", ".join("xyz"[:dim]), body="upper"),
+                                    "Displacement": " ; ".join((".45*t", *("0" for _ in across), "-1e-4"))}}
+        far = {"Pairing": pairing, "Friction coefficient": .3, "Kinematics": "finite sliding"}
+        one = laws.run({**common, "Contact sole": joint("upper", "7, 8", "lower", top, **far)})
+        two = laws.run({**common, "Contact left": joint("upper", 7, "lower", top, **far),
+                        "Contact right": joint("upper", 8, "lower", top, **far)})
+        for run in (one, two):
+            run.nodes = {(r["increment"], r["x"], r["y"], r["z"]): r for r in run.rows if not r["contact"].endswith("_master")}
+        what = f"{dim}D, {pairing}, a seam that slides"
+        laws.demand(f"{what}: the same nodes", set(one.nodes) == set(two.nodes) and len(two.nodes) == len(
+            [r for r in two.rows if not r["contact"].endswith("_master")]))
+        for value, bound in (("r_n", 1e-5), ("r_t1", 1e-5), ("area", 1e-3), ("pressure", 1e-3)):
+            largest = max(abs(r["r_n" if value == "r_t1" else value]) for r in one.nodes.values())
+            laws.check(f"  {value} of one contact", max(abs(r[value] - two.nodes[at][value]) / largest for at, r in one.nodes.items()), bound)
 
 
 def seams(laws):

@@ -61,6 +61,14 @@ namespace conetact::pairing
     /** A node with its gap and normal, unless it stays free. */
     std::optional<ContactNode>
     find(const bodies::SurfaceNode &s);
+    /**
+     * Rows of a node of a contact of its own: as find(), and another one where
+     * the faces on another side of its sharp edge meet the master along another
+     * normal, as in a corner. Empty: it stays free; of a contact that slides,
+     * as many rows wherever it is. A tie holds all directions with one.
+     */
+    std::vector<ContactNode>
+    find_sides(const bodies::SurfaceNode &s);
     /** Takes down a node that starts too deep. */
     void
     judge(const ContactNode &node, const double face_size);
@@ -72,16 +80,37 @@ namespace conetact::pairing
     }
 
   private:
+    /** Faces at a node on one side of its sharp edge. */
+    struct Side
+    {
+      Tensor<1, 3> outward; ///< unit, mean over them
+      double       part;    ///< of the area of the node
+    };
+    void
+    find_edges();
+    std::vector<Side>
+    sides_of(const unsigned int node);
+    bool
+    sees(const Side &side, const ContactNode &row) const;
     bool
     face_obstacle(ContactNode &node);
     bool
     face_master(ContactNode &node, const bodies::SurfaceNode &s);
+    MasterSurface::Limits
+    limits(const ContactNode &node) const;
+    std::optional<ContactNode>
+    find_other(const bodies::SurfaceNode &s,
+               const Side                &side,
+               const ContactNode         &first) const;
 
-    const Contact                   &contact;
-    const bodies::Structure         &body;
-    bodies::Surface                  surface;
-    std::map<unsigned int, double>   spacing;
-    std::set<unsigned int>           joined; ///< nodes of both sides
+    const Contact                 &contact;
+    const bodies::Structure       &body;
+    bodies::Surface                surface;
+    std::map<unsigned int, double> spacing;
+    std::set<unsigned int>         joined;           ///< nodes of both sides
+    using Sides = std::multimap<unsigned int, Side>; ///< of nodes
+    std::optional<Sides>
+      edges; ///< those at sharp edges, when they are asked for
     std::optional<MasterSurface>     master;
     std::optional<PairedNodes::Deep> deepest;
   };

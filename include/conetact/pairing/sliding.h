@@ -7,6 +7,7 @@
 #include "conetact/pairing/body_way.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/passages.h"
+#include "conetact/pairing/shared_nodes.h"
 
 #include <array>
 #include <functional>
@@ -71,7 +72,7 @@ namespace conetact::pairing
     /** A node of a pair that went into the other body. */
     struct PairPassage : Passage
     {
-      unsigned int contact, body, node; ///< numbers
+      unsigned int contact, body, node; ///< numbers, of whom the node is
       unsigned int other;               ///< body
       bool         is_slave;            ///< the node is on the slave's side
     };
@@ -114,16 +115,18 @@ namespace conetact::pairing
     find_pairs(const Displacement       &at,
                const bool                keep_faced,
                std::vector<ContactNode> &nodes) const;
+    /** Adds what a contact finds for its nodes: those that it shares unite. */
     void
-    find_pair(const unsigned int        contact,
-              const Structures         &displaced,
-              const Displacement       &at,
-              const bool                keep_faced,
-              std::vector<ContactNode> &nodes) const;
+    find_pair(const unsigned int                       contact,
+              const Structures                        &displaced,
+              const bool                               keep_faced,
+              const std::vector<ContactNode>          &nodes,
+              std::vector<std::optional<ContactNode>> &found) const;
 
     const std::vector<Contact> &contacts;
     const Structures           &structures;
     std::vector<ContactNode>    start;
+    SharedNodes                 shared;
     unsigned int                dim;
   };
 
