@@ -5,8 +5,7 @@
 
 usage: equal_bodies.py BUILD [N...]      (default: N = 12 20)
 
-Four blocks of N^3 elements, each turned by another angle about the vertical, are pressed on a floor
-and sheared. Beside them: the same with Young's moduli that differ by 1e-9, so that nothing is
+Four blocks of N^3 elements are pressed on a floor and sheared. Beside them: the same with Young's moduli that differ by 1e-9, so that nothing is
 shared, and one of the blocks alone. Clock times are those of the condensation in log.txt.
 """
 import re
@@ -17,17 +16,16 @@ from pathlib import Path
 from measure import cpu_seconds, table  # first: it knows the way to tests/support
 from support.scenes import box, contact, floor, support, write_scene
 
-ANGLES = (0.0, 17.0, 45.0, 103.0)
 COLUMNS = ("scene", "factorisations", "condensation s", "over one block", "CPU s")
 
 
 def scene(n, n_bodies, stretch):
     """Blocks beside each other; Young's modulus grows by `stretch` from one to the next."""
     result = {"Dimension": 3, "Obstacle floor": floor(3), "Time": {"End": 4, "Increments": 4}, "Output": {"VTU": 0}}
-    for i, angle in enumerate(ANGLES[:n_bodies]):
+    for i in range(n_bodies):
         name = f"block {i}"
         result[f"Body {name}"] = box((n, n, n), (1.0, 1.0, 1.0), young=1000.0 * (1 + i * stretch),
-                                     Rotation=(0.0, 0.0, 1.0, angle), Translation=(3.0 * i, 0.0, 0.0))
+                                     Translation=(3.0 * i, 0.0, 0.0))
         result[f"Contact {name}"] = contact(name, 4, mu=.3)
         result[f"Support {name}"] = support(5, "x, y, z", "0.004*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)", name)
     return result

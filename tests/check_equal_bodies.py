@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies that are used several times are factorised once, however they are turned and where they touch each other;
-results are those of each by itself.
+"""Bodies that are used several times are factorised once, wherever they are moved and touch each other; results are
+those of each by itself.
 
 usage: check_equal_bodies.py PROGRAM [FAMILY...]      (default: every family)
 """
@@ -13,9 +13,7 @@ from support.checks import run_families
 from support.logs import check_estimates, demand_work, dry_run, log_of
 from support.tables import Run
 
-TURNS = {2: (((0, 0, 1), 0.0), ((0, 0, 1), 37.3), ((0, 0, 1), -101.7)),
-         3: (((0, 0, 1), 0.0), ((1, 2, 3), 23.7), ((-2, 1, .3), 131.1))}
-TWO = {2: "x, y", 3: "x, y, z"}
+AXIS = (0, 0, 1)
 
 
 def renamed(scene, number):
@@ -44,40 +42,35 @@ def demand_shared(laws, name, run, shared, bodies):
                 f"condensation of {shared} of {bodies} bodies, equal to others" in log_of(run))
 
 
-def together(laws, name, dim, make, changes=(), shared=2):
-    """Three scenes in one, each turned another way, against the first by itself."""
-    both, turned = {}, []
-    for number, (axis, degrees) in enumerate(TURNS[dim]):
-        scene, m = make(axis, degrees)
-        turned.append((scene, m))
+def together(laws, name, scene, changes=(), shared=2):
+    """Three of one scene in one, against it by itself."""
+    both = {}
+    for number in range(3):
         both |= renamed(scene, number)
     for key, change in dict(changes).items():
         both = scenes.merge(both, {key: change})
     run = laws.run(both)
     demand_shared(laws, name, run, shared, 3)
-    alone = laws.run(turned[0][0])
-    for number, (_, m) in enumerate(turned):
-        if not changes or number == 1:
-            laws.same(f"{name}, body {number}", alone, part_of(run, number), matrix=m)
+    alone = laws.run(scene)
+    for number in (1,) if changes else range(3):
+        laws.same(f"{name}, body {number}", alone, part_of(run, number))
 
 
-def turned(laws):
-    """Bodies with all that acts on them turned: objectivity, and one factorisation."""
+def with_all(dim, supports):
+    """A block with everything on it that has a direction."""
+    return scenes.turned_scene(dim, AXIS, 0.0, supports)[0]
+
+
+def copies(laws):
+    """Copies with all that acts on them: one factorisation."""
     for dim in (2, 3):
         for supports in ("axes", "normal", "oblique", "springs"):
-            together(laws, f"{dim}D, {supports}", dim, lambda *turn: scenes.turned_scene(dim, *turn, supports))
+            together(laws, f"{dim}D, {supports}", with_all(dim, supports))
         for what, change in (("Q1 B-bar", {"Element": "Q1 B-bar"}),
                              ("incompatible modes", {"Element": "Q1 incompatible modes"}),
                              ("hanging nodes", {"Mesh": {"Refinement distance": f"{2 if dim == 2 else 4} : 0.1 : 1"}})):
-            def with_change(axis, degrees):
-                scene, m = scenes.turned_scene(dim, axis, degrees, "oblique")
-                return scenes.merge(scene, {"Body block": change}), m
-            together(laws, f"{dim}D, {what}", dim, with_change)
-
-        def smooth(axis, degrees):
-            scene, m = scenes.turned_scene(dim, axis, degrees, "normal")
-            return scenes.merge(scene, {"Contact bottom": {"Friction coefficient": 0}}), m
-        together(laws, f"{dim}D, without friction", dim, smooth)
+            together(laws, f"{dim}D, {what}", scenes.merge(with_all(dim, "oblique"), {"Body block": change}))
+        together(laws, f"{dim}D, without friction", scenes.merge(with_all(dim, "normal"), {"Contact bottom": {"Friction coefficient": 0}}))
 
 
 def others(laws):
@@ -86,11 +79,10 @@ def others(laws):
         for what, key, change in (("another material", "Body block 2", {"Material": {"Poisson ratio": .301}}),
                                   ("another support", "Support left 2", None),
                                   ("another foundation", "Support weak 2", {"Stiffness": 1.01e-9})):
-            def on_springs(axis, degrees):  # so weak that stiffnesses do not show it
-                scene, m = scenes.turned_scene(dim, axis, degrees, "normal")
-                return {**scene, "Support weak": {**scene["Support top"], "Boundary ids": 1, "Stiffness": 1e-9}}, m
-            together(laws, f"{dim}D, {what}", dim, on_springs, {key: change}, shared=1)
-        alone = laws.run(scenes.turned_scene(dim, *TURNS[dim][0], "normal")[0])
+            scene = with_all(dim, "normal")  # springs so weak that stiffnesses do not show them
+            scene["Support weak"] = {**scene["Support top"], "Boundary ids": 1, "Stiffness": 1e-9}
+            together(laws, f"{dim}D, {what}", scene, {key: change}, shared=1)
+        alone = laws.run(with_all(dim, "normal"))
         laws.demand("one body has no equal", "equal to others" not in log_of(alone))
 
 
@@ -122,48 +114,6 @@ def stacked(laws):
         laws.same(f"{dim}D, a stack", whole, run, 1e-9)
 
 
-def turned_stack(laws):
-    """Equal blocks that are turned against each other, meshes that do not match."""
-    for dim, cells, half in ((2, (14, 14), ()), (3, (6, 6, 6), (-.5, -.5))):
-        size = (1.0,) * dim
-        down, side = "-0.01*min(t, 1)", "0.002*max(t - 1, 0)"
-        scene = {"Dimension": dim, "Obstacle floor": scenes.floor(dim), "Time": {"End": 3, "Increments": 3},
-                 "Output": {"VTU": 0}}
-        last = "xyz"[dim - 1]
-        for i in range(4):
-            # by right angles about the middle of the block in the plane, by any about the vertical in space
-            turn = 90.0 * i if dim == 2 else (0.0, 0.0, 1.0, 17.0 * i)
-            low, high = f"{last} < {i} + 1e-6", f"{last} > {i + 1} - 1e-6"
-            scene[f"Body {i}"] = scenes.box(cells, size, (-.5, -.5) if dim == 2 else (*half, 0.0), Rotation=turn,
-                                            Translation=(0.0, i + .5) if dim == 2 else (0.0, 0.0, float(i)),
-                                            **{"Boundary ids": f"20: {low} ; 21: {high}"})
-            scene[f"Contact {i}"] = {"Body": i, "Boundary ids": 20, "Friction coefficient": .2,
-                                     **({"Obstacle": "floor"} if i == 0 else
-                                        {"Master body": i - 1, "Master boundary ids": 21, "Pairing": "node to face"})}
-        scene["Support top"] = scenes.support(21, TWO[dim], f"{side} ; {down}" if dim == 2 else f"{side} ; 0 ; {down}", 3)
-        run = laws.run(scene)
-        demand_shared(laws, f"{dim}D, turned blocks in a stack", run, 2, 4)
-        laws.same(f"{dim}D, turned blocks in a stack", laws.run(without_equals(scene, "0123")), run, 1e-9)
-
-
-def mirrored(laws):
-    """Two blocks that are each other's mirror image, held and pushed from outside."""
-    for dim, cells, size in ((2, (7, 5), (1.0, .8)), (3, (5, 4, 3), (1.0, .9, .8))):
-        bottom, top = (2, 3) if dim == 2 else (4, 5)
-        zeros = " ; ".join(("0",) * (dim - 2))
-        scene = {"Dimension": dim, "Obstacle floor": scenes.floor(dim), "Time": {"End": 2, "Increments": 2},
-                 "Output": {"VTU": 0}}
-        for name, at, side, sign in (("left", 0.0, 0, ""), ("right", 3.0, 1, "-")):
-            scene[f"Body {name}"] = scenes.box(cells, size, (at,) + (0.0,) * (dim - 1))
-            scene[f"Contact {name}"] = scenes.contact(name, bottom, mu=.3)
-            scene[f"Support {name}"] = {"Body": name, "Boundary ids": side, "Directions": ", ".join("xyz"[:dim]),
-                                        "Displacement": " ; ".join(filter(None, (f"{sign}0.001*t", "0", zeros)))}
-            scene[f"Load {name}"] = scenes.load("pressure", "2*t", top, name)
-        run = laws.run(scene)
-        demand_shared(laws, f"{dim}D, mirror images", run, 1, 2)
-        laws.same(f"{dim}D, mirror images", laws.run(without_equals(scene, ("left", "right"))), run, 1e-9)
-
-
 def with_others(laws):
     """Equal blocks on one that is another."""
     for dim, cells in ((2, (14, 14)), (3, (6, 6, 6))):
@@ -177,8 +127,7 @@ def with_others(laws):
         laws.same(f"{dim}D, two on another", laws.run(without_equals(scene, ("block 1", "block 2"))), run, 1e-9)
 
 
-FAMILIES = {"turned": turned, "others": others, "stacked": stacked, "turned-stack": turned_stack,
-            "mirrored": mirrored, "with-others": with_others}
+FAMILIES = {"copies": copies, "others": others, "stacked": stacked, "with-others": with_others}
 
 
 if __name__ == "__main__":

@@ -14,29 +14,13 @@ namespace conetact::contact
 
     /** An orthonormal basis of what is left, in the order of the axes. */
     Directions
-    left_over(const Directions   &taken,
-              const Tensor<2, 3> &axes,
-              const unsigned int  dim)
+    left_over(const NodeRule *rule, const unsigned int dim)
     {
-      Directions in_body;
-      for (const Tensor<1, 3> &e : taken)
-        // Completed in the axes of the body, two equal bodies get the same
-        // basis however they are turned in the scene.
-        in_body.push_back(transpose(axes) * e / e.norm());
-      Directions basis = complement(in_body, dim);
-      for (Tensor<1, 3> &e : basis)
-        e = axes * e;
-      return basis;
-    }
-
-    Directions
-    directions(const NodeRule *rule)
-    {
-      Directions all;
+      Directions held;
       if (rule != nullptr)
         for (const HeldDirection &h : rule->held)
-          all.push_back(h.direction);
-      return all;
+          held.push_back(h.direction / h.direction.norm());
+      return complement(held, dim);
     }
 
     bool
@@ -46,12 +30,9 @@ namespace conetact::contact
     }
   } // namespace
 
-  BodyCoordinates::BodyCoordinates(const Bodies                 &b,
-                                   const Coordinates            &c,
-                                   const std::vector<BodyFrame> &f)
+  BodyCoordinates::BodyCoordinates(const Bodies &b, const Coordinates &c)
     : bodies(b)
     , coordinates(c)
-    , frames(f)
   {
     reserve(static_cast<std::size_t>(coordinates.n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
@@ -61,11 +42,10 @@ namespace conetact::contact
         const unsigned int n = bodies.structures[body]->n_nodes();
         first_of_node.resize(first_of_node.size() + n);
         end_of_node.resize(first_of_node.size());
-        for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int node = 0; node < n; ++node)
           {
-            const unsigned int node   = frames[body].node(k);
-            const std::size_t  number = coordinates.number(body, node);
-            first_of_node[number]     = unknowns.size();
+            const std::size_t number = coordinates.number(body, node);
+            first_of_node[number]    = unknowns.size();
             if (bodies.deforms(body))
               add_node(body, node);
             end_of_node[number] = unknowns.size();
@@ -100,9 +80,7 @@ namespace conetact::contact
                                     const unsigned int node)
   {
     for (const Tensor<1, 3> &e :
-         left_over(directions(coordinates.rule(body, node)),
-                   frames[body].axes,
-                   bodies.dim))
+         left_over(coordinates.rule(body, node), bodies.dim))
       unknowns.push_back({coordinates.number(body, node),
                           coordinates.dof(body, node),
                           bodies.dim,
@@ -116,22 +94,11 @@ namespace conetact::contact
     const bodies::Structure &structure = *bodies.structures[body];
     const NodeRule          *rule      = coordinates.rule(body, node);
     const unsigned int       dim = bodies.dim, n = structure.n_components();
-    const Tensor<2, 3>      &axes       = frames[body].axes;
-    const double             handedness = determinant(axes) < 0 ? -1 : 1;
-    bool                     any_held   = false;
-    for (unsigned int c = dim; c < n; ++c)
-      any_held = any_held || is_held(rule, c);
     for (unsigned int c = dim; c < n; ++c)
       if (structure.has_dof(node, c) && !is_held(rule, c))
         {
           Tensor<1, 3> direction;
           direction[c - dim] = 1;
-          // supports hold rotations about the axes of the scene
-          if (n - dim == 3 && !any_held)
-            direction = handedness * axes * direction;
-          // in the plane the axis of turns is z
-          if (n - dim == 1 && !any_held)
-            direction[0] = handedness * axes[2][2];
           unknowns.push_back({coordinates.number(body, node),
                               coordinates.dof(body, node) + dim,
                               n - dim,

@@ -304,10 +304,7 @@ namespace conetact::contact
   ContactModel::has_equal_bodies() const
   {
     return may_have_equals(bodies) &&
-           !find_equal_bodies(elastic,
-                              BodyCoordinates(bodies,
-                                              coordinates,
-                                              body_frames(bodies, coordinates)))
+           !find_equal_bodies(elastic, BodyCoordinates(bodies, coordinates))
               .empty();
   }
 

@@ -59,7 +59,7 @@ namespace conetact::contact
     , coordinates(c)
     , motions(m)
     , condenser(by)
-    , own(elastic.bodies, coordinates, body_frames(elastic.bodies, coordinates))
+    , own(elastic.bodies, coordinates)
     , H(set.layout().n_unknowns() + points.n_bound_unknowns(), own.n_unknowns())
   {
     write_rows();

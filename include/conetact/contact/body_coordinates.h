@@ -8,32 +8,16 @@
 
 namespace conetact::contact
 {
-  /** How a body is seen, so that equal ones look alike. */
-  struct BodyFrame
-  {
-    Tensor<2, 3> axes; ///< columns of an orthogonal matrix
-    /** Its nodes, in the order in which they are taken; empty: as they are. */
-    std::vector<unsigned int> order;
-    unsigned int
-    node(const unsigned int place) const
-    {
-      return order.empty() ? place : order[place];
-    }
-  };
-
   /**
-   * Unknowns p of each body by itself, in its own axes: @f$ u = B p @f$ but for
-   * what is prescribed. What supports hold and hanging nodes are eliminated.
-   * Equal bodies have equal matrices @f$ B^T K B @f$ however they are turned,
-   * if their supports are turned along.
+   * Unknowns p of each body by itself: @f$ u = B p @f$ but for what is
+   * prescribed. What supports hold and hanging nodes are eliminated. Bodies
+   * that are copies of each other have equal matrices @f$ B^T K B @f$.
    */
   class BodyCoordinates : public LinearMap
   {
   public:
-    /** `coordinates` without contacts; a frame for each body. */
-    BodyCoordinates(const Bodies                 &bodies,
-                    const Coordinates            &coordinates,
-                    const std::vector<BodyFrame> &frames);
+    /** `coordinates` without contacts. */
+    BodyCoordinates(const Bodies &bodies, const Coordinates &coordinates);
 
     /** First unknown of a body, and one past its last. */
     Eigen::Index
@@ -88,7 +72,6 @@ namespace conetact::contact
 
     const Bodies             &bodies;
     const Coordinates        &coordinates;
-    std::vector<BodyFrame>    frames;
     std::vector<Eigen::Index> first_unknown; ///< of each body
     /** By numbers of nodes. */
     std::vector<std::size_t> first_of_node, end_of_node;

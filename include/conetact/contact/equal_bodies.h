@@ -16,18 +16,11 @@ namespace conetact::contact
   may_have_equals(const Bodies &bodies);
 
   /**
-   * Frames in which equal bodies have their nodes in the same places: bodies
-   * of one mesh that are moved and turned, and those that are mirrored or
-   * numbered otherwise and held alike. Others get one as well as can be.
-   */
-  std::vector<BodyFrame>
-  body_frames(const Bodies &bodies, const Coordinates &coordinates);
-
-  /**
-   * Groups of two bodies or more that are equal: they have the same matrix in
-   * their BodyCoordinates but for round-off, 1e-12 of the largest value, and
-   * so has each of their foundations. That is seen from the forces of one
-   * displacement without any order: no matrix is assembled.
+   * Groups of two bodies or more that are equal, as copies that are moved:
+   * they have the same matrix in their BodyCoordinates but for round-off, 1e-12
+   * of the largest value, and so has each of their foundations. That is seen
+   * from the forces of one displacement without any order: no matrix is
+   * assembled.
    */
   std::vector<std::vector<unsigned int>>
   find_equal_bodies(const ElasticSystem &elastic, const BodyCoordinates &own);
