@@ -85,12 +85,13 @@ namespace conetact::analysis
       contact::undetermined_share(model.points, states, r);
     if (node == nullptr)
       return twice == nullptr;
-    once("shares",
-         "the node at " + to_text(node->position) + " of body '" +
-           model.bodies.names[node->body] +
-           "' is in several contacts, some with friction: how they share its "
-           "force is not determined, nor is what follows from that; one of many "
-           "solutions is given.");
+    once(
+      "shares",
+      "the node at " + to_text(node->position) + " of body '" +
+        model.bodies.names[node->body] +
+        "' is in several contacts, some with friction: how they share its "
+        "force is not determined, nor is what follows from that; one of many "
+        "solutions is given.");
     return false;
   }
 
