@@ -120,6 +120,40 @@ namespace conetact::pairing
     };
   } // namespace
 
+  namespace
+  {
+    /** A tie carries what touches beside it in the same node: where both meet
+     * the same master along one normal that contact has no gap of its own. */
+    void
+    give_to_ties(const std::vector<Contact> &contacts,
+                 std::vector<ContactNode>   &nodes)
+    {
+      std::multimap<std::pair<unsigned int, unsigned int>, ContactNode *> ties;
+      const auto is_alone = [](const ContactNode &node) {
+        return !node.is_mean && !node.slides && !node.masters.empty();
+      };
+      for (ContactNode &node : nodes)
+        if (node.kind == ContactKind::tie && is_alone(node) && !node.opening)
+          ties.emplace(std::make_pair(node.body, node.node), &node);
+      if (ties.empty())
+        return;
+      for (const ContactNode &node : nodes)
+        if (!node.is_bound() && is_alone(node))
+          {
+            const auto [begin, end] = ties.equal_range({node.body, node.node});
+            for (auto tie = begin; tie != end; ++tie)
+              if (ContactNode &by = *tie->second;
+                  by.master == node.master &&
+                  contacts[node.contact].ids != contacts[by.contact].ids &&
+                  by.n * node.n > std::cos(contacts[by.contact].sharp_edge))
+                {
+                  by.area += node.area;
+                  break;
+                }
+          }
+    }
+  } // namespace
+
   void
   share_areas(const std::vector<Contact>                   &contacts,
               const std::vector<const bodies::Structure *> &structures,
@@ -141,5 +175,7 @@ namespace conetact::pairing
               part > 0)
             row.area *= part;
         }
+    if (!only_sliding)
+      give_to_ties(contacts, nodes);
   }
 } // namespace conetact::pairing

@@ -59,6 +59,7 @@ def pairs(laws):
     sliding_seams(laws)
     recesses(laws)
     borders(laws)
+    half_tied(laws)
 
 
 def borders(laws):
@@ -82,6 +83,22 @@ def borders(laws):
         laws.check("  forces", max(abs(sum(r["r_n"] for r in rows) - 2) for rows in sides), 1e-9)
         shared = [r for rows in sides for r in rows if abs(r["x"] - 1) < 1e-9]
         laws.check("  mean pressure over the border", abs(sum(r["r_n"] for r in shared) / sum(r["area"] for r in shared) - 2), 1e-3)
+
+
+def half_tied(laws):
+    """A block that is tied on one half and touches on the other is pressed evenly, at the seam, too."""
+    for pairing in ("node to face", "mortar"):
+        flat = {"Young modulus": 1e4, "Poisson ratio": 0}
+        scene = {"Dimension": 2, "Output": {"VTU": 0}, "Time": {"End": 1, "Increments": 1},
+                 "Body block": {**box((4, 2), (2.0, 1.0), (0.0, 0.0), **{"Boundary ids": "10: y < 1e-9 && x < 1 ; 11: y < 1e-9 && x > 1"}),
+                                "Material": flat},
+                 "Body base": {**box((4, 2), (2.0, 1.0), (0.0, -1.0)), "Material": flat}, "Support base": support(2, "x, y", body="base"),
+                 "Load press": load("pressure", "2*t", 3, "block"),
+                 "Contact weld": joint("block", 10, "base", 3, Kind="tie", Pairing=pairing),
+                 "Contact joint": joint("block", 11, "base", 3, Pairing=pairing)}
+        rows = [row for row in laws.run(scene).last() if row["contact"] in ("weld", "joint") and row["area"] > 0 and row["r_n"] != 0]
+        laws.check(f"half tied, {pairing}: pressures", max(abs(row["pressure"] - 2) for row in rows), 1e-9)
+        laws.check("  areas", sum(row["area"] for row in rows) - 2, 1e-9)
 
 
 def recesses(laws):
