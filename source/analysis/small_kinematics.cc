@@ -10,6 +10,8 @@
 #include "conetact/pairing/face_net.h"
 #include "conetact/pairing/true_gap.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -265,6 +267,10 @@ namespace conetact::analysis
   std::vector<SmallKinematics::Turned>
   SmallKinematics::turned(const Eigen::VectorXd &amounts) const
   {
+    AssertDimension(amounts.size(),
+                    model.motions
+                      .of_free(Eigen::VectorXd::Zero(model.motions.n_free()))
+                      .size());
     std::vector<Turned> found;
     for (unsigned int b = 0; b < model.bodies.n_elastic(); ++b)
       {

@@ -5,6 +5,7 @@
 
 #include "conetact/base/process.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -114,6 +115,7 @@ namespace conetact::backends
   Eigen::MatrixXd
   Amesos::solve(Eigen::MatrixXd b) const
   {
+    Assert(b.allFinite(), dealii::ExcMessage("Right-hand sides are finite."));
     Implementation   &own = *implementation;
     Eigen::MatrixXd   x(b.rows(), b.cols());
     const Epetra_Map &map     = own.matrix->trilinos_matrix().RowMap();

@@ -3,6 +3,8 @@
 
 #include "conetact/backends/elimination_order.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <metis.h>
 
 #include <algorithm>
@@ -146,6 +148,10 @@ namespace conetact::backends
                     const Eigen::Index               n_eliminated,
                     const std::vector<unsigned int> &node_of)
   {
+    AssertDimension(upper.rows(), upper.cols());
+    AssertDimension(node_of.size(), static_cast<std::size_t>(upper.cols()));
+    Assert(n_eliminated <= upper.cols(),
+           dealii::ExcMessage("There are no more unknowns than those."));
     Numbers places(static_cast<std::size_t>(upper.cols()));
     std::iota(places.begin(), places.end(), 0);
     if (n_eliminated == 0)

@@ -5,6 +5,8 @@
 
 #include "conetact/backends/schur_solver.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 #include <random>
 
@@ -47,6 +49,8 @@ namespace conetact::backends
                      const Eigen::VectorXd             &v,
                      const std::vector<unsigned int>   &node_of)
   {
+    AssertDimension(upper.rows(), upper.cols());
+    AssertDimension(v.size(), upper.cols());
     long double  energy = 0., without_signs = 0.;
     double       largest = 0.;
     Eigen::Index where   = 0;

@@ -3,6 +3,7 @@
 
 #include "conetact/backends/partition.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/utilities.h>
 
@@ -176,6 +177,7 @@ namespace conetact::backends
   std::vector<int>
   partition(const std::vector<WeighedNode> &nodes, const int n_parts)
   {
+    Assert(n_parts > 0, dealii::ExcMessage("Nodes need a part to be in."));
     std::vector<int> part(nodes.size(), 0), order(nodes.size());
     std::iota(order.begin(), order.end(), 0);
     if (!nodes.empty())

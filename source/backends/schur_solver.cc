@@ -3,6 +3,8 @@
 
 #include "conetact/backends/schur_solver.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace conetact::backends
@@ -56,6 +58,7 @@ namespace conetact::backends
   SparseMatrix
   with_ascending_rows(const SparseMatrix &matrix)
   {
+    AssertDimension(matrix.rows(), matrix.cols());
     const Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows = matrix;
     return by_rows;
   }

@@ -6,6 +6,8 @@
 #include "conetact/backends/free_motion.h"
 #include "conetact/solvers/null_space.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace conetact::backends
@@ -146,12 +148,14 @@ namespace conetact::backends
   MatrixXd
   SuperElement::reduce(const MatrixXd &forces) const
   {
+    Assert(forces.rows() > 0, dealii::ExcMessage("A body has unknowns."));
     return factor->reduce(to_solver(forces));
   }
 
   MatrixXd
   SuperElement::deform(const MatrixXd &forces) const
   {
+    Assert(forces.allFinite(), dealii::ExcMessage("Forces are finite."));
     const MatrixXd b = to_solver(forces);
     // Retained unknowns first; they carry the rest along, which has loads of
     // its own.

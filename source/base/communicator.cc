@@ -6,6 +6,8 @@
 #include "conetact/base/index.h"
 #include "conetact/base/process.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -253,6 +255,8 @@ namespace conetact
   void
   Communicator::send(const void *x, const std::size_t bytes, const int to) const
   {
+    Assert(to >= 0 && to < size(),
+           dealii::ExcMessage("There is such a process."));
     for (std::size_t k = 0; k < bytes; k += longest)
       MPI_Send(static_cast<const char *>(x) + k,
                static_cast<int>(std::min(longest, bytes - k)),
@@ -267,6 +271,8 @@ namespace conetact
   void
   Communicator::receive(void *x, const std::size_t bytes, const int from) const
   {
+    Assert(from >= 0 && from < size(),
+           dealii::ExcMessage("There is such a process."));
     for (std::size_t k = 0; k < bytes; k += longest)
       {
         MPI_Request request;

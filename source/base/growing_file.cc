@@ -6,6 +6,8 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/new_file.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <fcntl.h>
 #include <stdio.h>
 #include <sys/stat.h>
@@ -48,6 +50,8 @@ namespace conetact
   void
   GrowingFile::add(const std::string_view piece)
   {
+    Assert(piece.empty() || piece.back() == '\\n',
+           dealii::ExcMessage("Tables grow by whole rows."));
     std::error_code error;
     added = piece;
     if (has_other())

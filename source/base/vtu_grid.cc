@@ -3,6 +3,8 @@
 
 #include "conetact/base/vtu_grid.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <libdeflate.h>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 
 #include "conetact/contact/body_coordinates.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -112,6 +114,8 @@ namespace conetact::contact
                               const unsigned int component,
                               const double       factor)
   {
+    AssertIndexRange(body, bodies.structures.size());
+    AssertIndexRange(node, bodies.structures[body]->n_nodes());
     const NodeRule *rule = coordinates.rule(body, node);
     // The rows of masters in place of the node's own, as in Coordinates.
     if (rule != nullptr && component < bodies.dim)
@@ -136,6 +140,7 @@ namespace conetact::contact
   Eigen::VectorXd
   BodyCoordinates::values(const Eigen::VectorXd &u) const
   {
+    AssertDimension(u.size(), coordinates.n_dofs());
     Eigen::VectorXd p(n_unknowns());
     for (std::size_t i = 0; i < unknowns.size(); ++i)
       {

@@ -3,6 +3,8 @@
 
 #include "conetact/contact/bound_unknowns.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 #include <utility>
 
@@ -115,6 +117,7 @@ namespace conetact::contact
   Eigen::VectorXd
   BoundUnknowns::bound_part(const VectorXd &load) const
   {
+    AssertDimension(load.size(), n_contact + n_bound + M.rows());
     VectorXd result(n_bound + M.cols());
     result << load.segment(n_contact, n_bound),
       transposed_times(M, load.tail(M.rows()));
@@ -124,6 +127,7 @@ namespace conetact::contact
   Eigen::VectorXd
   BoundUnknowns::kept_part(const VectorXd &load) const
   {
+    AssertDimension(load.size(), n_contact + n_bound + M.rows());
     VectorXd result(n_contact + N.cols());
     result << load.head(n_contact), transposed_times(N, load.tail(N.rows()));
     return result;
@@ -132,6 +136,7 @@ namespace conetact::contact
   Eigen::VectorXd
   BoundUnknowns::chosen_part(const VectorXd &bound_load) const
   {
+    AssertDimension(bound_load.size(), n_bound + M.cols());
     VectorXd result(scaling.size());
     result << bound_load(rows), bound_load.tail(M.cols());
     return result;
@@ -151,6 +156,7 @@ namespace conetact::contact
   BoundUnknowns::bound_of(const VectorXd &unknowns,
                           const VectorXd &bound_load) const
   {
+    AssertDimension(unknowns.size(), n_contact + N.cols());
     VectorXd x = -times(answer, unknowns);
     if (x.size() > 0)
       x -= scaling.asDiagonal() *

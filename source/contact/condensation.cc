@@ -5,6 +5,8 @@
 
 #include "conetact/solvers/null_space.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -227,6 +229,7 @@ namespace conetact::contact
   Condensation::expand(const std::vector<const LoadCase *> &loads,
                        const std::vector<Eigen::VectorXd>  &primal) const
   {
+    AssertDimension(loads.size(), primal.size());
     // Where nothing has changed the displacements are those before.
     std::vector<std::size_t>  different;
     std::vector<Eigen::Index> column;

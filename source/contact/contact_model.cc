@@ -12,6 +12,8 @@
 #include "conetact/solvers/large_system.h"
 #include "conetact/solvers/null_space.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -133,6 +135,7 @@ namespace conetact::contact
   bool
   ContactModel::may_turn(const unsigned int body) const
   {
+    AssertIndexRange(body, bodies.structures.size());
     if (!bodies.deforms(body) ||
         bodies.structures[body]->n_components() > bodies.dim)
       return false;
@@ -325,6 +328,8 @@ namespace conetact::contact
                           const Eigen::VectorXd &thermal,
                           const double           t)
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
+    AssertDimension(mechanical.size(), coordinates.n_dofs());
     // Supports that move as one carry their body along: that is the placement,
     // and no force belongs to it. Only the rest of what they prescribe deforms.
     const Eigen::VectorXd placement  = motions.placement(t);
@@ -395,6 +400,7 @@ namespace conetact::contact
   ContactModel::relative_displacements(const Eigen::VectorXd &u,
                                        const double           t) const
   {
+    AssertDimension(u.size(), coordinates.n_dofs());
     return points
       .components(
         [&](const unsigned int body, const unsigned int node) {
@@ -409,6 +415,7 @@ namespace conetact::contact
                              const unsigned int     body,
                              const unsigned int     node) const
   {
+    AssertIndexRange(body, bodies.structures.size());
     return coordinates.at_node(u, body, node);
   }
 
@@ -416,6 +423,7 @@ namespace conetact::contact
   ContactModel::amounts(const Eigen::VectorXd &placement,
                         const Eigen::VectorXd &a) const
   {
+    AssertDimension(a.size(), motions.n_free());
     return placement + motions.of_free(a);
   }
 
@@ -600,6 +608,7 @@ namespace conetact::contact
   double
   ContactModel::opening(const Cut &cut, const Eigen::VectorXd &u) const
   {
+    AssertDimension(u.size(), coordinates.n_dofs());
     return displacement(u, cut.body, 0) * cut.axis;
   }
 
@@ -933,6 +942,9 @@ namespace conetact::contact
   void
   ContactHistory::advance(const solvers::ContactState &end)
   {
+    AssertDimension(end.node.size(), model->working_set().nodes().size());
+    Assert(end.r.allFinite() && end.v.allFinite(),
+           dealii::ExcMessage("Only finite states become history."));
     const WorkingSet             &set    = model->working_set();
     const solvers::ContactSystem &layout = set.layout();
     const Eigen::Index            n      = layout.n_unknowns();
@@ -1027,6 +1039,7 @@ namespace conetact::contact
   void
   ContactHistory::recover(const Eigen::VectorXd &displacements)
   {
+    AssertDimension(displacements.size(), model->coordinates.n_dofs());
     // Those of the set are the solver's own, exact in their zeros; recovered
     // from u they would be rounded.
     const Eigen::VectorXd own = model->working_set().gather(q);

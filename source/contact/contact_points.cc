@@ -7,6 +7,8 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/bound_nodes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -104,6 +106,7 @@ namespace conetact::contact
   Tensor<1, 3>
   force_of(const ContactPoint &point, const Eigen::VectorXd &r)
   {
+    AssertIndexRange(point.normal(), r.size());
     Tensor<1, 3> force;
     for (std::size_t k = 0; k < point.dual.size(); ++k)
       force += r[point.first + static_cast<Eigen::Index>(k)] * point.dual[k];

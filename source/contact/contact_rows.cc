@@ -3,6 +3,8 @@
 
 #include "conetact/contact/contact_rows.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -124,6 +126,7 @@ namespace conetact::contact
                     const double                 t,
                     const bool                   whole)
   {
+    AssertDimension(q.size(), model.points.n_unknowns());
     const ContactPoints &points = model.points;
     Eigen::VectorXd      r(points.n_all_unknowns());
     r << state.r, r_bound;

@@ -6,6 +6,8 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -94,6 +96,8 @@ namespace conetact::contact
   Eigen::Index
   Coordinates::dof(const unsigned int body, const unsigned int node) const
   {
+    AssertIndexRange(body, bodies.structures.size());
+    AssertIndexRange(node, bodies.structures[body]->n_nodes());
     return dof_offset[body] + node * static_cast<Eigen::Index>(
                                        bodies.structures[body]->n_components());
   }
@@ -240,6 +244,8 @@ namespace conetact::contact
                           const unsigned int c,
                           const double       factor)
   {
+    AssertIndexRange(body, bodies.structures.size());
+    AssertIndexRange(c, bodies.structures[body]->n_components());
     if (!bodies.deforms(body))
       return;
     const std::size_t n = number(body, node);
@@ -279,6 +285,7 @@ namespace conetact::contact
   Eigen::VectorXd
   Coordinates::values(const Eigen::VectorXd &u) const
   {
+    AssertDimension(u.size(), n_dofs());
     Eigen::VectorXd q = Eigen::VectorXd::Zero(n_unknowns());
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
@@ -315,6 +322,7 @@ namespace conetact::contact
   Eigen::VectorXd
   Coordinates::prescribed(const double t) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     const auto position = [&](const NodeRule &rule) {
       return bodies.structures[rule.body]->position(rule.node);
     };
@@ -332,6 +340,7 @@ namespace conetact::contact
   Eigen::VectorXd
   Coordinates::held_part(const Eigen::VectorXd &u) const
   {
+    AssertDimension(u.size(), n_dofs());
     return along_held(
       [&](const NodeRule &rule, const HeldDirection &held) {
         return at_node(u, rule.body, rule.node) * held.direction;
@@ -381,6 +390,8 @@ namespace conetact::contact
                        const unsigned int     body,
                        const unsigned int     node) const
   {
+    AssertDimension(u.size(), n_dofs());
+    AssertIndexRange(body, bodies.structures.size());
     Tensor<1, 3>       result;
     const Eigen::Index first = dof(body, node);
     for (unsigned int c = 0; c < bodies.dim; ++c)
@@ -406,6 +417,8 @@ namespace conetact::contact
   Eigen::VectorXd
   Coordinates::displacements(const Eigen::VectorXd &u) const
   {
+    Assert(u.size() == n_dofs() || u.size() == 0,
+           dealii::ExcMessage("Displacements are those of all dofs, or none."));
     return map_nodes(u,
                      [&](const unsigned int  body,
                          const unsigned int  node,
@@ -417,6 +430,8 @@ namespace conetact::contact
   Eigen::VectorXd
   Coordinates::in_frames(const Eigen::VectorXd &u) const
   {
+    Assert(u.size() == n_dofs() || u.size() == 0,
+           dealii::ExcMessage("Displacements are those of all dofs, or none."));
     return map_nodes(u,
                      [&](const unsigned int  body,
                          const unsigned int  node,
@@ -428,6 +443,8 @@ namespace conetact::contact
   Eigen::VectorXd
   Coordinates::forces_in_space(const Eigen::VectorXd &f) const
   {
+    Assert(f.size() == n_dofs() || f.size() == 0,
+           dealii::ExcMessage("Forces are those on all dofs, or none."));
     return map_nodes(f,
                      [&](const unsigned int body,
                          const unsigned int,
@@ -439,6 +456,8 @@ namespace conetact::contact
   Eigen::VectorXd
   Coordinates::forces_in_frames(const Eigen::VectorXd &f) const
   {
+    Assert(f.size() == n_dofs() || f.size() == 0,
+           dealii::ExcMessage("Forces are those on all dofs, or none."));
     return map_nodes(f,
                      [&](const unsigned int body,
                          const unsigned int,
@@ -452,6 +471,7 @@ namespace conetact::contact
   void
   Coordinates::unhang(Eigen::VectorXd &f) const
   {
+    AssertDimension(f.size(), n_dofs());
     for (const NodeRule &rule : node_rules.rules())
       if (!rule.masters.empty())
         for (unsigned int c = 0; c < bodies.dim; ++c)
@@ -471,6 +491,8 @@ namespace conetact::contact
   void
   Coordinates::gather_rigid(const unsigned int body, Eigen::VectorXd &f) const
   {
+    AssertDimension(f.size(), n_dofs());
+    AssertIndexRange(body, bodies.structures.size());
     const bodies::Structure &structure = *bodies.structures[body];
     const unsigned int       dim       = bodies.dim;
     const Eigen::Index       first     = dof(body, 0);

@@ -7,6 +7,8 @@
 #include "conetact/contact/equal_bodies.h"
 #include "conetact/contact/unseen_motions.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -118,6 +120,7 @@ namespace conetact::contact
                          Index              &row,
                          Triplets           &entries) const
   {
+    AssertIndexRange(row, H.rows());
     for (const Tensor<1, 3> &dual : point.dual)
       {
         pairing::for_each_side(*point.node,
@@ -166,6 +169,7 @@ namespace conetact::contact
   void
   DualBackend::retain(const unsigned int body, std::vector<bool> &kept) const
   {
+    AssertDimension(kept.size(), static_cast<std::size_t>(n_own(body)));
     for (Index p = own.begin(body); p < own.end(body); ++p)
       // A column of H that is not empty: contacts see this unknown.
       if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
@@ -189,6 +193,7 @@ namespace conetact::contact
   DualBackend::retain_anchors(const unsigned int body,
                               std::vector<bool> &kept) const
   {
+    AssertDimension(kept.size(), static_cast<std::size_t>(n_own(body)));
     const bodies::Structure &structure = *elastic.bodies.structures[body];
     std::vector<Point<3>>    chosen    = {structure.position(0)};
     for (unsigned int k = 0; k < elastic.bodies.dim; ++k)
@@ -377,6 +382,7 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::moved_rows(const VectorXd &u) const
   {
+    AssertDimension(u.size(), coordinates.n_dofs());
     VectorXd   v(H.rows());
     Index      row = 0;
     const auto add = [&](const ContactPoint &point) {
@@ -455,6 +461,7 @@ namespace conetact::contact
   Eigen::MatrixXd
   DualBackend::deform(const MatrixXd &forces) const
   {
+    AssertDimension(forces.rows(), own.n_unknowns());
     MatrixXd p(forces.rows(), forces.cols());
     for (const Part &part : parts)
       for (const unsigned int body : part.bodies)
@@ -468,6 +475,7 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::imbalance(const VectorXd &forces) const
   {
+    AssertDimension(forces.size(), own.n_unknowns());
     VectorXd sum = VectorXd::Zero(motions.own().cols());
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
@@ -483,6 +491,7 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::rigid_imbalance(const VectorXd &forces) const
   {
+    AssertDimension(forces.size(), coordinates.n_dofs());
     VectorXd    sum = VectorXd::Zero(motions.own().cols());
     const Index n   = motions.own().cols() - first_rigid;
     if (n > 0)
@@ -495,6 +504,7 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::without_unseen(const VectorXd &against) const
   {
+    AssertDimension(against.size(), motions.own().cols());
     if (unseen.cols() == 0)
       return against;
     const MatrixXd nowhere = motions.free_of_own() * unseen;
@@ -521,6 +531,8 @@ namespace conetact::contact
                           const VectorXd &prescribed,
                           LoadCase       &load)
   {
+    AssertDimension(forces.size(), coordinates.n_dofs());
+    AssertDimension(prescribed.size(), coordinates.n_dofs());
     // What is prescribed acts as a load.
     load.b       = own.restrict(forces - elastic.internal_forces(prescribed));
     VectorXd all = reduce_all(load.b, forces);
@@ -561,6 +573,7 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::reduce_forces(const VectorXd &b) const
   {
+    AssertDimension(b.size(), own.n_unknowns());
     LoadCase load;
     set_load(reduce_all(b, VectorXd::Zero(coordinates.n_dofs())), load);
     return load.f;
@@ -569,6 +582,7 @@ namespace conetact::contact
   Eigen::VectorXd
   DualBackend::reduce_all(const VectorXd &b, const VectorXd &forces) const
   {
+    AssertDimension(b.size(), own.n_unknowns());
     VectorXd w = VectorXd::Zero(b.size());
     for (const Part &part : parts)
       for (const unsigned int body : part.bodies)
@@ -628,6 +642,7 @@ namespace conetact::contact
   DualBackend::expand(const std::vector<const LoadCase *> &loads,
                       const std::vector<Eigen::VectorXd>  &primal) const
   {
+    AssertDimension(loads.size(), primal.size());
     const auto n = static_cast<Index>(loads.size());
     MatrixXd   forces(own.n_unknowns(), n);
     for (Index k = 0; k < n; ++k)
@@ -649,6 +664,7 @@ namespace conetact::contact
   LoadCase
   DualBackend::reduce_unbalanced(const VectorXd &unbalanced) const
   {
+    AssertDimension(unbalanced.size(), coordinates.n_dofs());
     LoadCase change;
     change.b = -own.restrict(unbalanced);
     set_load(reduce_all(change.b, -unbalanced), change);

@@ -7,6 +7,8 @@
 #include "conetact/contact/large_nodes.h"
 #include "conetact/solvers/null_space.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -197,6 +199,7 @@ namespace conetact::contact
   VectorXd
   IterativeBackend::expand_bound(const VectorXd &v) const
   {
+    AssertDimension(v.size(), n_bound);
     VectorXd u = VectorXd::Zero(coordinates.n_dofs());
     for (const Coordinates::BoundDirection &bound :
          coordinates.bound_directions())
@@ -238,6 +241,8 @@ namespace conetact::contact
                                const VectorXd &prescribed,
                                LoadCase       &load)
   {
+    AssertDimension(forces.size(), coordinates.n_dofs());
+    AssertDimension(prescribed.size(), coordinates.n_dofs());
     const VectorXd all       = forces - elastic.internal_forces(prescribed);
     load.b                   = coordinates.restrict(all);
     load.f                   = load.b;
@@ -302,6 +307,7 @@ namespace conetact::contact
   IterativeBackend::expand(const std::vector<const LoadCase *> &loads,
                            const std::vector<VectorXd>         &primal) const
   {
+    AssertDimension(loads.size(), primal.size());
     Eigen::MatrixXd w(coordinates.n_dofs(),
                       static_cast<Eigen::Index>(loads.size()));
     for (std::size_t k = 0; k < loads.size(); ++k)
@@ -318,6 +324,7 @@ namespace conetact::contact
   LoadCase
   IterativeBackend::reduce_unbalanced(const VectorXd &unbalanced) const
   {
+    AssertDimension(unbalanced.size(), coordinates.n_dofs());
     LoadCase change;
     change.b                   = -coordinates.restrict(unbalanced);
     change.f                   = change.b;

@@ -3,6 +3,8 @@
 
 #include "conetact/contact/linear_map.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::contact
 {
   void
@@ -21,6 +23,7 @@ namespace conetact::contact
   Eigen::VectorXd
   LinearMap::expand(const Eigen::VectorXd &q) const
   {
+    AssertDimension(q.size(), n_unknowns());
     Eigen::VectorXd u(n_rows());
     for (Eigen::Index i = 0; i < u.size(); ++i)
       {
@@ -35,6 +38,7 @@ namespace conetact::contact
 
   Eigen::VectorXd LinearMap::restrict(const Eigen::VectorXd &f) const
   {
+    AssertDimension(f.size(), n_rows());
     Eigen::VectorXd result = Eigen::VectorXd::Zero(columns);
     for (Eigen::Index i = 0; i < f.size(); ++i)
       for_row(i, [&](const Eigen::Index unknown, const double factor) {

@@ -5,6 +5,8 @@
 
 #include "conetact/solvers/unloaded.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
@@ -65,6 +67,8 @@ namespace conetact::contact
   bool
   presses_nothing(const double reaction, const double largest_force)
   {
+    Assert(largest_force >= 0,
+           dealii::ExcMessage("The largest force is an amount."));
     return reaction <= nothing * largest_force;
   }
 

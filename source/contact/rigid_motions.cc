@@ -7,6 +7,8 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/unseen_motions.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -193,6 +195,7 @@ namespace conetact::contact
                     const Point<3>     &p,
                     const Tensor<1, 3> &direction) const
   {
+    AssertIndexRange(body, frames.size());
     Eigen::RowVectorXd result(n_one);
     for (unsigned int k = 0; k < n_one; ++k)
       result[k] = direction * mode(k, bodies.dim, frames[body], p);
@@ -221,6 +224,7 @@ namespace conetact::contact
   double
   RigidMotions::relative(const Tie &tied, const Amounts &amounts) const
   {
+    AssertDimension(amounts.size(), held.rows());
     double sum = 0;
     for (const auto &[body, r] : tied.rows)
       sum += r.dot(amounts.segment(body * n_one, n_one));
@@ -230,6 +234,7 @@ namespace conetact::contact
   void
   RigidMotions::add(const double factor, const Tie &tied, Amounts &sum) const
   {
+    AssertDimension(sum.size(), held.rows());
     for (const auto &[body, r] : tied.rows)
       sum.segment(body * n_one, n_one) += factor * r.transpose();
   }
@@ -545,6 +550,7 @@ namespace conetact::contact
   RigidMotions::Amounts
   RigidMotions::placement(const double t) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     Amounts amounts = locked();
     // the second time takes out the rounding of long sums
     for (unsigned int pass = 0; pass < 2; ++pass)
@@ -600,6 +606,8 @@ namespace conetact::contact
                    const unsigned int body,
                    const unsigned int node) const
   {
+    AssertDimension(amounts.size(), held.rows());
+    AssertIndexRange(body, frames.size());
     return displacement(of_body(amounts, body),
                         bodies.structures[body]->position(node));
   }
@@ -607,6 +615,8 @@ namespace conetact::contact
   RigidMotions::Motion
   RigidMotions::of_body(const Amounts &amounts, const unsigned int body) const
   {
+    AssertDimension(amounts.size(), held.rows());
+    AssertIndexRange(body, frames.size());
     Motion motion = frames[body];
     for (unsigned int k = 0; k < n_one; ++k)
       if (const double amount = amounts[body * n_one + k];
@@ -632,6 +642,7 @@ namespace conetact::contact
   Eigen::VectorXd
   RigidMotions::field(const Amounts &amounts) const
   {
+    AssertDimension(amounts.size(), held.rows());
     Eigen::VectorXd u = Eigen::VectorXd::Zero(offset.back());
     for (unsigned int body = 0; body < frames.size(); ++body)
       {
@@ -661,6 +672,7 @@ namespace conetact::contact
   RigidMotions::Amounts
   RigidMotions::resultants(const Eigen::VectorXd &forces) const
   {
+    AssertDimension(forces.size(), offset.back());
     Amounts sum = Amounts::Zero(held.rows());
     for (unsigned int body = 0; body < frames.size(); ++body)
       {
@@ -685,12 +697,14 @@ namespace conetact::contact
   RigidMotions::Motion
   RigidMotions::motion(const Eigen::VectorXd &combination) const
   {
+    AssertDimension(combination.size(), without_springs.cols());
     return largest(free_modes * (without_springs * combination));
   }
 
   RigidMotions::Motion
   RigidMotions::largest(const Amounts &modes) const
   {
+    AssertDimension(modes.size(), held.rows());
     // Amounts are lengths, so that turns and translations compare.
     std::size_t best = 0;
     for (std::size_t body = 1; body < frames.size(); ++body)

@@ -3,6 +3,8 @@
 
 #include "conetact/contact/working_set.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <numeric>
 
 namespace conetact::contact
@@ -66,6 +68,7 @@ namespace conetact::contact
   WorkingSet::scatter(const Eigen::VectorXd &own,
                       Eigen::VectorXd       &of_candidates) const
   {
+    AssertDimension(own.size(), own_unknowns.size());
     of_candidates(own_unknowns) = own;
   }
 
@@ -86,6 +89,7 @@ namespace conetact::contact
   std::vector<solvers::NodeState>
   WorkingSet::scatter(const std::vector<solvers::NodeState> &own) const
   {
+    AssertIndexRange(own.size(), chosen.size() + 1);
     // Nodes outside the set carry nothing.
     std::vector<solvers::NodeState> of_candidates(member.size(),
                                                   solvers::NodeState::open);

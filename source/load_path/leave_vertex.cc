@@ -76,6 +76,7 @@ namespace conetact::load_path
   Ray
   line_of(const MatrixXd &M, const VectorXd &q, const std::vector<bool> &moves)
   {
+    eigen_assert(static_cast<Index>(moves.size()) == M.rows());
     const Index n = q.size();
     // Without units: z in those of x, and p' in those of x, too.
     const auto   not_zero = [](const double x) { return x > 0 ? x : 1.; };
@@ -106,6 +107,9 @@ namespace conetact::load_path
                const VectorXd &weight,
                Ray            &ray)
   {
+    eigen_assert(M.rows() == M.cols());
+    eigen_assert(q.size() == M.rows());
+    eigen_assert(weight.size() == M.rows());
     VectorXd    value = weight;
     const Index most  = 50 + 20 * q.size();
     for (Index k = 0; k < most; ++k)

@@ -141,6 +141,8 @@ namespace conetact::load_path
                     const VectorXd     &r_rate,
                     const double        noise) const
   {
+    eigen_assert(v_rate.size() == r_rate.size());
+    eigen_assert(noise >= 0);
     const double v_size  = solvers::largest(now.v),
                  v_fast  = solvers::largest(v_rate);
     const double r_size  = solvers::largest(now.r),

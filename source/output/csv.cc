@@ -5,6 +5,8 @@
 
 #include "conetact/base/errors.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -17,6 +19,8 @@ namespace conetact::output
   void
   append_number(std::string &text, const double number)
   {
+    Assert(std::isfinite(number),
+           dealii::ExcMessage("Tables have finite numbers only."));
     if (number == 0.) // most entries of a table; and no -0
       {
         text += '0';
@@ -86,6 +90,8 @@ namespace conetact::output
   void
   NoiseFloor::see(const double value)
   {
+    Assert(std::isfinite(value),
+           dealii::ExcMessage("Tables have finite numbers only."));
     largest = std::max(largest, std::abs(value));
   }
 

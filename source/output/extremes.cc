@@ -5,6 +5,8 @@
 
 #include "conetact/output/csv.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::output
 {
   namespace
@@ -19,6 +21,7 @@ namespace conetact::output
     const std::size_t                             n_bodies,
     const std::function<double(const unsigned int, const unsigned int)> &size)
   {
+    AssertIndexRange(n_bodies, bodies.size() + 1);
     LargestDisplacement largest;
     for (unsigned int b = 0; b < n_bodies; ++b)
       for (unsigned int i = 0; i < bodies[b]->n_nodes(); ++i)

@@ -3,6 +3,8 @@
 
 #include "conetact/output/progress.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -68,6 +70,8 @@ namespace conetact::output
                 const double           end,
                 const double           elapsed)
   {
+    Assert(record.increment >= 1,
+           dealii::ExcMessage("Increments count from 1."));
     std::array<unsigned int, 3> n{};
     for (const ContactRow &row : record.rows)
       if (!row.master) // a pair of bodies counts once, as in increments.csv

@@ -5,6 +5,7 @@
 
 #include "conetact/bodies/placement.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
@@ -66,6 +67,8 @@ namespace conetact::pairing
   Point<3>
   BodyWay::at(const unsigned int node, const double part) const
   {
+    Assert(part >= 0 && part <= 1,
+           dealii::ExcMessage("A way has a start and an end."));
     const Point<3> straight = start[node] + part * (along + strained[node]);
     if (angle == 0)
       return straight;

@@ -3,6 +3,7 @@
 
 #include "conetact/pairing/clipping.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
@@ -193,6 +194,8 @@ namespace conetact::pairing
   Point<2>
   middle(const Polygon &polygon)
   {
+    Assert(!polygon.empty(),
+           dealii::ExcMessage("An empty polygon has no middle."));
     Point<2> sum;
     for (const Point<2> &p : polygon)
       sum += Tensor<1, 2>(p) / static_cast<double>(polygon.size());
@@ -202,6 +205,8 @@ namespace conetact::pairing
   double
   distance(const Polygon &polygon, const Point<2> &p)
   {
+    Assert(!polygon.empty(),
+           dealii::ExcMessage("An empty polygon is nowhere."));
     if (polygon.empty())
       return std::numeric_limits<double>::max();
     if (is_interval(polygon))

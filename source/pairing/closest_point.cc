@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/closest_point.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -141,6 +143,8 @@ namespace conetact::pairing
   std::array<double, 4>
   shape_values(const std::size_t n_corners, const std::array<double, 2> &at)
   {
+    Assert(n_corners >= 2 && n_corners <= 4,
+           dealii::ExcMessage("Faces have two to four corners."));
     const auto [a, b] = at;
     if (n_corners == 2)
       return {{1 - a, a, 0, 0}};
@@ -153,6 +157,8 @@ namespace conetact::pairing
   face_normal_at(const std::vector<Point<3>> &corners,
                  const std::array<double, 2> &at)
   {
+    Assert(corners.size() >= 2 && corners.size() <= 4,
+           dealii::ExcMessage("Faces have two to four corners."));
     Tensor<1, 3> normal;
     if (corners.size() == 2)
       {
@@ -170,6 +176,8 @@ namespace conetact::pairing
   ClosestPoint
   closest_point(const std::vector<Point<3>> &corners, const Point<3> &p)
   {
+    Assert(corners.size() >= 2 && corners.size() <= 4,
+           dealii::ExcMessage("Faces have two to four corners."));
     const auto result = [&](const std::array<double, 2> &at) {
       const Point<3> point(image(corners, at));
       return ClosestPoint{at, point, point.distance(p)};
@@ -191,6 +199,8 @@ namespace conetact::pairing
               const Tensor<1, 3>          &normal,
               const std::array<double, 2> &near)
   {
+    Assert(std::abs(normal.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
     if (corners.size() == 2)
       {
         const Tensor<1, 3> along  = corners[1] - corners[0];

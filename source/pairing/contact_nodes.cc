@@ -9,6 +9,8 @@
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -398,6 +400,8 @@ namespace conetact::pairing
   std::pair<Tensor<1, 3>, Tensor<1, 3>>
   tangents(const Tensor<1, 3> &n, const unsigned int dim)
   {
+    Assert(std::abs(n.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
     Tensor<1, 3> e_y, e_z;
     e_y[1] = e_z[2] = 1;
     if (dim == 2)
@@ -442,6 +446,8 @@ namespace conetact::pairing
             const Tensor<1, 3> &normal,
             const unsigned int  dim)
   {
+    Assert(std::abs(normal.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
     const double c             = std::cos(node.friction_angle);
     const double s             = std::sin(node.friction_angle);
     node.n                     = normal;
@@ -613,6 +619,7 @@ namespace conetact::pairing
   Tensor<1, 3>
   obstacle_displacement(const ContactNode &node, const double t)
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     return node.obstacle != nullptr ?
              node.obstacle->motion_at(t).displacement(foot_found(node)) :
              Tensor<1, 3>();

@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/dual_functions.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/SVD>
 
 namespace conetact::pairing
@@ -39,6 +41,8 @@ namespace conetact::pairing
                  const VectorXd           &areas,
                  const std::vector<Index> &kept)
   {
+    AssertDimension(mass.rows(), mass.cols());
+    AssertDimension(areas.size(), mass.rows());
     // Least over largest singular value of the functions, each over its own
     // size: 1/9 on a square, 1/22 on one half of it, 1/67 in a corner, 1/144 on
     // the quarter in its middle. Below a thousandth a function would reach ten

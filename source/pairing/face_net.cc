@@ -5,6 +5,8 @@
 
 #include "conetact/bodies/face_nodes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -269,6 +271,7 @@ namespace conetact::pairing
   FaceNet::Closest
   FaceNet::project(const std::size_t face, const Point<3> &p) const
   {
+    AssertIndexRange(face, faces.size());
     Closest result;
     static_cast<ClosestPoint &>(result) = closest_point(faces[face].corners, p);
     result.face                         = face;
@@ -282,6 +285,7 @@ namespace conetact::pairing
   std::vector<std::size_t>
   FaceNet::edges_at(const Closest &at) const
   {
+    AssertIndexRange(at.face, faces.size());
     std::vector<std::size_t> edges;
     for (std::size_t e = 0; e < faces[at.face].edges.size(); ++e)
       if (distance_to_edge(faces[at.face].corners.size(), at.at, e) <=
@@ -327,6 +331,7 @@ namespace conetact::pairing
   Tensor<1, 3>
   FaceNet::sum_of_normals(const std::vector<Closest> &feature) const
   {
+    Assert(!feature.empty(), dealii::ExcMessage("A feature has faces."));
     Tensor<1, 3> sum;
     for (const Closest &at : feature)
       sum += angle_at(faces[at.face], edges_at(at)) * at.normal;
@@ -336,6 +341,7 @@ namespace conetact::pairing
   FaceNet::Closest
   FaceNet::nearest(const Point<3> &p) const
   {
+    Assert(!faces.empty(), dealii::ExcMessage("A surface has faces."));
     Closest nearest;
     nearest.distance = std::numeric_limits<double>::max();
     // balls around p that grow until they hold the nearest face

@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/face_tree.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -28,6 +30,7 @@ namespace conetact::pairing
   FaceTree::Ball
   FaceTree::around(const std::size_t begin, const std::size_t end) const
   {
+    Assert(begin < end, dealii::ExcMessage("A branch has balls."));
     // Not the smallest ball, but one of about its size: centre of the box
     // around the centres.
     Point<3> low = balls[order[begin]].centre, high = low;
@@ -49,6 +52,7 @@ namespace conetact::pairing
   std::size_t
   FaceTree::grow(const std::size_t begin, const std::size_t end)
   {
+    Assert(begin < end, dealii::ExcMessage("A branch has balls."));
     const std::size_t self = branches.size();
     branches.push_back({around(begin, end), begin, end});
     if (end - begin <= most_in_a_leaf)
@@ -121,6 +125,8 @@ namespace conetact::pairing
                   const Tensor<1, 3> &unit_direction,
                   const double        reach) const
   {
+    Assert(std::abs(unit_direction.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Directions have unit length."));
     return find([&](const Ball &other) {
       const Tensor<1, 3> arm     = other.centre - ball.centre;
       const double       forward = arm * unit_direction;

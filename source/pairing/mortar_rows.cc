@@ -5,6 +5,8 @@
 
 #include "conetact/pairing/nodal_shapes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -199,6 +201,9 @@ namespace conetact::pairing
                    const std::size_t to,
                    const double      part)
   {
+    Assert(from != to, dealii::ExcMessage("A row cannot give to itself."));
+    Assert(part >= 0 && part <= 1 + 1e-12,
+           dealii::ExcMessage("A part is no more than the whole."));
     const MortarRow &giver = rows[from];
     MortarRow       &taker = rows[to];
     taker.area += part * giver.area;

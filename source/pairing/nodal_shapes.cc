@@ -5,6 +5,8 @@
 
 #include "conetact/pairing/closest_point.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::pairing
 {
   namespace
@@ -34,6 +36,7 @@ namespace conetact::pairing
                      const std::size_t            n_corners,
                      const std::array<double, 2> &at)
   {
+    Assert(n_nodes >= n_corners, dealii::ExcMessage("Corners are nodes."));
     if (n_nodes == n_corners)
       {
         const auto of_corners = shape_values(n_corners, at);
@@ -50,6 +53,7 @@ namespace conetact::pairing
   std::vector<double>
   nodal_shares(const std::size_t n_nodes, const std::size_t n_corners)
   {
+    Assert(n_nodes >= n_corners, dealii::ExcMessage("Corners are nodes."));
     if (n_nodes == n_corners)
       return std::vector<double>(n_nodes, 1. / static_cast<double>(n_nodes));
     constexpr std::array<double, 3> of_segment = {{1. / 6, 1. / 6, 4. / 6}};

@@ -5,11 +5,14 @@
 
 #include "conetact/bodies/placement.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::pairing
 {
   Tensor<1, 3>
   Obstacle::displacement_at(const double t) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     Tensor<1, 3> d;
     for (unsigned int c = 0; c < displacement.size(); ++c)
       // a translation: the same everywhere
@@ -20,6 +23,7 @@ namespace conetact::pairing
   RigidMotion
   Obstacle::motion_at(const double t) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     if (free.any())
       return {};
     RigidMotion motion = RigidMotion::translated(displacement_at(t));

@@ -6,6 +6,8 @@
 #include "conetact/bodies/face_nodes.h"
 #include "conetact/pairing/closest_point.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,6 +82,7 @@ namespace conetact::pairing
   double
   MovingBoundary::part(const unsigned int place)
   {
+    AssertIndexRange(place, n_places);
     return static_cast<double>(place) / (n_places - 1);
   }
 
@@ -114,6 +117,8 @@ namespace conetact::pairing
   std::vector<Point<3>>
   MovingBoundary::corners_of(const Face &face, const double when) const
   {
+    Assert(when >= 0 && when <= n_places - 1,
+           dealii::ExcMessage("A way has a start and an end."));
     std::vector<Point<3>> corners;
     for (const unsigned int corner : face.corners)
       corners.push_back(between(places[corner], when));

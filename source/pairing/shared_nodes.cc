@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/shared_nodes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -104,6 +106,8 @@ namespace conetact::pairing
                const ContactNode &part,
                const unsigned int dim)
   {
+    AssertDimension(whole.body, part.body);
+    AssertDimension(whole.node, part.node);
     constexpr unsigned int mean_over_faces = 2;
     const unsigned int     of_whole = rank(whole), of_part = rank(part);
     const double           area = whole.area + part.area;
@@ -228,6 +232,7 @@ namespace conetact::pairing
   unsigned int
   SharedNodes::owner(const unsigned int contact, const unsigned int node) const
   {
+    AssertIndexRange(contact, found.size());
     const auto of_another = owners.find({contact, node});
     return of_another == owners.end() ? contact : of_another->second;
   }

@@ -10,6 +10,8 @@
 #include "conetact/pairing/mortar.h"
 #include "conetact/pairing/shared_areas.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -242,6 +244,7 @@ namespace conetact::pairing
                         const double                    t,
                         const bool                      keep_faced) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     std::vector<ContactNode> nodes = last;
     for (ContactNode &node : nodes)
       if (node.slides && node.obstacle != nullptr)

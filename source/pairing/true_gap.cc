@@ -5,6 +5,8 @@
 
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +25,8 @@ namespace conetact::pairing
   double
   true_gap(const MovedNode &moved)
   {
+    Assert(moved.node != nullptr && moved.node->obstacle != nullptr,
+           dealii::ExcMessage("Only obstacles have shapes."));
     const ContactNode &node = *moved.node;
     const double       drawn =
       node.obstacle->shape->gap_after(node.position,
@@ -35,6 +39,7 @@ namespace conetact::pairing
   std::optional<GapError>
   worst_gap_error(const std::vector<MovedNode> &nodes, const double indentation)
   {
+    Assert(indentation >= 0, dealii::ExcMessage("An indentation is a depth."));
     constexpr double part = .01; // of a cell or of the indentation
 
     std::optional<GapError> worst;

@@ -52,6 +52,7 @@ namespace conetact::solvers
   Spectrum
   spectrum(const SmallVector &z)
   {
+    eigen_assert(z.size() >= 1);
     const Eigen::Index n    = z.size() - 1;
     const SmallVector  tail = z.tail(n);
     const double       norm = tail.stableNorm();
@@ -87,6 +88,7 @@ namespace conetact::solvers
   double
   smoothed_positive_part(const double l, const double m)
   {
+    eigen_assert(m >= 0);
     const double root = std::hypot(l, 2 * m);
     if (l >= 0)
       return .5 * (root + l);
@@ -99,6 +101,8 @@ namespace conetact::solvers
   SmoothedProjection
   smoothed_projection(const SmallVector &z, const double m)
   {
+    eigen_assert(m >= 0);
+    eigen_assert(z.size() >= 1);
     const Spectrum s  = spectrum(z);
     const double   s1 = std::hypot(s.l1, 2 * m), s2 = std::hypot(s.l2, 2 * m);
     const double   g1 = smoothed_positive_part(s.l1, m),
@@ -137,6 +141,8 @@ namespace conetact::solvers
   SmallVector
   project_on_friction_cone(const SmallVector &r, const double mu)
   {
+    eigen_assert(mu >= 0);
+    eigen_assert(r.size() >= 1);
     const Eigen::Index n      = r.size() - 1;
     const double       normal = r(n);
     SmallVector        result = SmallVector::Zero(n + 1);

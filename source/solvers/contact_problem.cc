@@ -6,6 +6,8 @@
 #include "conetact/solvers/cone.h"
 #include "conetact/solvers/large_system.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -152,6 +154,7 @@ namespace conetact::solvers
   VectorXd
   without_rounding(const VectorXd &x, const VectorXd &allowed)
   {
+    eigen_assert(x.size() == allowed.size());
     return x.binaryExpr(allowed, [](const double value, const double limit) {
       return value > limit  ? value - limit :
              value < -limit ? value + limit :
@@ -188,6 +191,9 @@ namespace conetact::solvers
   double
   contact_residual(const ContactProblem &problem, const ContactState &state)
   {
+    eigen_assert(state.node.empty() || static_cast<Index>(state.node.size()) ==
+                                         problem.system->n_nodes());
+    eigen_assert(state.r.size() >= problem.system->n_contact_unknowns());
     const ContactSystem &system = *problem.system;
     if (system.n_unknowns() == 0)
       return 0;
@@ -274,6 +280,8 @@ namespace conetact::solvers
            const ContactState   &state,
            const double          tolerance)
   {
+    eigen_assert(tolerance > 0);
+    eigen_assert(state.r.size() >= problem.system->n_contact_unknowns());
     const ContactSystem &system = *problem.system;
     const double         limit =
       tolerance * std::max(largest(state.v.head(system.n_contact_unknowns())),

@@ -39,6 +39,8 @@ namespace conetact::solvers
   Reach
   ExistenceCheck::reach(const VectorXd &c, const VectorXd &mu) const
   {
+    eigen_assert(c.size() == R.cols());
+    eigen_assert(mu.size() == system->n_nodes());
     return nearest_reach(*system, R, c, mu);
   }
 
@@ -50,6 +52,8 @@ namespace conetact::solvers
   bool
   ExistenceCheck::proves(const VectorXd &w, const VectorXd &c) const
   {
+    eigen_assert(w.size() == R.cols());
+    eigen_assert(c.size() == R.cols());
     const VectorXd v    = R * w;
     const double   size = v.lpNorm<Eigen::Infinity>();
     for (Index i = 0; i < system->n_nodes(); ++i)
@@ -70,6 +74,7 @@ namespace conetact::solvers
   VectorXd
   ExistenceCheck::sharpen(const VectorXd &z) const
   {
+    eigen_assert(z.size() == R.cols());
     return reach(z, system->mu).z.normalized();
   }
 
@@ -82,6 +87,8 @@ namespace conetact::solvers
                         const VectorXd &to,
                         VectorXd       &w) const
   {
+    eigen_assert(from.size() == R.cols());
+    eigen_assert(to.size() == R.cols());
     const VectorXd rate = to - from;
     double         s    = 1;
     for (unsigned int i = 0; i < 100; ++i)
@@ -186,6 +193,7 @@ namespace conetact::solvers
   MatrixXd
   ExistenceCheck::motions_of_touching(const VectorXd &gap) const
   {
+    eigen_assert(gap.size() == system->n_nodes());
     constexpr double as_close = 1e-6; // of the widest gap
     MatrixXd         motions  = R;
     const double most = gap.minCoeff() + as_close * gap.cwiseAbs().maxCoeff();
@@ -318,6 +326,7 @@ namespace conetact::solvers
   std::vector<Index>
   ExistenceCheck::moving_nodes(const VectorXd &v) const
   {
+    eigen_assert(v.size() == R.rows());
     Index       largest = 0, start = 0;
     const Index n = system->n_nodes();
     // rows of nodes that no motion moves may hold rounding

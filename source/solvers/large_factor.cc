@@ -31,6 +31,7 @@ namespace conetact::solvers
   bool
   LargeFactor::factorize(const Matrix &A)
   {
+    eigen_assert(A.rows() == A.cols());
     const auto   n    = static_cast<double>(A.rows());
     const double fill = static_cast<double>(A.nonZeros()) / (n * n);
     dense.resize(0, 0);

@@ -123,6 +123,10 @@ namespace conetact::solvers
             const VectorXi &rank,
             VectorXd       &z)
   {
+    eigen_assert(M.rows() == M.cols());
+    eigen_assert(q.size() == M.rows());
+    eigen_assert(cover.size() == M.rows());
+    eigen_assert(rank.size() == M.rows());
     const Index    n     = q.size();
     const VectorXd scale = M.diagonal().unaryExpr(
       [](const double m) { return m > 0 ? 1 / std::sqrt(m) : 1.; });

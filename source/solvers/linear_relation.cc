@@ -165,6 +165,7 @@ namespace conetact::solvers
   LinearRelation::Array
   LinearRelation::displacements(const Array &p, const Array &d) const
   {
+    eigen_assert(p.size() == d.size());
     if (stiffness())
       return p + scaled_offset;
     return d;
@@ -193,6 +194,7 @@ namespace conetact::solvers
   double
   LinearRelation::force_scale(const Array &p, const Array &d) const
   {
+    eigen_assert(p.size() == d.size());
     const Index n = contact_system->n_contact_unknowns();
     return std::max(
       {reactions(p, d).head(n).norm(), load_force, smallest_force});
@@ -203,6 +205,7 @@ namespace conetact::solvers
   void
   LinearRelation::multiply_add(const Array &x, Array &y) const
   {
+    eigen_assert(x.size() == y.size());
     const Array        sx = scale.cwiseProduct(x);
     std::vector<Index> columns;
     columns.reserve(static_cast<std::size_t>(sx.size()));

@@ -111,6 +111,8 @@ namespace conetact::solvers
                                 const double                shift,
                                 Matrix                     &J) const
   {
+    eigen_assert(J.rows() == J.cols());
+    eigen_assert(shift >= 0);
     using Number = typename Matrix::Scalar;
     for (std::size_t a = 0; a < row.size(); ++a)
       {

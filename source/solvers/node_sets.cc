@@ -218,6 +218,7 @@ namespace conetact::solvers
                 const VectorXd       &p,
                 const VectorXd       &d)
   {
+    eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
     NodeSets             sets(at(system.n_nodes()));
@@ -269,6 +270,7 @@ namespace conetact::solvers
                   const VectorXd       &d,
                   const bool            definite)
   {
+    eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
     std::vector<NodeLaw> result(sets.size());
@@ -298,6 +300,7 @@ namespace conetact::solvers
                const VectorXd       &p,
                const VectorXd       &d)
   {
+    eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
     const Index          n   = system.n_contact_unknowns();
@@ -331,6 +334,8 @@ namespace conetact::solvers
                  const VectorXd       &d,
                  const double          rounding)
   {
+    eigen_assert(p.size() == d.size());
+    eigen_assert(rounding >= 0);
     const ContactSystem &system = relation.system();
     const Fields         x(relation, p, d);
     double               largest = 0, askew = 0;
@@ -361,6 +366,7 @@ namespace conetact::solvers
                   VectorXd             &p,
                   VectorXd             &d)
   {
+    eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     VectorXd            &r      = relation.stiffness() ? d : p;
     const auto           stop   = [&](const Index first, const Index size) {

@@ -59,6 +59,7 @@ namespace conetact::solvers
   Eigen::MatrixXd
   orthonormal_basis(const Eigen::MatrixXd &columns, const double tolerance)
   {
+    eigen_assert(tolerance > 0);
     if (columns.cols() == 0)
       return columns;
     // columns of different units (translations, rotations) count alike
@@ -79,6 +80,8 @@ namespace conetact::solvers
                    const Eigen::MatrixXd &known,
                    const double           tolerance)
   {
+    eigen_assert(K.rows() == K.cols());
+    eigen_assert(tolerance > 0);
     constexpr double   of_rounding = 1e3, same = 1e-6;
     const Eigen::Index n    = K.rows();
     const double       zero = tolerance * tolerance * K.diagonal().maxCoeff();

@@ -200,6 +200,8 @@ namespace conetact::solvers
                 const VectorXd      &c,
                 const VectorXd      &mu)
   {
+    eigen_assert(R.cols() == c.size());
+    eigen_assert(mu.size() == layout.n_nodes());
     const double size = c.norm();
     if (!(size > 0))
       return {c, VectorXd::Zero(R.rows())};

@@ -45,6 +45,8 @@ namespace conetact::solvers
   bool
   ReusedFactor::factorize(const Matrix &A, const std::vector<Index> &numbers)
   {
+    eigen_assert(A.rows() == A.cols());
+    eigen_assert(static_cast<Index>(numbers.size()) == A.rows());
     const auto n   = static_cast<lapack_int>(A.rows());
     factor         = A;
     factor_numbers = numbers;
@@ -135,6 +137,8 @@ namespace conetact::solvers
                       const float   precision,
                       Vector       &x) const
   {
+    eigen_assert(b.size() == A.rows());
+    eigen_assert(precision > 0);
     const float norm = b.norm();
     x                = Vector::Zero(b.size());
     if (norm == 0)
@@ -185,6 +189,8 @@ namespace conetact::solvers
                       const float               precision,
                       Vector                   &x)
   {
+    eigen_assert(b.size() == A.rows());
+    eigen_assert(static_cast<Index>(numbers.size()) == A.rows());
     match(A, numbers);
     if (!worth_trying(A.rows()))
       // The diagonal is tried first, without a factor.

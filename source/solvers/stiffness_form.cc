@@ -65,6 +65,7 @@ namespace conetact::solvers
   void
   StiffnessForm::split_motions(const MatrixXd &C)
   {
+    eigen_assert(C.rows() == C.cols());
     free = resisted = MatrixXd(C.rows(), 0);
     if (C.rows() == 0)
       return;

@@ -23,6 +23,7 @@ namespace conetact::solvers
   std::optional<VectorXd>
   shortest_way_out(const MatrixXd &rows, const VectorXd &gap)
   {
+    eigen_assert(rows.rows() == gap.size());
     VectorXd           a = VectorXd::Zero(rows.cols()), now = gap;
     std::vector<Index> pushing;
     std::vector<bool>  joined(static_cast<std::size_t>(gap.size()), false);

@@ -3,6 +3,8 @@
 
 #include "conetact/verification/energies.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::verification
 {
   namespace
@@ -38,6 +40,7 @@ namespace conetact::verification
                 const Finding                &finding,
                 output::IncrementRecord      &record)
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     fill(last_u, finding.u.size());
     fill(last_forces, finding.acting.size());
     fill(last_r, r.size());

@@ -6,6 +6,8 @@
 #include "conetact/base/text.h"
 #include "conetact/contact/pieces.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,6 +85,7 @@ namespace conetact::verification
                                        const VectorXd &u,
                                        const double    t) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     // v = H u from the definition, node by node: the H of the solver is not
     // asked.
     VectorXd   v(points.n_all_unknowns());
@@ -655,6 +658,9 @@ namespace conetact::verification
   void
   Verification::accept(const double t, const Finding &finding)
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
+    Assert(finding.why.empty(),
+           dealii::ExcMessage("Only what is right is accepted."));
     // The slip of the next increment starts here.
     last = {finding.u, t, {}, {}};
     remember_contacts();

@@ -7,6 +7,8 @@
 #include "conetact/bodies/frame/diagrams.h"
 #include "conetact/bodies/frame/graphics.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -55,6 +57,7 @@ namespace conetact::bodies
   Point<3>
   Frame::position(const unsigned int node) const
   {
+    AssertIndexRange(node, n_nodes());
     return model.nodes[node].position;
   }
 
@@ -68,12 +71,15 @@ namespace conetact::bodies
   bool
   Frame::has_dof(const unsigned int node, const unsigned int component) const
   {
+    AssertIndexRange(node, n_nodes());
+    AssertIndexRange(component, n_components());
     return component < model.dim || turns[node];
   }
 
   std::string
   Frame::weakness(const unsigned int node) const
   {
+    AssertIndexRange(node, n_nodes());
     Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
     for (const Member &member : members)
       if (member.nodes()[0] == node || member.nodes()[1] == node)
@@ -128,6 +134,7 @@ namespace conetact::bodies
   void
   Frame::add_internal_forces(const Eigen::VectorXd &u, Eigen::VectorXd &f) const
   {
+    AssertDimension(u.size(), f.size());
     Eigen::VectorXd local;
     for_each_element(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
