@@ -14,6 +14,7 @@
 #include "conetact/output/output_table.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/output/progress.h"
+#include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,10 @@ namespace conetact::analysis
           log.say("warning: contact '" + scene.contact_names[c] +
                   "': nothing touches, for no node faces the master within its "
                   "Reach. Check Master boundary ids and the bodies' places.");
-        else if (empty[c])
+        else if (const unsigned int n = scene.pairings[c].n_paired;
+                 empty[c] && pairing::n_shared(static_cast<unsigned int>(c),
+                                               n,
+                                               scene.bodies.contact_nodes) < n)
           throw InputError(
             "Contact '" + scene.contact_names[c] +
             "' has no node that may touch: supports or ties hold all of them along "

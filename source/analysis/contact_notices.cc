@@ -158,7 +158,7 @@ namespace conetact::analysis
   void
   ContactNotices::see(const output::IncrementRecord &record)
   {
-    constexpr double    rounding = 1e-9; // of the largest force
+    constexpr double    rounding = 1e-9; // of the largest force; of a cell
     const auto         &points   = model.points.all();
     const auto         &start    = scene.bodies.contact_nodes;
     std::vector<double> largest(facets.size(), 0.);
@@ -173,6 +173,8 @@ namespace conetact::analysis
       {
         const unsigned int c = rows[i].contact;
         least_gaps[c]        = std::min(least_gaps[c], rows[i].gap);
+        if (rows[i].gap <= rounding * points[i].node->spacing)
+          has_closed[c] = true; // with or without force
         if (rows[i].reaction[0] <= rounding * largest[c])
           continue;
         has_closed[c]           = true;
@@ -196,11 +198,9 @@ namespace conetact::analysis
   }
 
   std::string
-  ContactNotices::uneven(const unsigned int c,
-                         const Closed      &closed,
-                         const double       facet) const
+  ContactNotices::uneven(const unsigned int c, const Closed &closed) const
   {
-    constexpr double some    = .1; // of the nodes that press
+    constexpr double some    = .05; // of the nodes that press
     const auto       pattern = patterns.find(c);
     if (pattern == patterns.end())
       return "";
@@ -210,10 +210,9 @@ namespace conetact::analysis
       return "";
     return "pressures go up and down from node to node (" + std::to_string(n) +
            " nodes in pits, " + std::to_string(n_closed) +
-           " that press), as where facets stand off curved surfaces, here by " +
-           to_text(facet) +
-           ". Exchange the sides where the other one has larger cells, or use "
-           "smaller cells.";
+           " that press), as where small cells meet the straight faces of "
+           "larger ones. Exchange the sides where the other one has larger "
+           "cells, or use smaller cells.";
   }
 
   /* The geometry of faces, not of bodies: chords of cells of different lengths
@@ -261,9 +260,17 @@ namespace conetact::analysis
                            const Closed      &closed,
                            const double       facet) const
   {
-    const bool is_given = contacts.contact(c).gap.has_value();
+    const bool   is_given = contacts.contact(c).gap.has_value();
+    const double widest =
+      *std::max_element(closed.gaps.begin(), closed.gaps.end());
     if (!is_given && pairing::is_adjusted(c, scene.bodies.contact_nodes))
-      return uneven(c, closed, facet);
+      return facet > large_facet * widest && widest > 0 ?
+               "Gap = adjust closes what facets leave where sides are drawn to "
+               "touch, but gaps of up to " +
+                 to_text(widest) + " close as well, and facets stand off by " +
+                 to_text(facet) +
+                 ", more than a tenth of that. Use smaller cells." :
+               uneven(c, closed);
     if (second_degree[c])
       return "its curved faces are of second degree (Element = Q2 or P2), "
              "whose edges are straight: their middle nodes lie " +
@@ -279,17 +286,18 @@ namespace conetact::analysis
              "): pressures of single nodes are those of facets. Use smaller "
              "cells, or give Gap = adjust where they are drawn to touch, or "
              "its Gap.";
-    return uneven(c, closed, facet);
+    return uneven(c, closed);
   }
 
   void
   ContactNotices::judge_facets(const unsigned int c, const Closed &closed)
   {
+    if (contacts.contact(c).kind != pairing::ContactKind::contact)
+      return;
     const double facet =
       exceeded_by(second_degree[c] ? of_middles : .5, closed.facets);
-    if (facet == 0 || contacts.contact(c).kind != pairing::ContactKind::contact)
-      return;
-    const std::string why = of_facet(c, closed, facet);
+    const std::string why =
+      facet > 0 ? of_facet(c, closed, facet) : uneven(c, closed);
     if (why.empty())
       return;
     sentences[c] = "contact '" + contacts.contact(c).name + "': " + why;
@@ -311,6 +319,7 @@ namespace conetact::analysis
     std::vector<std::string> names, gaps;
     for (unsigned int c = 0; c < has_closed.size(); ++c)
       if (!has_closed[c] && scene.pairings[c].n_paired > 0 &&
+          least_gaps[c] < std::numeric_limits<double>::max() && // it has nodes
           contacts.contact(c).kind == pairing::ContactKind::contact)
         {
           names.push_back("'" + scene.contact_names[c] + "'");

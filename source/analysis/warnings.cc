@@ -55,7 +55,8 @@ namespace conetact::analysis
                   [&](const contact::ContactPoint &point) {
                     return !contact::presses_nothing(state.r[point.normal()],
                                                      largest_force);
-                  });
+                  }) ||
+      points.n_bound() > 0;
     once("position",
          model.bodies.called(motion.body) + " may move " + describe(motion) +
            ", which nothing opposes: " +

@@ -92,7 +92,7 @@ namespace conetact::contact
     row.node     = node.node;
     row.position = node.position;
     row.normal   = node.n;
-    row.area     = node.area;
+    row.area     = node.meets_nothing() ? 0 : node.area; // it covers nothing
     row.foot     = foot_of(model.bodies, node);
     row.acts     = acting_at(model.bodies, node);
     // tables name the normal only: whoever reads them knows its tangents

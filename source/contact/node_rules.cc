@@ -113,10 +113,15 @@ namespace conetact::contact
         const auto found = held.find({node.body, node.node});
         if (!faces_body(node) || found == held.end())
           continue;
+        std::vector<Tensor<1, 3>> basis;
         for (const Tensor<1, 3> &e : found->second)
+          add_direction(e, basis);
+        const bool any_will_do =
+          node.meets_nothing() && !is_spanned(node.n, basis);
+        for (const Tensor<1, 3> &e : basis)
           // Nearly in the plane of symmetry: the part across it is an error of
-          // the facets.
-          if (std::abs(node.n * e) < largest_facet_angle)
+          // the facets. What meets nothing has no normal of its own yet.
+          if (any_will_do || std::abs(node.n * e) < largest_facet_angle)
             node.n -= (node.n * e) * e;
         pairing::set_frame(node, node.n / node.n.norm(), bodies.dim);
       }

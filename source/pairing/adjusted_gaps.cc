@@ -10,6 +10,24 @@
 
 namespace conetact::pairing
 {
+  namespace
+  {
+    /**
+     * Gaps up to a margin are those of facets: zero. So that there is no step
+     * to gaps that are drawn, these begin at zero as well and are what they are
+     * from three margins on.
+     */
+    double
+    without_facets(const double gap, const double margin)
+    {
+      constexpr double ramp = 3;
+      const double     size = std::abs(gap);
+      if (size <= margin || size >= ramp * margin)
+        return size <= margin ? 0 : gap;
+      return std::copysign(ramp * (size - margin) / (ramp - 1), gap);
+    }
+  } // namespace
+
   void
   adjust_gaps(const Contact                                &contact,
               const unsigned int                            number,
@@ -17,14 +35,22 @@ namespace conetact::pairing
               std::vector<ContactNode>                     &nodes)
   {
     const ContactFacets facets(contact, structures);
+    const auto          margin = [&](const ContactNode &node) {
+      return facet_margin * facets.around(node);
+    };
+    const bool touches =
+      std::any_of(nodes.begin(), nodes.end(), [&](const ContactNode &node) {
+        return node.contact == number && !node.meets_nothing() &&
+               std::abs(node.gap) <= margin(node);
+      });
     for (ContactNode &node : nodes)
       if (node.contact == number)
         {
-          const bool touches =
-            !node.meets_nothing() &&
-            std::abs(node.gap) <= facet_margin * facets.around(node);
-          const double change = touches ? -node.gap : 0;
-          node.growth         = [change](const double) { return change; };
+          const double change =
+            touches && !node.meets_nothing() ?
+              without_facets(node.gap, margin(node)) - node.gap :
+              0;
+          node.growth = [change](const double) { return change; };
         }
   }
 

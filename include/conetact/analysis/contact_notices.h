@@ -65,9 +65,7 @@ namespace conetact::analysis
              const double       facet) const;
     /** Of pressures that go up and down from node to node; else empty. */
     std::string
-    uneven(const unsigned int contact,
-           const Closed      &closed,
-           const double       facet) const;
+    uneven(const unsigned int contact, const Closed &closed) const;
     void
     judge_lonely(const unsigned int contact, const Closed &closed);
     void
