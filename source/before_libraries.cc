@@ -40,6 +40,17 @@ namespace
     return end != text && *end == 0 && number > 0;
   }
 
+  /** Whether there will be many copies of this process. */
+  bool
+  is_batch(const char *const *argument)
+  {
+    for (; *argument != nullptr; ++argument)
+      if (std::strcmp(*argument, "--batch") == 0 ||
+          value_of(*argument, "--batch") != nullptr)
+        return true;
+    return false;
+  }
+
   /**
    * The C library does not know the environment yet and would not take changes:
    * the program begins once more with another one, if it must.
@@ -51,23 +62,29 @@ namespace
   {
     constexpr std::size_t most  = 4096;
     static char           one[] = "OPENBLAS_NUM_THREADS=1";
-    static char          *changed[most + 2];
+    static char           now[] = "LD_BIND_NOW=1";
+    static char          *changed[most + 3];
     std::size_t           n = 0, n_before = 0;
-    bool                  has_threads = false;
+    bool                  has_threads = false, has_now = false;
     for (; environment[n_before] != nullptr; ++n_before)
       {
         char *const       variable = environment[n_before];
         const char *const threads  = value_of(variable, "DEAL_II_NUM_THREADS");
         has_threads |= value_of(variable, "OPENBLAS_NUM_THREADS") != nullptr;
+        has_now |= value_of(variable, "LD_BIND_NOW") != nullptr;
         if (threads != nullptr && !is_a_number_of_threads(threads))
           continue;
         if (n == most)
           return;
         changed[n++] = variable;
       }
+    const bool changes = n < n_before;
     if (one_thread && !has_threads)
       changed[n++] = one;
-    else if (n == n_before)
+    // else each copy would look the symbols up again that it calls
+    if (!has_now && is_batch(arguments))
+      changed[n++] = now;
+    if (!changes && n == n_before)
       return;
     execve("/proc/self/exe", arguments, changed);
   }

@@ -4,9 +4,11 @@
 #include "conetact/analysis/adaptive_refinement.h"
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/make_analysis.h"
+#include "conetact/application/batch.h"
 #include "conetact/application/command_line.h"
 #include "conetact/application/located.h"
 #include "conetact/application/manual.h"
+#include "conetact/application/mpi_libraries.h"
 #include "conetact/application/scene.h"
 #include "conetact/backends/workers.h"
 #include "conetact/base/atomic_file.h"
@@ -32,19 +34,6 @@
 namespace
 {
   using namespace conetact;
-
-  std::filesystem::path
-  folder_of(const application::CommandLine &line,
-            const application::Scene       &scene)
-  {
-    if (!line.folder.empty())
-      return line.folder;
-    const std::string name = scene.name();
-    if (name == "." || name == "..")
-      throw InputError("The name of " + line.scene.string() +
-                       " makes no folder for results. Name one with -o.");
-    return std::filesystem::path("output") / name;
-  }
 
   [[noreturn]] void
   refuse_folder(const std::filesystem::path &folder, const std::string &why)
@@ -227,7 +216,7 @@ namespace
         return false;
       }
 
-    const std::filesystem::path folder = folder_of(line, scene);
+    const std::filesystem::path folder = application::results_folder(line);
     if (!progress.lock)
       check_folder(folder);
     analysis->prepare();
@@ -350,7 +339,7 @@ namespace
 
   /** The exit code; only the first of many processes is here. */
   int
-  run_program(int argc, char *argv[])
+  run_program(int argc, char *const argv[])
   {
     application::CommandLine line;
     try
@@ -358,6 +347,8 @@ namespace
         line = application::parse_command_line(argc, argv);
         if (!line.answer.empty())
           print(line.answer);
+        else if (!line.batch.empty())
+          throw InputError("A batch is no run of another one.");
         else if (!line.new_scene.empty())
           print(application::write_starter_scene(line.new_scene));
         else if (line.print_parameters && line.scene.empty())
@@ -392,24 +383,70 @@ namespace
         return say(error.what(), 1);
       }
   }
+
+  /** A run, from its first line to its exit code. */
+  int
+  run_process(int argc, char *const argv[])
+  {
+    const ProcessSession process;
+    take_size_limits_as_errors();
+    dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+    dealii::deal_II_exceptions::disable_abort_on_exception();
+    try
+      {
+        ProcessSession::join();
+      }
+    catch (const InputError &error)
+      {
+        return say(error.what(), 1);
+      }
+    if (ProcessSession::rank() > 0)
+      return work_for_first();
+    return end_work(run_program(argc, argv));
+  }
+
+  /** The batch that is asked for, if this is one; all else is told by the run
+   * that it is. */
+  application::CommandLine
+  batch_of(int argc, char *const argv[])
+  {
+    try
+      {
+        return application::parse_command_line(argc, argv);
+      }
+    catch (const InputError &)
+      {
+        return {};
+      }
+  }
+
+  int
+  run_batch(const application::CommandLine &line)
+  {
+    try
+      {
+        if (ranks_of_mpirun().size > 1)
+          throw InputError("A batch is no run of several processes. Leave "
+                           "mpirun out, and write --processes into its lines.");
+        application::load_mpi_libraries();
+        return application::run_batch(line, run_process);
+      }
+    catch (const InputError &error)
+      {
+        return say(error.what(), 1);
+      }
+    catch (const WriteError &error)
+      {
+        return say(error.what(), 3);
+      }
+  }
 } // namespace
 
+/* Nothing is started before it is known that there will be no copies of this
+   process. */
 int
 main(int argc, char *argv[])
 {
-  const ProcessSession process;
-  take_size_limits_as_errors();
-  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  try
-    {
-      ProcessSession::join();
-    }
-  catch (const InputError &error)
-    {
-      return say(error.what(), 1);
-    }
-  if (ProcessSession::rank() > 0)
-    return work_for_first();
-  return end_work(run_program(argc, argv));
+  const application::CommandLine line = batch_of(argc, argv);
+  return line.batch.empty() ? run_process(argc, argv) : run_batch(line);
 }

@@ -19,6 +19,7 @@ usage: check_program.py PROGRAM CASE [COUNT]
   first-contact  the manual, a starter scene that runs, includes, line ends, the closing screen
   pipes       scenes from pipes, devices
   cautions    what is warned of
+  batch       many runs of one program that is loaded once: exit codes, what is wrong in their file, signals
   numbers     COUNT meshes of shipped scenes and of deal.II's generators with
               other numbers (default 60): accepted or refused with a sentence,
               never a crash
@@ -450,6 +451,93 @@ class Case:
             refuse(f"a checkpoint with {what}", craft, "checkpoint")
         run = self.run(go_on, "--restart", whole)
         self.demand("the whole run goes on", run.returncode == 0, run)
+
+    def run_batch(self, lines, *arguments, file="runs.txt", **options):
+        (self.folder / "runs.txt").write_text("".join(f"{line}\n" for line in lines))
+        with open(self.folder / "runs.txt") as stream:
+            return subprocess.run([self.program, "--batch", file, *arguments], cwd=self.folder, stdin=stream, text=True,
+                                  capture_output=True, timeout=120, **options)
+
+    def batch(self):
+        """A batch is what its runs are one by one."""
+        (self.folder / "a b.prm").write_text(held(2))
+        (self.folder / "none.prm").write_text(pressed(increments=1).replace("1e-6*t", "1*t"))
+        lines = ["# a comment", "", "'a b.prm' -o one --quiet  # and another", '"a b.prm" -s "Time/Increments=3" -o "two # 2"',
+                 "a\\ b.prm -o three -s Time/Incremens=3", "none.prm -o four 2> said.txt", "a\\ b.prm --dry-run >sizes.txt",
+                 "a\\ b.prm -o /proc/none"]
+        good, bad = "conetact: ", ("there is no entry 'Incremens'", "body 'block'", "cannot be")
+        for jobs, file in (("1", "runs.txt"), ("3", "runs.txt"), ("2", "-")):
+            run = self.run_batch(lines, "--jobs", jobs, file=file)
+            rows = [re.match(r" *(\d+) +(\d+)  (.*)", row) for row in run.stdout.splitlines()[1:-1]]
+            self.demand(f"{file}, {jobs} side by side: exit codes in the order of the lines", run.returncode == 3 and [
+                        (int(r[1]), int(r[2])) for r in rows] == [(3, 0), (4, 0), (5, 1), (6, 2), (7, 0), (8, 3)], run)
+            self.demand("  folders and sentences", [r[3] for r in rows[:2]] == ["one", "two # 2"] and rows[4][3] == "a b.prm" and all(
+                        words in row[3] for words, row in zip(bad, (rows[2], rows[3], rows[5]))), run)
+            self.demand("  what runs print goes where they say", "Load pull" in (self.folder / "sizes.txt").read_text()
+                        and (self.folder / "said.txt").read_text() == f"{good}{rows[3][3].removeprefix('four: ')}\n", run)
+            self.demand("  results", not (self.folder / "three").exists() and
+                        (self.folder / "two # 2" / "increments.csv").read_text().count("\n") == 4)
+            self.demand("  the last line", run.stdout.endswith("6 runs, 3 with another exit code than 0\n"), run.stdout)
+        alone = self.run(held(2), "--quiet")
+        self.demand("tables are those of a run alone", alone.returncode == 0 and all(
+            (self.result / name).read_bytes() == (self.folder / "one" / name).read_bytes()
+            for name in ("reactions.csv", "increments.csv", "used.prm")))
+        self.refuse_batches()
+        self.end_batch()
+
+    def refuse_batches(self):
+        for what, lines, words in (
+                ("wrong options", ["'a b.prm' -o x", "'a b.prm' --loud"], ["runs.txt: Line 2: Option --loud is not known"]),
+                ("open quotes", ["'a b.prm -o x"], ["Line 1: The quotation mark ' has no partner"]),
+                ("all wrong lines", ["a --help", "#", "b c", "-q"], ["Line 1: A line of a batch runs a scene", "Line 3: More than one scene",
+                                                                  "Line 4: No scene file"]),
+                ("no file behind >", ["'a b.prm' -o x >"], ["Line 1: There is no file behind the last >"]),
+                ("one folder for two", ["'a b.prm' -o x", "'a b.prm' -o ./y/../x"], ["Line 2: Its results would replace those of line 1"]),
+                ("the folder of the scene's name", ["'a b.prm'", "'a b.prm' -o 'output/a b'"], ["Line 2: Its results would replace"]),
+                ("no runs", ["# nothing"], ["runs.txt: No line holds a run"])):
+            run = self.run_batch(lines)
+            self.demand(f"{what}: refused before anything runs", run.returncode == 1 and not run.stdout and
+                        len(run.stderr.splitlines()) == len(words) and all(w in run.stderr for w in words)
+                        and not (self.folder / "x").exists() and not (self.folder / "output").exists(), run)
+        for arguments, words in ((("--batch", "missing.txt"), "missing.txt cannot be read"), (("--batch", "."), "cannot be read"),
+                                 (("--batch", ""), "name is empty"), (("--batch", "runs.txt", "-o", "x"), "only --jobs"),
+                                 (("--batch", "runs.txt", "a b.prm"), "only --jobs"), (("--jobs", "2", "a b.prm"), "--jobs is for"),
+                                 (("--batch", "runs.txt", "--jobs", "0"), "'0' is no number of runs"), (("--batch",), "needs a value")):
+            run = subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True)
+            self.demand(f"{' '.join(arguments)}: refused", run.returncode == 1 and words in run.stderr
+                        and len(run.stderr.splitlines()) == 1, run)
+        two = {**os.environ, "PMI_SIZE": "2", "PMI_RANK": "0"}
+        self.refuses("a batch under mpirun", self.run_batch(["'a b.prm' -o x"], env=two), "Leave mpirun out")
+
+    def end_batch(self):
+        """A run that dies ends alone; a batch takes its runs along."""
+        slow = pressed(increments=400000)
+        (self.folder / "slow.prm").write_text(slow)
+
+        def begin(*lines):
+            (self.folder / "runs.txt").write_text("\n".join(lines))
+            process = subprocess.Popen([self.program, "--batch", "runs.txt", "--jobs", "2"], cwd=self.folder, text=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            while process.poll() is None and not (self.folder / "slow" / "checkpoint.bin").exists():
+                time.sleep(.01)
+            children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+            return process, [int(child) for child in children.read_text().split()]
+        process, (child, *_) = begin("slow.prm -o slow", "'a b.prm' -o fast")
+        self.demand("it has started no threads", len(list(Path(f"/proc/{process.pid}/task").iterdir())) == 1)
+        os.kill(child, signal.SIGSEGV)
+        out = process.communicate(timeout=60)[0]
+        self.demand("a run that crashes is told, the others go on", process.returncode == 139 and
+                    "    1   139  slow: The run was ended by signal 11" in out and "    2     0  fast\n" in out, out)
+        for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            shutil.rmtree(self.folder / "slow")
+            process, children = begin("slow.prm -o slow")
+            process.send_signal(ending)
+            process.communicate(timeout=60)
+            until = time.monotonic() + 20
+            while any(Path(f"/proc/{child}").exists() for child in children) and time.monotonic() < until:
+                time.sleep(.01)
+            self.demand(f"{ending.name} ends runs, too", process.returncode == -ending and children and
+                        not any(Path(f"/proc/{child}").exists() for child in children), process.returncode)
 
     def numbers(self, count=60):
         """Each number of a mesh, replaced by what its generator cannot mean."""

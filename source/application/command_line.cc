@@ -14,6 +14,7 @@ namespace conetact::application
   namespace
   {
     constexpr const char *help = R"(usage: conetact SCENE.prm [OPTION]...
+       conetact --batch FILE [--jobs N]
 
 Quasi-static frictional contact of linear elastic bodies with the exact
 Coulomb cone.
@@ -35,28 +36,57 @@ Coulomb cone.
                                 stiffness differs, stop beyond 1e-10
       --processes N             share the linear algebra of large scenes among N
                                 processes (mpirun -n N)
+      --batch FILE              run what each line of the FILE says, SCENE.prm
+                                [OPTION]..., with the quotes and # of a shell
+                                (> FILE and 2> FILE take what a run prints, which
+                                is lost else; -: lines of standard input as they
+                                arrive). Libraries are loaded once, and a table
+                                tells exit codes and what was wrong
+      --jobs N                  do N runs of a batch side by side (default: 1)
   -q, --quiet                   print errors only
       --version                 print the version
   -h, --help                    print this text
 
 Exit codes: 0 done; 1 wrong input, nothing was written; 2 no equilibrium or not
-converged, all increments before it are on disk; 3 cannot write.
+converged, all increments before it are on disk; 3 cannot write. A batch has the
+largest one of its runs.
 )";
 
     constexpr const char *see_help = " See conetact --help.";
 
     unsigned int
-    number_of_processes(const std::string &text)
+    number_of(const std::string &things,
+              const std::string &option,
+              const std::string &text)
     {
       constexpr unsigned int most = 9999;
       unsigned int           n    = 0;
       const char *const      end  = text.data() + text.size();
       const auto [rest, error]    = std::from_chars(text.data(), end, n);
       if (error != std::errc() || rest != end || n < 1 || n > most)
-        throw InputError("Option --processes: '" + text +
-                         "' is no number of processes, 1 to " +
+        throw InputError("Option " + option + ": '" + text +
+                         "' is no number of " + things + ", 1 to " +
                          std::to_string(most) + "." + see_help);
       return n;
+    }
+
+    /** Whether this is a batch; what its lines say cannot stand beside it. */
+    bool
+    is_batch(const CommandLine &line, const bool has_scene)
+    {
+      if (line.batch.empty() && line.jobs > 0)
+        throw InputError(std::string("--jobs is for the runs of --batch.") +
+                         see_help);
+      if (line.batch.empty())
+        return false;
+      if (has_scene || !line.folder.empty() || !line.restart.empty() ||
+          !line.overrides.empty() || !line.new_scene.empty() ||
+          line.print_parameters || line.dry_run || line.verify || line.quiet ||
+          line.processes > 0)
+        throw InputError("--batch takes scenes and their options from the "
+                         "lines of its file. Write them there; only --jobs "
+                         "may stand beside it.");
+      return true;
     }
   } // namespace
 
@@ -71,6 +101,8 @@ converged, all increments before it are on disk; 3 cannot write.
       {"parameters", no_argument, nullptr, 'p'},
       {"dry-run", no_argument, nullptr, 'd'},
       {"processes", required_argument, nullptr, 'P'},
+      {"batch", required_argument, nullptr, 'b'},
+      {"jobs", required_argument, nullptr, 'j'},
       {"verify", no_argument, nullptr, 'V'},
       {"quiet", no_argument, nullptr, 'q'},
       {"version", no_argument, nullptr, 'v'},
@@ -78,7 +110,7 @@ converged, all increments before it are on disk; 3 cannot write.
       {nullptr, 0, nullptr, 0}};
 
     CommandLine line;
-    opterr = 0;
+    opterr = optind = 0; // another line may have been parsed before
     for (int c;
          (c = getopt_long(argc, argv, ":o:s:qh", long_options, nullptr)) != -1;)
       switch (c)
@@ -108,7 +140,15 @@ converged, all increments before it are on disk; 3 cannot write.
             line.dry_run = true;
             break;
           case 'P':
-            line.processes = number_of_processes(optarg);
+            line.processes = number_of("processes", "--processes", optarg);
+            break;
+          case 'b':
+            line.batch = optarg;
+            if (line.batch.empty())
+              throw InputError("Option --batch: the file's name is empty.");
+            break;
+          case 'j':
+            line.jobs = number_of("runs", "--jobs", optarg);
             break;
           case 'V':
             line.verify = true;
@@ -129,6 +169,8 @@ converged, all increments before it are on disk; 3 cannot write.
             throw InputError(std::string("Option ") + argv[optind - 1] +
                              " is not known." + see_help);
         }
+    if (is_batch(line, optind < argc))
+      return line;
     if (optind >= argc && (line.print_parameters || !line.new_scene.empty()))
       return line;
     if (!line.new_scene.empty())
@@ -148,5 +190,19 @@ converged, all increments before it are on disk; 3 cannot write.
       throw InputError(std::string("The scene file's name is empty.") +
                        see_help);
     return line;
+  }
+
+
+
+  std::filesystem::path
+  results_folder(const CommandLine &line)
+  {
+    if (!line.folder.empty())
+      return line.folder;
+    const std::string name = line.scene.stem().string();
+    if (name == "." || name == "..")
+      throw InputError("The name of " + line.scene.string() +
+                       " makes no folder for results. Name one with -o.");
+    return std::filesystem::path("output") / name;
   }
 } // namespace conetact::application

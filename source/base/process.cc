@@ -125,6 +125,13 @@ namespace conetact
         {"OMPI_MCA_pml", "ob1"},
         {"OMPI_MCA_op", "^avx"},
         {"OMPI_MCA_coll", "^adapt,han,inter,monitoring,sm,sync,tuned"},
+        // each of these is a library to be loaded that is of no use
+        {"OMPI_MCA_state", "^tool,orted,novm,hnp"},
+        {"OMPI_MCA_errmgr", "^default_tool,default_orted,default_hnp"},
+        {"OMPI_MCA_shmem", "^sysv,posix"},
+        {"OMPI_MCA_reachable", "^netlink"},
+        {"OMPI_MCA_osc", "^monitoring,pt2pt,rdma,sm,ucx"},
+        {"HWLOC_PLUGINS_PATH", "/"},
         {"HWLOC_SYNTHETIC", "pu:1"}};
       for (const auto &setting : settings)
         setenv(setting[0], setting[1], /*overwrite=*/0);

@@ -23,6 +23,8 @@ namespace conetact::application
     bool                     quiet            = false;
     bool                     verify           = false;
     unsigned int             processes        = 0; ///< 0: not said
+    std::filesystem::path    batch; ///< file of its lines, "-": standard input
+    unsigned int             jobs = 0;  ///< runs of it at a time, 0: not said
     std::string              new_scene; ///< name of a scene to be written
     /** Text to print instead of doing anything: help, version. */
     std::string answer;
@@ -31,6 +33,11 @@ namespace conetact::application
   /** Throws InputError. */
   CommandLine
   parse_command_line(const int argc, char *const argv[]);
+
+  /** The one that is named, or the one of the scene's name. Throws InputError
+   * if that is no name of a folder. */
+  std::filesystem::path
+  results_folder(const CommandLine &line);
 } // namespace conetact::application
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/application/batch_file.h"
 #include "conetact/application/command_line.h"
 
-#include <getopt.h>
 #include <gtest/gtest.h>
 
 #include "sentence.h"
@@ -20,7 +20,6 @@ namespace
     std::vector<char *> argv;
     for (std::string &word : words)
       argv.push_back(word.data());
-    optind = 0; // getopt begins anew
     return parse_command_line(static_cast<int>(argv.size()), argv.data());
   }
 
@@ -72,4 +71,39 @@ TEST(CommandLine, Refusals)
   EXPECT_TRUE(test::starts(refused({"a", "-o"}), "Option -o needs a value."));
   EXPECT_TRUE(test::starts(refused({"a", "-o", ""}), "Option -o: the folder"));
   EXPECT_TRUE(test::starts(refused({"--loud", "a"}), "Option --loud is not"));
+}
+
+
+
+TEST(CommandLine, Batches)
+{
+  const CommandLine line = parse({"--batch", "runs.txt", "--jobs=4"});
+  EXPECT_EQ(line.batch, "runs.txt");
+  EXPECT_EQ(line.jobs, 4u);
+  EXPECT_TRUE(test::starts(refused({"--batch", "a", "-q"}), "--batch takes"));
+  EXPECT_TRUE(test::starts(refused({"--jobs", "2", "a"}), "--jobs is for"));
+  EXPECT_TRUE(test::starts(refused({"--jobs", "x"}), "Option --jobs: 'x'"));
+  EXPECT_EQ(results_folder(parse({"a/b.prm"})), "output/b");
+  EXPECT_EQ(results_folder(parse({"a/b.prm", "-o", "c"})), "c");
+}
+
+
+
+TEST(BatchFile, WordsAreThoseOfAShell)
+{
+  using Words    = std::vector<std::string>;
+  const auto run = [](const std::string &line) {
+    return parse_batch_line(line, 7).value();
+  };
+  EXPECT_FALSE(parse_batch_line(" \t", 1).has_value());
+  EXPECT_FALSE(parse_batch_line("  # a.prm", 1).has_value());
+  EXPECT_EQ(run("a\tb  -s 'A b/C=1 # \"2\"' # d").words,
+            (Words{"a", "b", "-s", "A b/C=1 # \"2\""}));
+  EXPECT_EQ(run(R"(a\ b\\ "c \"d\" \e" x#y '' f'g'"h")").words,
+            (Words{"a b\\", "c \"d\" \\e", "x#y", "", "fgh"}));
+  EXPECT_EQ(run("a").number, 7u);
+  const BatchRun files = run("a > 'o u t' 2>err t=1>2 '>b'");
+  EXPECT_EQ(files.words, (Words{"a", "t=1>2", ">b"}));
+  EXPECT_EQ(files.out, "o u t");
+  EXPECT_EQ(files.err, "err");
 }
