@@ -200,13 +200,14 @@ namespace conetact::analysis
   std::string
   ContactNotices::uneven(const unsigned int c, const Closed &closed) const
   {
-    constexpr double some    = .05; // of the nodes that press
-    const auto       pattern = patterns.find(c);
+    constexpr double      some    = .05; // of the nodes that press
+    constexpr std::size_t few     = 6;   // nodes have no pattern
+    const auto            pattern = patterns.find(c);
     if (pattern == patterns.end())
       return "";
     const unsigned int n        = pattern->second.n_pits(closed.pressures);
     const std::size_t  n_closed = closed.pressures.size();
-    if (n < 2 || n < some * static_cast<double>(n_closed))
+    if (n < 2 || n_closed < few || n < some * static_cast<double>(n_closed))
       return "";
     return "pressures go up and down from node to node (" + std::to_string(n) +
            " nodes in pits, " + std::to_string(n_closed) +
