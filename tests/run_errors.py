@@ -23,10 +23,12 @@ sentences are those of the changed scene. Each base must be right without the ro
 import re
 import shlex
 import sys
+import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from run_scene import check_error, execute
+from support.batch import Batch
 
 
 @dataclass
@@ -150,33 +152,42 @@ def scene_of(table, name):
     return changed(base, next(row.changes for row in rows if row.name == name))
 
 
-def run_text(program, folder, name, text, arguments):
+def run_text(start, folder, name, text, arguments):
     folder.mkdir(parents=True, exist_ok=True)
     scene = folder / f"{name}.prm"
     scene.write_text(text)
-    return execute(program, folder / name, scene, arguments)
+    return execute(start, folder / name, scene, arguments)
 
 
-def faults_of(program, folder, base, row):
+def faults_of(start, folder, base, row):
     """What is wrong with how a row is refused."""
     text = changed(base, row.changes)
     if text == base and not row.arguments:
         return ["it changes nothing"]
-    run, result, faults = run_text(program, folder, row.name, text, row.arguments)
+    run, result, faults = run_text(start, folder, row.name, text, row.arguments)
     return faults + check_error(run, result, 1, row.sentence)
+
+
+def faults_of_table(start, folder, base, rows):
+    run, _, failed = run_text(start, folder, "base", base, ["--dry-run"])
+    if run.returncode != 0:
+        failed.append(run.stderr.strip())
+    failed = [f"the base: {fault}" for fault in failed]
+    for row in rows:
+        failed += [f"[{row.name}] {fault}" for fault in faults_of(start, folder, base, row)]
+    return failed
 
 
 def main(program, folder, file, *names):
     program, folder, file = (Path(a).resolve() for a in (program, folder, file))
     base, rows = read_table(file)
-    run, _, failed = run_text(program, folder, "base", base, ["--dry-run"])
-    if run.returncode != 0:
-        failed.append(run.stderr.strip())
-    failed = [f"the base: {fault}" for fault in failed]
-    for row in rows:
-        if row.name in names or not names:
-            failed += [f"[{row.name}] {fault}" for fault in faults_of(program, folder, base, row)]
-    print("\n".join(f"{file.name}: {fault}" for fault in failed + [f"{len(names or rows)} rows, {len(failed)} faults"]))
+    rows = [row for row in rows if row.name in names or not names]
+    with tempfile.TemporaryDirectory() as empty:
+        batch = Batch(program, cwd=empty)
+        failed = faults_of_table(batch.run, folder, base, rows)
+        batch.close()
+        failed += [f"{path.name} is left in the working folder" for path in Path(empty).iterdir()]
+    print("\n".join(f"{file.name}: {fault}" for fault in failed + [f"{len(rows)} rows, {len(failed)} faults"]))
     return 1 if failed else 0
 
 

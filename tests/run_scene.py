@@ -136,13 +136,18 @@ def check_error(run, result, code, fragment):
     return faults
 
 
-def execute(program, work, file, arguments):
-    """Runs a scene in an empty folder: the process, the folder of its results, and what is wrong so far."""
+def process(program, folder):
+    """Starts the program in a folder."""
+    return lambda *words: subprocess.run([program, *words], cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                                         errors="replace")
+
+
+def execute(start, work, file, arguments):
+    """Runs a scene into an empty folder: the process, the folder of its results, and what is wrong so far."""
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     result = work / "result"
-    run = subprocess.run([program, file, "-o", result, "--quiet", *arguments], cwd=work,
-                         stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    run = start(file, "-o", result, "--quiet", *arguments)
     print(run.stdout + run.stderr, end="")
     left = [p.name for p in work.iterdir() if p != result]
     return run, result, [f"files beside the result: {left}"] if left else []
@@ -160,7 +165,7 @@ def run_scene(program, folder, scene, mode):
 
     golden = scene.parent / same[1] if same else scene.with_suffix(".table")
     file = (scene.parent / other[1]).resolve() if other else scene
-    run, result, faults = execute(program, folder / scene.stem, file, arguments)
+    run, result, faults = execute(process(program, folder / scene.stem), folder / scene.stem, file, arguments)
     if expect:
         return faults + check_error(run, result, int(expect[1]), expect[2])
     if run.returncode != 0:

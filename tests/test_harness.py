@@ -158,7 +158,7 @@ class Rows(unittest.TestCase):
             file.write_text(program)
             file.chmod(0o755)
             row = run_errors.Row("a", changes=list(changes), sentence="no mesh")
-            return run_errors.faults_of(file, Path(name) / "runs", BASE, row)
+            return run_errors.faults_of(run_scene.process(file, name), Path(name) / "runs", BASE, row)
 
     def test_rows_are_judged_as_scenes(self):
         self.assertEqual(self.run_row(PROGRAM, "Name = plain"), [])

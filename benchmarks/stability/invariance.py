@@ -24,6 +24,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "tests"))
+from support.batch import of_thread  # noqa: E402
 from support.scenes import write_scene  # noqa: E402
 from support.tables import REACTION, Run, in_space  # noqa: E402
 
@@ -63,9 +64,8 @@ class End:
     def __init__(self, program, scene, frame, size, options, folder):
         folder.mkdir(parents=True)
         write_scene(scene, folder / "scene.prm")
-        command = [program, folder / "scene.prm", "-o", folder / "result", "--quiet", *options]
         try:
-            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120)
+            done = of_thread(program).run(folder / "scene.prm", "-o", folder / "result", "--quiet", *options, timeout=120)
             self.code, self.sentence = done.returncode, done.stderr.strip()
         except subprocess.TimeoutExpired:
             self.code, self.sentence = -1, "no end within 120 s"

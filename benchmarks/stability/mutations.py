@@ -18,11 +18,11 @@ import math
 import os
 import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 import zlib
 from pathlib import Path
 
@@ -30,7 +30,7 @@ TOP = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(TOP / "tests"))
 
 from support import mesh_files  # noqa: E402
-from support.forks import Forks  # noqa: E402
+from support.batch import of_thread  # noqa: E402
 
 SECONDS = 20
 ALARM = -14
@@ -187,17 +187,25 @@ def contents(folder):
     return {p.name: hashlib.sha1(p.read_bytes()).hexdigest() for p in sorted(folder.iterdir()) if p.is_file()} if folder.is_dir() else {}
 
 
+def limit_run():
+    """What no run may take."""
+    for what, amount in ((resource.RLIMIT_AS, 3 << 30), (resource.RLIMIT_FSIZE, 100 << 20), (resource.RLIMIT_CORE, 0)):
+        resource.setrlimit(what, (amount, amount))
+
+
 class Programs:
-    """One driver of the main program for each thread, and the other programs."""
-    local = threading.local()
+    """The main program, a batch for each thread, and the other ones."""
 
     def __init__(self, build):
         self.build = build
 
-    def conetact(self, folder, *arguments):
-        if not hasattr(self.local, "forks"):
-            self.local.forks = Forks(self.build / "conetact-forks")
-        return self.local.forks.run(folder, *arguments)
+    def conetact(self, *arguments):
+        batch = of_thread(self.build / "conetact", preexec_fn=limit_run, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+        try:
+            run = batch.run(*arguments, timeout=SECONDS)
+            return run.returncode, run.stdout, run.stderr
+        except subprocess.TimeoutExpired:
+            return ALARM, "", ""
 
     def other(self, program, folder, *arguments):
         try:
@@ -231,7 +239,7 @@ class Kind:
         pass
 
     def run_scene(self, folder, *arguments):
-        code, _, error = self.programs.conetact(folder, "scene.prm", "-o", "result", "--quiet", *arguments)
+        code, _, error = self.programs.conetact(folder / "scene.prm", "-o", folder / "result", "--quiet", *arguments)
         result = folder / "result"
         faults = list(said_faults(code, error))
         if code == 1 and result.exists():
@@ -296,7 +304,7 @@ class Checkpoints(Kind):
             folder.mkdir()
             for name, increments in (("first.prm", 2), ("scene.prm", 4)):
                 (folder / name).write_text(scene(dim, increments=increments, checkpoint=1))
-            code, _, error = self.programs.conetact(folder, "first.prm", "-o", "result", "--quiet")
+            code, _, error = self.programs.conetact(folder / "first.prm", "-o", folder / "result", "--quiet")
             if code != 0:
                 raise SystemExit(f"the good checkpoint: {error}")
 
@@ -347,10 +355,10 @@ class Checkpoints(Kind):
             table.write_bytes(changed(chance, table.read_bytes()))
         before = contents(folder / "former")
         if chance.random() < .5:
-            code, faults = self.run_scene(folder, "--restart", "former")
+            code, faults = self.run_scene(folder, "--restart", folder / "former")
             faults += ["it changes the former run"] * (contents(folder / "former") != before)
             return code, faults
-        code, _, error = self.programs.conetact(folder, "scene.prm", "-o", "former", "--restart", "former", "--quiet")
+        code, _, error = self.programs.conetact(folder / "scene.prm", "-o", folder / "former", "--restart", folder / "former", "--quiet")
         faults = list(said_faults(code, error))
         if code == 1 and contents(folder / "former") != before:
             faults.append("exit code 1 and other results")
@@ -366,7 +374,7 @@ class Problems(Kind):
         (self.good / "scene.prm").write_text(scene(2).replace("set Loads = top", "set Loads = top\nset Supports = side") +
                                              "subsection Support side\n  set Body = block\n  set Boundary ids = 0\n"
                                              "  set Directions = x, y\nend\n")
-        code, _, error = self.programs.conetact(self.good, "scene.prm", "-o", "result", "--quiet", "-s",
+        code, _, error = self.programs.conetact(self.good / "scene.prm", "-o", self.good / "result", "--quiet", "-s",
                                                 f"Output/{self.entry}=1")
         self.files = sorted((self.good / "result").glob(self.pattern))
         if code != 0 or not self.files:

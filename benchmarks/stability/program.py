@@ -10,10 +10,14 @@ import csv
 import re
 import shlex
 import subprocess
+import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
+from support.batch import of_thread  # noqa: E402
 
 TOLERANCE = 1e-10
 WRITTEN = 1e-9  # smaller forces stand as 0 in the tables
@@ -183,9 +187,8 @@ def judge(case, folder, code, sentence):
 
 
 def run(program, case, folder, seconds=300):
-    command = [str(program), *case.arguments(), "-o", str(folder), "--quiet", "-s", "Output/VTU=0"]
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=seconds)
+        done = of_thread(program).run(*case.arguments(), "-o", folder, "--quiet", "-s", "Output/VTU=0", timeout=seconds)
     except subprocess.TimeoutExpired:
         return Result(case, f"no end within {seconds} s")
     return judge(case, folder, done.returncode, done.stderr.strip())

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "tests"))
+from support.batch import of_thread  # noqa: E402
 from support.scenes import write_scene  # noqa: E402
 from statics import Statement, judge  # noqa: E402
 
@@ -91,9 +92,8 @@ def run_scene(program, case, scene, folder, seconds):
     """Outcome and why."""
     folder.mkdir(parents=True, exist_ok=True)
     write_scene(scene, folder / "scene.prm")
-    command = [str(program), str(folder / "scene.prm"), "-o", str(folder / "result"), "--quiet"]
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=seconds)
+        done = of_thread(program).run(folder / "scene.prm", "-o", folder / "result", "--quiet", timeout=seconds)
     except subprocess.TimeoutExpired:
         return "crash", f"no end within {seconds} s"
     return verdict_of(case, folder / "result", done.returncode, done.stderr.strip())

@@ -15,15 +15,16 @@ are exceptions with its sentence, a class for each exit code: InputError (1),
 AnalysisError (2), WriteError (3). The program is build/conetact of this repository, the one
 that was installed with this package, or what the environment variable CONETACT names.
 """
+import contextlib
 import csv
 import itertools
 import numbers
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import numpy as np
@@ -235,33 +236,43 @@ def run(scene, changes=None, folder=None, check=True):
     """
     changes = dict(changes or {})
     temporary = None if folder else tempfile.TemporaryDirectory(prefix="conetact-")
-    folder = Path(folder or temporary.name)
-    replaced = [word for entry, value in changes.items() for word in ("-s", f"{entry}={value_text(value)}")]
     try:
-        done = subprocess.run([executable(), scene, "-q", "-o", folder, *replaced], stdin=subprocess.DEVNULL,
+        done = subprocess.run([executable(), *words_of(scene, changes, folder or temporary.name)], stdin=subprocess.DEVNULL,
                               capture_output=True, text=True)
     except OSError as error:
         raise ConetactError(f"The program cannot be started: {error}") from None
-    error = error_of(done)
-    if error and not isinstance(error, AnalysisError):
-        raise error
-    result = Result(folder, changes, done.returncode, error)
-    result.temporary = temporary
-    if error:
-        error.result = result
-        if check:
-            raise error
+    result = result_of(changes, folder, temporary, done.returncode, done.stderr)
+    if result.error and check:
+        raise result.error
     return result
 
 
-def error_of(done):
+def words_of(scene, changes, folder):
+    """What stands behind the program on its command line."""
+    return [str(scene), "-q", "-o", str(folder),
+            *(word for entry, value in changes.items() for word in ("-s", f"{entry}={value_text(value)}"))]
+
+
+def result_of(changes, folder, temporary, code, said):
+    """The Result of a run that has ended, also early; other errors are raised."""
+    error = error_of(code, said)
+    if error and not isinstance(error, AnalysisError):
+        raise error
+    result = Result(folder or temporary.name, changes, code, error)
+    result.temporary = temporary
+    if error:
+        error.result = result
+    return result
+
+
+def error_of(code, said):
     """None, or the exception of a process that has ended."""
-    if done.returncode == 0:
+    if code == 0:
         return None
-    sentence = re.sub(r"^conetact: ", "", done.stderr.strip(), flags=re.M)
-    if done.returncode in ERRORS:
-        return ERRORS[done.returncode](sentence)
-    return ConetactError(f"The program ended with code {done.returncode}: {sentence or 'it said nothing.'}")
+    sentence = re.sub(r"^conetact: ", "", said.strip(), flags=re.M)
+    if code in ERRORS:
+        return ERRORS[code](sentence)
+    return ConetactError(f"The program ended with code {code}: {sentence or 'it said nothing.'}")
 
 
 def combinations(lists, zipped=False):
@@ -275,7 +286,7 @@ def combinations(lists, zipped=False):
 
 
 def sweep(scene, lists, changes=None, zipped=False, folder=None, processes=None, progress=None):
-    """Runs a scene for lists of values, on all cores; returns the Results in the order of the lists.
+    """Runs a scene for lists of values, on all cores, with a program that is loaded once; returns the Results in the order of the lists.
 
     `lists`: {"Contact bottom/Friction coefficient": [0.1, 0.2], ...}, in all combinations, or
     zipped; a text or a number is one value. `changes` are the same for all. With `folder` results stay, in folder/0001, ... A run
@@ -285,17 +296,41 @@ def sweep(scene, lists, changes=None, zipped=False, folder=None, processes=None,
     if folder:
         Path(folder).mkdir(parents=True, exist_ok=True)
     bar = ProgressBar(len(cases), sys.stderr.isatty() if progress is None else progress)
-    pool = ThreadPoolExecutor(processes or len(os.sched_getaffinity(0)))
+    results = []
     try:
-        waiting = [pool.submit(run, scene, case, Path(folder) / f"{number:04}" if folder else None, check=False)
-                   for number, case in enumerate(cases, 1)]
-        for future in as_completed(waiting):
-            future.result()
-            bar.advance()
-        return [future.result() for future in waiting]
+        with contextlib.closing(batch(scene, cases, folder, processes or len(os.sched_getaffinity(0)))) as runs:
+            for ended in runs:
+                results.append(result_of(*ended))
+                bar.advance()
+        return results
     finally:
-        pool.shutdown(cancel_futures=True)
         bar.end()
+
+
+def batch(scene, cases, folder, jobs):
+    """Changes, folder, exit code and words of each run, as soon as those before it have ended, too."""
+    folders = [(Path(folder) / f"{number:04}", None) if folder else
+               (None, tempfile.TemporaryDirectory(prefix="conetact-")) for number in range(1, len(cases) + 1)]
+    with tempfile.TemporaryDirectory(prefix="conetact-") as said:
+        lines = [shlex.join(words_of(scene, case, kept or other.name)).replace("\n", " ") + f" 2> {shlex.quote(f'{said}/{i}')}\n"
+                 for i, (case, (kept, other)) in enumerate(zip(cases, folders))]
+        (Path(said) / "lines").write_text("".join(lines))
+        try:
+            process = subprocess.Popen([executable(), "--batch", f"{said}/lines", "--jobs", str(jobs)],
+                                       stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        except OSError as error:
+            raise ConetactError(f"The program cannot be started: {error}") from None
+        try:
+            rows = filter(None, (re.match(r" *(\d+) +(\d+)  ", row) for row in process.stdout))
+            i = -1
+            for i, row in enumerate(rows):
+                code = int(row[2])
+                yield cases[i], *folders[i], 128 - code if code > 128 else code, (Path(said) / str(i)).read_text()
+            if i + 1 < len(cases):
+                raise error_of(process.wait(), process.stderr.read())
+        finally:
+            process.terminate()
+            process.communicate()
 
 
 class ProgressBar:

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Ties that turn with their bodies."""
 import math
-import subprocess
 
 from laws.far_turns import rolled
 from laws.kinematics import chosen
@@ -109,7 +108,7 @@ def goes_on(laws):
     short = laws.folder / "far-ties-short.prm"
     write_scene(merge(scene, {"Time": {"Stages": None, "Times": [row["time"] for row in whole.increments][:2]}}), short)
     folder = laws.folder / "far-ties"
-    subprocess.run([laws.program, short, "-o", folder, "--quiet"], check=True)
+    laws.batch.run(short, "-o", folder, "--quiet").check_returncode()
     if go_on(laws, file, folder):
         laws.check("  difference from one run", difference(whole.folder, folder), 1e-12)
 

@@ -55,8 +55,7 @@ def scale_of(column, rows):
 
 def go_on(laws, scene, folder, *arguments):
     """Continues in the same folder."""
-    done = subprocess.run([laws.program, scene, "--restart", folder, "-o", folder, "--quiet", *arguments],
-                          cwd=laws.folder, capture_output=True, text=True)
+    done = laws.batch.run(scene, "--restart", folder, "-o", folder, "--quiet", *arguments)
     laws.demand(f"{scene.stem} goes on: exit code {done.returncode}: {done.stderr.strip()}", done.returncode == 0)
     return done.returncode == 0
 
@@ -100,7 +99,7 @@ def same_as_in_one_go(laws):
         file = laws.folder / f"{laws.n_runs}-short.prm"
         write_scene(merge(scene, {"Time": {"End": None, "Increments": None, "Stages": None, "Times": times[:7]}}), file)
         folder = laws.folder / f"{laws.n_runs}-parts"
-        subprocess.run([laws.program, file, "-o", folder, "--quiet"], check=True)
+        laws.batch.run(file, "-o", folder, "--quiet").check_returncode()
         full = laws.folder / f"{laws.n_runs}-full.prm"
         write_scene(scene, full)
         if go_on(laws, full, folder):
@@ -141,7 +140,7 @@ def with_other_loads(laws):
     file = laws.folder / "other.prm"
     write_scene(other, file)
     after = laws.folder / "after"
-    done = subprocess.run([laws.program, file, "--restart", folder, "-o", after, "--quiet"], capture_output=True, text=True)
+    done = laws.batch.run(file, "--restart", folder, "-o", after, "--quiet")
     laws.demand(f"other supports and loads: exit code {done.returncode} {done.stderr.strip()}", done.returncode == 0)
     if done.returncode != 0:
         return
@@ -171,7 +170,7 @@ def by_the_other_backend(laws):
             write_scene(merge(scene, {"Solver": {"Backend": first}, "Output": {"Checkpoint": 1},
                                       "Time": {"End": None, "Increments": None,
                                                "Times": [row["time"] for row in whole.increments[:7]]}}), file)
-            subprocess.run([laws.program, file, "-o", folder, "--quiet"], check=True)
+            laws.batch.run(file, "-o", folder, "--quiet").check_returncode()
             write_scene(merge(scene, {"Solver": {"Backend": then}}), file)
             if go_on(laws, file, folder):
                 laws.check(f"{name}: {first}, then {then}, difference", difference(whole.folder, folder), 1e-8)

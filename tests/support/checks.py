@@ -9,6 +9,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from support.batch import Batch
 from support.scenes import write_scene
 from support.tables import MOTION, REACTION, STEP, Run, in_space
 from support.vectors import IDENTITY, apply, dot, scaled
@@ -20,6 +21,7 @@ class Laws:
     def __init__(self, program):
         self.program = Path(program).resolve()
         self.folder = Path(tempfile.mkdtemp(prefix="conetact-laws-"))
+        self.batch = Batch(self.program, cwd=self.folder)
         self.failed = 0
         self.n_runs = 0
 
@@ -33,7 +35,7 @@ class Laws:
         self.failed += not holds
 
     def start(self, scene, *arguments, **options):
-        """Runs the program; `scene` is a tree or a file."""
+        """Runs the program; `scene` is a tree or a file. With options of its own it is a process of its own."""
         self.n_runs += 1
         file = self.folder / f"{self.n_runs}.prm"
         if isinstance(scene, Path):
@@ -41,9 +43,11 @@ class Laws:
         else:
             write_scene(scene, file)
         folder = self.folder / str(self.n_runs)
-        done = subprocess.run([self.program, file, "-o", folder, "--quiet", *arguments], cwd=self.folder,
-                              stdin=subprocess.DEVNULL, capture_output=True, text=True, **options)
-        return done, folder
+        words = [file, "-o", folder, "--quiet", *arguments]
+        if options:
+            return subprocess.run([self.program, *words], cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True,
+                                  text=True, **options), folder
+        return self.batch.run(*words), folder
 
     def run(self, scene, *arguments, bounds=True):
         done, folder = self.start(scene, *arguments)
@@ -117,6 +121,7 @@ def run_families(families, program, *names):
             families[name](laws)
         except RuntimeError as error:
             laws.demand(str(error).strip(), False)
+        laws.batch.close()
         failed += laws.failed
         print(f"  {laws.n_runs} runs, {time.monotonic() - begin:.1f} s, {laws.failed} failed")
         if not os.environ.get("CONETACT_KEEP"):

@@ -3,7 +3,6 @@
 """What log.txt says of a run, and what a dry run says before."""
 import math
 import re
-import subprocess
 
 from support.scenes import write_scene
 
@@ -36,8 +35,9 @@ def dry_run(laws, scene, *arguments):
     """What is printed."""
     file = laws.folder / "dry.prm"
     write_scene(scene, file)
-    return subprocess.run([laws.program, file, "--dry-run", *arguments], cwd=laws.folder, capture_output=True,
-                          text=True, check=True).stdout
+    done = laws.batch.run(file, "--dry-run", *arguments)
+    done.check_returncode()
+    return done.stdout
 
 
 def check_estimates(laws, name, text, run, *kinds):
