@@ -8,7 +8,6 @@
 #include "conetact/application/command_line.h"
 #include "conetact/application/located.h"
 #include "conetact/application/manual.h"
-#include "conetact/application/mpi_libraries.h"
 #include "conetact/application/scene.h"
 #include "conetact/backends/workers.h"
 #include "conetact/base/atomic_file.h"
@@ -428,7 +427,6 @@ namespace
         if (ranks_of_mpirun().size > 1)
           throw InputError("A batch is no run of several processes. Leave "
                            "mpirun out, and write --processes into its lines.");
-        application::load_mpi_libraries();
         return application::run_batch(line, run_process);
       }
     catch (const InputError &error)

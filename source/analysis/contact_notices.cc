@@ -200,8 +200,8 @@ namespace conetact::analysis
   std::string
   ContactNotices::uneven(const unsigned int c, const Closed &closed) const
   {
-    constexpr double      some    = .05; // of the nodes that press
-    constexpr std::size_t few     = 6;   // nodes have no pattern
+    const double some = model.bodies.dim == 2 ? .05 : .1; // of those that press
+    constexpr std::size_t few     = 6; // nodes have no pattern
     const auto            pattern = patterns.find(c);
     if (pattern == patterns.end())
       return "";

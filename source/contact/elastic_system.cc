@@ -5,8 +5,6 @@
 
 #include "conetact/bodies/element_forces.h"
 
-#include <deal.II/base/exceptions.h>
-
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -315,14 +313,12 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::internal_forces(const Eigen::VectorXd &u) const
   {
-    AssertDimension(u.size(), n_dofs());
     return spring_forces(u) + structure_forces(u);
   }
 
   Eigen::VectorXd
   ElasticSystem::structure_forces(const Eigen::VectorXd &u) const
   {
-    AssertDimension(u.size(), n_dofs());
     Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), part;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
       {
@@ -342,7 +338,6 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::terms(const Eigen::VectorXd &u) const
   {
-    AssertDimension(u.size(), n_dofs());
     const Eigen::VectorXd size = u.cwiseAbs();
     Eigen::VectorXd       sum  = Eigen::VectorXd::Zero(u.size()), local;
     std::vector<double>   magnitude;
@@ -360,7 +355,6 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::spring_forces(const Eigen::VectorXd &u) const
   {
-    AssertDimension(u.size(), n_dofs());
     Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), local;
     for (const Spring &spring : springs)
       bodies::multiply(spring.dofs, spring.matrix.data(), u, local, f);
@@ -370,7 +364,6 @@ namespace conetact::contact
   std::vector<Eigen::VectorXd>
   ElasticSystem::forces_by_foundation(const Eigen::VectorXd &u) const
   {
-    AssertDimension(u.size(), n_dofs());
     std::vector<Eigen::VectorXd> f;
     Eigen::VectorXd              local;
     for (const Spring &spring : springs)

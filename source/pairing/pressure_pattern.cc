@@ -65,8 +65,10 @@ namespace conetact::pairing
                           const double       own,
                           const Pressures   &pressures) const
   {
-    constexpr double deep = .6, opposite = -.7; // cosine
-    const auto      &around = neighbours.at(node).nodes;
+    // Meshes of a face in space have no lines: more may be by chance there.
+    const double     deep     = plane ? .6 : .4;
+    constexpr double opposite = -.7; // cosine
+    const auto      &around   = neighbours.at(node).nodes;
     for (const unsigned int one : around)
       for (const unsigned int other : around)
         if (one < other &&
