@@ -50,7 +50,6 @@ namespace conetact::backends
                      const std::vector<unsigned int>   &node_of)
   {
     AssertDimension(upper.rows(), upper.cols());
-    AssertDimension(v.size(), upper.cols());
     long double  energy = 0., without_signs = 0.;
     double       largest = 0.;
     Eigen::Index where   = 0;

@@ -50,8 +50,6 @@ namespace conetact
   void
   GrowingFile::add(const std::string_view piece)
   {
-    Assert(piece.empty() || piece.back() == '\\n',
-           dealii::ExcMessage("Tables grow by whole rows."));
     std::error_code error;
     added = piece;
     if (has_other())

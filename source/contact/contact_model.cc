@@ -1039,7 +1039,6 @@ namespace conetact::contact
   void
   ContactHistory::recover(const Eigen::VectorXd &displacements)
   {
-    AssertDimension(displacements.size(), model->coordinates.n_dofs());
     // Those of the set are the solver's own, exact in their zeros; recovered
     // from u they would be rounded.
     const Eigen::VectorXd own = model->working_set().gather(q);

@@ -280,7 +280,6 @@ namespace conetact::solvers
            const ContactState   &state,
            const double          tolerance)
   {
-    eigen_assert(tolerance > 0);
     eigen_assert(state.r.size() >= problem.system->n_contact_unknowns());
     const ContactSystem &system = *problem.system;
     const double         limit =
