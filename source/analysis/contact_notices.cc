@@ -99,6 +99,24 @@ namespace conetact::analysis
           (contact.obstacle == nullptr &&
            has_second_degree(*structures[contact.master], contact.master_ids)));
       }
+    find_what_could_press();
+  }
+
+  /* What supports hold has given its share to the nodes beside it. */
+  void
+  ContactNotices::find_what_could_press()
+  {
+    for (const auto &[c, pattern] : patterns)
+      {
+        std::set<unsigned int> &nodes = could_press[c];
+        for (const ContactNode &node : scene.bodies.contact_nodes)
+          if (node.contact == c && !node.meets_nothing())
+            nodes.insert(node.node);
+        for (const bodies::Support &support : scene.bodies.supports)
+          if (support.body == contacts.contact(c).body && !support.stiffness)
+            for (const bodies::SurfaceNode &node : support.surface.nodes)
+              nodes.insert(node.node);
+      }
   }
 
   void
@@ -226,21 +244,12 @@ namespace conetact::analysis
     if (pattern == patterns.end() || sentences.count(c) > 0 ||
         closed.pressures.size() < 2)
       return;
-    const unsigned int     body = contacts.contact(c).body;
-    std::set<unsigned int> could_press;
-    double                 most = 0;
-    for (const ContactNode &node : scene.bodies.contact_nodes)
-      if (node.contact == c && !node.meets_nothing())
-        could_press.insert(node.node);
-    // What supports hold has given its share to the nodes beside it.
-    for (const bodies::Support &support : scene.bodies.supports)
-      if (support.body == body && !support.stiffness)
-        for (const bodies::SurfaceNode &node : support.surface.nodes)
-          could_press.insert(node.node);
+    const unsigned int body = contacts.contact(c).body;
+    double             most = 0;
     for (const auto &[node, pressure] : closed.pressures)
       most = std::max(most, pressure);
     for (const unsigned int node :
-         pattern->second.lonely(closed.pressures, could_press))
+         pattern->second.lonely(closed.pressures, could_press.at(c)))
       if (closed.pressures.at(node) > large * most)
         {
           sentences[c] =

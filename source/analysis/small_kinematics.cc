@@ -68,13 +68,9 @@ namespace conetact::analysis
       double
       distance(const pairing::ContactNode &node, const Point<3> &now)
       {
-        const pairing::FaceNet &faces   = faces_of(node);
-        const auto              foot    = faces.nearest(now);
-        const auto              feature = faces.feature(foot, now);
-        const Tensor<1, 3>      outward =
-          feature.empty() ? foot.normal : faces.sum_of_normals(feature);
-        return (now - foot.point) * outward < 0 ? -foot.distance :
-                                                  foot.distance;
+        const pairing::FaceNet &faces = faces_of(node);
+        const auto              foot  = faces.nearest(now);
+        return faces.side(foot, now) * foot.distance;
       }
 
     private:

@@ -228,6 +228,33 @@ namespace conetact::pairing
     return {};
   }
 
+  double
+  face_area(const std::vector<Point<3>> &x)
+  {
+    if (x.size() == 2)
+      return x[0].distance(x[1]);
+    if (x.size() == 3)
+      return .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm();
+    return .5 * cross_product_3d(x[3] - x[0], x[2] - x[1]).norm();
+  }
+
+  void
+  for_each_edge(
+    const std::size_t                                                n_corners,
+    const std::function<void(const std::size_t, const std::size_t)> &visit)
+  {
+    visit(0, 1);
+    if (n_corners > 2)
+      visit(0, 2);
+    if (n_corners == 3)
+      visit(1, 2);
+    if (n_corners == 4) // which stand row by row
+      {
+        visit(1, 3);
+        visit(2, 3);
+      }
+  }
+
   Tensor<1, 3>
   nearest_in_cone(const Tensor<1, 3>              &direction,
                   const std::vector<Tensor<1, 3>> &cone)

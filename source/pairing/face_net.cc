@@ -331,7 +331,6 @@ namespace conetact::pairing
   Tensor<1, 3>
   FaceNet::sum_of_normals(const std::vector<Closest> &feature) const
   {
-    Assert(!feature.empty(), dealii::ExcMessage("A feature has faces."));
     Tensor<1, 3> sum;
     for (const Closest &at : feature)
       sum += angle_at(faces[at.face], edges_at(at)) * at.normal;
@@ -356,14 +355,18 @@ namespace conetact::pairing
     return nearest;
   }
 
+  /* By the pseudonormal it is right at edges and corners as well, where that of
+     a single face is not. */
+  double
+  FaceNet::side(const Closest &at, const Point<3> &p) const
+  {
+    return (p - at.point) * sum_of_normals(feature(at, p)) < 0 ? -1 : 1;
+  }
+
   double
   FaceNet::signed_distance(const Point<3> &p) const
   {
     const Closest at = nearest(p);
-    // The sign by the pseudonormal is right at edges and corners as well, where
-    // that of a single face is not.
-    const double relative = at.distance / faces[at.face].size;
-    return (p - at.point) * sum_of_normals(feature(at, p)) < 0 ? -relative :
-                                                                 relative;
+    return side(at, p) * at.distance / faces[at.face].size;
   }
 } // namespace conetact::pairing

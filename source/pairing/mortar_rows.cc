@@ -31,12 +31,7 @@ namespace conetact::pairing
     area_of(const FaceNet::Face &face, const bool axisymmetric)
     {
       const auto &x = face.corners;
-      if (x.size() == 2)
-        return x[0].distance(x[1]) *
-               (axisymmetric ? .5 * (x[0][0] + x[1][0]) : 1);
-      if (x.size() == 3)
-        return .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm();
-      return .5 * cross_product_3d(x[3] - x[0], x[2] - x[1]).norm();
+      return face_area(x) * (axisymmetric ? .5 * (x[0][0] + x[1][0]) : 1);
     }
 
     using Corner = std::pair<std::size_t, std::size_t>; ///< of a face

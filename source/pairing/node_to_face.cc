@@ -21,20 +21,14 @@ namespace conetact::pairing
       std::map<unsigned int, double> result;
       for (const bodies::SurfaceFace &face : surface.faces)
         {
-          const std::size_t n       = bodies::n_corners(body, face);
-          double            longest = 0;
-          const auto edge = [&](const std::size_t i, const std::size_t j) {
-            longest = std::max(longest,
-                               body.position(face.nodes[i])
-                                 .distance(body.position(face.nodes[j])));
-          };
-          edge(0, 1);
-          if (n == 3)
-            for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
-              edge(i, 2);
-          if (n == 4)
-            for (const auto &[i, j] : {std::pair(0, 2), {1, 3}, {2, 3}})
-              edge(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+          double longest = 0;
+          for_each_edge(bodies::n_corners(body, face),
+                        [&](const std::size_t i, const std::size_t j) {
+                          longest =
+                            std::max(longest,
+                                     body.position(face.nodes[i])
+                                       .distance(body.position(face.nodes[j])));
+                        });
           for (const unsigned int node : face.nodes)
             result[node] = std::max(result[node], longest);
         }

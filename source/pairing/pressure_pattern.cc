@@ -4,25 +4,14 @@
 #include "conetact/pairing/pressure_pattern.h"
 
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/closest_point.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace conetact::pairing
 {
   namespace
   {
-    /** Pairs of corners; quadrilaterals stand row by row. */
-    std::vector<std::pair<std::size_t, std::size_t>>
-    edges_of(const std::size_t n_corners)
-    {
-      if (n_corners == 2)
-        return {{0, 1}};
-      if (n_corners == 3)
-        return {{0, 1}, {1, 2}, {2, 0}};
-      return {{0, 1}, {0, 2}, {1, 3}, {2, 3}};
-    }
-
     double
     at(const PressurePattern::Pressures &pressures, const unsigned int node)
     {
@@ -44,11 +33,11 @@ namespace conetact::pairing
               neighbours[node].sum += face.normal;
               positions[node] = body.position(node);
             }
-          for (const auto &[i, j] : edges_of(corners.size()))
-            {
-              neighbours[corners[i]].nodes.insert(corners[j]);
-              neighbours[corners[j]].nodes.insert(corners[i]);
-            }
+          for_each_edge(corners.size(),
+                        [&](const std::size_t i, const std::size_t j) {
+                          neighbours[corners[i]].nodes.insert(corners[j]);
+                          neighbours[corners[j]].nodes.insert(corners[i]);
+                        });
         }
   }
 

@@ -59,16 +59,6 @@ namespace conetact::pairing
       return groups;
     }
 
-    double
-    area_of(const std::vector<Point<3>> &x)
-    {
-      if (x.size() == 2)
-        return x[0].distance(x[1]);
-      if (x.size() == 3)
-        return .5 * cross_product_3d(x[1] - x[0], x[2] - x[0]).norm();
-      return .5 * cross_product_3d(x[3] - x[0], x[2] - x[1]).norm();
-    }
-
     /** The faces of a contact and its master. */
     class Sides
     {
@@ -99,7 +89,7 @@ namespace conetact::pairing
             const FaceNet::Face &face = slave.all()[at->second];
             if (-(face.outward * row.n) < cosine)
               continue;
-            const double area = area_of(face.corners);
+            const double area = face_area(face.corners);
             whole += area;
             if (master.foot(p + half * (face.centre - p),
                             {face.outward},

@@ -67,6 +67,8 @@ namespace conetact::analysis
     std::string
     uneven(const unsigned int contact, const Closed &closed) const;
     void
+    find_what_could_press();
+    void
     judge_lonely(const unsigned int contact, const Closed &closed);
     void
     say_never_closed(Log &log) const;
@@ -77,7 +79,9 @@ namespace conetact::analysis
     std::vector<pairing::ContactFacets> facets; ///< of each contact
     /** Of contacts between bodies, by number. */
     std::map<unsigned int, pairing::PressurePattern> patterns;
-    std::vector<bool>                                second_degree, has_closed;
+    /** Nodes of these that could press, or gave that to others. */
+    std::map<unsigned int, std::set<unsigned int>> could_press;
+    std::vector<bool>                              second_degree, has_closed;
     std::vector<double>                 least_gaps; ///< of the last increment
     std::set<unsigned int>              of_facets;
     std::map<unsigned int, std::string> sentences; ///< of these contacts

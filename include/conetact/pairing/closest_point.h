@@ -7,6 +7,7 @@
 #include "conetact/base/points.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,16 @@ namespace conetact::pairing
   Tensor<1, 3>
   face_normal_at(const std::vector<Point<3>> &corners,
                  const std::array<double, 2> &at);
+
+  /** Its length or area; a warped quadrilateral's is that of its mean plane. */
+  double
+  face_area(const std::vector<Point<3>> &corners);
+
+  /** Calls with the two corners of each edge of a face; a segment is one. */
+  void
+  for_each_edge(
+    const std::size_t                                                n_corners,
+    const std::function<void(const std::size_t, const std::size_t)> &visit);
 
   /**
    * The vector of the cone that unit vectors span, @f$\sum \lambda_i n_i,\

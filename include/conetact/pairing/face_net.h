@@ -107,6 +107,11 @@ namespace conetact::pairing
     Tensor<1, 3>
     sum_of_normals(const std::vector<Closest> &feature) const;
 
+    /** On which side of the surface p is, whose nearest point is given: 1
+     * outside, -1 inside. */
+    double
+    side(const Closest &nearest, const Point<3> &p) const;
+
     /**
      * Distance of p from the surface, which must be closed, over the size of
      * the nearest face; negative inside.
