@@ -249,7 +249,8 @@ namespace conetact
                  const unsigned int dim,
                  const GmshWishes  &wishes)
     {
-      constexpr double part = 20; // of the diagonal
+      constexpr double part        = 20; // of the diagonal
+      constexpr double cells_round = 12; // a circle
       if (entities(dim).empty())
         throw FileFault{
           "it has no " + std::string(dim == 3 ? "volume" : "surface") +
@@ -258,6 +259,8 @@ namespace conetact
       const double own     = wishes.size || brings_sizes ? 0 : extent() / part;
       const double largest = wishes.size ? *wishes.size : own > 0 ? own : 1e22;
       gmsh::option::setNumber("Mesh.MeshSizeMax", largest);
+      if (!brings_sizes)
+        gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", cells_round);
       if (!wishes.near.empty())
         set_sizes_near(wishes, largest);
       if (!wishes.group.empty())

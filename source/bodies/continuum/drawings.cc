@@ -56,7 +56,8 @@ namespace conetact::bodies
       Patterns::Anything(),
       "Length of cells that a drawing (File = .step, .geo, ...) is meshed "
       "with, at most. Empty: that of the .geo file, else a twentieth of the "
-      "diagonal of the body's box. In the units of the file, before Scale. "
+      "diagonal of the body's box; round faces have 12 cells a circle at "
+      "least. In the units of the file, before Scale. "
       "[length]");
     prm.declare_entry(
       "Size near",

@@ -111,8 +111,7 @@ namespace conetact::test
       const auto kind = deck_kind(type);
       ASSERT_TRUE(kind) << type;
       EXPECT_EQ(kind->dim, dim) << type;
-      if (dim > 0)
-        EXPECT_EQ(kind->n_nodes, n) << type;
+      EXPECT_EQ(kind->n_nodes, n) << type;
     };
     expect("C3D4", 3, 4);
     expect("C3D6", 3, 6);
