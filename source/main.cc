@@ -206,7 +206,6 @@ namespace
     const std::unique_ptr<analysis::Analysis> analysis =
       analysis::make_analysis(scene, log);
     log.time("contact nodes and supports");
-    analysis->choose_working_set();
     analysis->report();
     if (line.dry_run)
       {

@@ -22,7 +22,7 @@ namespace conetact::analysis
                                contact::ContactModel          &m)
     : contacts(c)
     , model(m)
-    , frames(m.bodies.frames())
+    , frames(m.bodies.frames)
     , start_nodes(m.points.nodes())
   {
     find_obstacle_faces();
@@ -311,7 +311,7 @@ namespace conetact::analysis
   ContactSearch::Ways
   ContactSearch::ways_to(const Eigen::VectorXd &u) const
   {
-    const auto &now = model.bodies.frames();
+    const auto &now = model.bodies.frames;
     Ways        ways;
     for (unsigned int b = 0; b < model.bodies.structures.size(); ++b)
       {
@@ -544,7 +544,7 @@ namespace conetact::analysis
   double
   ContactSearch::angle_to_body(const pairing::ContactNode &node) const
   {
-    const auto  &frames_now = model.bodies.frames();
+    const auto  &frames_now = model.bodies.frames;
     Tensor<1, 3> towards    = -node.n;
     if (node.body < frames_now.size())
       towards = transpose(frames_now[node.body].rotation) * towards;
@@ -640,7 +640,7 @@ namespace conetact::analysis
   {
     start        = u;
     start_t      = t;
-    frames       = model.bodies.frames();
+    frames       = model.bodies.frames;
     start_nodes  = model.points.nodes();
     start_inside = inside;
   }
@@ -648,7 +648,7 @@ namespace conetact::analysis
   void
   ContactSearch::go_back()
   {
-    model.bodies.move_frames() = frames;
+    model.place_frames(frames);
   }
 
   void

@@ -116,7 +116,7 @@ namespace conetact::analysis
   {
     if (!stiffness)
       {
-        stiffness.emplace(model.condense().system());
+        stiffness.emplace(model.elasticity().system());
         if (!stiffness->exists())
           throw InputError(
             "Solver/Method: a load path needs contacts that do not depend on "
@@ -144,7 +144,7 @@ namespace conetact::analysis
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       start[system().normal(i)] += initial_gap[i];
     result.relation = result.load.f;
-    if (model.is_dual())
+    if (system().form == solvers::Form::compliance)
       result.relation.head(start.size()) += start;
     else
       result.relation += multiply(system(), start);
@@ -356,7 +356,7 @@ namespace conetact::analysis
                             PendingIncrement           &pending)
   {
     pending.motions = Eigen::VectorXd::Zero(model.motions.n_free());
-    if (!model.is_dual())
+    if (system().form == solvers::Form::stiffness)
       {
         pending.primal = pending.contact - at.load.offset;
         return;
@@ -364,7 +364,7 @@ namespace conetact::analysis
     pending.motions = stiffness->motions(at.relation, point.v, pending.state.r);
     pending.primal.resize(point.r.size() + pending.motions.size());
     pending.primal << pending.state.r, pending.motions;
-    pending.bound = model.condense().bound_state(pending.load, pending.primal);
+    pending.bound = model.elasticity().bound_state(pending.load, pending.primal);
   }
 
 
@@ -379,7 +379,7 @@ namespace conetact::analysis
          step < 2 && finding.equilibrium > .1 * scene.solver.tolerance;
          ++step)
       {
-        contact::ElasticBackend &elastic = model.condense();
+        contact::Elasticity &elastic = model.elasticity();
         contact::LoadCase        change =
           elastic.reduce_unbalanced(finding.unbalanced);
         elastic.move_bound(finding.missed_by_bound, change);
@@ -415,8 +415,8 @@ namespace conetact::analysis
         cases.push_back(&w.pending.load);
         primal.push_back(w.pending.primal);
       }
-    acceptance.set_stiffness(model.condense());
-    const Eigen::MatrixXd w = model.condense().expand(cases, primal);
+    acceptance.set_stiffness(model.elasticity());
+    const Eigen::MatrixXd w = model.elasticity().expand(cases, primal);
     std::vector<output::IncrementRecord> finished;
     std::string                          failure;
     for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
@@ -486,8 +486,8 @@ namespace conetact::analysis
   Eigen::VectorXd
   PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
   {
-    if (!model.is_dual())
-      return model.condense().correction(model.condense().reduce_unbalanced(
+    if (system().form == solvers::Form::stiffness)
+      return model.elasticity().correction(model.elasticity().reduce_unbalanced(
                                            Eigen::VectorXd::Zero(
                                              model.coordinates.n_dofs())),
                                          velocity);

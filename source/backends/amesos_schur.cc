@@ -179,11 +179,4 @@ namespace conetact::backends
   }
 
 
-
-  // Two solves for each unknown that is new, or one for each that there is.
-  bool
-  AmesosSchur::extension_is_cheaper(const Index n_new) const
-  {
-    return n_new < n_schur;
-  }
 } // namespace conetact::backends

@@ -354,21 +354,6 @@ namespace conetact::backends
 
 
 
-  // Three triangular solves for each unknown, which run at half the speed of
-  // the factorisation.
-  bool
-  MumpsSchur::extension_is_cheaper(const Index n_new) const
-  {
-    if (!implementation->mumps)
-      return false;
-    // order, assembly and analysis take as long as some 80 unknowns
-    constexpr double n_free  = 80;
-    const double     entries = factor_bytes() / sizeof(double);
-    // 2 operations for each entry of the factor and solve.
-    return 12 * entries * (static_cast<double>(n_new) - n_free) <
-           implementation->mumps->data.rinfog[2];
-  }
-
 
 
   const SchurWork &

@@ -16,6 +16,7 @@ namespace conetact::backends
   {
     using Eigen::Index;
     using Eigen::MatrixXd;
+    using Eigen::VectorXd;
     using SparseMatrix = Eigen::SparseMatrix<double>;
     using Places       = Eigen::PermutationMatrix<Eigen::Dynamic>;
 
@@ -93,7 +94,6 @@ namespace conetact::backends
   SuperElement::SuperElement(const SparseMatrix              &upper,
                              const std::vector<unsigned int> &node_of,
                              const std::vector<Index>        &retained,
-                             const MatrixXd                  &motions,
                              const Condenser                 &condenser)
     : kept(retained)
     , place(retained_last(upper.cols(), retained))
@@ -101,14 +101,25 @@ namespace conetact::backends
     , factor(condenser.create(sorted(upper, place, scale),
                               static_cast<Index>(retained.size()),
                               sorted(node_of, place)))
+    , S(factor->take_schur_complement())
+  {}
+
+  SuperElement::SuperElement(const SparseMatrix              &upper,
+                             const std::vector<unsigned int> &node_of,
+                             const std::vector<Index>        &retained,
+                             const MatrixXd                  &motions,
+                             const Condenser                 &condenser)
+    : SuperElement(upper, node_of, retained, condenser)
   {
-    const MatrixXd S = factor->take_schur_complement();
-    P                = inverse_without_motions(
+    AssertDimension(motions.rows(), upper.cols());
+    P = inverse_without_motions(
           S, solvers::orthonormal_basis(motions(retained, Eigen::all))) /
         scale;
+    const VectorXd stiffness = S.diagonal();
+    S.resize(0, 0);
     // So soft are slender beams and mechanisms; strain energy tells which.
     constexpr double soft = 1e12;
-    if ((scale * P.diagonal().array() * S.diagonal().array() > soft).any())
+    if ((scale * P.diagonal().array() * stiffness.array() > soft).any())
       refuse_free_motion(upper, deform(probe_load(upper.diagonal())), node_of);
   }
 
@@ -125,18 +136,12 @@ namespace conetact::backends
   }
 
   MatrixXd
-  SuperElement::stiffness(const SparseMatrix              &upper,
-                          const std::vector<unsigned int> &node_of,
-                          const std::vector<Index>        &retained,
-                          const Condenser                 &condenser)
+  SuperElement::take_stiffness()
   {
-    const Places place = retained_last(upper.cols(), retained);
-    const double unit  = mean_diagonal(upper);
-    return unit * condenser
-                    .create(sorted(upper, place, unit),
-                            static_cast<Index>(retained.size()),
-                            sorted(node_of, place))
-                    ->take_schur_complement();
+    AssertDimension(S.rows(), static_cast<Index>(kept.size()));
+    MatrixXd result = scale * S;
+    S.resize(0, 0);
+    return result;
   }
 
   MatrixXd
@@ -156,10 +161,18 @@ namespace conetact::backends
   SuperElement::deform(const MatrixXd &forces) const
   {
     Assert(forces.allFinite(), dealii::ExcMessage("Forces are finite."));
+    AssertDimension(P.rows(), static_cast<Index>(kept.size()));
     const MatrixXd b = to_solver(forces);
     // Retained unknowns first; they carry the rest along, which has loads of
     // its own.
     const MatrixXd w = P * factor->reduce(b);
     return place.transpose() * factor->expand(b / scale, w);
+  }
+
+  MatrixXd
+  SuperElement::carry(const MatrixXd &forces, const MatrixXd &w) const
+  {
+    AssertDimension(forces.cols(), w.cols());
+    return place.transpose() * factor->expand(to_solver(forces) / scale, w);
   }
 } // namespace conetact::backends

@@ -46,16 +46,16 @@ namespace conetact::analysis
   /** What a scene that leaves the backend open is solved by, and why. */
   struct BackendChoice
   {
-    bool        iterative = false;
-    std::string reason;
+    const contact::ElasticityRow *row;
+    std::string                   reason;
   };
   /**
    * By both estimates, where the condensation is large enough for it to matter.
    */
   BackendChoice
-  choose_backend(const contact::ContactModel &model,
-                 const std::size_t            n_increments,
-                 const std::size_t            n_drawings);
+  cheaper_backend(const contact::ContactModel &model,
+                  const std::size_t            n_increments,
+                  const std::size_t            n_drawings);
 
   /** Whether this machine has the memory to condense it. */
   bool

@@ -148,7 +148,6 @@ namespace conetact::application
                            save_kinematics(Archive &archive) const;
     unsigned int           checkpoint_every    = 0; ///< 0: never
     unsigned int           threads             = 1;
-    bool                   leave_out_far_nodes = true; ///< working set
     std::set<unsigned int> fclib_increments; ///< with a file of their own
     std::set<unsigned int> text_increments;  ///< or stages of a load path
 

@@ -43,8 +43,6 @@ namespace conetact::backends
     {
       return 0;
     }
-    bool
-    extension_is_cheaper(const Eigen::Index n_new) const override;
     const SchurWork &
     work() const override
     {

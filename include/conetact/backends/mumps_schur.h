@@ -40,8 +40,6 @@ namespace conetact::backends
     expand(const Eigen::MatrixXd &b, const Eigen::MatrixXd &u_C) const override;
     double
     factor_bytes() const override;
-    bool
-    extension_is_cheaper(const Eigen::Index n_new) const override;
     const SchurWork &
     work() const override;
 

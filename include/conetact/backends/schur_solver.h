@@ -93,13 +93,6 @@ namespace conetact::backends
     virtual double
     factor_bytes() const = 0;
 
-    /**
-     * Whether ExtendedSchur adds `n_new` unknowns to C at less cost than
-     * condensing anew.
-     */
-    virtual bool
-    extension_is_cheaper(const Eigen::Index n_new) const = 0;
-
     virtual const SchurWork &
     work() const = 0;
   };

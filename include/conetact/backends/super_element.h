@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
+#include <memory>
 #include <vector>
 
 namespace conetact::backends
@@ -24,7 +25,9 @@ namespace conetact::backends
    * Forces that do not balance are answered as if motions were held by forces
    * along B; whoever asks has balance as an equation of its own. P is explicit,
    * so that the flexibility of any contact rows H costs a product, H P H^T.
-   * Stiffness may contain foundations. Serves all bodies equal to this one.
+   * Where displacements of the retained unknowns are asked for instead, S is
+   * all that is needed, and no motion has to be known. Stiffness may contain
+   * foundations. Serves all bodies equal to this one.
    */
   class SuperElement
   {
@@ -51,18 +54,20 @@ namespace conetact::backends
              const std::vector<Index>          &retained,
              const Condenser &condenser = default_condenser());
 
-    /** Its stiffness on the retained unknowns, S, by itself. */
-    static Eigen::MatrixXd
-    stiffness(const Eigen::SparseMatrix<double> &upper,
-              const std::vector<unsigned int>   &node_of,
-              const std::vector<Index>          &retained,
-              const Condenser                   &condenser);
+    /** Without P, which takes no motions: S by take_stiffness(), and carry(). */
+    SuperElement(const Eigen::SparseMatrix<double> &upper,
+                 const std::vector<unsigned int>   &node_of,
+                 const std::vector<Index>          &retained,
+                 const Condenser                   &condenser);
 
     const std::vector<Index> &
     retained() const
     {
       return kept;
     }
+    /** S, handed over once [force/length]. */
+    Eigen::MatrixXd
+    take_stiffness();
     /** P, its inverse stiffness on the retained unknowns [length/force]. */
     const Eigen::MatrixXd &
     flexibility() const
@@ -75,6 +80,10 @@ namespace conetact::backends
     /** Deformation of all unknowns under forces on all unknowns (columns). */
     Eigen::MatrixXd
     deform(const Eigen::MatrixXd &forces) const;
+
+    /** The same where the retained ones are displaced by `w` (columns). */
+    Eigen::MatrixXd
+    carry(const Eigen::MatrixXd &forces, const Eigen::MatrixXd &w) const;
 
     const SchurSolver &
     solver() const
@@ -90,6 +99,7 @@ namespace conetact::backends
     Eigen::PermutationMatrix<Eigen::Dynamic> place; ///< retained ones last
     double                                   scale; ///< of stiffness
     std::unique_ptr<SchurSolver>             factor;
+    Eigen::MatrixXd                          S; ///< over the scale
     Eigen::MatrixXd                          P;
   };
 } // namespace conetact::backends

@@ -112,11 +112,6 @@ namespace
     {
       return 0;
     }
-    bool
-    extension_is_cheaper(const Index) const override
-    {
-      return false;
-    }
     const SchurWork &
     work() const override
     {
@@ -165,8 +160,8 @@ TEST(Condensers, MakeTheSameBackend)
       {
         SCOPED_TRACE(c.file + " " + name);
         Model one(c.file, c.overrides), two(c.file, c.overrides, name);
-        ElasticBackend &a = one.model->condense();
-        ElasticBackend &b = two.model->condense();
+        Elasticity &a = one.model->elasticity();
+        Elasticity &b = two.model->elasticity();
         const double    t = one.scene.times.front();
         const MatrixXd &A = a.system()->matrix, &B = b.system()->matrix;
         EXPECT_LT((A - B).cwiseAbs().maxCoeff(),

@@ -28,8 +28,8 @@ namespace
       model =
         std::make_unique<ContactModel>(scene->bodies, std::vector<double>{1});
       if (GetParam() == "iterative")
-        model->solve_iteratively();
-      EXPECT_EQ(model->is_dual(), GetParam() != "iterative");
+        model->solve_by(iterative_row());
+      EXPECT_EQ(model->condensed_form(), solvers::Form::compliance);
       const solvers::ExistenceCheck check = make_existence_check(*model);
       const solvers::Existence      result =
         check.check(resultants(push), resultants(0));

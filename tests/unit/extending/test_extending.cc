@@ -448,11 +448,6 @@ namespace
     {
       return 8. * static_cast<double>(n_f * n_f);
     }
-    bool
-    extension_is_cheaper(const Index /*n_new*/) const override
-    {
-      return false;
-    }
     const SchurWork &
     work() const override
     {

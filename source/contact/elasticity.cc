@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/elastic_backend.h"
+#include "conetact/contact/elasticity.h"
 
 namespace conetact::contact
 {
@@ -32,7 +32,7 @@ namespace conetact::contact
   } // namespace
 
   LoadCase
-  ElasticBackend::reduce(const Eigen::VectorXd &forces,
+  Elasticity::reduce(const Eigen::VectorXd &forces,
                          const Eigen::VectorXd &prescribed)
   {
     const Eigen::Index n = forces.size();
@@ -77,10 +77,20 @@ namespace conetact::contact
     return load;
   }
 
-  void
-  ElasticBackend::reduce_again()
+  LoadCase
+  Elasticity::reduce(const Eigen::VectorXd &forces,
+                     const Eigen::VectorXd &heat,
+                     const Eigen::VectorXd &prescribed)
   {
-    for (Known &known : basis)
-      known.load.f = reduce_forces(known.load.b);
+    return heat.size() == 0 ? reduce(forces, prescribed) :
+                              reduce(forces + heat, prescribed);
+  }
+
+  Eigen::VectorXd
+  shortest_load(const Eigen::MatrixXd &null_space,
+                const Eigen::VectorXd &resultants)
+  {
+    const Eigen::MatrixXd balance = null_space.transpose();
+    return balance.completeOrthogonalDecomposition().solve(resultants);
   }
 } // namespace conetact::contact

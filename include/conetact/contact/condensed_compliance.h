@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_contact_dual_backend_h
-#define conetact_contact_dual_backend_h
+#ifndef conetact_contact_condensed_compliance_h
+#define conetact_contact_condensed_compliance_h
 
-#include "conetact/backends/super_element.h"
-#include "conetact/contact/body_coordinates.h"
 #include "conetact/contact/bound_unknowns.h"
-#include "conetact/contact/elastic_backend.h"
-#include "conetact/contact/elastic_system.h"
+#include "conetact/contact/condensed_bodies.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include <Eigen/SparseCore>
 
-#include <memory>
 #include <vector>
 
 namespace conetact::contact
@@ -28,39 +24,71 @@ namespace conetact::contact
    * body's stiffness; against its free motions they act as
    * @f[ Y = -P K_s R,\quad G = H (R + Y),\quad
    *     C = R^T K_s R + R^T K_s Y . @f]
-   * Ties and bilateral contacts are rows as well, behind those of the working
-   * set, and eliminated before anyone asks for the system (BoundUnknowns).
+   * Ties and bilateral contacts are rows as well, behind those of contacts, and
+   * eliminated before anyone asks for the system (BoundUnknowns).
    * The form of FETI methods with friction (Dostal, Kozubek, Horyl, Brzobohaty,
    * Markopoulos, Comput. Struct. 2012).
    */
-  class DualBackend : public ElasticBackend
+  class CondensedCompliance : public Elasticity
   {
   public:
     /**
      * `coordinates` are those of the bodies without contacts. Throws
-     * SingularMatrix. All but `set` must outlive the object.
+     * SingularMatrix. All must outlive the object.
      */
-    DualBackend(const ElasticSystem       &elastic,
+    CondensedCompliance(const ElasticSystem       &elastic,
                 const ContactPoints       &points,
                 const Coordinates         &coordinates,
                 const RigidMotions        &motions,
-                const WorkingSet          &set,
                 const backends::Condenser &condenser);
 
+    using Elasticity::reduce;
+    LoadCase
+    reduce(const Eigen::VectorXd &forces,
+           const Eigen::VectorXd &heat,
+           const Eigen::VectorXd &prescribed) override;
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
+    void
+    write(const LoadCase          &load,
+          const Eigen::VectorXd   &offset,
+          const ElasticState      &state,
+          solvers::ContactProblem &problem) const override;
+    double
+    largest_force(const LoadCase &load) const override;
+    double
+    reference_force(const LoadCase &load) const override;
+    Eigen::VectorXd
+    contact_load(const solvers::ContactProblem &problem) const override;
+    void
+    begin(const ElasticState    &state,
+          solvers::ContactState &start) const override;
+    void
+    end(const solvers::ContactState &end, ElasticState &state) const override;
+    Eigen::VectorXd
+    primal(const ElasticState    &state,
+           const Eigen::VectorXd &r) const override;
+    void
+    move(const Eigen::VectorXd &amounts,
+         const Eigen::VectorXd &seen,
+         solvers::ContactState &end) const override;
+    void
+    restore(const std::vector<double> &start,
+            const Eigen::VectorXd     &q,
+            ElasticState              &state) const override;
     LoadCase
     reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
-    /**
-     * A load whose parts cancel against a free motion leaves their rounding,
-     * which must not drive a body that nothing holds.
-     */
     void
-    forget_rounding(LoadCase &load) const;
+    add_missed(const Eigen::VectorXd &by_contacts,
+               const Eigen::VectorXd &by_bound,
+               LoadCase              &change) const override;
+    solvers::ContactState
+    restart(const solvers::ContactState &start,
+            const solvers::ContactState &end) const override;
     void
     move_bound(const Eigen::VectorXd &offset, LoadCase &load) const override;
     BoundState
@@ -71,31 +99,40 @@ namespace conetact::contact
     {
       return stiffness_of_bound;
     }
-    /** Of what is bound. */
-    const RedundantRows &
-    redundant_rows() const
+    const RedundantRows *
+    redundant_rows() const override
     {
-      return bound.redundant_rows();
+      return &bound.redundant_rows();
+    }
+    bool
+    relink() override;
+    void
+    see_motions() override;
+    std::string
+    description() const override
+    {
+      return condensation_by(condenser);
     }
     double
-    factor_bytes() const override;
+    factor_bytes() const override
+    {
+      return bodies.factor_bytes();
+    }
     unsigned int
-    n_shared_bodies() const override;
+    n_shared_bodies() const override
+    {
+      return bodies.n_shared();
+    }
     backends::SchurWork
-    work() const override;
+    work() const override
+    {
+      return bodies.work();
+    }
     std::vector<StiffnessDifference>
-    compare(const backends::Condenser &other) const override;
-
-    /**
-     * Contacts were found again: other rows over the same bodies. Nothing is
-     * factorised.
-     */
-    void
-    relink();
-
-    /** A cut was locked: fewer motions are free, nothing is factorised. */
-    void
-    see_motions();
+    compare(const backends::Condenser &other) const override
+    {
+      return bodies.compare(condenser, other);
+    }
 
     /** What the factorisations would take; nothing is factorised. */
     static backends::FactorEstimate
@@ -103,7 +140,6 @@ namespace conetact::contact
              const ContactPoints       &points,
              const Coordinates         &coordinates,
              const RigidMotions        &motions,
-             const WorkingSet          &set,
              const backends::Condenser &condenser);
 
   protected:
@@ -113,27 +149,12 @@ namespace conetact::contact
                LoadCase              &load) override;
     LoadCase
     nothing() const override;
-    Eigen::VectorXd
-    reduce_forces(const Eigen::VectorXd &b) const override;
 
   private:
     using Index    = Eigen::Index;
     using VectorXd = Eigen::VectorXd;
     using MatrixXd = Eigen::MatrixXd;
 
-    /** A body, or several equal ones. */
-    struct Part
-    {
-      std::vector<unsigned int> bodies;
-      std::vector<Index>        retained; ///< of each body's own unknowns
-      std::unique_ptr<backends::SuperElement> element;
-    };
-    /** The stiffness of one of them in its own unknowns. */
-    struct Uncondensed
-    {
-      Eigen::SparseMatrix<double> upper;
-      std::vector<unsigned int>   node_of;
-    };
     /** Free motions of a body in its own unknowns. */
     struct BodyMotions
     {
@@ -141,26 +162,19 @@ namespace conetact::contact
       MatrixXd R, spring_forces, Y;
     };
 
-    void
-    write_rows();
+    /** H of all contact points. */
+    Eigen::SparseMatrix<double>
+    rows() const;
     void
     write_row(const ContactPoint                  &point,
               Index                               &row,
               std::vector<Eigen::Triplet<double>> &entries) const;
-    void
-    find_parts();
     void
     retain(const unsigned int body, std::vector<bool> &kept) const;
     void
     retain_anchors(const unsigned int body, std::vector<bool> &kept) const;
     void
     find_motions();
-    /** `all`: that of all own unknowns. */
-    Uncondensed
-    stiffness_of(const Part                        &part,
-                 const Eigen::SparseMatrix<double> &all) const;
-    void
-    condense();
     void
     respond_to_springs();
     MatrixXd
@@ -180,7 +194,7 @@ namespace conetact::contact
     Index
     n_contact() const
     {
-      return set.layout().n_unknowns();
+      return points.layout().n_unknowns();
     }
     MatrixXd
     flexibility() const;
@@ -193,6 +207,12 @@ namespace conetact::contact
     /** The same of rigid bodies, which have no own unknowns: all dofs. */
     VectorXd
     rigid_imbalance(const VectorXd &forces) const;
+    /**
+     * A load whose parts cancel against a free motion leaves their rounding,
+     * which must not drive a body that nothing holds.
+     */
+    void
+    forget_rounding(LoadCase &load) const;
     /** Of all motions that no foundation resists what contacts do not see. */
     void
     forget_unseen_motions(solvers::ContactSystem &system);
@@ -202,20 +222,14 @@ namespace conetact::contact
     /** Forces on own unknowns of reactions and free motions. */
     VectorXd
     forces_of(const VectorXd &primal) const;
-    Index
-    n_own(const unsigned int body) const
-    {
-      return own.end(body) - own.begin(body);
-    }
 
     struct Empty
     {};
     /** Without factors, for an estimate. */
-    DualBackend(const ElasticSystem       &elastic,
+    CondensedCompliance(const ElasticSystem       &elastic,
                 const ContactPoints       &points,
                 const Coordinates         &coordinates,
                 const RigidMotions        &motions,
-                const WorkingSet          &set,
                 const backends::Condenser &condenser,
                 const Empty);
 
@@ -226,7 +240,7 @@ namespace conetact::contact
     const backends::Condenser  &condenser;
     BodyCoordinates             own;
     Eigen::SparseMatrix<double> H; ///< of own unknowns
-    std::vector<Part>           parts;
+    CondensedBodies             bodies;
     std::vector<BodyMotions>    body_motions;
     BoundUnknowns               bound;
     VectorXd                    stiffness_of_bound;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/contact_model.h"
-#include "conetact/contact/dual_backend.h"
+#include "conetact/contact/contact_history.h"
+#include "conetact/contact/condensed_compliance.h"
 
 #include "scene_fixture.h"
 
@@ -103,12 +103,12 @@ namespace
 
 
 
-TEST(DualBackend, MatrixOfABodyThatFloats)
+TEST(CondensedCompliance, MatrixOfABodyThatFloats)
 {
   const auto   scene = test::make_scene(floating);
   ContactModel model(scene->bodies, {1});
-  ASSERT_TRUE(model.is_dual());
-  const solvers::ContactSystem &system = *model.condense().system();
+  ASSERT_TRUE(model.condensed_form() == solvers::Form::compliance);
+  const solvers::ContactSystem &system = *model.elasticity().system();
   const Parts                   parts(system);
   EXPECT_EQ(system.n_motions, 3);
   EXPECT_LE((parts.W - parts.W.transpose()).cwiseAbs().maxCoeff(),
@@ -124,11 +124,11 @@ TEST(DualBackend, MatrixOfABodyThatFloats)
 
 // between balanced reactions W is the flexibility of the body, whichever
 // inverse of its stiffness makes it
-TEST(DualBackend, FlexibilityIsThatOfTheStiffness)
+TEST(CondensedCompliance, FlexibilityIsThatOfTheStiffness)
 {
   const auto               scene = test::make_scene(floating);
   ContactModel             model(scene->bodies, {1});
-  const Parts              parts(*model.condense().system());
+  const Parts              parts(*model.elasticity().system());
   const Eigen::MatrixXd    r    = balanced(parts.G);
   const bodies::Structure &body = *scene->bodies.structures[0];
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse(
@@ -145,11 +145,11 @@ TEST(DualBackend, FlexibilityIsThatOfTheStiffness)
 
 
 // v = W r + G a + q, and forces on all dofs balance
-TEST(DualBackend, RecoveredDisplacementsBalanceAndAreThoseOfTheRelation)
+TEST(CondensedCompliance, RecoveredDisplacementsBalanceAndAreThoseOfTheRelation)
 {
   const auto            scene = test::make_scene(pair(1000));
   ContactModel          model(scene->bodies, {1});
-  ElasticBackend       &elastic = model.condense();
+  Elasticity       &elastic = model.elasticity();
   const Eigen::Index    n       = model.coordinates.n_dofs();
   const Parts           parts(*elastic.system());
   const Eigen::MatrixXd kernel = balanced(parts.G);
@@ -169,7 +169,7 @@ TEST(DualBackend, RecoveredDisplacementsBalanceAndAreThoseOfTheRelation)
 
 
 
-TEST(DualBackend, BalanceOfTheLoads)
+TEST(CondensedCompliance, BalanceOfTheLoads)
 {
   const auto      scene = test::make_scene(floating);
   ContactModel    model(scene->bodies, {1});
@@ -177,7 +177,7 @@ TEST(DualBackend, BalanceOfTheLoads)
   f[3]              = -2;
   f[8]              = .5;
   const LoadCase load =
-    model.condense().reduce(f, Eigen::VectorXd::Zero(f.size()));
+    model.elasticity().reduce(f, Eigen::VectorXd::Zero(f.size()));
   // C a - G^T r - b = 0: with r that balances the load it holds
   const Eigen::VectorXd minus_b = load.f.tail(3);
   const Eigen::VectorXd work =
@@ -188,13 +188,13 @@ TEST(DualBackend, BalanceOfTheLoads)
 
 
 // the digits of the soft body are not lost in those of the stiff one
-TEST(DualBackend, FlexibilitiesOfStiffAndSoftBodiesAdd)
+TEST(CondensedCompliance, FlexibilitiesOfStiffAndSoftBodiesAdd)
 {
   // of balanced reactions: which part of motions W takes is its own affair
   const auto flexibility = [](const double young) {
     const auto            scene = test::make_scene(pair(young));
     ContactModel          model(scene->bodies, {1});
-    const Parts           parts(*model.condense().system());
+    const Parts           parts(*model.elasticity().system());
     const Eigen::MatrixXd r = balanced(parts.G);
     return Eigen::MatrixXd(r.transpose() * parts.W * r);
   };
@@ -205,7 +205,7 @@ TEST(DualBackend, FlexibilitiesOfStiffAndSoftBodiesAdd)
 
 
 
-TEST(DualBackend, EqualBodiesAreCondensedOnce)
+TEST(CondensedCompliance, EqualBodiesAreCondensedOnce)
 {
   const auto scene = test::make_scene(
     "set Dimension = 2\nset Bodies = one, two\nset Obstacles = floor\n"
@@ -214,7 +214,7 @@ TEST(DualBackend, EqualBodiesAreCondensedOnce)
     on_floor("two") +
     test::section("Obstacle floor", "Shape = half space|Normal = 0, 1"));
   ContactModel    model(scene->bodies, {1});
-  ElasticBackend &elastic = model.condense();
+  Elasticity &elastic = model.elasticity();
   EXPECT_EQ(elastic.n_shared_bodies(), 1u);
   const Eigen::MatrixXd W = Parts(*elastic.system()).W;
   EXPECT_EQ(W.topLeftCorner(8, 8), W.bottomRightCorner(8, 8));
@@ -223,7 +223,7 @@ TEST(DualBackend, EqualBodiesAreCondensedOnce)
 
 
 
-TEST(DualBackend, AllCondensersAgree)
+TEST(CondensedCompliance, AllCondensersAgree)
 {
   const auto   scene = test::make_scene(pair(200));
   ContactModel model(scene->bodies, {1});

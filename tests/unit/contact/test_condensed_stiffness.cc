@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/condensation.h"
-#include "conetact/contact/contact_model.h"
+#include "conetact/contact/condensed_stiffness.h"
+#include "conetact/contact/contact_history.h"
 
 #include "scene_fixture.h"
 
@@ -79,8 +79,8 @@ namespace
 
 TEST_F(Held, StiffnessIsTheInverseOfTheFlexibilityOfTheContacts)
 {
-  ASSERT_FALSE(model.is_dual());
-  const Eigen::MatrixXd &K = model.condense().system()->matrix;
+  ASSERT_EQ(model.condensed_form(), solvers::Form::stiffness);
+  const Eigen::MatrixXd &K = model.elasticity().system()->matrix;
   EXPECT_LE((K - K.transpose()).cwiseAbs().maxCoeff(), 1e-12 * K.norm());
   const Eigen::MatrixXd W = rows() * flexibility() * rows().transpose();
   EXPECT_LE((K * W - Eigen::MatrixXd::Identity(8, 8)).norm(), 1e-11);
@@ -90,7 +90,7 @@ TEST_F(Held, StiffnessIsTheInverseOfTheFlexibilityOfTheContacts)
 
 TEST_F(Held, LoadIsWhatTheContactsWouldMoveByTimesTheStiffness)
 {
-  ElasticBackend       &elastic = model.condense();
+  Elasticity       &elastic = model.elasticity();
   const Eigen::VectorXd none    = Eigen::VectorXd::Zero(block.n_dofs());
   const LoadCase        load    = elastic.reduce(weight(), none);
   const Eigen::VectorXd moved   = rows() * flexibility() * weight();
@@ -102,7 +102,7 @@ TEST_F(Held, LoadIsWhatTheContactsWouldMoveByTimesTheStiffness)
 
 TEST_F(Held, RecoveredDisplacementsBalanceLoadsAndReactions)
 {
-  ElasticBackend       &elastic = model.condense();
+  Elasticity       &elastic = model.elasticity();
   const Eigen::VectorXd none    = Eigen::VectorXd::Zero(block.n_dofs());
   const LoadCase        load    = elastic.reduce(weight(), none);
   const Eigen::VectorXd q       = Eigen::VectorXd::LinSpaced(8, -.01, .02);
@@ -120,7 +120,7 @@ TEST_F(Held, RecoveredDisplacementsBalanceLoadsAndReactions)
 
 TEST_F(Held, LoadsThatAddUpOfEarlierOnesCostNoSolve)
 {
-  ElasticBackend       &elastic = model.condense();
+  Elasticity       &elastic = model.elasticity();
   Eigen::VectorXd       lifted  = Eigen::VectorXd::Zero(block.n_dofs());
   const Eigen::VectorXd none    = lifted;
   for (unsigned int i = 0; i < block.n_nodes(); ++i)
@@ -132,21 +132,6 @@ TEST_F(Held, LoadsThatAddUpOfEarlierOnesCostNoSolve)
   const LoadCase sum = elastic.reduce(3 * weight(), -.5 * lifted);
   EXPECT_EQ(elastic.n_reductions(), 2u);
   EXPECT_LE((sum.f - 3 * one.f + .5 * two.f).norm(), 1e-12 * sum.f.norm());
-}
-
-
-
-// what leaves the set is condensed like any other node
-TEST_F(Held, PartOfTheCandidates)
-{
-  const Eigen::MatrixXd whole = model.condense().system()->matrix;
-  model.choose(WorkingSet(model.points.layout(), {2, 0}));
-  const Eigen::MatrixXd           part = model.condense().system()->matrix;
-  const Eigen::MatrixXd           W    = whole.inverse();
-  const std::vector<Eigen::Index> kept = model.working_set().unknowns();
-  EXPECT_EQ(kept, (std::vector<Eigen::Index>{4, 5, 0, 1}));
-  EXPECT_LE((part * W(kept, kept) - Eigen::MatrixXd::Identity(4, 4)).norm(),
-            1e-11);
 }
 
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_contact_iterative_backend_h
-#define conetact_contact_iterative_backend_h
+#ifndef conetact_contact_iterative_elasticity_h
+#define conetact_contact_iterative_elasticity_h
 
 #include "conetact/contact/coordinates.h"
-#include "conetact/contact/elastic_backend.h"
+#include "conetact/contact/elasticity.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
 
@@ -17,61 +17,65 @@ namespace conetact::contact
    * what is primal. Nodes that face a master have the displacement relative to
    * it as unknowns.
    */
-  class IterativeBackend : public ElasticBackend
+  class IterativeElasticity : public Elasticity
   {
   public:
     /** Arguments must outlive the object. */
-    IterativeBackend(const ElasticSystem &elastic,
+    IterativeElasticity(const ElasticSystem &elastic,
                      const NodeRules     &supports,
                      const ContactPoints &points,
                      const RigidMotions  &motions);
 
-    /** Of a load on all unknowns against each of the motions that nothing
-     * resists. */
-    Eigen::VectorXd
-    resultants(const Eigen::VectorXd &load) const;
-
-    /**
-     * Whether contact nodes have the axes and face the nodes that they had when
-     * it was made: gaps alone may have changed since (finite sliding).
-     */
-    bool
-    fits_contacts() const
-    {
-      return describe_contacts() == contacts;
-    }
-    /** Displacements of all dofs by unknowns, which may be those of contacts
-     * that were there before. */
-    Eigen::VectorXd
-    displacements_of(const Eigen::VectorXd &values) const
-    {
-      return coordinates.expand(values);
-    }
-    /** The unknowns of such displacements. */
-    Eigen::VectorXd
-    values_of(const Eigen::VectorXd &u) const
-    {
-      return coordinates.values(u);
-    }
-    /** Amounts of the free motions in displacements by unknowns, least
-     * squares. */
-    Eigen::VectorXd
-    motions_in(const Eigen::VectorXd &values) const;
-    /** The unknowns of such amounts. */
-    Eigen::VectorXd
-    values_of_motions(const Eigen::VectorXd &a) const;
-    /** Forces on all unknowns by which foundations resist them. */
-    Eigen::VectorXd
-    resistance(const Eigen::VectorXd &a) const;
-
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
            const std::vector<Eigen::VectorXd>  &primal) const override;
+    void
+    write(const LoadCase          &load,
+          const Eigen::VectorXd   &offset,
+          const ElasticState      &state,
+          solvers::ContactProblem &problem) const override;
+    Eigen::VectorXd
+    moved_by(const Eigen::VectorXd &base) const override;
+    double
+    largest_force(const LoadCase &load) const override;
+    double
+    reference_force(const LoadCase &load) const override;
+    Eigen::VectorXd
+    contact_load(const solvers::ContactProblem &problem) const override;
+    void
+    begin(const ElasticState    &state,
+          solvers::ContactState &start) const override;
+    void
+    end(const solvers::ContactState &end, ElasticState &state) const override;
+    Eigen::VectorXd
+    primal(const ElasticState    &state,
+           const Eigen::VectorXd &r) const override;
+    void
+    move(const Eigen::VectorXd &amounts,
+         const Eigen::VectorXd &seen,
+         solvers::ContactState &end) const override;
+    void
+    restore(const std::vector<double> &start,
+            const Eigen::VectorXd     &q,
+            ElasticState              &state) const override;
+    bool
+    linearise_about(const solvers::ContactProblem &problem,
+                    const solvers::ContactState   &state,
+                    ElasticState                  &elastic) const override;
+    /** Also by unknowns of contacts that were there before. */
+    Eigen::VectorXd
+    deformation(const Eigen::VectorXd &primal) const override;
+    Eigen::VectorXd
+    nearby(const Eigen::VectorXd &w,
+           const Eigen::VectorXd &amounts) const override;
     LoadCase
     reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
+    bool
+    is_rounded_by(const Eigen::VectorXd &motions,
+                  const Eigen::VectorXd &w) const override;
     void
     move_bound(const Eigen::VectorXd &offset, LoadCase &load) const override;
     BoundState
@@ -82,6 +86,17 @@ namespace conetact::contact
     {
       return stiffness_of_bound;
     }
+    /** Gaps alone may change, and no node may turn or face others. */
+    bool
+    relink() override
+    {
+      return describe_contacts() == contacts;
+    }
+    std::string
+    description() const override
+    {
+      return "stiffness of all unknowns, levels of multigrid";
+    }
 
   protected:
     void
@@ -90,13 +105,18 @@ namespace conetact::contact
                LoadCase              &load) override;
     LoadCase
     nothing() const override;
-    Eigen::VectorXd
-    reduce_forces(const Eigen::VectorXd &b) const override
-    {
-      return b;
-    }
 
   private:
+    /** Amounts of the free motions in displacements by unknowns, least
+     * squares. */
+    Eigen::VectorXd
+    motions_in(const Eigen::VectorXd &values) const;
+    /** The unknowns of such amounts. */
+    Eigen::VectorXd
+    values_of_motions(const Eigen::VectorXd &a) const;
+    /** Forces on all unknowns by which foundations resist them. */
+    Eigen::VectorXd
+    resistance(const Eigen::VectorXd &a) const;
     /** Directions of contact nodes in the frames of both sides, and weights of
      * their masters: numbers one behind the other. */
     std::vector<double>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/iterative_backend.h"
+#include "conetact/contact/iterative_elasticity.h"
 
 #include "conetact/backends/separate_systems.h"
 #include "conetact/contact/large_nodes.h"
@@ -20,6 +20,10 @@ namespace conetact::contact
 
     /** Of linear systems without contact: as exact as rounding lets them be. */
     constexpr double to_the_end = 1e-13;
+
+    /** Of the force that it takes to hold back what moves: to a tolerance of
+     * 1e-10 of this, what is left of it is rounding. */
+    constexpr double rounding_of_motion = 1e-3;
 
     /** Rigid motions of all bodies together, in the unknowns. */
     Eigen::MatrixXd
@@ -99,14 +103,11 @@ namespace conetact::contact
     }
   } // namespace
 
-
-
-  IterativeBackend::IterativeBackend(const ElasticSystem &e,
+  IterativeElasticity::IterativeElasticity(const ElasticSystem &e,
                                      const NodeRules     &supports,
                                      const ContactPoints &contact_points,
                                      const RigidMotions  &m)
-    : ElasticBackend(WorkingSet(contact_points.layout()))
-    , elastic(e)
+    : elastic(e)
     , points(contact_points)
     , motions(m)
     , coordinates(elastic.bodies, supports, &points, arm_of_rotations(e))
@@ -155,7 +156,7 @@ namespace conetact::contact
   }
 
   std::vector<double>
-  IterativeBackend::describe_contacts() const
+  IterativeElasticity::describe_contacts() const
   {
     std::vector<double> numbers;
     const auto add = [&](const ContactPoint &point, const unsigned int body) {
@@ -182,7 +183,7 @@ namespace conetact::contact
 
   /* Of what supports hold, any of the size of the others. */
   void
-  IterativeBackend::find_stiffness_of_bound(const VectorXd &diagonal)
+  IterativeElasticity::find_stiffness_of_bound(const VectorXd &diagonal)
   {
     stiffness_of_bound.setConstant(n_bound, diagonal.mean());
     for (const Coordinates::BoundDirection &bound :
@@ -197,7 +198,7 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeBackend::expand_bound(const VectorXd &v) const
+  IterativeElasticity::expand_bound(const VectorXd &v) const
   {
     AssertDimension(v.size(), n_bound);
     VectorXd u = VectorXd::Zero(coordinates.n_dofs());
@@ -209,7 +210,7 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeBackend::restrict_bound(const VectorXd &forces) const
+  IterativeElasticity::restrict_bound(const VectorXd &forces) const
   {
     VectorXd r = VectorXd::Zero(n_bound);
     for (const Coordinates::BoundDirection &bound :
@@ -220,24 +221,26 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeBackend::resultants(const VectorXd &load) const
+  IterativeElasticity::contact_load(
+    const solvers::ContactProblem &problem) const
   {
     constexpr double       rounding = 1e-13; // of a sum
     const Eigen::MatrixXd &free     = motions.unresisted();
-    VectorXd               result(free.cols());
+    VectorXd               resultants(free.cols());
     for (Eigen::Index j = 0; j < free.cols(); ++j)
       {
         const VectorXd terms =
           coordinates.values(motions.field(motions.of_free(free.col(j))))
-            .cwiseProduct(load);
+            .cwiseProduct(problem.load);
         const double sum = terms.sum();
-        result[j] = std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
+        resultants[j] =
+          std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
       }
-    return result;
+    return shortest_load(problem.system->null_space, resultants);
   }
 
   void
-  IterativeBackend::reduce_one(const VectorXd &forces,
+  IterativeElasticity::reduce_one(const VectorXd &forces,
                                const VectorXd &prescribed,
                                LoadCase       &load)
   {
@@ -253,7 +256,7 @@ namespace conetact::contact
   /* What is bound stays where it is: it moves the other way against its
      body. */
   void
-  IterativeBackend::move_bound(const VectorXd &offset, LoadCase &load) const
+  IterativeElasticity::move_bound(const VectorXd &offset, LoadCase &load) const
   {
     if (offset.isZero(0))
       return;
@@ -266,7 +269,7 @@ namespace conetact::contact
   }
 
   BoundState
-  IterativeBackend::bound_state(const LoadCase &load,
+  IterativeElasticity::bound_state(const LoadCase &load,
                                 const VectorXd &primal) const
   {
     if (n_bound == 0)
@@ -278,7 +281,7 @@ namespace conetact::contact
   }
 
   LoadCase
-  IterativeBackend::nothing() const
+  IterativeElasticity::nothing() const
   {
     LoadCase load;
     load.b     = VectorXd::Zero(coordinates.n_unknowns());
@@ -288,9 +291,9 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeBackend::unknowns(const LoadCase &load, const VectorXd &primal) const
+  IterativeElasticity::unknowns(const LoadCase &load, const VectorXd &primal) const
   {
-    if (set.layout().n_unknowns() > 0)
+    if (points.layout().n_unknowns() > 0)
       return primal;
     // Where nothing may touch no solver has been asked.
     const solvers::LargeSystem &large = *contact_system->large;
@@ -304,7 +307,7 @@ namespace conetact::contact
   }
 
   Eigen::MatrixXd
-  IterativeBackend::expand(const std::vector<const LoadCase *> &loads,
+  IterativeElasticity::expand(const std::vector<const LoadCase *> &loads,
                            const std::vector<VectorXd>         &primal) const
   {
     AssertDimension(loads.size(), primal.size());
@@ -322,7 +325,7 @@ namespace conetact::contact
   }
 
   LoadCase
-  IterativeBackend::reduce_unbalanced(const VectorXd &unbalanced) const
+  IterativeElasticity::reduce_unbalanced(const VectorXd &unbalanced) const
   {
     AssertDimension(unbalanced.size(), coordinates.n_dofs());
     LoadCase change;
@@ -334,13 +337,13 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeBackend::correction(const LoadCase &, const VectorXd &primal) const
+  IterativeElasticity::correction(const LoadCase &, const VectorXd &primal) const
   {
     return without_motion(coordinates.expand(primal));
   }
 
   VectorXd
-  IterativeBackend::without_motion(const VectorXd &w) const
+  IterativeElasticity::without_motion(const VectorXd &w) const
   {
     if (nowhere.cols() == 0)
       return w;
@@ -348,21 +351,153 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeBackend::motions_in(const VectorXd &values) const
+  IterativeElasticity::motions_in(const VectorXd &values) const
   {
     return motions.free_in(without_motion(coordinates.expand(values)));
   }
 
   VectorXd
-  IterativeBackend::values_of_motions(const VectorXd &a) const
+  IterativeElasticity::values_of_motions(const VectorXd &a) const
   {
     return coordinates.values(motions.field(motions.of_free(a)));
   }
 
   VectorXd
-  IterativeBackend::resistance(const VectorXd &a) const
+  IterativeElasticity::resistance(const VectorXd &a) const
   {
     return coordinates.restrict(
       elastic.spring_forces(motions.field(motions.of_free(a))));
+  }
+
+  void
+  IterativeElasticity::write(const LoadCase          &load,
+                             const VectorXd          &offset,
+                             const ElasticState      &state,
+                             solvers::ContactProblem &problem) const
+  {
+    problem.load   = load.f;
+    problem.offset = offset;
+    if (!state.base.isZero(0))
+      problem.load -= resistance(state.base);
+  }
+
+  VectorXd
+  IterativeElasticity::moved_by(const VectorXd &base) const
+  {
+    return base.size() > 0 ? VectorXd(motions.seen() * base) : VectorXd();
+  }
+
+  double
+  IterativeElasticity::largest_force(const LoadCase &load) const
+  {
+    return solvers::largest(load.f);
+  }
+
+  /* Open contacts carry nothing, and not all unknowns are theirs. */
+  double
+  IterativeElasticity::reference_force(const LoadCase &load) const
+  {
+    if (contact_system->n_nodes() == 0)
+      return 0;
+    return rounding_of_motion * contact_system->diagonal().mean() *
+           (solvers::largest(load.offset) + solvers::largest(load.placement) +
+            solvers::largest(load.prescribed));
+  }
+
+  void
+  IterativeElasticity::begin(const ElasticState    &state,
+                             solvers::ContactState &start) const
+  {
+    start.u = primal(state, start.r);
+    if (state.motions != state.base)
+      start.u += values_of_motions(state.motions - state.base);
+  }
+
+  /* What moves bodies as a whole would cost the digits of what strains them:
+     amounts of their own have it. */
+  void
+  IterativeElasticity::end(const solvers::ContactState &end,
+                           ElasticState                &state) const
+  {
+    state.start = end.u;
+    if (state.motions.size() == 0)
+      return;
+    const VectorXd more = motions_in(state.start);
+    state.start -= values_of_motions(more);
+    state.motions = state.base = state.base + more;
+  }
+
+  VectorXd
+  IterativeElasticity::primal(const ElasticState &state, const VectorXd &) const
+  {
+    return state.start.size() > 0 ?
+             state.start :
+             VectorXd::Zero(contact_system->large->n_unknowns());
+  }
+
+  void
+  IterativeElasticity::move(const VectorXd &amounts,
+                            const VectorXd &,
+                            solvers::ContactState &end) const
+  {
+    end.u += values_of_motions(amounts);
+  }
+
+  /* Unknowns of other supports are others. */
+  void
+  IterativeElasticity::restore(const std::vector<double> &start,
+                               const VectorXd &,
+                               ElasticState &state) const
+  {
+    state.start.resize(0);
+    const VectorXd none = primal(state, {});
+    if (start.size() == static_cast<std::size_t>(none.size()))
+      state.start = Eigen::Map<const VectorXd>(start.data(), none.size());
+  }
+
+  bool
+  IterativeElasticity::linearise_about(const solvers::ContactProblem &problem,
+                                       const solvers::ContactState   &state,
+                                       ElasticState &elastic_state) const
+  {
+    if (elastic_state.motions.size() == 0 || state.nearby.size() == 0)
+      return false;
+    std::vector<Eigen::Index> closed;
+    for (Eigen::Index i = 0; i < problem.system->n_nodes(); ++i)
+      if (state.node[static_cast<std::size_t>(i)] != solvers::NodeState::open)
+        closed.push_back(problem.system->normal(i));
+    if (closed.empty())
+      return false;
+    const Eigen::MatrixXd normals = motions.seen()(closed, Eigen::all);
+    const VectorXd        way =
+      normals.completeOrthogonalDecomposition().solve(-problem.offset(closed));
+    const VectorXd rest = state.nearby - values_of_motions(way);
+    if (!(solvers::largest(way) > solvers::largest(rest)))
+      return false;
+    elastic_state.base += way;
+    return true;
+  }
+
+  VectorXd
+  IterativeElasticity::deformation(const VectorXd &primal) const
+  {
+    return coordinates.expand(primal);
+  }
+
+  VectorXd
+  IterativeElasticity::nearby(const VectorXd &w, const VectorXd &amounts) const
+  {
+    VectorXd u = coordinates.values(w);
+    if (!amounts.isZero(0))
+      u += values_of_motions(amounts);
+    return u;
+  }
+
+  /* About the end of a way there is no rounding of it. */
+  bool
+  IterativeElasticity::is_rounded_by(const VectorXd &way,
+                                     const VectorXd &w) const
+  {
+    return solvers::largest(way) > solvers::largest(w);
   }
 } // namespace conetact::contact

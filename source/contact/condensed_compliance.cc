@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/dual_backend.h"
+#include "conetact/contact/condensed_compliance.h"
 
 #include "conetact/base/index.h"
 #include "conetact/contact/equal_bodies.h"
@@ -48,36 +48,39 @@ namespace conetact::contact
     }
   } // namespace
 
-  DualBackend::DualBackend(const ElasticSystem       &e,
-                           const ContactPoints       &p,
-                           const Coordinates         &c,
-                           const RigidMotions        &m,
-                           const WorkingSet          &s,
-                           const backends::Condenser &by,
-                           const Empty)
-    : ElasticBackend(s)
-    , elastic(e)
+  CondensedCompliance::CondensedCompliance(const ElasticSystem       &e,
+                                           const ContactPoints       &p,
+                                           const Coordinates         &c,
+                                           const RigidMotions        &m,
+                                           const backends::Condenser &by,
+                                           const Empty)
+    : elastic(e)
     , points(p)
     , coordinates(c)
     , motions(m)
     , condenser(by)
     , own(elastic.bodies, coordinates)
-    , H(set.layout().n_unknowns() + points.n_bound_unknowns(), own.n_unknowns())
-  {
-    write_rows();
-    find_parts();
-  }
+    , H(rows())
+    , bodies(elastic,
+             own,
+             find_equal_bodies(elastic, own),
+             [this](const unsigned int body, std::vector<bool> &kept) {
+               retain(body, kept);
+             })
+  {}
 
-  DualBackend::DualBackend(const ElasticSystem       &e,
-                           const ContactPoints       &p,
-                           const Coordinates         &c,
-                           const RigidMotions        &m,
-                           const WorkingSet          &s,
-                           const backends::Condenser &by)
-    : DualBackend(e, p, c, m, s, by, Empty())
+  CondensedCompliance::CondensedCompliance(const ElasticSystem       &e,
+                                           const ContactPoints       &p,
+                                           const Coordinates         &c,
+                                           const RigidMotions        &m,
+                                           const backends::Condenser &by)
+    : CondensedCompliance(e, p, c, m, by, Empty())
   {
     find_motions();
-    condense();
+    bodies.condense(condenser,
+                    [this](const unsigned int body) -> const MatrixXd & {
+                      return body_motions[body].R;
+                    });
     respond_to_springs();
     assemble_system();
   }
@@ -86,28 +89,30 @@ namespace conetact::contact
      master), in components along the dual directions: the matrix H of rows over
      the own unknowns of all bodies. Motions of obstacles and supports are part
      of q. */
-  void
-  DualBackend::write_rows()
+  Eigen::SparseMatrix<double>
+  CondensedCompliance::rows() const
   {
-    Triplets entries;
-    Index    row = 0;
-    for (const Index i : set.nodes())
-      write_row(points[i], row, entries);
-    for (std::size_t i = points.size(); i < points.all().size(); ++i)
-      write_row(points.all()[i], row, entries);
-    H.setFromTriplets(entries.begin(), entries.end());
+    SparseMatrix result(points.n_all_unknowns(), own.n_unknowns());
+    Triplets     entries;
+    Index        row = 0;
+    for (const ContactPoint &point : points.all())
+      write_row(point, row, entries);
+    AssertDimension(row, result.rows());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
   }
 
-  void
-  DualBackend::relink()
+  bool
+  CondensedCompliance::relink()
   {
-    write_rows();
+    H = rows();
     assemble_system();
     forget_reductions();
+    return true;
   }
 
   void
-  DualBackend::see_motions()
+  CondensedCompliance::see_motions()
   {
     find_motions();
     respond_to_springs();
@@ -116,11 +121,10 @@ namespace conetact::contact
   }
 
   void
-  DualBackend::write_row(const ContactPoint &point,
+  CondensedCompliance::write_row(const ContactPoint &point,
                          Index              &row,
                          Triplets           &entries) const
   {
-    AssertIndexRange(row, H.rows());
     for (const Tensor<1, 3> &dual : point.dual)
       {
         pairing::for_each_side(*point.node,
@@ -140,36 +144,8 @@ namespace conetact::contact
   }
 
   void
-  DualBackend::find_parts()
+  CondensedCompliance::retain(const unsigned int body, std::vector<bool> &kept) const
   {
-    const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
-    std::vector<bool> placed(n, false);
-    // Equal bodies keep the same unknowns, all that one of them needs, and
-    // share one factor and one P.
-    for (const auto &group : find_equal_bodies(elastic, own))
-      {
-        parts.push_back({group, {}, nullptr});
-        for (const unsigned int body : group)
-          placed[body] = true;
-      }
-    for (unsigned int body = 0; body < n; ++body)
-      if (!placed[body] && n_own(body) > 0)
-        parts.push_back({{body}, {}, nullptr});
-    for (Part &part : parts)
-      {
-        std::vector<bool> kept(at(n_own(part.bodies[0])), false);
-        for (const unsigned int body : part.bodies)
-          retain(body, kept);
-        for (std::size_t i = 0; i < kept.size(); ++i)
-          if (kept[i])
-            part.retained.push_back(static_cast<Index>(i));
-      }
-  }
-
-  void
-  DualBackend::retain(const unsigned int body, std::vector<bool> &kept) const
-  {
-    AssertDimension(kept.size(), static_cast<std::size_t>(n_own(body)));
     for (Index p = own.begin(body); p < own.end(body); ++p)
       // A column of H that is not empty: contacts see this unknown.
       if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
@@ -190,10 +166,10 @@ namespace conetact::contact
   // A body that floats keeps some nodes far apart, or digits would go with the
   // lever from its contacts to its ends; and a contact may be a single node.
   void
-  DualBackend::retain_anchors(const unsigned int body,
+  CondensedCompliance::retain_anchors(const unsigned int body,
                               std::vector<bool> &kept) const
   {
-    AssertDimension(kept.size(), static_cast<std::size_t>(n_own(body)));
+    AssertDimension(kept.size(), static_cast<std::size_t>(bodies.n_own(body)));
     const bodies::Structure &structure = *elastic.bodies.structures[body];
     std::vector<Point<3>>    chosen    = {structure.position(0)};
     for (unsigned int k = 0; k < elastic.bodies.dim; ++k)
@@ -223,95 +199,42 @@ namespace conetact::contact
   /* R of each body in its own unknowns, and the forces K_s R by which
      foundations resist. */
   void
-  DualBackend::find_motions()
+  CondensedCompliance::find_motions()
   {
-    const auto &bodies = motions.body_of_own();
+    const auto &of_body = motions.body_of_own();
     body_motions.resize(elastic.bodies.names.size());
     first_rigid =
-      std::count_if(bodies.begin(), bodies.end(), [&](const unsigned int body) {
-        return !elastic.bodies.is_rigid(body);
+      std::count_if(of_body.begin(), of_body.end(), [&](const unsigned int b) {
+        return !elastic.bodies.is_rigid(b);
       });
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         BodyMotions &own_motions = body_motions[body];
-        const auto   begin = std::find(bodies.begin(), bodies.end(), body);
-        const Index  k     = std::count(bodies.begin(), bodies.end(), body);
-        own_motions.first  = begin - bodies.begin();
-        own_motions.R.resize(n_own(body), k);
-        own_motions.spring_forces.setZero(n_own(body), k);
+        const auto   begin = std::find(of_body.begin(), of_body.end(), body);
+        const Index  k     = std::count(of_body.begin(), of_body.end(), body);
+        own_motions.first  = begin - of_body.begin();
+        own_motions.R.resize(bodies.n_own(body), k);
+        own_motions.spring_forces.setZero(bodies.n_own(body), k);
         own_motions.Y = own_motions.spring_forces;
         for (Index j = 0; j < k; ++j)
           {
             const VectorXd u =
               motions.field(motions.own().col(own_motions.first + j));
             own_motions.R.col(j) =
-              own.values(u).segment(own.begin(body), n_own(body));
+              own.values(u).segment(own.begin(body), bodies.n_own(body));
             own_motions.spring_forces.col(j) =
               own.restrict(elastic.spring_forces(u))
-                .segment(own.begin(body), n_own(body));
+                .segment(own.begin(body), bodies.n_own(body));
           }
       }
-  }
-
-  DualBackend::Uncondensed
-  DualBackend::stiffness_of(const Part &part, const SparseMatrix &all) const
-  {
-    // All bodies of a part have the matrix of the first.
-    const unsigned int body  = part.bodies[0];
-    const Index        begin = own.begin(body), n = n_own(body);
-    Uncondensed        result{all.block(begin, begin, n, n), {}};
-    for (Index p = begin; p < begin + n; ++p)
-      result.node_of.push_back(own.node_of(p));
-    return result;
-  }
-
-  void
-  DualBackend::condense()
-  {
-    // Body by body: in one factor of all a soft body would have the rounding of
-    // a stiff one.
-    const SparseMatrix all = assemble(elastic, own);
-    for (Part &part : parts)
-      {
-        const Uncondensed body = stiffness_of(part, all);
-        part.element           = std::make_unique<backends::SuperElement>(
-          body.upper,
-          body.node_of,
-          part.retained,
-          body_motions[part.bodies[0]].R,
-          condenser);
-      }
-  }
-
-  std::vector<StiffnessDifference>
-  DualBackend::compare(const backends::Condenser &other) const
-  {
-    const SparseMatrix               all = assemble(elastic, own);
-    std::vector<StiffnessDifference> result;
-    for (const Part &part : parts)
-      {
-        if (part.retained.empty())
-          continue;
-        const auto [upper, node_of] = stiffness_of(part, all);
-        const MatrixXd K            = backends::SuperElement::stiffness(upper,
-                                                             node_of,
-                                                             part.retained,
-                                                             condenser);
-        const MatrixXd difference   = K - backends::SuperElement::stiffness(
-                                          upper, node_of, part.retained, other);
-        result.push_back(
-          {part.bodies,
-           difference.cwiseAbs().maxCoeff() / K.cwiseAbs().maxCoeff()});
-      }
-    return result;
   }
 
   /* Foundations push back against a motion, and the body deforms under that: Y
      = -P K_s R. */
   void
-  DualBackend::respond_to_springs()
+  CondensedCompliance::respond_to_springs()
   {
-    for (const Part &part : parts)
+    for (const CondensedBodies::Part &part : bodies.parts())
       for (const unsigned int body : part.bodies)
         {
           BodyMotions &m = body_motions[body];
@@ -325,13 +248,13 @@ namespace conetact::contact
      In a stiffness of all bodies a stiff one would swallow the digits of a
      soft one. */
   Eigen::MatrixXd
-  DualBackend::flexibility() const
+  CondensedCompliance::flexibility() const
   {
     MatrixXd W = MatrixXd::Zero(H.rows(), H.rows());
-    for (const Part &part : parts)
+    for (const CondensedBodies::Part &part : bodies.parts())
       for (const unsigned int body : part.bodies)
         {
-          const SparseMatrix all = H.middleCols(own.begin(body), n_own(body));
+          const SparseMatrix all = H.middleCols(own.begin(body), bodies.n_own(body));
           Triplets           entries;
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             for (SparseMatrix::InnerIterator it(all, part.retained[k]); it;
@@ -348,7 +271,7 @@ namespace conetact::contact
 
   /* (W G; -G^T C) of all rows and of the bodies' own motions. */
   Eigen::MatrixXd
-  DualBackend::assemble_all() const
+  CondensedCompliance::assemble_all() const
   {
     const Index n = H.rows(), k = motions.own().cols();
     MatrixXd    all         = MatrixXd::Zero(n + k, n + k);
@@ -360,7 +283,7 @@ namespace conetact::contact
         if (size == 0)
           continue;
         const MatrixXd G =
-          H.middleCols(own.begin(body), n_own(body)) * (m.R + m.Y);
+          H.middleCols(own.begin(body), bodies.n_own(body)) * (m.R + m.Y);
         all.block(0, first, n, size) = G;
         all.block(first, 0, size, n) = -G.transpose();
         // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
@@ -380,7 +303,7 @@ namespace conetact::contact
 
   /* The rows of displacements of all dofs. */
   Eigen::VectorXd
-  DualBackend::moved_rows(const VectorXd &u) const
+  CondensedCompliance::moved_rows(const VectorXd &u) const
   {
     AssertDimension(u.size(), coordinates.n_dofs());
     VectorXd   v(H.rows());
@@ -393,17 +316,15 @@ namespace conetact::contact
       for (const Tensor<1, 3> &dual : point.dual)
         v[row++] = d * dual;
     };
-    for (const Index i : set.nodes())
-      add(points[i]);
-    for (std::size_t i = points.size(); i < points.all().size(); ++i)
-      add(points.all()[i]);
+    for (const ContactPoint &point : points.all())
+      add(point);
     return v;
   }
 
   void
-  DualBackend::assemble_system()
+  CondensedCompliance::assemble_system()
   {
-    auto        system = std::make_shared<solvers::ContactSystem>(set.layout());
+    auto        system = std::make_shared<solvers::ContactSystem>(points.layout());
     const Index n = n_contact(), n_bound = points.n_bound_unknowns();
     const Index k     = motions.n_free();
     system->form      = solvers::Form::compliance;
@@ -432,7 +353,7 @@ namespace conetact::contact
       }
     forget_unseen_motions(*system);
     // The check of existence asks for motions that not even foundations resist.
-    system->null_space = set.gather(motions.null_space());
+    system->null_space = motions.null_space();
     contact_system     = system;
     // loads and prescribed displacements are kept apart by their sizes only
     stiffness_scale = diagonal.sum() > 0 ?
@@ -442,7 +363,7 @@ namespace conetact::contact
 
   /* Foundations make up for what contacts do not see. */
   void
-  DualBackend::forget_unseen_motions(solvers::ContactSystem &system)
+  CondensedCompliance::forget_unseen_motions(solvers::ContactSystem &system)
   {
     const Index n = system.n_contact_unknowns(), k = system.n_motions;
     const auto &loose = motions.loose();
@@ -459,21 +380,20 @@ namespace conetact::contact
   }
 
   Eigen::MatrixXd
-  DualBackend::deform(const MatrixXd &forces) const
+  CondensedCompliance::deform(const MatrixXd &forces) const
   {
-    AssertDimension(forces.rows(), own.n_unknowns());
-    MatrixXd p(forces.rows(), forces.cols());
-    for (const Part &part : parts)
-      for (const unsigned int body : part.bodies)
-        p.middleRows(own.begin(body), n_own(body)) =
-          part.element->deform(forces.middleRows(own.begin(body), n_own(body)));
-    return p;
+    return bodies.map(forces,
+                      [](const CondensedBodies::Part &part,
+                         const unsigned int,
+                         const MatrixXd &of_body) {
+                        return part.element->deform(of_body);
+                      });
   }
 
   /* -b of the balance: forces against R, and what they deform against the
      foundations by Y. */
   Eigen::VectorXd
-  DualBackend::imbalance(const VectorXd &forces) const
+  CondensedCompliance::imbalance(const VectorXd &forces) const
   {
     AssertDimension(forces.size(), own.n_unknowns());
     VectorXd sum = VectorXd::Zero(motions.own().cols());
@@ -483,13 +403,13 @@ namespace conetact::contact
         if (m.R.size() > 0)
           sum.segment(m.first, m.R.cols()) =
             -(m.R + m.Y).transpose() *
-            forces.segment(own.begin(body), n_own(body));
+            forces.segment(own.begin(body), bodies.n_own(body));
       }
     return sum;
   }
 
   Eigen::VectorXd
-  DualBackend::rigid_imbalance(const VectorXd &forces) const
+  CondensedCompliance::rigid_imbalance(const VectorXd &forces) const
   {
     AssertDimension(forces.size(), coordinates.n_dofs());
     VectorXd    sum = VectorXd::Zero(motions.own().cols());
@@ -502,7 +422,7 @@ namespace conetact::contact
 
   // Nothing resists these motions: a load on them would have no answer.
   Eigen::VectorXd
-  DualBackend::without_unseen(const VectorXd &against) const
+  CondensedCompliance::without_unseen(const VectorXd &against) const
   {
     AssertDimension(against.size(), motions.own().cols());
     if (unseen.cols() == 0)
@@ -513,21 +433,21 @@ namespace conetact::contact
 
   /* H^T r, and the foundations against the motions a. */
   Eigen::VectorXd
-  DualBackend::forces_of(const VectorXd &primal) const
+  CondensedCompliance::forces_of(const VectorXd &primal) const
   {
     VectorXd forces = H.transpose() * primal.head(H.rows());
     for (unsigned int body = 0; body < body_motions.size(); ++body)
       {
         const BodyMotions &m = body_motions[body];
         if (m.R.size() > 0)
-          forces.segment(own.begin(body), n_own(body)) -=
+          forces.segment(own.begin(body), bodies.n_own(body)) -=
             m.spring_forces * primal.segment(H.rows() + m.first, m.R.cols());
       }
     return forces;
   }
 
   void
-  DualBackend::reduce_one(const VectorXd &forces,
+  CondensedCompliance::reduce_one(const VectorXd &forces,
                           const VectorXd &prescribed,
                           LoadCase       &load)
   {
@@ -544,13 +464,13 @@ namespace conetact::contact
         const BodyMotions &m = body_motions[body];
         if (m.R.size() > 0)
           all.segment(H.rows() + m.first, m.R.cols()) -=
-            m.R.transpose() * rounding.segment(own.begin(body), n_own(body));
+            m.R.transpose() * rounding.segment(own.begin(body), bodies.n_own(body));
       }
     set_load(all, load);
   }
 
   void
-  DualBackend::set_load(const VectorXd &all, LoadCase &load) const
+  CondensedCompliance::set_load(const VectorXd &all, LoadCase &load) const
   {
     if (points.n_bound() == 0)
       {
@@ -562,7 +482,7 @@ namespace conetact::contact
   }
 
   LoadCase
-  DualBackend::nothing() const
+  CondensedCompliance::nothing() const
   {
     LoadCase load;
     load.b = VectorXd::Zero(own.n_unknowns());
@@ -571,26 +491,17 @@ namespace conetact::contact
   }
 
   Eigen::VectorXd
-  DualBackend::reduce_forces(const VectorXd &b) const
-  {
-    AssertDimension(b.size(), own.n_unknowns());
-    LoadCase load;
-    set_load(reduce_all(b, VectorXd::Zero(coordinates.n_dofs())), load);
-    return load.f;
-  }
-
-  Eigen::VectorXd
-  DualBackend::reduce_all(const VectorXd &b, const VectorXd &forces) const
+  CondensedCompliance::reduce_all(const VectorXd &b, const VectorXd &forces) const
   {
     AssertDimension(b.size(), own.n_unknowns());
     VectorXd w = VectorXd::Zero(b.size());
-    for (const Part &part : parts)
+    for (const CondensedBodies::Part &part : bodies.parts())
       for (const unsigned int body : part.bodies)
         {
           const VectorXd kept =
             part.element->flexibility() *
             // P_C (f_C - K_CF K_FF^-1 f_F): displacements of what is retained.
-            part.element->reduce(b.segment(own.begin(body), n_own(body)));
+            part.element->reduce(b.segment(own.begin(body), bodies.n_own(body)));
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
         }
@@ -600,7 +511,7 @@ namespace conetact::contact
   }
 
   void
-  DualBackend::forget_rounding(LoadCase &load) const
+  CondensedCompliance::forget_rounding(LoadCase &load) const
   {
     constexpr double rounding = 1e-13; // of a sum
     VectorXd         terms    = VectorXd::Zero(motions.own().cols());
@@ -608,7 +519,7 @@ namespace conetact::contact
       if (const BodyMotions &m = body_motions[body]; m.R.size() > 0)
         terms.segment(m.first, m.R.cols()) =
           (m.R + m.Y).cwiseAbs().transpose() *
-          load.b.segment(own.begin(body), n_own(body)).cwiseAbs();
+          load.b.segment(own.begin(body), bodies.n_own(body)).cwiseAbs();
     const VectorXd zero =
       rounding * (motions.free_of_own().cwiseAbs().transpose() * terms);
     for (Index j = 0; j < zero.size(); ++j)
@@ -617,7 +528,7 @@ namespace conetact::contact
   }
 
   void
-  DualBackend::move_bound(const VectorXd &offset, LoadCase &load) const
+  CondensedCompliance::move_bound(const VectorXd &offset, LoadCase &load) const
   {
     if (points.n_bound() == 0)
       return;
@@ -628,7 +539,7 @@ namespace conetact::contact
   }
 
   BoundState
-  DualBackend::bound_state(const LoadCase &load, const VectorXd &primal) const
+  CondensedCompliance::bound_state(const LoadCase &load, const VectorXd &primal) const
   {
     if (points.n_bound() == 0)
       return {};
@@ -639,7 +550,7 @@ namespace conetact::contact
 
   /* w = P (b + H^T r - K_s R a) of each body, and what is prescribed. */
   Eigen::MatrixXd
-  DualBackend::expand(const std::vector<const LoadCase *> &loads,
+  CondensedCompliance::expand(const std::vector<const LoadCase *> &loads,
                       const std::vector<Eigen::VectorXd>  &primal) const
   {
     AssertDimension(loads.size(), primal.size());
@@ -656,13 +567,13 @@ namespace conetact::contact
   }
 
   Eigen::VectorXd
-  DualBackend::all_of(const LoadCase &load, const VectorXd &primal) const
+  CondensedCompliance::all_of(const LoadCase &load, const VectorXd &primal) const
   {
     return points.n_bound() == 0 ? primal : bound.complete(primal, load.bound);
   }
 
   LoadCase
-  DualBackend::reduce_unbalanced(const VectorXd &unbalanced) const
+  CondensedCompliance::reduce_unbalanced(const VectorXd &unbalanced) const
   {
     AssertDimension(unbalanced.size(), coordinates.n_dofs());
     LoadCase change;
@@ -674,59 +585,149 @@ namespace conetact::contact
   /* Refinement of w: P of what is left unbalanced, with the forces of the
      changed reactions and motions. */
   Eigen::VectorXd
-  DualBackend::correction(const LoadCase &change, const VectorXd &primal) const
+  CondensedCompliance::correction(const LoadCase &change, const VectorXd &primal) const
   {
     return own.expand(deform(change.b + forces_of(all_of(change, primal))));
   }
 
-  double
-  DualBackend::factor_bytes() const
-  {
-    double sum = 0;
-    for (const Part &part : parts)
-      sum += part.element->solver().factor_bytes();
-    return sum;
-  }
-
-  unsigned int
-  DualBackend::n_shared_bodies() const
-  {
-    std::size_t n = 0;
-    for (const Part &part : parts)
-      n += part.bodies.size() - 1;
-    return static_cast<unsigned int>(n);
-  }
-
-  backends::SchurWork
-  DualBackend::work() const
-  {
-    backends::SchurWork sum;
-    for (const Part &part : parts)
-      sum += part.element->solver().work();
-    return sum;
-  }
-
   backends::FactorEstimate
-  DualBackend::estimate(const ElasticSystem       &elastic,
-                        const ContactPoints       &points,
-                        const Coordinates         &coordinates,
-                        const RigidMotions        &motions,
-                        const WorkingSet          &set,
-                        const backends::Condenser &condenser)
+  CondensedCompliance::estimate(const ElasticSystem       &elastic,
+                                const ContactPoints       &points,
+                                const Coordinates         &coordinates,
+                                const RigidMotions        &motions,
+                                const backends::Condenser &condenser)
   {
-    const DualBackend dual(
-      elastic, points, coordinates, motions, set, condenser, Empty());
-    const SparseMatrix       all = assemble(elastic, dual.own);
-    backends::FactorEstimate sum;
-    for (const Part &part : dual.parts)
-      {
-        const Uncondensed body = dual.stiffness_of(part, all);
-        sum += backends::SuperElement::estimate(body.upper,
-                                                body.node_of,
-                                                part.retained,
-                                                condenser);
-        sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
-      }
-    return sum;
+    return CondensedCompliance(
+             elastic, points, coordinates, motions, condenser, Empty())
+      .bodies.estimate(condenser);
+  }
+
+  /* Heat presses no body as a whole: its forces cancel up to rounding, and a
+     free motion would take this rounding for a load. */
+  LoadCase
+  CondensedCompliance::reduce(const VectorXd &forces,
+                              const VectorXd &heat,
+                              const VectorXd &prescribed)
+  {
+    LoadCase load = Elasticity::reduce(forces, prescribed);
+    forget_rounding(load);
+    if (heat.size() == 0)
+      return load;
+    LoadCase hot =
+      Elasticity::reduce(heat, VectorXd::Zero(prescribed.size()));
+    for (Index j = n_contact(); j < contact_system->n_unknowns(); ++j)
+      if (contact_system->matrix(j, j) == 0) // rounding must not drive a body
+        hot.f[j] = 0;
+    load.b += hot.b;
+    load.f += hot.f;
+    if (hot.bound.size() > 0)
+      load.bound += hot.bound;
+    return load;
+  }
+
+  /* What is unknown is what motions change from their base on. */
+  void
+  CondensedCompliance::write(const LoadCase          &load,
+                             const VectorXd          &offset,
+                             const ElasticState      &state,
+                             solvers::ContactProblem &problem) const
+  {
+    AssertDimension(offset.size(), n_contact());
+    problem.load = load.f;
+    problem.load.head(offset.size()) += offset;
+    if (const Index k = contact_system->n_motions; k > 0)
+      problem.load += contact_system->matrix.rightCols(k) * state.base;
+  }
+
+  /* In compliance form f has forces in its balance rows only. What is bound may
+     carry nearly all. */
+  double
+  CondensedCompliance::largest_force(const LoadCase &load) const
+  {
+    const double force = solvers::largest(load.f.tail(contact_system->n_motions));
+    if (points.n_bound() == 0)
+      return force;
+    const VectorXd none = VectorXd::Zero(load.f.size());
+    return std::max(force, solvers::largest(bound_state(load, none).r));
+  }
+
+  double
+  CondensedCompliance::reference_force(const LoadCase &load) const
+  {
+    return points.n_bound() == 0 ? 0. : rounding_of_past * largest_force(load);
+  }
+
+  Eigen::VectorXd
+  CondensedCompliance::contact_load(
+    const solvers::ContactProblem &problem) const
+  {
+    const VectorXd resultants = -motions.unresisted().transpose() *
+                                problem.load.tail(problem.system->n_motions);
+    return shortest_load(problem.system->null_space, resultants);
+  }
+
+  void
+  CondensedCompliance::begin(const ElasticState    &state,
+                             solvers::ContactState &start) const
+  {
+    const Index n = n_contact(), k = state.motions.size();
+    start.v.conservativeResizeLike(VectorXd::Zero(n + k));
+    start.r.conservativeResizeLike(VectorXd::Zero(n + k));
+    // motions count from where the problem is written about
+    start.r.tail(k) = state.motions - state.base;
+  }
+
+  void
+  CondensedCompliance::end(const solvers::ContactState &end,
+                           ElasticState                &state) const
+  {
+    // The next problem is written about where its bodies are then.
+    if (end.r.size() > n_contact())
+      state.motions = state.base =
+        state.base + end.r.tail(state.motions.size());
+  }
+
+  Eigen::VectorXd
+  CondensedCompliance::primal(const ElasticState &state,
+                              const VectorXd     &r) const
+  {
+    VectorXd result(n_contact() + state.motions.size());
+    result << r, state.motions;
+    return result;
+  }
+
+  void
+  CondensedCompliance::move(const VectorXd &amounts,
+                            const VectorXd &,
+                            solvers::ContactState &end) const
+  {
+    end.r.tail(amounts.size()) += amounts;
+  }
+
+  void
+  CondensedCompliance::restore(const std::vector<double> &,
+                               const VectorXd &,
+                               ElasticState &state) const
+  {
+    state.start.resize(0); // reactions and motions are all there is
+  }
+
+  void
+  CondensedCompliance::add_missed(const VectorXd &by_contacts,
+                                  const VectorXd &by_bound,
+                                  LoadCase       &change) const
+  {
+    change.f.head(by_contacts.size()) += by_contacts;
+    move_bound(by_bound, change);
+  }
+
+  /* The relation holds for rounded matrices: the end is nearly right. */
+  solvers::ContactState
+  CondensedCompliance::restart(const solvers::ContactState &,
+                               const solvers::ContactState &end) const
+  {
+    solvers::ContactState start = end;
+    start.r.tail(contact_system->n_motions).setZero();
+    return start;
   }
 } // namespace conetact::contact
