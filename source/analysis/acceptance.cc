@@ -7,6 +7,8 @@
 #include "conetact/bodies/frame/frame.h"
 #include "conetact/output/extremes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -130,10 +132,9 @@ namespace conetact::analysis
             .mean();
         // tr K_ii / dim, or dim / tr W_ii: what turns a gap that is left into a
         // force.
-        stiffness[i] =
-          system.form == solvers::Form::stiffness ? mean :
-          mean > 0                                ? 1 / mean :
-                                                    0;
+        stiffness[i] = system.form == solvers::Form::stiffness ? mean :
+                       mean > 0                                ? 1 / mean :
+                                                                 0;
       }
     const double largest = stiffness.size() > 0 ? stiffness.maxCoeff() : 0;
     verification.set_stiffness(stiffness.unaryExpr([largest](const double k) {
@@ -146,6 +147,8 @@ namespace conetact::analysis
   Acceptance::claim(const PendingIncrement &increment,
                     const Eigen::VectorXd  &w) const
   {
+    AssertDimension(w.size(), model.coordinates.n_dofs());
+    AssertDimension(increment.forces.size(), w.size());
     verification::Claim claim;
     claim.amounts    = amounts(increment);
     claim.w          = w;
@@ -171,6 +174,8 @@ namespace conetact::analysis
   Eigen::VectorXd
   Acceptance::reactions(const PendingIncrement &increment) const
   {
+    AssertDimension(increment.state.r.size() + increment.bound.r.size(),
+                    model.points.n_all_unknowns());
     Eigen::VectorXd r(model.points.n_all_unknowns());
     r << increment.state.r, increment.bound.r;
     return r;

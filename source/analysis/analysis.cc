@@ -186,7 +186,7 @@ namespace conetact::analysis
   {
     verify_condensation(model,
                         *scene.condenser,
-                        backends::independent_of(*scene.condenser),
+                        condensed::independent_of(*scene.condenser),
                         log);
     log.time("condensation once more, to verify it");
   }

@@ -3,9 +3,9 @@
 
 #include "conetact/analysis/backend_table.h"
 
-#include "conetact/backends/large_stiffness.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/process.h"
+#include "conetact/iterative/large_stiffness.h"
 #include "conetact/solvers/large_newton.h"
 #include "conetact/solvers/solver_table.h"
 
@@ -26,7 +26,7 @@ namespace conetact::analysis
     processes_that_iterate(const application::Scene &,
                            const contact::ContactModel &model)
     {
-      return backends::useful_processes(model.coordinates.n_unknowns());
+      return iterative::useful_processes(model.coordinates.n_unknowns());
     }
 
     std::unique_ptr<solvers::ContactSolver>
@@ -43,7 +43,7 @@ namespace conetact::analysis
     newton_while_it_pays(const application::Scene    &scene,
                          const contact::ContactModel &model)
     {
-      constexpr double few     = 500; // to ask what condensing takes
+      constexpr double       few   = 500; // to ask what condensing takes
       solvers::SolverOptions whole = scene.solver;
       whole.max_substeps           = 1;
       whole.leaves = [&, worth = 0.](const unsigned int n_iterations) mutable {
@@ -90,22 +90,21 @@ namespace conetact::analysis
   const std::vector<Backend> &
   backend_table()
   {
-    static const Backend condensed = {&contact::condensed_row(),
-                                      "condensation",
-                                      true,
-                                      &processes_that_condense,
-                                      &estimate_cost,
-                                      &any_method,
-                                      nullptr};
-    static const std::vector<Backend> table = {
-      condensed,
-      {&contact::iterative_row(),
-       "linear systems",
-       false,
-       &processes_that_iterate,
-       &estimate_iterative_cost,
-       &newton_while_it_pays,
-       &condensed}};
+    static const Backend              condensed = {&contact::condensed_row(),
+                                                   "condensation",
+                                                   true,
+                                                   &processes_that_condense,
+                                                   &estimate_cost,
+                                                   &any_method,
+                                                   nullptr};
+    static const std::vector<Backend> table     = {condensed,
+                                                   {&contact::iterative_row(),
+                                                    "linear systems",
+                                                    false,
+                                                    &processes_that_iterate,
+                                                    &estimate_iterative_cost,
+                                                    &newton_while_it_pays,
+                                                    &condensed}};
     return table;
   }
 

@@ -6,6 +6,8 @@
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -64,17 +66,18 @@ namespace conetact::analysis
     // In the plane fronts are small, and so is the rate: strips of 1500 x 60 to
     // 2000 x 200 cells with all nodes of a side retained.
     constexpr double sparse_over_dense[] = {4, 1.6}; // factorisation
-    constexpr double lu_over_dense     = 2;   // of contact unknowns
-    constexpr double lus_an_increment  = .15; // after the first
+    constexpr double lu_over_dense       = 2;        // of contact unknowns
+    constexpr double lus_an_increment    = .15;      // after the first
     // The same for an unknown in an iteration of the iterative backend, with
     // what Newton's steps take besides: 64^3 cells.
     constexpr double iteration_of_unknown = 2500;
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
-    // 32^3 and 64^3 cells (space), squares of 200^2 and 400^2, strips (plane). What processes share, what the
-    // first one has besides its meshes, and what each other has anyway: from
-    // 64^3 and 100^3 cells and 400^2, by one and two processes. Cells that
-    // differ take so many times as long, and as many bytes: 48^3 of them.
+    // 32^3 and 64^3 cells (space), squares of 200^2 and 400^2, strips (plane).
+    // What processes share, what the first one has besides its meshes, and what
+    // each other has anyway: from 64^3 and 100^3 cells and 400^2, by one and
+    // two processes. Cells that differ take so many times as long, and as many
+    // bytes: 48^3 of them.
     constexpr double setup_of_unknown[]     = {4e-6, 4e-6};
     constexpr double increment_of_unknown[] = {1e-6, 2e-6};
     constexpr double shared_bytes[]         = {350, 640};
@@ -128,17 +131,16 @@ namespace conetact::analysis
     flops_of_contact(const contact::ContactModel &model,
                      const double                 n_increments)
     {
-      const auto n =
-        static_cast<double>(model.points.n_unknowns());
+      const auto n = static_cast<double>(model.points.n_unknowns());
       return lu_over_dense * 2. / 3. * std::pow(n, 3) *
              (1 + lus_an_increment * (n_increments - 1));
     }
 
     /** To condense bodies and solve increments then. */
     double
-    flops_of_condensing(const contact::ContactModel    &model,
-                        const backends::FactorEstimate &factor,
-                        const std::size_t               n_increments)
+    flops_of_condensing(const contact::ContactModel     &model,
+                        const condensed::FactorEstimate &factor,
+                        const std::size_t                n_increments)
     {
       return sparse_over_dense[model.bodies.dim - 2] * factor.flops +
              flops_of_contact(model, static_cast<double>(n_increments));
@@ -238,8 +240,8 @@ namespace conetact::analysis
                 const std::size_t            n_drawings,
                 const int                    n_processes)
   {
-    const auto n_contact =
-      static_cast<double>(model.points.n_unknowns());
+    Assert(n_processes > 0, dealii::ExcMessage("There is a process."));
+    const auto n_contact  = static_cast<double>(model.points.n_unknowns());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
     cost.factor = model.estimate_factor();
@@ -308,9 +310,9 @@ namespace conetact::analysis
     const Eigen::Index            n         = model.coordinates.n_unknowns();
     if (const std::string why = iterative.why_not(model); !why.empty())
       return {&condensed, "the iterative one " + why};
-    const bool slow      = is_nearly_incompressible(model);
-    const bool hard_one  = has_hard_slave(model);
-    const bool uncertain = hard_one || model.points.slide();
+    const bool   slow      = is_nearly_incompressible(model);
+    const bool   hard_one  = has_hard_slave(model);
+    const bool   uncertain = hard_one || model.points.slide();
     const double flops_iterative =
       usual_rate * seconds_of_iterating(model, n_increments);
     if (!uncertain &&
@@ -328,8 +330,8 @@ namespace conetact::analysis
     if (model.bodies.dim == 3 && largest_system(model) > huge_body && !slow &&
         !hard_one)
       return {&iterative, "the mesh is large"};
-    const Cost   cost  = estimate_cost(model, n_increments, n_drawings);
-    const Cost   other = estimate_iterative_cost(model, n_increments, n_drawings);
+    const Cost cost  = estimate_cost(model, n_increments, n_drawings);
+    const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
     const double flops_condensed =
       flops_of_condensing(model, cost.factor, n_increments);
     const auto text = [](const double flops, const double bytes) {
@@ -339,8 +341,7 @@ namespace conetact::analysis
     };
     const bool is_faster =
       !uncertain &&
-      flops_condensed >
-        (many ? faster : much_faster) * flops_iterative;
+      flops_condensed > (many ? faster : much_faster) * flops_iterative;
     return {cost.memory_bytes > machine_memory() || is_faster ? &iterative :
                                                                 &condensed,
             "condensed " + text(flops_condensed, cost.memory_bytes) +

@@ -3,14 +3,14 @@
 
 #include "conetact/analysis/increment_analysis.h"
 
-#include "conetact/analysis/checkpoint.h"
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/refusal.h"
-#include "conetact/output/former_rows.h"
 #include "conetact/solvers/large_newton.h"
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <limits>
@@ -77,57 +77,6 @@ namespace conetact::analysis
     report_skips(scene, model, loads, log);
   }
 
-  void
-  IncrementAnalysis::save_state(const bool at_end)
-  {
-    const unsigned int every = scene.checkpoint_every;
-    if (every == 0 || n_on_disk == n_saved ||
-        (!at_end && n_on_disk % every != 0 && n_on_disk != scene.times.size()))
-      return;
-    if (search.is_needed())
-      {
-        if (search.time() != scene.times[n_on_disk - 1])
-          return;   // in parts of the next increment
-        if (at_end) // the model has contacts of an increment that failed
-          {
-            search.go_back();
-            take(search.accepted());
-          }
-      }
-    Archive archive;
-    archive.put_text("scene", scene.values());
-    archive.put("times",
-                std::vector<double>(scene.times.begin(),
-                                    scene.times.begin() + n_on_disk));
-    archive.put("one by one", one_by_one ? 1. : 0.);
-    archive.put_text("backend", backend->elasticity->name);
-    put_reaction_rows(archive, n_reaction_rows);
-    scene.save_kinematics(archive);
-    search.save(archive);
-    history.save(archive);
-    acceptance.save(archive);
-    archive.write(description.folder / "checkpoint.bin");
-    n_saved = n_on_disk;
-  }
-
-  void
-  IncrementAnalysis::restore_state()
-  {
-    const Archive &archive = scene.restart->state;
-    check_checkpoint(archive, model, scene.support_names);
-    double one = 0;
-    archive.fill("one by one", one);
-    one_by_one      = one > 0;
-    n_reaction_rows = reaction_rows_of(archive);
-    output::check_former_tables(scene.restart->folder,
-                                scene.n_done(),
-                                n_reaction_rows);
-    search.restore(archive, history);
-    history.restore(archive);
-    acceptance.restore(archive);
-    n_saved = n_on_disk = scene.n_done();
-  }
-
   std::size_t
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
@@ -184,6 +133,7 @@ namespace conetact::analysis
   double
   IncrementAnalysis::begin(const unsigned int k) const
   {
+    AssertIndexRange(k, scene.times.size() + 1);
     return k > 1 ? scene.times[k - 2] : 0.;
   }
 
@@ -322,197 +272,6 @@ namespace conetact::analysis
   }
 
   void
-  IncrementAnalysis::take(ContactSearch::Nodes found)
-  {
-    search.take(std::move(found), history);
-    acceptance.relink();
-    existence.reset();
-    if (const std::string why = model.why_not(); !why.empty())
-      {
-        if (!fits_condensed(model, scene.times.size(), scene.n_drawings()))
-          throw AnalysisError(
-            "Contacts have slid to where Backend = iterative " + why +
-            ", and condensed bodies take more memory "
-            "than this machine has.");
-        condense_from_here("Contacts have slid to where Backend = iterative " +
-                           why + ".");
-      }
-  }
-
-  std::string
-  IncrementAnalysis::solve_with(ContactSearch::Nodes found,
-                                PendingIncrement    &increment)
-  {
-    const Eigen::VectorXd w = model.elasticity().deformation(increment.primal);
-    const Eigen::VectorXd motions = increment.motions;
-    history = increment.before;
-    take(std::move(found));
-    increment.before = history;
-    apply_loads(increment);
-    solvers::ContactState guess = history.start();
-    guess.node                  = increment.end.node;
-    guess.nearby                = history.nearby(w, motions);
-    const unsigned int before = increment.record.report.iterations;
-    const std::string  why    = solve_contact(increment, guess);
-    increment.record.report.iterations += before;
-    return why;
-  }
-
-  std::string
-  IncrementAnalysis::try_to_settle(PendingIncrement &increment)
-  {
-    try
-      {
-        return settle(increment);
-      }
-    catch (const AnalysisError &error) // nodes without a place
-      {
-        std::string why = error.what();
-        if (!why.empty() && why.back() == '.') // the sentence goes on
-          why.pop_back();
-        return why;
-      }
-  }
-
-  std::string
-  IncrementAnalysis::settle(PendingIncrement &increment)
-  {
-    constexpr unsigned int most       = 30;
-    constexpr double       exact      = 1e-9;
-    constexpr double       least_turn = 1e-3; // where the rest is not exact
-    constexpr double       strain = 1e-4; // what false ones are compared with
-    double                 before = std::numeric_limits<double>::max();
-    unsigned int           n_slow = 1;
-    for (unsigned int &n = increment.record.pairings;;)
-      {
-        const Eigen::VectorXd w =
-          model.elasticity().expand({&increment.load}, {increment.primal});
-        const Eigen::VectorXd u = acceptance.displacements(increment, w);
-        ContactSearch::Nodes  found =
-          search.find(u, increment.record.time, n_slow > 1);
-        const ContactSearch::Change change = search.change(increment, u, found);
-        const Eigen::VectorXd       moved =
-          acceptance.amounts(increment) +
-          model.motions.of_free(model.motions.free_in(w));
-        // cos a - 1 is what a small rotation by a strains its body
-        const double angle   = model.turn_of_frames(moved);
-        const double turn    = .5 * angle * angle / strain;
-        const double error   = std::max({change.gap, change.force, turn});
-        const bool   is_slow = n >= most / 3 && error > .9 * before;
-        before               = error;
-        if (error <= exact)
-          return passes_through(increment.record, u);
-        if ((is_slow || n == most) && turn <= least_turn &&
-            may_take(increment.record, change))
-          {
-            say_unsettled(increment.record, change);
-            return passes_through(increment.record, u);
-          }
-        if (n++ == most)
-          return why_unsettled(change, turn) +
-                 "; Kinematics = small keeps the contacts of the start, with a "
-                 "warning where they are wrong";
-        model.move_frames(moved);
-        if (is_slow || n_slow > 1) // from now on
-          found = search.find_between(u, increment.record.time, 1. / ++n_slow);
-        if (const std::string why = solve_with(std::move(found), increment);
-            !why.empty())
-          return why;
-      }
-  }
-
-  std::string
-  IncrementAnalysis::why_unsettled(const ContactSearch::Change &change,
-                                   const double                 turn) const
-  {
-    if (turn > std::max(change.gap, change.force))
-      return "how far bodies turn is found otherwise again and again, as where "
-             "they deform so much that small strains are wrong. Use smaller "
-             "loads or stiffer bodies";
-    return "contacts that slide are found elsewhere again and again, their "
-           "gaps are off by " +
-           to_text(change.gap) + " of a cell, also in parts of the increment" +
-           where(change.worst) +
-           ". Use smaller increments or smoother surfaces";
-  }
-
-  /* Where a surface ends, what slides off it has no neighbour to be found on.
-   */
-  std::string
-  IncrementAnalysis::where(const pairing::ContactNode *node) const
-  {
-    return node == nullptr ?
-             "" :
-             ", most of all at the node " + to_text(node->position) + " of " +
-               model.bodies.called(node->body) +
-               ", which may have come to an edge or to the end of a surface";
-  }
-
-  bool
-  IncrementAnalysis::may_take(const output::IncrementRecord &record,
-                              const pairing::FoundChange    &change) const
-  {
-    constexpr double enough = 1e-3; // where facets meet there is no more
-    constexpr double nearly = 1e-2; // of directions
-    return change.gap <= enough &&
-           (change.force <= nearly ||
-            !parts.is_long(search.time(),
-                           duration(record.increment),
-                           scene.times[record.increment - 1]));
-  }
-
-  /* A body that goes round an edge may look so: it is asked for smaller parts
-     only. */
-  std::string
-  IncrementAnalysis::passes_through(const output::IncrementRecord &record,
-                                    const Eigen::VectorXd         &u)
-  {
-    const bool        may_be_cut = parts.may_be_cut(search.time(),
-                                             duration(record.increment),
-                                             scene.times[record.increment - 1]);
-    const std::string why = search.passes_through(u, record.time, may_be_cut);
-    return why.empty() && may_be_cut ? search.loses_masters(u) : why;
-  }
-
-  double
-  IncrementAnalysis::duration(const unsigned int k) const
-  {
-    return scene.times[k - 1] - begin(k);
-  }
-
-  void
-  IncrementAnalysis::say_unsettled(const output::IncrementRecord &record,
-                                   const pairing::FoundChange    &change)
-  {
-    const std::string sentence =
-      name(record) + " (t = " + to_text(record.time) +
-      "): contacts that slide are found elsewhere again and again, as where "
-      "facets meet. Those taken are off by " +
-      to_text(change.gap) + " of a cell in their gaps, by " +
-      to_text(change.force) + " of the largest reaction in their directions";
-    if (said_unsettled)
-      log.note(sentence);
-    else
-      log.say("warning: " + sentence +
-              ". Use smoother surfaces or Pairing = mortar, or smaller "
-              "increments; others are told in log.txt.");
-    said_unsettled = true;
-  }
-
-  bool
-  IncrementAnalysis::cut(const unsigned int k)
-  {
-    const double whole = scene.times[k - 1];
-    if (!lost_contacts || !parts.cut(search.time(), duration(k), whole))
-      return false;
-    log.note("increment " + std::to_string(k) +
-             ": contacts that slide are not found, it is cut: a part up to "
-             "t = " +
-             to_text(parts.end(whole)));
-    return true;
-  }
-
-  void
   IncrementAnalysis::keep(output::IncrementRecord               record,
                           std::vector<output::IncrementRecord> &finished)
   {
@@ -556,82 +315,6 @@ namespace conetact::analysis
       model.elasticity().bound_state(increment.load, increment.primal);
   }
 
-  std::string
-  IncrementAnalysis::no_equilibrium(const solvers::ContactProblem &problem,
-                                    const PendingIncrement        &increment)
-  {
-    if (problem.system->null_space.cols() == 0 ||
-        problem.system->n_nodes() == 0)
-      return "";
-    if (!existence)
-      existence = std::make_unique<solvers::ExistenceCheck>(
-        contact::make_existence_check(model));
-    // at the start of the increment the reactions balance the load on the null
-    // space
-    const solvers::Existence result =
-      existence->check(model.elasticity().contact_load(problem),
-                       -increment.before.start().r.head(
-                         problem.system->n_contact_unknowns()),
-                       history.largest_force(),
-                       problem.gap);
-    return result.admissible ?
-             "" :
-             std::string("no equilibrium exists") +
-               // bodies that move have others
-               (search.is_needed() ? " with contacts as they were found, " :
-                                     ", ") +
-               describe(result, model);
-  }
-
-  /* The way on was not found: what is known is that there must be one. */
-  std::string
-  IncrementAnalysis::why_it_leaves(const unsigned int k)
-  {
-    if (!lost_contacts)
-      return "";
-    take(search.guess(search.time()));
-    PendingIncrement increment{history, history};
-    increment.record.increment = k;
-    increment.record.time      = parts.end(scene.times[k - 1]);
-    apply_loads(increment);
-    const solvers::ContactProblem problem = history.problem(increment.load);
-    if (problem.system->null_space.cols() == 0)
-      return "";
-    const auto here =
-      contact::check_where_it_stands(problem.gap,
-                                     model.elasticity().contact_load(problem),
-                                     -history.start().r.head(
-                                       problem.system->n_contact_unknowns()),
-                                     history.largest_force(),
-                                     model);
-    return here && here->friction_needed ?
-             failed(increment.record,
-                    "no equilibrium exists where bodies stand at its start, " +
-                      describe(*here, model) +
-                      ", and none is found where they go from there") :
-             "";
-  }
-
-  /* What slips or tips under the part of the load that was solved; empty: the
-     method has failed otherwise. */
-  std::string
-  IncrementAnalysis::limit_of(const solvers::ContactProblem &problem,
-                              const PendingIncrement        &increment)
-  {
-    const Eigen::Index n = problem.system->n_contact_unknowns();
-    if (!existence || problem.system->large || increment.end.r.size() < n)
-      return "";
-    const Eigen::VectorXd    last = increment.end.r.head(n);
-    const solvers::Existence limit =
-      existence->limit_state(model.elasticity().contact_load(problem),
-                             -increment.before.start().r.head(n),
-                             last);
-    return limit.admissible ?
-             "" :
-             "no equilibrium exists, " +
-               describe_limit(limit, last, scene.contact_names, model);
-  }
-
   Eigen::MatrixXd
   IncrementAnalysis::deformations(const std::vector<PendingIncrement> &batch)
   {
@@ -649,6 +332,7 @@ namespace conetact::analysis
   IncrementAnalysis::Step
   IncrementAnalysis::finish(std::vector<PendingIncrement> &batch)
   {
+    AssertIndexRange(batch.size(), scene.times.size() + 1);
     using Outcome  = Step::Outcome;
     start_is_known = true;
     if (batch.empty())
@@ -719,6 +403,7 @@ namespace conetact::analysis
   IncrementAnalysis::Step
   IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
   {
+    AssertDimension(w.size(), model.coordinates.n_dofs());
     constexpr unsigned int most_steps = 4;
     verification::Finding  finding    = acceptance.judge(increment, w);
     bool                   corrected  = false;

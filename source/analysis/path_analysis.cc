@@ -10,6 +10,8 @@
 #include "conetact/output/graphics.h"
 #include "conetact/output/problem_texts.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -157,6 +159,8 @@ namespace conetact::analysis
   PathAnalysis::Case
   PathAnalysis::between(const Case &a, const Case &b, const double part)
   {
+    Assert(part >= 0 && part <= 1, dealii::ExcMessage("A part of the way."));
+    AssertDimension(a.each_load.size(), b.each_load.size());
     const auto mean = [&](const Eigen::VectorXd &x, const Eigen::VectorXd &y) {
       return Eigen::VectorXd(x + part * (y - x));
     };
@@ -364,7 +368,8 @@ namespace conetact::analysis
     pending.motions = stiffness->motions(at.relation, point.v, pending.state.r);
     pending.primal.resize(point.r.size() + pending.motions.size());
     pending.primal << pending.state.r, pending.motions;
-    pending.bound = model.elasticity().bound_state(pending.load, pending.primal);
+    pending.bound =
+      model.elasticity().bound_state(pending.load, pending.primal);
   }
 
 
@@ -380,7 +385,7 @@ namespace conetact::analysis
          ++step)
       {
         contact::Elasticity &elastic = model.elasticity();
-        contact::LoadCase        change =
+        contact::LoadCase    change =
           elastic.reduce_unbalanced(finding.unbalanced);
         elastic.move_bound(finding.missed_by_bound, change);
         const Eigen::VectorXd refined =
@@ -488,9 +493,9 @@ namespace conetact::analysis
   {
     if (system().form == solvers::Form::stiffness)
       return model.elasticity().correction(model.elasticity().reduce_unbalanced(
-                                           Eigen::VectorXd::Zero(
-                                             model.coordinates.n_dofs())),
-                                         velocity);
+                                             Eigen::VectorXd::Zero(
+                                               model.coordinates.n_dofs())),
+                                           velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
     return model.motions.field(model.motions.of_free(a));

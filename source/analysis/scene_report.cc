@@ -111,7 +111,7 @@ namespace conetact::analysis
               ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
               ", " + to_text(cost.factor.flops) +
               " floating-point operations to factorise");
-      if (scene.condenser != &backends::default_condenser())
+      if (scene.condenser != &condensed::default_condenser())
         log.say("estimate: at least, for " +
                 std::string(scene.condenser->name) +
                 " tells nothing before it is done");
@@ -236,12 +236,10 @@ namespace conetact::analysis
               const Backend               &backend,
               Log                         &log)
   {
-    const int    n    = backend.useful_processes(scene, model);
-    const Cost   cost = backend.estimate(model,
-                                       scene.times.size(),
-                                       scene.n_drawings(),
-                                       n);
-    const double all  = memory_of_all(n, cost);
+    const int  n = backend.useful_processes(scene, model);
+    const Cost cost =
+      backend.estimate(model, scene.times.size(), scene.n_drawings(), n);
+    const double all = memory_of_all(n, cost);
     report_factor(scene, cost, log);
     log.say("estimate: backend " + std::string(backend.elasticity->name) +
             ", memory of " + megabytes(all) + ", " +

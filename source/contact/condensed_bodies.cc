@@ -71,41 +71,43 @@ namespace conetact::contact
   }
 
   void
-  CondensedBodies::condense(const backends::Condenser &condenser)
+  CondensedBodies::condense(const condensed::Condenser &condenser)
   {
     for_each_part([&](Part &part, const Uncondensed &body) {
-      part.element = std::make_unique<backends::SuperElement>(
-        body.upper, body.node_of, part.retained, condenser);
+      part.element = std::make_unique<condensed::SuperElement>(body.upper,
+                                                               body.node_of,
+                                                               part.retained,
+                                                               condenser);
     });
   }
 
   void
   CondensedBodies::condense(
-    const backends::Condenser                                &condenser,
+    const condensed::Condenser                               &condenser,
     const std::function<const MatrixXd &(unsigned int body)> &motions)
   {
     for_each_part([&](Part &part, const Uncondensed &body) {
       part.element =
-        std::make_unique<backends::SuperElement>(body.upper,
-                                                 body.node_of,
-                                                 part.retained,
-                                                 motions(part.bodies[0]),
-                                                 condenser);
+        std::make_unique<condensed::SuperElement>(body.upper,
+                                                  body.node_of,
+                                                  part.retained,
+                                                  motions(part.bodies[0]),
+                                                  condenser);
     });
   }
 
-  backends::FactorEstimate
-  CondensedBodies::estimate(const backends::Condenser &condenser) const
+  condensed::FactorEstimate
+  CondensedBodies::estimate(const condensed::Condenser &condenser) const
   {
-    const SparseMatrix       all = assemble(elastic, own);
-    backends::FactorEstimate sum;
+    const SparseMatrix        all = assemble(elastic, own);
+    condensed::FactorEstimate sum;
     for (const Part &part : all_parts)
       {
         const Uncondensed body = stiffness_of(part, all);
-        sum += backends::SuperElement::estimate(body.upper,
-                                                body.node_of,
-                                                part.retained,
-                                                condenser);
+        sum += condensed::SuperElement::estimate(body.upper,
+                                                 body.node_of,
+                                                 part.retained,
+                                                 condenser);
         sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
       }
     return sum;
@@ -124,8 +126,8 @@ namespace conetact::contact
   }
 
   std::vector<StiffnessDifference>
-  CondensedBodies::compare(const backends::Condenser &one,
-                           const backends::Condenser &other) const
+  CondensedBodies::compare(const condensed::Condenser &one,
+                           const condensed::Condenser &other) const
   {
     const SparseMatrix               all = assemble(elastic, own);
     std::vector<StiffnessDifference> result;
@@ -134,9 +136,11 @@ namespace conetact::contact
         if (part.retained.empty())
           continue;
         const Uncondensed body      = stiffness_of(part, all);
-        const auto        stiffness = [&](const backends::Condenser &by) {
-          return backends::SuperElement(
-                   body.upper, body.node_of, part.retained, by)
+        const auto        stiffness = [&](const condensed::Condenser &by) {
+          return condensed::SuperElement(body.upper,
+                                         body.node_of,
+                                         part.retained,
+                                         by)
             .take_stiffness();
         };
         const MatrixXd K = stiffness(one);
@@ -165,17 +169,17 @@ namespace conetact::contact
     return static_cast<unsigned int>(n);
   }
 
-  backends::SchurWork
+  condensed::SchurWork
   CondensedBodies::work() const
   {
-    backends::SchurWork sum;
+    condensed::SchurWork sum;
     for (const Part &part : all_parts)
       sum += part.element->solver().work();
     return sum;
   }
 
   std::string
-  condensation_by(const backends::Condenser &condenser)
+  condensation_by(const condensed::Condenser &condenser)
   {
     return "condensation by " + std::string(condenser.name) +
            ": order, factor and Schur complement";

@@ -5,6 +5,7 @@
 
 #include "conetact/base/index.h"
 #include "conetact/contact/equal_bodies.h"
+#include "conetact/contact/retained_unknowns.h"
 #include "conetact/contact/unseen_motions.h"
 
 #include <deal.II/base/exceptions.h>
@@ -35,24 +36,13 @@ namespace conetact::contact
             entries.emplace_back(row, unknown, direction[c] * factor);
           });
     }
-
-    /** Distance of p from a point, or from the line through two. */
-    double
-    distance(const Point<3> &p, const std::vector<Point<3>> &from)
-    {
-      const Tensor<1, 3> arm = p - from[0];
-      if (from.size() < 2)
-        return arm.norm();
-      const Tensor<1, 3> line = from[1] - from[0];
-      return cross_product_3d(line / line.norm(), arm).norm();
-    }
   } // namespace
 
-  CondensedCompliance::CondensedCompliance(const ElasticSystem       &e,
-                                           const ContactPoints       &p,
-                                           const Coordinates         &c,
-                                           const RigidMotions        &m,
-                                           const backends::Condenser &by,
+  CondensedCompliance::CondensedCompliance(const ElasticSystem        &e,
+                                           const ContactPoints        &p,
+                                           const Coordinates          &c,
+                                           const RigidMotions         &m,
+                                           const condensed::Condenser &by,
                                            const Empty)
     : elastic(e)
     , points(p)
@@ -64,24 +54,22 @@ namespace conetact::contact
     , bodies(elastic,
              own,
              find_equal_bodies(elastic, own),
-             [this](const unsigned int body, std::vector<bool> &kept) {
-               retain(body, kept);
-             })
+             RetainedUnknowns{elastic.bodies, coordinates, motions, own, H})
+    , free(elastic, motions, own)
   {}
 
-  CondensedCompliance::CondensedCompliance(const ElasticSystem       &e,
-                                           const ContactPoints       &p,
-                                           const Coordinates         &c,
-                                           const RigidMotions        &m,
-                                           const backends::Condenser &by)
+  CondensedCompliance::CondensedCompliance(const ElasticSystem        &e,
+                                           const ContactPoints        &p,
+                                           const Coordinates          &c,
+                                           const RigidMotions         &m,
+                                           const condensed::Condenser &by)
     : CondensedCompliance(e, p, c, m, by, Empty())
   {
-    find_motions();
     bodies.condense(condenser,
                     [this](const unsigned int body) -> const MatrixXd & {
-                      return body_motions[body].R;
+                      return free.of_body(body);
                     });
-    respond_to_springs();
+    free.respond(bodies);
     assemble_system();
   }
 
@@ -114,16 +102,16 @@ namespace conetact::contact
   void
   CondensedCompliance::see_motions()
   {
-    find_motions();
-    respond_to_springs();
+    free.find();
+    free.respond(bodies);
     assemble_system();
     forget_reductions();
   }
 
   void
   CondensedCompliance::write_row(const ContactPoint &point,
-                         Index              &row,
-                         Triplets           &entries) const
+                                 Index              &row,
+                                 Triplets           &entries) const
   {
     for (const Tensor<1, 3> &dual : point.dual)
       {
@@ -143,107 +131,6 @@ namespace conetact::contact
       }
   }
 
-  void
-  CondensedCompliance::retain(const unsigned int body, std::vector<bool> &kept) const
-  {
-    for (Index p = own.begin(body); p < own.end(body); ++p)
-      // A column of H that is not empty: contacts see this unknown.
-      if (H.outerIndexPtr()[p + 1] > H.outerIndexPtr()[p])
-        kept[at(p - own.begin(body))] = true;
-    for (const auto &[of, node] : elastic.bodies.nodes_to_keep)
-      if (of == body)
-        for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
-          own.for_row(coordinates.dof(body, node) + c,
-                      [&](const Index unknown, double) {
-                        kept[at(unknown - own.begin(body))] = true;
-                      });
-    if (std::count(motions.body_of_own().begin(),
-                   motions.body_of_own().end(),
-                   body) > 0)
-      retain_anchors(body, kept);
-  }
-
-  // A body that floats keeps some nodes far apart, or digits would go with the
-  // lever from its contacts to its ends; and a contact may be a single node.
-  void
-  CondensedCompliance::retain_anchors(const unsigned int body,
-                              std::vector<bool> &kept) const
-  {
-    AssertDimension(kept.size(), static_cast<std::size_t>(bodies.n_own(body)));
-    const bodies::Structure &structure = *elastic.bodies.structures[body];
-    std::vector<Point<3>>    chosen    = {structure.position(0)};
-    for (unsigned int k = 0; k < elastic.bodies.dim; ++k)
-      {
-        unsigned int best     = 0;
-        double       furthest = -1;
-        for (unsigned int i = 0; i < structure.n_nodes(); ++i)
-          {
-            const auto [begin, end] = own.unknowns_of(body, i);
-            const double d          = distance(structure.position(i), chosen);
-            // Only nodes that no support holds have all their unknowns.
-            if (end - begin >= elastic.bodies.dim && d > furthest)
-              {
-                furthest = d;
-                best     = i;
-              }
-          }
-        if (k == 0) // the first one only served to find it
-          chosen.clear();
-        chosen.push_back(structure.position(best));
-        const auto [begin, end] = own.unknowns_of(body, best);
-        for (Index p = begin; p < end; ++p)
-          kept[at(p - own.begin(body))] = true;
-      }
-  }
-
-  /* R of each body in its own unknowns, and the forces K_s R by which
-     foundations resist. */
-  void
-  CondensedCompliance::find_motions()
-  {
-    const auto &of_body = motions.body_of_own();
-    body_motions.resize(elastic.bodies.names.size());
-    first_rigid =
-      std::count_if(of_body.begin(), of_body.end(), [&](const unsigned int b) {
-        return !elastic.bodies.is_rigid(b);
-      });
-    for (unsigned int body = 0; body < body_motions.size(); ++body)
-      {
-        BodyMotions &own_motions = body_motions[body];
-        const auto   begin = std::find(of_body.begin(), of_body.end(), body);
-        const Index  k     = std::count(of_body.begin(), of_body.end(), body);
-        own_motions.first  = begin - of_body.begin();
-        own_motions.R.resize(bodies.n_own(body), k);
-        own_motions.spring_forces.setZero(bodies.n_own(body), k);
-        own_motions.Y = own_motions.spring_forces;
-        for (Index j = 0; j < k; ++j)
-          {
-            const VectorXd u =
-              motions.field(motions.own().col(own_motions.first + j));
-            own_motions.R.col(j) =
-              own.values(u).segment(own.begin(body), bodies.n_own(body));
-            own_motions.spring_forces.col(j) =
-              own.restrict(elastic.spring_forces(u))
-                .segment(own.begin(body), bodies.n_own(body));
-          }
-      }
-  }
-
-  /* Foundations push back against a motion, and the body deforms under that: Y
-     = -P K_s R. */
-  void
-  CondensedCompliance::respond_to_springs()
-  {
-    for (const CondensedBodies::Part &part : bodies.parts())
-      for (const unsigned int body : part.bodies)
-        {
-          BodyMotions &m = body_motions[body];
-          m.Y            = m.spring_forces.isZero(0) ?
-                             MatrixXd(MatrixXd::Zero(m.R.rows(), m.R.cols())) :
-                             MatrixXd(part.element->deform(-m.spring_forces));
-        }
-  }
-
   /* W = sum of H_b P_b H_b^T: compliances add, and contrasts are harmless.
      In a stiffness of all bodies a stiff one would swallow the digits of a
      soft one. */
@@ -254,8 +141,9 @@ namespace conetact::contact
     for (const CondensedBodies::Part &part : bodies.parts())
       for (const unsigned int body : part.bodies)
         {
-          const SparseMatrix all = H.middleCols(own.begin(body), bodies.n_own(body));
-          Triplets           entries;
+          const SparseMatrix all =
+            H.middleCols(own.begin(body), bodies.n_own(body));
+          Triplets entries;
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             for (SparseMatrix::InnerIterator it(all, part.retained[k]); it;
                  ++it)
@@ -276,23 +164,9 @@ namespace conetact::contact
     const Index n = H.rows(), k = motions.own().cols();
     MatrixXd    all         = MatrixXd::Zero(n + k, n + k);
     all.topLeftCorner(n, n) = flexibility();
-    for (unsigned int body = 0; body < body_motions.size(); ++body)
-      {
-        const BodyMotions &m     = body_motions[body];
-        const Index        first = n + m.first, size = m.R.cols();
-        if (size == 0)
-          continue;
-        const MatrixXd G =
-          H.middleCols(own.begin(body), bodies.n_own(body)) * (m.R + m.Y);
-        all.block(0, first, n, size) = G;
-        all.block(first, 0, size, n) = -G.transpose();
-        // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
-        const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
-        // Foundations hold each body by itself: C has a block for each.
-        all.block(first, first, size, size) = .5 * (C + C.transpose());
-      }
+    free.add_to(H, all);
     // A rigid body has no unknowns that deform: its motions are all there is.
-    for (Index j = first_rigid; j < k; ++j)
+    for (Index j = free.first_rigid(); j < k; ++j)
       {
         const VectorXd v = moved_rows(motions.field(motions.own().col(j)));
         all.col(n + j).head(n) = v;
@@ -324,7 +198,7 @@ namespace conetact::contact
   void
   CondensedCompliance::assemble_system()
   {
-    auto        system = std::make_shared<solvers::ContactSystem>(points.layout());
+    auto system   = std::make_shared<solvers::ContactSystem>(points.layout());
     const Index n = n_contact(), n_bound = points.n_bound_unknowns();
     const Index k     = motions.n_free();
     system->form      = solvers::Form::compliance;
@@ -390,36 +264,6 @@ namespace conetact::contact
                       });
   }
 
-  /* -b of the balance: forces against R, and what they deform against the
-     foundations by Y. */
-  Eigen::VectorXd
-  CondensedCompliance::imbalance(const VectorXd &forces) const
-  {
-    AssertDimension(forces.size(), own.n_unknowns());
-    VectorXd sum = VectorXd::Zero(motions.own().cols());
-    for (unsigned int body = 0; body < body_motions.size(); ++body)
-      {
-        const BodyMotions &m = body_motions[body];
-        if (m.R.size() > 0)
-          sum.segment(m.first, m.R.cols()) =
-            -(m.R + m.Y).transpose() *
-            forces.segment(own.begin(body), bodies.n_own(body));
-      }
-    return sum;
-  }
-
-  Eigen::VectorXd
-  CondensedCompliance::rigid_imbalance(const VectorXd &forces) const
-  {
-    AssertDimension(forces.size(), coordinates.n_dofs());
-    VectorXd    sum = VectorXd::Zero(motions.own().cols());
-    const Index n   = motions.own().cols() - first_rigid;
-    if (n > 0)
-      sum.tail(n) =
-        -motions.own().rightCols(n).transpose() * motions.resultants(forces);
-    return sum;
-  }
-
   // Nothing resists these motions: a load on them would have no answer.
   Eigen::VectorXd
   CondensedCompliance::without_unseen(const VectorXd &against) const
@@ -435,21 +279,15 @@ namespace conetact::contact
   Eigen::VectorXd
   CondensedCompliance::forces_of(const VectorXd &primal) const
   {
-    VectorXd forces = H.transpose() * primal.head(H.rows());
-    for (unsigned int body = 0; body < body_motions.size(); ++body)
-      {
-        const BodyMotions &m = body_motions[body];
-        if (m.R.size() > 0)
-          forces.segment(own.begin(body), bodies.n_own(body)) -=
-            m.spring_forces * primal.segment(H.rows() + m.first, m.R.cols());
-      }
-    return forces;
+    AssertDimension(primal.size(), H.rows() + motions.own().cols());
+    return H.transpose() * primal.head(H.rows()) -
+           free.resistance(primal.tail(primal.size() - H.rows()));
   }
 
   void
   CondensedCompliance::reduce_one(const VectorXd &forces,
-                          const VectorXd &prescribed,
-                          LoadCase       &load)
+                                  const VectorXd &prescribed,
+                                  LoadCase       &load)
   {
     AssertDimension(forces.size(), coordinates.n_dofs());
     AssertDimension(prescribed.size(), coordinates.n_dofs());
@@ -459,13 +297,7 @@ namespace conetact::contact
     // R^T K = 0 but for rounding, which must not carry anything
     const VectorXd rounding =
       own.restrict(elastic.structure_forces(prescribed));
-    for (unsigned int body = 0; body < body_motions.size(); ++body)
-      {
-        const BodyMotions &m = body_motions[body];
-        if (m.R.size() > 0)
-          all.segment(H.rows() + m.first, m.R.cols()) -=
-            m.R.transpose() * rounding.segment(own.begin(body), bodies.n_own(body));
-      }
+    all.tail(motions.own().cols()) -= free.resultants(rounding);
     set_load(all, load);
   }
 
@@ -491,7 +323,8 @@ namespace conetact::contact
   }
 
   Eigen::VectorXd
-  CondensedCompliance::reduce_all(const VectorXd &b, const VectorXd &forces) const
+  CondensedCompliance::reduce_all(const VectorXd &b,
+                                  const VectorXd &forces) const
   {
     AssertDimension(b.size(), own.n_unknowns());
     VectorXd w = VectorXd::Zero(b.size());
@@ -501,12 +334,14 @@ namespace conetact::contact
           const VectorXd kept =
             part.element->flexibility() *
             // P_C (f_C - K_CF K_FF^-1 f_F): displacements of what is retained.
-            part.element->reduce(b.segment(own.begin(body), bodies.n_own(body)));
+            part.element->reduce(
+              b.segment(own.begin(body), bodies.n_own(body)));
           for (std::size_t k = 0; k < part.retained.size(); ++k)
             w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
         }
     VectorXd f(H.rows() + motions.own().cols());
-    f << H * w, without_unseen(imbalance(b) + rigid_imbalance(forces));
+    f << H * w,
+      without_unseen(free.imbalance(b) + free.rigid_imbalance(forces));
     return f;
   }
 
@@ -514,14 +349,9 @@ namespace conetact::contact
   CondensedCompliance::forget_rounding(LoadCase &load) const
   {
     constexpr double rounding = 1e-13; // of a sum
-    VectorXd         terms    = VectorXd::Zero(motions.own().cols());
-    for (unsigned int body = 0; body < body_motions.size(); ++body)
-      if (const BodyMotions &m = body_motions[body]; m.R.size() > 0)
-        terms.segment(m.first, m.R.cols()) =
-          (m.R + m.Y).cwiseAbs().transpose() *
-          load.b.segment(own.begin(body), bodies.n_own(body)).cwiseAbs();
-    const VectorXd zero =
-      rounding * (motions.free_of_own().cwiseAbs().transpose() * terms);
+    const VectorXd   zero =
+      rounding * (motions.free_of_own().cwiseAbs().transpose() *
+                  free.size_of_terms(load.b));
     for (Index j = 0; j < zero.size(); ++j)
       if (double &sum = load.f[n_contact() + j]; std::abs(sum) <= zero[j])
         sum = 0;
@@ -539,7 +369,8 @@ namespace conetact::contact
   }
 
   BoundState
-  CondensedCompliance::bound_state(const LoadCase &load, const VectorXd &primal) const
+  CondensedCompliance::bound_state(const LoadCase &load,
+                                   const VectorXd &primal) const
   {
     if (points.n_bound() == 0)
       return {};
@@ -551,7 +382,7 @@ namespace conetact::contact
   /* w = P (b + H^T r - K_s R a) of each body, and what is prescribed. */
   Eigen::MatrixXd
   CondensedCompliance::expand(const std::vector<const LoadCase *> &loads,
-                      const std::vector<Eigen::VectorXd>  &primal) const
+                              const std::vector<Eigen::VectorXd>  &primal) const
   {
     AssertDimension(loads.size(), primal.size());
     const auto n = static_cast<Index>(loads.size());
@@ -567,7 +398,8 @@ namespace conetact::contact
   }
 
   Eigen::VectorXd
-  CondensedCompliance::all_of(const LoadCase &load, const VectorXd &primal) const
+  CondensedCompliance::all_of(const LoadCase &load,
+                              const VectorXd &primal) const
   {
     return points.n_bound() == 0 ? primal : bound.complete(primal, load.bound);
   }
@@ -585,17 +417,18 @@ namespace conetact::contact
   /* Refinement of w: P of what is left unbalanced, with the forces of the
      changed reactions and motions. */
   Eigen::VectorXd
-  CondensedCompliance::correction(const LoadCase &change, const VectorXd &primal) const
+  CondensedCompliance::correction(const LoadCase &change,
+                                  const VectorXd &primal) const
   {
     return own.expand(deform(change.b + forces_of(all_of(change, primal))));
   }
 
-  backends::FactorEstimate
-  CondensedCompliance::estimate(const ElasticSystem       &elastic,
-                                const ContactPoints       &points,
-                                const Coordinates         &coordinates,
-                                const RigidMotions        &motions,
-                                const backends::Condenser &condenser)
+  condensed::FactorEstimate
+  CondensedCompliance::estimate(const ElasticSystem        &elastic,
+                                const ContactPoints        &points,
+                                const Coordinates          &coordinates,
+                                const RigidMotions         &motions,
+                                const condensed::Condenser &condenser)
   {
     return CondensedCompliance(
              elastic, points, coordinates, motions, condenser, Empty())
@@ -613,8 +446,7 @@ namespace conetact::contact
     forget_rounding(load);
     if (heat.size() == 0)
       return load;
-    LoadCase hot =
-      Elasticity::reduce(heat, VectorXd::Zero(prescribed.size()));
+    LoadCase hot = Elasticity::reduce(heat, VectorXd::Zero(prescribed.size()));
     for (Index j = n_contact(); j < contact_system->n_unknowns(); ++j)
       if (contact_system->matrix(j, j) == 0) // rounding must not drive a body
         hot.f[j] = 0;
@@ -644,7 +476,8 @@ namespace conetact::contact
   double
   CondensedCompliance::largest_force(const LoadCase &load) const
   {
-    const double force = solvers::largest(load.f.tail(contact_system->n_motions));
+    const double force =
+      solvers::largest(load.f.tail(contact_system->n_motions));
     if (points.n_bound() == 0)
       return force;
     const VectorXd none = VectorXd::Zero(load.f.size());

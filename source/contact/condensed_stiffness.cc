@@ -64,12 +64,12 @@ namespace conetact::contact
     }
   } // namespace
 
-  CondensedStiffness::CondensedStiffness(const ElasticSystem       &e,
-                                         const ContactPoints       &points,
-                                         const Coordinates         &coordinates,
-                                         const RigidMotions        &m,
-                                         const bool find_mechanisms,
-                                         const backends::Condenser &by)
+  CondensedStiffness::CondensedStiffness(const ElasticSystem &e,
+                                         const ContactPoints &points,
+                                         const Coordinates   &coordinates,
+                                         const RigidMotions  &m,
+                                         const bool           find_mechanisms,
+                                         const condensed::Condenser &by)
     : elastic(e)
     , motions(m)
     , condenser(by)
@@ -94,11 +94,11 @@ namespace conetact::contact
       stiffness_scale = std::exp2(std::round(std::log2(mean)));
   }
 
-  backends::FactorEstimate
-  CondensedStiffness::estimate(const ElasticSystem       &elastic,
-                               const ContactPoints       &points,
-                               const Coordinates         &coordinates,
-                               const backends::Condenser &condenser)
+  condensed::FactorEstimate
+  CondensedStiffness::estimate(const ElasticSystem        &elastic,
+                               const ContactPoints        &points,
+                               const Coordinates          &coordinates,
+                               const condensed::Condenser &condenser)
   {
     const BodyCoordinates own(elastic.bodies, coordinates, &points);
     return bodies_with(elastic, own, own_unknowns(points, own))
@@ -236,9 +236,9 @@ namespace conetact::contact
   }
 
   void
-  CondensedStiffness::write(const LoadCase          &load,
-                            const VectorXd          &offset,
-                            const ElasticState      &,
+  CondensedStiffness::write(const LoadCase &load,
+                            const VectorXd &offset,
+                            const ElasticState &,
                             solvers::ContactProblem &problem) const
   {
     AssertDimension(offset.size(), load.f.size());

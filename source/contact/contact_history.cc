@@ -72,6 +72,7 @@ namespace conetact::contact
   Eigen::VectorXd
   ContactHistory::offset_at(const LoadCase &load) const
   {
+    AssertDimension(load.offset.size(), q.size());
     using conetact::solvers::largest;
     const solvers::ContactSystem &layout = model->points.layout();
     Eigen::VectorXd               sum    = load.offset + shift();
@@ -119,7 +120,7 @@ namespace conetact::contact
       q = model->relative_displacements(u, t);
     // Frames have taken the free motions so far.
     for (Eigen::Index j = 0; j < elastic.motions.size(); ++j)
-      if (model->has_frame(
+      if (model->frames.has(
             model->motions.body_of_free()[static_cast<std::size_t>(j)]))
         elastic.motions[j] = elastic.base[j] = 0;
   }
@@ -160,7 +161,8 @@ namespace conetact::contact
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
     // about the undeformed place, which is as good.
-    if (archive.get("contact/a").size() == static_cast<std::size_t>(elastic.motions.size()))
+    if (archive.get("contact/a").size() ==
+        static_cast<std::size_t>(elastic.motions.size()))
       {
         archive.fill("contact/a", elastic.motions);
         archive.fill("contact/base", elastic.base);
@@ -213,7 +215,7 @@ namespace conetact::contact
     if (w.size() == 0)
       return {};
     for (Eigen::Index j = 0; j < motions.size(); ++j)
-      if (model->has_frame(
+      if (model->frames.has(
             model->motions.body_of_free()[static_cast<std::size_t>(j)]))
         motions[j] = elastic.base[j];
     return model->elasticity().nearby(w, motions - elastic.base);

@@ -28,63 +28,6 @@ namespace conetact::contact
      */
     constexpr double deformation_rounding = 64 * 2.2e-16;
 
-    /** Over the spacing of nodes: ties of what is further apart do not turn. */
-    constexpr double tied_apart = 1e-9;
-
-    /** Whether the tie goes on to be one where its bodies turn together. */
-    bool
-    turns_along(const pairing::ContactNode &tie, const Bodies &bodies)
-    {
-      return tie.kind == pairing::ContactKind::tie && !tie.masters.empty() &&
-             !tie.opening &&
-             pairing::undeformed_distance(tie, bodies.structures).norm() <=
-               tied_apart * tie.spacing;
-    }
-
-    /** What equations join turns together, or not at all. */
-    std::vector<bool>
-    together(const RigidMotions &motions, const std::vector<bool> &alone)
-    {
-      std::vector<bool> may = alone;
-      for (unsigned int body = 0; body < alone.size(); ++body)
-        for (unsigned int other = 0; other < alone.size(); ++other)
-          if (motions.first_tied(body) == motions.first_tied(other))
-            may[body] = may[body] && alone[other];
-      return may;
-    }
-
-    /**
-     * Of what is tied to a body: the one whose frame all of them have. It is
-     * held by supports alone, if one is: the others follow it by their ties,
-     * and turn where these are strained.
-     */
-    unsigned int
-    leader_of(const unsigned int  body,
-              const Bodies       &bodies,
-              const RigidMotions &motions)
-    {
-      const unsigned int first = motions.first_tied(body);
-      const auto        &own   = motions.body_of_own();
-      for (unsigned int other = first; other < bodies.structures.size();
-           ++other)
-        if (motions.first_tied(other) == first &&
-            std::find(own.begin(), own.end(), other) == own.end())
-          return other;
-      return first;
-    }
-
-    [[noreturn]] void
-    refuse_turn(const bodies::Support &support, const Bodies &bodies)
-    {
-      throw InputError(
-        "Support '" + support.name + "', Turn: " + bodies.called(support.body) +
-        " is held along some directions only, has a foundation, or contacts "
-        "with Kinematics = small, which would stay where they are, or is "
-        "tied to an obstacle, with a Preload, across a gap, or to such a "
-        "body. Hold it by this support alone, and set Kinematics = finite "
-        "sliding in its contacts.");
-    }
-
     /** Directions of ties turn with their bodies. */
     void
     turn_ties(const Bodies &bodies, std::vector<pairing::ContactNode> &nodes)
@@ -104,9 +47,9 @@ namespace conetact::contact
     }
   } // namespace
 
-  ContactModel::ContactModel(const Bodies              &b,
-                             const std::vector<double> &at,
-                             const backends::Condenser &by)
+  ContactModel::ContactModel(const Bodies               &b,
+                             const std::vector<double>  &at,
+                             const condensed::Condenser &by)
     : own_bodies(b)
     , bodies(own_bodies)
     , rules(bodies, at)
@@ -116,121 +59,17 @@ namespace conetact::contact
     , motions(bodies, rules, points, coordinates)
     , times(at)
     , condenser(by)
+    , frames(own_bodies, rules, points, motions)
     , form(needs_compliance() ? solvers::Form::compliance :
                                 solvers::Form::stiffness)
-  {
-    find_frames();
-  }
-
-  /* Elements that turn have no frame here, and foundations and supports along
-     some directions do not turn with the body. */
-  bool
-  ContactModel::may_turn(const unsigned int body) const
-  {
-    AssertIndexRange(body, bodies.structures.size());
-    if (!bodies.deforms(body) ||
-        bodies.structures[body]->n_components() > bodies.dim)
-      return false;
-    for (const bodies::Support &support : bodies.supports)
-      if (support.body == body && support.stiffness)
-        return false;
-    for (const NodeRule &rule : rules.rules())
-      if (rule.body == body && !rule.held.empty() &&
-          rule.held.size() < bodies.dim)
-        return false;
-    return std::all_of(bodies.contact_nodes.begin(),
-                       bodies.contact_nodes.end(),
-                       [&](const pairing::ContactNode &node) {
-                         return node.slides || turns_along(node, bodies) ||
-                                (node.body != body &&
-                                 (node.masters.empty() || node.master != body));
-                       });
-  }
-
-  void
-  ContactModel::find_frames()
-  {
-    const bool far =
-      points.slide() ||
-      std::any_of(bodies.supports.begin(),
-                  bodies.supports.end(),
-                  [](const auto &support) { return support.turn.has_value(); });
-    own_bodies.frames.clear();
-    std::vector<bool> may;
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      may.push_back(may_turn(body));
-    may = together(motions, may);
-    for (const bodies::Support &support : bodies.supports)
-      if (support.turn && !may[support.body])
-        refuse_turn(support, bodies);
-    if (!far)
-      return;
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      {
-        turns.push_back(may[body]);
-        own_bodies.frames.emplace_back();
-        own_bodies.frames.back().centre =
-          motions.of_body(motions.none(), leader_of(body, bodies, motions))
-            .centre;
-      }
-  }
-
-  double
-  ContactModel::turn_of_frames(const Eigen::VectorXd &amounts) const
-  {
-    double largest = 0;
-    for (unsigned int body = 0; body < turns.size(); ++body)
-      if (turns[body] && leader_of(body, bodies, motions) == body)
-        largest = std::max(largest, motions.rotation(amounts, body));
-    return largest;
-  }
-
-  void
-  ContactModel::place_frames(std::vector<pairing::RigidMotion> frames)
-  {
-    AssertDimension(frames.size(), bodies.frames.size());
-    own_bodies.frames = std::move(frames);
-  }
-
-  /* What is tied has one frame: rigid motions leave ties alone. */
-  void
-  ContactModel::move_frames(const Eigen::VectorXd &amounts)
-  {
-    for (unsigned int body = 0; body < turns.size(); ++body)
-      if (turns[body])
-        {
-          const RigidMotions::Motion more =
-            motions.of_body(amounts, leader_of(body, bodies, motions));
-          pairing::RigidMotion &frame = own_bodies.frames[body];
-          frame.translation += frame.rotation * more.translation;
-          frame.rotation =
-            frame.rotation *
-            pairing::RigidMotion::turned({}, more.rotation, {}).rotation;
-        }
-  }
-
-  /* Placements are small motions: it takes a few to follow a far turn. */
-  void
-  ContactModel::move_frames_with_supports(const double t)
-  {
-    constexpr unsigned int most  = 50;
-    constexpr double       small = 1e-14;
-    for (unsigned int n = 0; n < most; ++n)
-      {
-        const Eigen::VectorXd placement = motions.placement(t);
-        move_frames(placement);
-        if (turn_of_frames(placement) <= small)
-          return;
-      }
-  }
+  {}
 
   const pairing::ContactNode *
   ContactModel::held_twice() const
   {
     if (points.n_bound() == 0)
       return nullptr;
-    const RedundantRows *const known =
-      made ? made->redundant_rows() : nullptr;
+    const RedundantRows *const known = made ? made->redundant_rows() : nullptr;
     const Eigen::SparseMatrix<double> open =
       known != nullptr ?
         known->open :
@@ -310,18 +149,6 @@ namespace conetact::contact
               .empty();
   }
 
-  double
-  ContactModel::way_of_frames() const
-  {
-    double largest = 0;
-    if (!bodies.frames.empty())
-      for (const NodeRule &rule : rules.rules())
-        largest = std::max(
-          largest,
-          bodies.displacement(rule.body, rule.node, Tensor<1, 3>()).norm());
-    return largest;
-  }
-
   LoadCase
   ContactModel::load_case(const Eigen::VectorXd &mechanical,
                           const Eigen::VectorXd &thermal,
@@ -334,7 +161,7 @@ namespace conetact::contact
     const Eigen::VectorXd placement  = motions.placement(t);
     Eigen::VectorXd       prescribed = coordinates.prescribed(t);
     Eigen::VectorXd       all        = mechanical + elastic.ground_forces(t);
-    double                far        = way_of_frames();
+    double                far        = frames.largest_way();
     if (!placement.isZero(0))
       {
         const Eigen::VectorXd rigid = motions.field(placement);
@@ -346,13 +173,13 @@ namespace conetact::contact
     if (const double zero = deformation_rounding * far; zero > 0)
       prescribed = prescribed.unaryExpr(
         [zero](const double d) { return std::abs(d) <= zero ? 0. : d; });
-    LoadCase load = elasticity().reduce(all, thermal, prescribed);
-    load.placement               = placement;
+    LoadCase load  = elasticity().reduce(all, thermal, prescribed);
+    load.placement = placement;
     const Eigen::VectorXd offset = all_offsets(load, t);
     load.offset                  = offset.head(points.n_unknowns());
     elasticity().move_bound(offset.tail(points.n_bound_unknowns()) +
-                            points.gaps_to_close(),
-                          load);
+                              points.gaps_to_close(),
+                            load);
     return load;
   }
 
@@ -404,7 +231,7 @@ namespace conetact::contact
   }
 
   std::string
-  ContactModel::singular_sentence(const backends::SingularMatrix &error) const
+  ContactModel::singular_sentence(const condensed::SingularMatrix &error) const
   {
     std::string text = "Some part of a body can move although supports and "
                        "contact nodes hold all bodies";
@@ -440,7 +267,7 @@ namespace conetact::contact
                        });
   }
 
-  backends::FactorEstimate
+  condensed::FactorEstimate
   ContactModel::estimate_factor() const
   {
     return estimate_condensed(*this, condenser);
@@ -471,7 +298,7 @@ namespace conetact::contact
         if (!made)
           made = row->create(*this, condenser);
       }
-    catch (const backends::SingularMatrix &error)
+    catch (const condensed::SingularMatrix &error)
       {
         throw InputError(singular_sentence(error));
       }
@@ -479,13 +306,13 @@ namespace conetact::contact
   }
 
   std::vector<StiffnessDifference>
-  ContactModel::compare_stiffness(const backends::Condenser &other)
+  ContactModel::compare_stiffness(const condensed::Condenser &other)
   {
     try
       {
         return elasticity().compare(other);
       }
-    catch (const backends::SingularMatrix &error)
+    catch (const condensed::SingularMatrix &error)
       {
         throw AnalysisError(std::string(other.name) +
                             " finds what Solver/Condensation did not: " +
@@ -551,10 +378,10 @@ namespace conetact::contact
     return forces;
   }
 
-  backends::SchurWork
+  condensed::SchurWork
   ContactModel::work() const
   {
-    backends::SchurWork sum = former_work;
+    condensed::SchurWork sum = former_work;
     if (made)
       sum += made->work();
     return sum;

@@ -33,7 +33,7 @@ namespace conetact::contact
 
   LoadCase
   Elasticity::reduce(const Eigen::VectorXd &forces,
-                         const Eigen::VectorXd &prescribed)
+                     const Eigen::VectorXd &prescribed)
   {
     const Eigen::Index n = forces.size();
     LoadCase           load;

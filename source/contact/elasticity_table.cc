@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/elasticity_table.h"
-
 #include "conetact/contact/condensed_compliance.h"
 #include "conetact/contact/condensed_stiffness.h"
 #include "conetact/contact/contact_model.h"
+#include "conetact/contact/elasticity_row.h"
 #include "conetact/contact/iterative_elasticity.h"
 #include "conetact/contact/iterative_limits.h"
 
@@ -26,7 +25,7 @@ namespace conetact::contact
     }
 
     std::unique_ptr<Elasticity>
-    condense(const ContactModel &m, const backends::Condenser &condenser)
+    condense(const ContactModel &m, const condensed::Condenser &condenser)
     {
       if (m.condensed_form() == solvers::Form::compliance)
         return std::make_unique<CondensedCompliance>(
@@ -40,7 +39,7 @@ namespace conetact::contact
     }
 
     std::unique_ptr<Elasticity>
-    make_levels(const ContactModel &m, const backends::Condenser &)
+    make_levels(const ContactModel &m, const condensed::Condenser &)
     {
       return std::make_unique<IterativeElasticity>(m.elastic,
                                                    m.rules,
@@ -76,9 +75,9 @@ namespace conetact::contact
     return elasticity_table()[1];
   }
 
-  backends::FactorEstimate
-  estimate_condensed(const ContactModel        &m,
-                     const backends::Condenser &condenser)
+  condensed::FactorEstimate
+  estimate_condensed(const ContactModel         &m,
+                     const condensed::Condenser &condenser)
   {
     if (m.condensed_form() == solvers::Form::compliance)
       return CondensedCompliance::estimate(

@@ -3,8 +3,8 @@
 
 #include "conetact/contact/iterative_elasticity.h"
 
-#include "conetact/backends/separate_systems.h"
 #include "conetact/contact/large_nodes.h"
+#include "conetact/iterative/separate_systems.h"
 #include "conetact/solvers/null_space.h"
 
 #include <deal.II/base/exceptions.h>
@@ -104,9 +104,9 @@ namespace conetact::contact
   } // namespace
 
   IterativeElasticity::IterativeElasticity(const ElasticSystem &e,
-                                     const NodeRules     &supports,
-                                     const ContactPoints &contact_points,
-                                     const RigidMotions  &m)
+                                           const NodeRules     &supports,
+                                           const ContactPoints &contact_points,
+                                           const RigidMotions  &m)
     : elastic(e)
     , points(contact_points)
     , motions(m)
@@ -116,9 +116,9 @@ namespace conetact::contact
     , contacts(describe_contacts())
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
-    backends::LargeStiffness given;
-    const auto               pins = find_pins(nowhere, coordinates);
-    VectorXd                 diagonal_of_dofs;
+    iterative::LargeStiffness given;
+    const auto                pins = find_pins(nowhere, coordinates);
+    VectorXd                  diagonal_of_dofs;
     if (!pins.empty() || n_bound > 0)
       diagonal_of_dofs = diagonal_of(elastic, coordinates.n_dofs());
     const double pinned     = pins.empty() ? 0. : diagonal_of_dofs.mean();
@@ -142,9 +142,9 @@ namespace conetact::contact
       const Point<3> p        = elastic.bodies.structures[body]->position(node);
       return std::array<double, 3>{{p[0], p[1], p[2]}};
     };
-    system->large           = backends::make_separate_systems(std::move(given),
-                                                    special.direct,
-                                                    elastic.bodies.dim);
+    system->large           = iterative::make_separate_systems(std::move(given),
+                                                     special.direct,
+                                                     elastic.bodies.dim);
     const VectorXd diagonal = system->large->diagonal();
     system->large_diagonal  = diagonal.tail(system->n_unknowns());
     system->null_space      = motions.null_space();
@@ -233,16 +233,15 @@ namespace conetact::contact
           coordinates.values(motions.field(motions.of_free(free.col(j))))
             .cwiseProduct(problem.load);
         const double sum = terms.sum();
-        resultants[j] =
-          std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
+        resultants[j] = std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
       }
     return shortest_load(problem.system->null_space, resultants);
   }
 
   void
   IterativeElasticity::reduce_one(const VectorXd &forces,
-                               const VectorXd &prescribed,
-                               LoadCase       &load)
+                                  const VectorXd &prescribed,
+                                  LoadCase       &load)
   {
     AssertDimension(forces.size(), coordinates.n_dofs());
     AssertDimension(prescribed.size(), coordinates.n_dofs());
@@ -270,7 +269,7 @@ namespace conetact::contact
 
   BoundState
   IterativeElasticity::bound_state(const LoadCase &load,
-                                const VectorXd &primal) const
+                                   const VectorXd &primal) const
   {
     if (n_bound == 0)
       return {};
@@ -291,7 +290,8 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeElasticity::unknowns(const LoadCase &load, const VectorXd &primal) const
+  IterativeElasticity::unknowns(const LoadCase &load,
+                                const VectorXd &primal) const
   {
     if (points.layout().n_unknowns() > 0)
       return primal;
@@ -308,7 +308,7 @@ namespace conetact::contact
 
   Eigen::MatrixXd
   IterativeElasticity::expand(const std::vector<const LoadCase *> &loads,
-                           const std::vector<VectorXd>         &primal) const
+                              const std::vector<VectorXd>         &primal) const
   {
     AssertDimension(loads.size(), primal.size());
     Eigen::MatrixXd w(coordinates.n_dofs(),
@@ -337,7 +337,8 @@ namespace conetact::contact
   }
 
   VectorXd
-  IterativeElasticity::correction(const LoadCase &, const VectorXd &primal) const
+  IterativeElasticity::correction(const LoadCase &,
+                                  const VectorXd &primal) const
   {
     return without_motion(coordinates.expand(primal));
   }

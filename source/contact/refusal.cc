@@ -38,10 +38,9 @@ namespace conetact::contact
       Tensor<1, 3>                  sum;
       for (const Eigen::Index i : refusal.tight)
         {
-          const auto          k = static_cast<std::size_t>(i);
-          const ContactPoint &point =
-            model.points[k];
-          const double sign = side_of(body, *point.node);
+          const auto          k     = static_cast<std::size_t>(i);
+          const ContactPoint &point = model.points[k];
+          const double        sign  = side_of(body, *point.node);
           for (Eigen::Index c = 0; c < layout.n_tangents(i); ++c)
             sum += sign * refusal.v[layout.first[k] + c] *
                    point.directions[static_cast<std::size_t>(c)];
@@ -53,9 +52,8 @@ namespace conetact::contact
     RigidMotions::Motion
     rigid_motion(const solvers::Existence &refusal, const ContactModel &model)
     {
-      return model.motions.motion(model.motions.null_space()
-                                    .colPivHouseholderQr()
-                                    .solve(refusal.v));
+      return model.motions.motion(
+        model.motions.null_space().colPivHouseholderQr().solve(refusal.v));
     }
 
     bool
@@ -134,7 +132,7 @@ namespace conetact::contact
       std::vector<solvers::ExistenceCheck::Frame> frames;
       for (const ContactPoint &point : model.points)
         {
-          const auto &directions = point.directions;
+          const auto                    &directions = point.directions;
           solvers::ExistenceCheck::Frame frame(
             3, static_cast<Eigen::Index>(directions.size()));
           for (Eigen::Index c = 0; c < frame.cols(); ++c)
@@ -149,8 +147,8 @@ namespace conetact::contact
     std::vector<bool>
     nearest_nodes(const Eigen::VectorXd &gaps, const ContactModel &model)
     {
-      constexpr double               near  = .01; // of a cell
-      std::map<unsigned int, double> least; // of a contact
+      constexpr double               near = .01; // of a cell
+      std::map<unsigned int, double> least;      // of a contact
       const auto                     at = [&](const std::size_t i) {
         return *model.points[i].node;
       };

@@ -93,7 +93,8 @@ namespace conetact::analysis
     }
 
   protected:
-    /** Condensed bodies or levels, with a word to the log. Throws InputError. */
+    /** Condensed bodies or levels, with a word to the log. Throws InputError.
+     */
     void
     make_elasticity();
     /** Throws InputError where loads drive a body that nothing can hold. */

@@ -13,9 +13,9 @@ namespace conetact::analysis
   /** What an analysis will take, at most but for rounding. */
   struct Cost
   {
-    backends::FactorEstimate factor;
-    double                   stiffness_bytes = 0; ///< condensed, dense
-    double                   memory_bytes    = 0; ///< of the process
+    condensed::FactorEstimate factor;
+    double                    stiffness_bytes = 0; ///< condensed, dense
+    double                    memory_bytes    = 0; ///< of the process
     double seconds = 0; ///< on this machine, within a factor 2
     /** The same of each other one, where many share the work. */
     double memory_of_others = 0, seconds_of_others = 0;

@@ -41,9 +41,9 @@ namespace conetact::analysis
         corrected, ///< accepted; those after it are to be solved anew
         failed
       };
-      Outcome         outcome = Outcome::accepted;
-      unsigned int    next    = 1;
-      std::string     why; ///< it failed, a sentence
+      Outcome      outcome = Outcome::accepted;
+      unsigned int next    = 1;
+      std::string  why; ///< it failed, a sentence
     };
 
     /** Keeps the state after the increments on disk, where that is wanted. */

@@ -20,12 +20,12 @@ namespace conetact::analysis
     contact::LoadCase       load       = {};
     solvers::ContactState   state      = {};
     Eigen::VectorXd         contact = {}; ///< displacements of contact unknowns
-    Eigen::VectorXd       primal = {}; ///< as Elasticity::expand() takes it
-    Eigen::VectorXd       motions = {}; ///< amounts of the free motions
-    Eigen::VectorXd       base    = {}; ///< those that it was solved about
-    contact::BoundState   bound   = {}; ///< ties and bilateral contacts
-    solvers::ContactState end     = {}; ///< as the solver left it
-    Eigen::VectorXd       thermal = {}; ///< nodal forces, or none
+    Eigen::VectorXd         primal  = {}; ///< as Elasticity::expand() takes it
+    Eigen::VectorXd         motions = {}; ///< amounts of the free motions
+    Eigen::VectorXd         base    = {}; ///< those that it was solved about
+    contact::BoundState     bound   = {}; ///< ties and bilateral contacts
+    solvers::ContactState   end     = {}; ///< as the solver left it
+    Eigen::VectorXd         thermal = {}; ///< nodal forces, or none
   };
 } // namespace conetact::analysis
 

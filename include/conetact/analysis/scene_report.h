@@ -4,10 +4,10 @@
 #ifndef conetact_analysis_scene_report_h
 #define conetact_analysis_scene_report_h
 
+#include "conetact/analysis/backend_table.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
 #include "conetact/contact/contact_model.h"
-#include "conetact/analysis/backend_table.h"
 
 namespace conetact::analysis
 {

@@ -83,11 +83,11 @@ namespace conetact::contact
                const unsigned int component,
                const double       factor);
 
-    const Bodies             &bodies;
-    const Coordinates        &coordinates;
+    const Bodies      &bodies;
+    const Coordinates &coordinates;
     /** By numbers of nodes; null: none of the point's directions. */
     std::vector<const ContactPoint *> point_of_node;
-    std::vector<Eigen::Index> first_unknown; ///< of each body
+    std::vector<Eigen::Index>         first_unknown; ///< of each body
     /** By numbers of nodes. */
     std::vector<std::size_t> first_of_node, end_of_node;
     std::vector<Unknown>     unknowns;

@@ -4,7 +4,7 @@
 #ifndef conetact_contact_condensed_bodies_h
 #define conetact_contact_condensed_bodies_h
 
-#include "conetact/backends/super_element.h"
+#include "conetact/condensed/super_element.h"
 #include "conetact/contact/body_coordinates.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/elasticity.h"
@@ -29,9 +29,9 @@ namespace conetact::contact
     /** A body, or several equal ones. */
     struct Part
     {
-      std::vector<unsigned int>               bodies;
-      std::vector<Index>                      retained; ///< own unknowns
-      std::unique_ptr<backends::SuperElement> element;
+      std::vector<unsigned int>                bodies;
+      std::vector<Index>                       retained; ///< own unknowns
+      std::unique_ptr<condensed::SuperElement> element;
     };
 
     /** Marks the own unknowns that a body keeps. */
@@ -47,16 +47,16 @@ namespace conetact::contact
     /** Factorises all parts: their stiffness, to be taken from them. Throws
      * SingularMatrix. */
     void
-    condense(const backends::Condenser &condenser);
+    condense(const condensed::Condenser &condenser);
     /** The same with their flexibility but for motions, columns of a body. */
     void
     condense(
-      const backends::Condenser                                    &condenser,
+      const condensed::Condenser &condenser,
       const std::function<const Eigen::MatrixXd &(unsigned int body)> &motions);
 
     /** What that would take. */
-    backends::FactorEstimate
-    estimate(const backends::Condenser &condenser) const;
+    condensed::FactorEstimate
+    estimate(const condensed::Condenser &condenser) const;
 
     const std::vector<Part> &
     parts() const
@@ -77,13 +77,13 @@ namespace conetact::contact
     map(const Eigen::MatrixXd &columns, const Answer &answer) const;
 
     std::vector<StiffnessDifference>
-    compare(const backends::Condenser &one,
-            const backends::Condenser &other) const;
+    compare(const condensed::Condenser &one,
+            const condensed::Condenser &other) const;
     double
     factor_bytes() const;
     unsigned int
     n_shared() const;
-    backends::SchurWork
+    condensed::SchurWork
     work() const;
 
   private:
@@ -105,7 +105,7 @@ namespace conetact::contact
 
   /** That, for the log. */
   std::string
-  condensation_by(const backends::Condenser &condenser);
+  condensation_by(const condensed::Condenser &condenser);
 } // namespace conetact::contact
 
 #endif

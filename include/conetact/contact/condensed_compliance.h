@@ -5,7 +5,7 @@
 #define conetact_contact_condensed_compliance_h
 
 #include "conetact/contact/bound_unknowns.h"
-#include "conetact/contact/condensed_bodies.h"
+#include "conetact/contact/free_motions.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include <Eigen/SparseCore>
@@ -36,11 +36,11 @@ namespace conetact::contact
      * `coordinates` are those of the bodies without contacts. Throws
      * SingularMatrix. All must outlive the object.
      */
-    CondensedCompliance(const ElasticSystem       &elastic,
-                const ContactPoints       &points,
-                const Coordinates         &coordinates,
-                const RigidMotions        &motions,
-                const backends::Condenser &condenser);
+    CondensedCompliance(const ElasticSystem        &elastic,
+                        const ContactPoints        &points,
+                        const Coordinates          &coordinates,
+                        const RigidMotions         &motions,
+                        const condensed::Condenser &condenser);
 
     using Elasticity::reduce;
     LoadCase
@@ -67,8 +67,7 @@ namespace conetact::contact
     void
     end(const solvers::ContactState &end, ElasticState &state) const override;
     Eigen::VectorXd
-    primal(const ElasticState    &state,
-           const Eigen::VectorXd &r) const override;
+    primal(const ElasticState &state, const Eigen::VectorXd &r) const override;
     void
     move(const Eigen::VectorXd &amounts,
          const Eigen::VectorXd &seen,
@@ -123,24 +122,24 @@ namespace conetact::contact
     {
       return bodies.n_shared();
     }
-    backends::SchurWork
+    condensed::SchurWork
     work() const override
     {
       return bodies.work();
     }
     std::vector<StiffnessDifference>
-    compare(const backends::Condenser &other) const override
+    compare(const condensed::Condenser &other) const override
     {
       return bodies.compare(condenser, other);
     }
 
     /** What the factorisations would take; nothing is factorised. */
-    static backends::FactorEstimate
-    estimate(const ElasticSystem       &elastic,
-             const ContactPoints       &points,
-             const Coordinates         &coordinates,
-             const RigidMotions        &motions,
-             const backends::Condenser &condenser);
+    static condensed::FactorEstimate
+    estimate(const ElasticSystem        &elastic,
+             const ContactPoints        &points,
+             const Coordinates          &coordinates,
+             const RigidMotions         &motions,
+             const condensed::Condenser &condenser);
 
   protected:
     void
@@ -155,13 +154,6 @@ namespace conetact::contact
     using VectorXd = Eigen::VectorXd;
     using MatrixXd = Eigen::MatrixXd;
 
-    /** Free motions of a body in its own unknowns. */
-    struct BodyMotions
-    {
-      Index    first = 0; ///< among all free motions
-      MatrixXd R, spring_forces, Y;
-    };
-
     /** H of all contact points. */
     Eigen::SparseMatrix<double>
     rows() const;
@@ -169,14 +161,6 @@ namespace conetact::contact
     write_row(const ContactPoint                  &point,
               Index                               &row,
               std::vector<Eigen::Triplet<double>> &entries) const;
-    void
-    retain(const unsigned int body, std::vector<bool> &kept) const;
-    void
-    retain_anchors(const unsigned int body, std::vector<bool> &kept) const;
-    void
-    find_motions();
-    void
-    respond_to_springs();
     MatrixXd
     assemble_all() const;
     void
@@ -201,12 +185,6 @@ namespace conetact::contact
     /** Deformations of all own unknowns under forces on them (columns). */
     MatrixXd
     deform(const MatrixXd &forces) const;
-    /** -(forces against the free motions, foundations included). */
-    VectorXd
-    imbalance(const VectorXd &forces) const;
-    /** The same of rigid bodies, which have no own unknowns: all dofs. */
-    VectorXd
-    rigid_imbalance(const VectorXd &forces) const;
     /**
      * A load whose parts cancel against a free motion leaves their rounding,
      * which must not drive a body that nothing holds.
@@ -226,26 +204,25 @@ namespace conetact::contact
     struct Empty
     {};
     /** Without factors, for an estimate. */
-    CondensedCompliance(const ElasticSystem       &elastic,
-                const ContactPoints       &points,
-                const Coordinates         &coordinates,
-                const RigidMotions        &motions,
-                const backends::Condenser &condenser,
-                const Empty);
+    CondensedCompliance(const ElasticSystem        &elastic,
+                        const ContactPoints        &points,
+                        const Coordinates          &coordinates,
+                        const RigidMotions         &motions,
+                        const condensed::Condenser &condenser,
+                        const Empty);
 
     const ElasticSystem        &elastic;
     const ContactPoints        &points;
     const Coordinates          &coordinates;
     const RigidMotions         &motions;
-    const backends::Condenser  &condenser;
+    const condensed::Condenser &condenser;
     BodyCoordinates             own;
     Eigen::SparseMatrix<double> H; ///< of own unknowns
     CondensedBodies             bodies;
-    std::vector<BodyMotions>    body_motions;
+    FreeMotions                 free;
     BoundUnknowns               bound;
     VectorXd                    stiffness_of_bound;
-    Index                       first_rigid = 0; ///< of the own motions
-    MatrixXd                    unseen;          ///< motions, orthonormal
+    MatrixXd                    unseen; ///< motions, orthonormal
   };
 } // namespace conetact::contact
 

@@ -25,19 +25,19 @@ namespace conetact::contact
      * outlive the object. Throws SingularMatrix if a body can move although its
      * contact nodes are fixed.
      */
-    CondensedStiffness(const ElasticSystem       &elastic,
-                       const ContactPoints       &points,
-                       const Coordinates         &coordinates,
-                       const RigidMotions        &motions,
-                       const bool                 find_mechanisms,
-                       const backends::Condenser &condenser);
+    CondensedStiffness(const ElasticSystem        &elastic,
+                       const ContactPoints        &points,
+                       const Coordinates          &coordinates,
+                       const RigidMotions         &motions,
+                       const bool                  find_mechanisms,
+                       const condensed::Condenser &condenser);
 
     /** What its factorisation would take. */
-    static backends::FactorEstimate
-    estimate(const ElasticSystem       &elastic,
-             const ContactPoints       &points,
-             const Coordinates         &coordinates,
-             const backends::Condenser &condenser);
+    static condensed::FactorEstimate
+    estimate(const ElasticSystem        &elastic,
+             const ContactPoints        &points,
+             const Coordinates          &coordinates,
+             const condensed::Condenser &condenser);
 
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
@@ -57,8 +57,7 @@ namespace conetact::contact
     void
     end(const solvers::ContactState &end, ElasticState &state) const override;
     Eigen::VectorXd
-    primal(const ElasticState    &state,
-           const Eigen::VectorXd &r) const override;
+    primal(const ElasticState &state, const Eigen::VectorXd &r) const override;
     void
     move(const Eigen::VectorXd &amounts,
          const Eigen::VectorXd &seen,
@@ -79,13 +78,13 @@ namespace conetact::contact
     {
       return bodies.factor_bytes();
     }
-    backends::SchurWork
+    condensed::SchurWork
     work() const override
     {
       return bodies.work();
     }
     std::vector<StiffnessDifference>
-    compare(const backends::Condenser &other) const override
+    compare(const condensed::Condenser &other) const override
     {
       return bodies.compare(condenser, other);
     }
@@ -114,13 +113,13 @@ namespace conetact::contact
     Eigen::MatrixXd
     carry(const Eigen::MatrixXd &b, const Eigen::MatrixXd &contact) const;
 
-    const ElasticSystem       &elastic;
-    const RigidMotions        &motions;
-    const backends::Condenser &condenser;
-    const BodyCoordinates      own;
+    const ElasticSystem        &elastic;
+    const RigidMotions         &motions;
+    const condensed::Condenser &condenser;
+    const BodyCoordinates       own;
     /** Of each contact unknown. */
     const std::vector<CondensedBodies::Index> own_unknown;
-    CondensedBodies bodies;
+    CondensedBodies                           bodies;
   };
 } // namespace conetact::contact
 

@@ -4,9 +4,10 @@
 #ifndef conetact_contact_contact_model_h
 #define conetact_contact_contact_model_h
 
+#include "conetact/contact/body_frames.h"
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
-#include "conetact/contact/elasticity_table.h"
+#include "conetact/contact/elasticity_row.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/rigid_motions.h"
 
@@ -26,9 +27,9 @@ namespace conetact::contact
   public:
     /** `times` are those of the increments. Throws InputError. */
     ContactModel(
-      const Bodies              &bodies,
-      const std::vector<double> &times,
-      const backends::Condenser &condenser = backends::default_condenser());
+      const Bodies               &bodies,
+      const std::vector<double>  &times,
+      const condensed::Condenser &condenser = condensed::default_condenser());
 
     const Bodies       &bodies;
     const NodeRules     rules;       ///< what supports and hanging nodes leave
@@ -36,6 +37,7 @@ namespace conetact::contact
     const Coordinates   coordinates; ///< of the bodies without contacts
     const ElasticSystem elastic;
     RigidMotions        motions;
+    BodyFrames          frames;
 
     /** A bound node of which supports or other bound contacts hold what its
      * own contact does; null: there is none. */
@@ -81,10 +83,10 @@ namespace conetact::contact
      * where one of both takes it for singular.
      */
     std::vector<StiffnessDifference>
-    compare_stiffness(const backends::Condenser &other);
+    compare_stiffness(const condensed::Condenser &other);
 
     /** What the factorisation of a condensation takes. */
-    backends::FactorEstimate
+    condensed::FactorEstimate
     estimate_factor() const;
 
     /**
@@ -107,24 +109,6 @@ namespace conetact::contact
     /** Amounts of all rigid motions, from the free ones. */
     Eigen::VectorXd
     amounts(const Eigen::VectorXd &placement, const Eigen::VectorXd &a) const;
-
-    /** Whether a body may turn far. */
-    bool
-    has_frame(const unsigned int body) const
-    {
-      return body < turns.size() && turns[body];
-    }
-    /** Largest angle by which amounts turn a body that has a frame [rad]. */
-    double
-    turn_of_frames(const Eigen::VectorXd &amounts) const;
-    /** Frames of bodies go on by these amounts; those of others stay. */
-    void
-    move_frames(const Eigen::VectorXd &amounts);
-    void
-    place_frames(std::vector<pairing::RigidMotion> frames);
-    /** They go where supports take bodies until time t. */
-    void
-    move_frames_with_supports(const double t);
 
     /**
      * Takes contact nodes that were found again (finite sliding): other rows
@@ -150,17 +134,10 @@ namespace conetact::contact
     lock_forces(const Eigen::VectorXd &all_reactions) const;
 
     /** Work with all elastic factors so far. */
-    backends::SchurWork
+    condensed::SchurWork
     work() const;
 
   private:
-    void
-    find_frames();
-    bool
-    may_turn(const unsigned int body) const;
-    /** How far frames have taken nodes that have rules, at most [length]. */
-    double
-    way_of_frames() const;
     bool
     needs_compliance() const;
     /** Of small frames, as that takes a factorisation. */
@@ -169,17 +146,16 @@ namespace conetact::contact
     bool
     has_equal_bodies() const;
     std::string
-    singular_sentence(const backends::SingularMatrix &error) const;
+    singular_sentence(const condensed::SingularMatrix &error) const;
     Eigen::VectorXd
     all_offsets(const LoadCase &load, const double t) const;
 
     const std::vector<double>   times;
-    std::vector<bool>           turns; ///< of each body with a frame
-    const backends::Condenser  &condenser;
+    const condensed::Condenser &condenser;
     const solvers::Form         form;
     const ElasticityRow        *row = &elasticity_table().front();
     std::unique_ptr<Elasticity> made;
-    backends::SchurWork         former_work; ///< before it was made anew
+    condensed::SchurWork        former_work; ///< before it was made anew
   };
 } // namespace conetact::contact
 

@@ -4,7 +4,7 @@
 #ifndef conetact_contact_elasticity_h
 #define conetact_contact_elasticity_h
 
-#include "conetact/backends/condenser.h"
+#include "conetact/condensed/condenser.h"
 #include "conetact/contact/redundant_rows.h"
 #include "conetact/solvers/contact_problem.h"
 
@@ -70,7 +70,7 @@ namespace conetact::contact
 
   /**
    * The elastic answer of all bodies to the nodes that may touch, whichever way
-   * it comes about (elasticity_table.h). Displacements are the deformation w of
+   * it comes about (elasticity_row.h). Displacements are the deformation w of
    * RigidMotions. What is primal is p of the solver's linear relation: elastic
    * displacements of the contact unknowns in stiffness form, reactions and free
    * motions in compliance form, all unknowns of a large system.
@@ -275,7 +275,7 @@ namespace conetact::contact
       return 0;
     }
     /** Work with the factors so far. */
-    virtual backends::SchurWork
+    virtual condensed::SchurWork
     work() const
     {
       return {};
@@ -286,7 +286,7 @@ namespace conetact::contact
      * largest difference of an entry over the largest entry, body by body.
      */
     virtual std::vector<StiffnessDifference>
-    compare(const backends::Condenser & /*other*/) const
+    compare(const condensed::Condenser & /*other*/) const
     {
       return {};
     }

@@ -5,8 +5,8 @@
 #define conetact_contact_iterative_elasticity_h
 
 #include "conetact/contact/coordinates.h"
-#include "conetact/contact/elasticity.h"
 #include "conetact/contact/elastic_system.h"
+#include "conetact/contact/elasticity.h"
 #include "conetact/contact/rigid_motions.h"
 
 namespace conetact::contact
@@ -22,9 +22,9 @@ namespace conetact::contact
   public:
     /** Arguments must outlive the object. */
     IterativeElasticity(const ElasticSystem &elastic,
-                     const NodeRules     &supports,
-                     const ContactPoints &points,
-                     const RigidMotions  &motions);
+                        const NodeRules     &supports,
+                        const ContactPoints &points,
+                        const RigidMotions  &motions);
 
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,
@@ -48,8 +48,7 @@ namespace conetact::contact
     void
     end(const solvers::ContactState &end, ElasticState &state) const override;
     Eigen::VectorXd
-    primal(const ElasticState    &state,
-           const Eigen::VectorXd &r) const override;
+    primal(const ElasticState &state, const Eigen::VectorXd &r) const override;
     void
     move(const Eigen::VectorXd &amounts,
          const Eigen::VectorXd &seen,

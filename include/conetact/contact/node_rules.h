@@ -127,13 +127,13 @@ namespace conetact::contact
     in_frame(const unsigned int body, const Tensor<1, 3> &direction) const
     {
       return frames.empty() ? direction :
-                               frames[body].direction_to_own(direction);
+                              frames[body].direction_to_own(direction);
     }
     Tensor<1, 3>
     in_space(const unsigned int body, const Tensor<1, 3> &direction) const
     {
       return frames.empty() ? direction :
-                               frames[body].direction_to_space(direction);
+                              frames[body].direction_to_space(direction);
     }
     /** Where its frame puts a node. */
     Point<3>

@@ -20,7 +20,8 @@ namespace conetact::contact
   /**
    * The same by those contact nodes alone that are nearest to what they face,
    * contact by contact: what holds a body where it stands. `gaps`, the load
-   * and the start of the increment are as check() takes them. Nothing: those nodes do not see all free motions.
+   * and the start of the increment are as check() takes them. Nothing: those
+   * nodes do not see all free motions.
    */
   std::optional<solvers::Existence>
   check_where_it_stands(const Eigen::VectorXd &gaps,

@@ -126,8 +126,8 @@ TEST_F(Report, ResultantsOfLoads)
 TEST_F(Report, CostIsAnEstimateAndNothingIsFactorised)
 {
   make("set Supports = top\n", test::held_top());
-  const std::string text =
-    lines([&](Log &log) { report_cost(*scene, *model, backend_table()[0], log); });
+  const std::string text = lines(
+    [&](Log &log) { report_cost(*scene, *model, backend_table()[0], log); });
   expect_contains(text, "estimate: factor of ");
   expect_contains(text, "condensed stiffness of 3.2e-05 MB"); // 8 x 2 x 2
   expect_contains(text, "floating-point operations to factorise");

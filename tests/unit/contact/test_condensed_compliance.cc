@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/contact_history.h"
 #include "conetact/contact/condensed_compliance.h"
+#include "conetact/contact/contact_history.h"
 
 #include "scene_fixture.h"
 
@@ -149,7 +149,7 @@ TEST(CondensedCompliance, RecoveredDisplacementsBalanceAndAreThoseOfTheRelation)
 {
   const auto            scene = test::make_scene(pair(1000));
   ContactModel          model(scene->bodies, {1});
-  Elasticity       &elastic = model.elasticity();
+  Elasticity           &elastic = model.elasticity();
   const Eigen::Index    n       = model.coordinates.n_dofs();
   const Parts           parts(*elastic.system());
   const Eigen::MatrixXd kernel = balanced(parts.G);
@@ -213,8 +213,8 @@ TEST(CondensedCompliance, EqualBodiesAreCondensedOnce)
     block("one", 0, 0, 100) + block("two", 4, 0, 100) + on_floor("one") +
     on_floor("two") +
     test::section("Obstacle floor", "Shape = half space|Normal = 0, 1"));
-  ContactModel    model(scene->bodies, {1});
-  Elasticity &elastic = model.elasticity();
+  ContactModel model(scene->bodies, {1});
+  Elasticity  &elastic = model.elasticity();
   EXPECT_EQ(elastic.n_shared_bodies(), 1u);
   const Eigen::MatrixXd W = Parts(*elastic.system()).W;
   EXPECT_EQ(W.topLeftCorner(8, 8), W.bottomRightCorner(8, 8));
@@ -227,7 +227,7 @@ TEST(CondensedCompliance, AllCondensersAgree)
 {
   const auto   scene = test::make_scene(pair(200));
   ContactModel model(scene->bodies, {1});
-  for (const backends::Condenser &condenser : backends::condenser_table())
+  for (const condensed::Condenser &condenser : condensed::condenser_table())
     for (const StiffnessDifference &found : model.compare_stiffness(condenser))
       EXPECT_LE(found.relative, 1e-12) << condenser.name;
 }

@@ -90,7 +90,7 @@ TEST_F(Held, StiffnessIsTheInverseOfTheFlexibilityOfTheContacts)
 
 TEST_F(Held, LoadIsWhatTheContactsWouldMoveByTimesTheStiffness)
 {
-  Elasticity       &elastic = model.elasticity();
+  Elasticity           &elastic = model.elasticity();
   const Eigen::VectorXd none    = Eigen::VectorXd::Zero(block.n_dofs());
   const LoadCase        load    = elastic.reduce(weight(), none);
   const Eigen::VectorXd moved   = rows() * flexibility() * weight();
@@ -102,7 +102,7 @@ TEST_F(Held, LoadIsWhatTheContactsWouldMoveByTimesTheStiffness)
 
 TEST_F(Held, RecoveredDisplacementsBalanceLoadsAndReactions)
 {
-  Elasticity       &elastic = model.elasticity();
+  Elasticity           &elastic = model.elasticity();
   const Eigen::VectorXd none    = Eigen::VectorXd::Zero(block.n_dofs());
   const LoadCase        load    = elastic.reduce(weight(), none);
   const Eigen::VectorXd q       = Eigen::VectorXd::LinSpaced(8, -.01, .02);
@@ -120,7 +120,7 @@ TEST_F(Held, RecoveredDisplacementsBalanceLoadsAndReactions)
 
 TEST_F(Held, LoadsThatAddUpOfEarlierOnesCostNoSolve)
 {
-  Elasticity       &elastic = model.elasticity();
+  Elasticity           &elastic = model.elasticity();
   Eigen::VectorXd       lifted  = Eigen::VectorXd::Zero(block.n_dofs());
   const Eigen::VectorXd none    = lifted;
   for (unsigned int i = 0; i < block.n_nodes(); ++i)
@@ -138,7 +138,7 @@ TEST_F(Held, LoadsThatAddUpOfEarlierOnesCostNoSolve)
 
 TEST_F(Held, AllCondensersAgree)
 {
-  for (const backends::Condenser &condenser : backends::condenser_table())
+  for (const condensed::Condenser &condenser : condensed::condenser_table())
     for (const StiffnessDifference &found : model.compare_stiffness(condenser))
       EXPECT_LE(found.relative, 1e-13) << condenser.name;
 }

@@ -59,8 +59,9 @@ namespace
           history.advance(state);
           Claim claim;
           claim.amounts = model.amounts(load.placement, history.free_motions());
-          claim.w = model.elasticity().expand({&load}, {history.primal()}).col(0);
-          claim.r = state.r.head(model.points.n_unknowns());
+          claim.w =
+            model.elasticity().expand({&load}, {history.primal()}).col(0);
+          claim.r      = state.r.head(model.points.n_unknowns());
           claim.states = state.node;
           claim.loads = claim.mechanical = forces;
           claim.t                        = t;
