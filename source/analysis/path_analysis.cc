@@ -146,7 +146,7 @@ namespace conetact::analysis
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       start[system().normal(i)] += initial_gap[i];
     result.relation = result.load.f;
-    if (system().form == solvers::Form::compliance)
+    if (model.condensed_form() == solvers::Form::compliance)
       result.relation.head(start.size()) += start;
     else
       result.relation += multiply(system(), start);
@@ -360,7 +360,7 @@ namespace conetact::analysis
                             PendingIncrement           &pending)
   {
     pending.motions = Eigen::VectorXd::Zero(model.motions.n_free());
-    if (system().form == solvers::Form::stiffness)
+    if (model.condensed_form() == solvers::Form::stiffness)
       {
         pending.primal = pending.contact - at.load.offset;
         return;
@@ -491,7 +491,7 @@ namespace conetact::analysis
   Eigen::VectorXd
   PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
   {
-    if (system().form == solvers::Form::stiffness)
+    if (model.condensed_form() == solvers::Form::stiffness)
       return model.elasticity().correction(model.elasticity().reduce_unbalanced(
                                              Eigen::VectorXd::Zero(
                                                model.coordinates.n_dofs())),
