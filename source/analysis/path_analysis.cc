@@ -144,7 +144,7 @@ namespace conetact::analysis
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       start[system().normal(i)] += initial_gap[i];
     result.relation = result.load.f;
-    if (system().form == solvers::Form::compliance)
+    if (model.condensed_form() == solvers::Form::compliance)
       result.relation.head(start.size()) += start;
     else
       result.relation += multiply(system(), start);
@@ -356,7 +356,7 @@ namespace conetact::analysis
                             PendingIncrement           &pending)
   {
     pending.motions = Eigen::VectorXd::Zero(model.motions.n_free());
-    if (system().form == solvers::Form::stiffness)
+    if (model.condensed_form() == solvers::Form::stiffness)
       {
         pending.primal = pending.contact - at.load.offset;
         return;
@@ -364,7 +364,8 @@ namespace conetact::analysis
     pending.motions = stiffness->motions(at.relation, point.v, pending.state.r);
     pending.primal.resize(point.r.size() + pending.motions.size());
     pending.primal << pending.state.r, pending.motions;
-    pending.bound = model.elasticity().bound_state(pending.load, pending.primal);
+    pending.bound =
+      model.elasticity().bound_state(pending.load, pending.primal);
   }
 
 
@@ -380,7 +381,7 @@ namespace conetact::analysis
          ++step)
       {
         contact::Elasticity &elastic = model.elasticity();
-        contact::LoadCase        change =
+        contact::LoadCase    change =
           elastic.reduce_unbalanced(finding.unbalanced);
         elastic.move_bound(finding.missed_by_bound, change);
         const Eigen::VectorXd refined =
@@ -486,11 +487,11 @@ namespace conetact::analysis
   Eigen::VectorXd
   PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
   {
-    if (system().form == solvers::Form::stiffness)
+    if (model.condensed_form() == solvers::Form::stiffness)
       return model.elasticity().correction(model.elasticity().reduce_unbalanced(
-                                           Eigen::VectorXd::Zero(
-                                             model.coordinates.n_dofs())),
-                                         velocity);
+                                             Eigen::VectorXd::Zero(
+                                               model.coordinates.n_dofs())),
+                                           velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
     return model.motions.field(model.motions.of_free(a));

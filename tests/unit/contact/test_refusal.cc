@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/contact/contact_history.h"
 #include "conetact/contact/refusal.h"
 
 #include "scene_fixture.h"
@@ -67,7 +68,8 @@ namespace
             f[2 * i + 1] = -10;
           }
       ContactHistory history(*model);
-      return resultants_of(history.problem(model->load_case(f, {}, 1)), *model);
+      return model->elasticity().contact_load(
+        history.problem(model->load_case(f, {}, 1)));
     }
 
     std::unique_ptr<application::Scene> scene;
