@@ -13,18 +13,19 @@ namespace conetact
 {
   namespace
   {
-    /** The number in the names that Cubit gives, such as SS2; else 0. */
+    /** Names that are numbers, also those that Cubit gives (SS2); else 0. */
     unsigned int
     number_in(const std::string &name)
     {
-      const std::string kind = name.substr(0, 2);
-      if ((kind != "SS" && kind != "EB" && kind != "NS") || name.size() < 3 ||
-          name.size() > 8 ||
-          !std::all_of(name.begin() + 2, name.end(), [](const unsigned char c) {
+      const std::string kind   = name.substr(0, 2);
+      const bool        cubit  = kind == "SS" || kind == "EB" || kind == "NS";
+      const std::string number = cubit ? name.substr(2) : name;
+      if (number.empty() || number.size() > 6 ||
+          !std::all_of(number.begin(), number.end(), [](const unsigned char c) {
             return std::isdigit(c) != 0;
           }))
         return 0;
-      return static_cast<unsigned int>(std::stoul(name.substr(2)));
+      return static_cast<unsigned int>(std::stoul(number));
     }
 
     using Corners = std::vector<unsigned int>;

@@ -8,7 +8,8 @@
 
 namespace conetact
 {
-  /** Gives elements of a mesh the groups of a deck, which have names only. */
+  /** Gives elements of a mesh the groups of a deck or a universal file, which
+   * have names; names that are numbers keep these. */
   class DeckGroups
   {
   public:

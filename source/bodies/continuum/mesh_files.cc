@@ -9,6 +9,7 @@
 #include "conetact/base/joined_points.h"
 #include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
+#include "conetact/base/unv_file.h"
 #include "conetact/bodies/continuum/file_cells.h"
 #include "conetact/bodies/continuum/library_meshes.h"
 
@@ -113,6 +114,12 @@ namespace conetact::bodies
       return read_with_library<dim, GridIn<2>::ucd>(file, parameters);
     }
 
+    Reading
+    read_universal(const MeshFile &file, const MeshParameters &)
+    {
+      return {read_unv(file.contents)};
+    }
+
     /** What is offered. Each row is tested: check_program.py, formats. */
     template <int dim>
     struct Format
@@ -138,7 +145,7 @@ namespace conetact::bodies
         {"nas", read_with_gmsh<dim>},
         {"med", read_with_gmsh<dim>},
         {"mesh", read_with_gmsh<dim>},
-        {"unv", read_with_both<dim, GridIn<2>::unv>},
+        {"unv", read_universal},
         {"vtk", read_with_both<dim, GridIn<2>::vtk>},
         {"ucd", read_with_library<dim, GridIn<2>::ucd>},
         {"xda", read_with_library<dim, GridIn<2>::xda>},
