@@ -64,12 +64,14 @@ namespace conetact::test
     EXPECT_EQ(mesh.names.at({3, *mesh.elements[0].groups.begin()}), "Solid");
     for (const char *name : {"top", "above"})
       {
-        ASSERT_EQ(faces_of(mesh, name).size(), 1u) << name;
-        for (const auto &corner : faces_of(mesh, name)[0])
+        const auto faces = faces_of(mesh, name);
+        ASSERT_EQ(faces.size(), 1u) << name;
+        for (const auto &corner : faces[0])
           EXPECT_EQ(corner[2], 1);
       }
-    ASSERT_EQ(faces_of(mesh, "left").size(), 1u);
-    for (const auto &corner : faces_of(mesh, "left")[0])
+    const auto left = faces_of(mesh, "left");
+    ASSERT_EQ(left.size(), 1u);
+    for (const auto &corner : left[0])
       EXPECT_EQ(corner[0], 0);
     EXPECT_EQ(faces_of(mesh, "a skin").size(), 6u);
     EXPECT_EQ(faces_of(mesh, "all").size(), 6u);
