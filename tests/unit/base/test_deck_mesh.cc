@@ -141,9 +141,9 @@ namespace conetact::test
     EXPECT_EQ(fault_of("1, 2\n"),
               "line 1: a keyword such as *NODE must come first");
     EXPECT_EQ(fault_of(cube + "*ELEMENT, TYPE=C3D4\n2, 1, 2, 3\n"),
-              "line 13: the element 2 has 3 nodes, but a C3D4 has 4");
+              "line 14: the element 2 has 3 nodes, but a C3D4 has 4");
     EXPECT_EQ(fault_of(cube + "*SURFACE, NAME=a\n1, S7\n"),
-              "line 13: 'S7' is no side of such an element. Sides are called "
+              "line 14: 'S7' is no side of such an element. Sides are called "
               "S1, S2 and so on");
   }
 } // namespace conetact::test
