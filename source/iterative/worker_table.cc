@@ -6,7 +6,7 @@
 #include "conetact/condensed/mumps.h"
 #include "conetact/iterative/large_stiffness.h"
 
-namespace conetact::iterative
+namespace conetact
 {
   namespace
   {
@@ -24,9 +24,9 @@ namespace conetact::iterative
   void
   work()
   {
-    SystemParts parts;
-    MumpsParts  solvers;
-    const auto  go_along = [&](const Order &o) { parts.go_along(o); };
+    SystemParts           parts;
+    condensed::MumpsParts solvers;
+    const auto            go_along = [&](const Order &o) { parts.go_along(o); };
     wait_for_orders({
       {Command::make_plane, [&](const Order &o) { parts.make(o, 2); }},
       {Command::make_space, [&](const Order &o) { parts.make(o, 3); }},
@@ -46,4 +46,4 @@ namespace conetact::iterative
       {Command::report, [](const Order &) { needs_of_processes(); }},
     });
   }
-} // namespace conetact::iterative
+} // namespace conetact

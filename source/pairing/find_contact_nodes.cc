@@ -66,21 +66,6 @@ namespace conetact::pairing
         value_at(*contact.cohesion, node.position, in + "Cohesion");
     }
 
-    /** Diagonal of the box around two bodies. */
-    double
-    size_of(const bodies::Structure &one, const bodies::Structure &other)
-    {
-      Point<3> low = one.position(0), high = low;
-      for (const bodies::Structure *body : {&one, &other})
-        for (unsigned int node = 0; node < body->n_nodes(); ++node)
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              low[d]  = std::min(low[d], body->position(node)[d]);
-              high[d] = std::max(high[d], body->position(node)[d]);
-            }
-      return low.distance(high);
-    }
-
     /** Positions are known to their rounding: a gap below it is none. A body
      * that is turned with its master must not touch it node after node. */
     double
@@ -165,7 +150,7 @@ namespace conetact::pairing
 
     /** Least distance of a node of one surface from one of the other. */
     double
-    distance(const bodies::Surface &one, const bodies::Surface &other)
+    distance_of(const bodies::Surface &one, const bodies::Surface &other)
     {
       double least = std::numeric_limits<double>::max();
       for (const bodies::SurfaceNode &a : one.nodes)
@@ -186,9 +171,9 @@ namespace conetact::pairing
         ": it binds nothing, for no node of the body faces the master within "
         "its Reach of " +
         to_text(contact.reach) + ". The nearest nodes of both sides are " +
-        to_text(
-          distance(structures[contact.body]->surface(contact.ids),
-                   structures[contact.master]->surface(contact.master_ids))) +
+        to_text(distance_of(structures[contact.body]->surface(contact.ids),
+                            structures[contact.master]->surface(
+                              contact.master_ids))) +
         " apart. Move the bodies, change boundary ids, or give a larger Reach "
         "or Largest angle.");
     }
