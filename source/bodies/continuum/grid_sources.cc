@@ -198,33 +198,12 @@ namespace conetact::bodies
       return result;
     }
 
-    /** "2 hexahedra, 1 wedges" */
-    template <int dim>
-    std::string
-    count_of_cells(const Triangulation<dim> &mesh)
-    {
-      namespace Cells = dealii::ReferenceCells;
-      std::string text;
-      for (const auto &[kind, name] :
-           {std::pair(Cells::get_hypercube<dim>(), cell_name(dim, false)),
-            std::pair(Cells::get_simplex<dim>(), cell_name(dim, true)),
-            std::pair(Cells::Wedge, std::string("wedges")),
-            std::pair(Cells::Pyramid, std::string("pyramids"))})
-        {
-          unsigned int n = 0;
-          for (const auto &cell : mesh.active_cell_iterators())
-            n += cell->reference_cell() == kind;
-          if (n > 0)
-            text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + name;
-        }
-      return text;
-    }
-
     /** The cells that elements ask for, all of one kind. */
     template <int dim>
     void
     settle_cells(std::unique_ptr<Triangulation<dim>> &mesh,
-                 const MeshParameters                &parameters)
+                 const MeshParameters                &parameters,
+                 CellNodes<dim>                      &nodes)
     {
       using Cells = MeshParameters::Cells;
       const std::string where =
@@ -233,12 +212,8 @@ namespace conetact::bodies
         throw InputError(where + "the mesh has no cells. Check the arguments.");
       const bool simplices  = mesh->all_reference_cells_are_simplex();
       const bool hypercubes = mesh->all_reference_cells_are_hyper_cube();
-      if (!simplices && !hypercubes)
-        throw InputError(where + "the mesh has cells of several kinds, or " +
-                         "wedges or pyramids: " + count_of_cells(*mesh) +
-                         ". No element carries them together: use a mesh of " +
-                         cell_name(dim, false) + " only or of " +
-                         cell_name(dim, true) + " only.");
+      Assert(simplices || hypercubes,
+             dealii::ExcMessage("Readers make cells of one kind."));
       if (simplices && parameters.cells == Cells::hypercubes)
         throw InputError(
           where + "the mesh has " + cell_name(dim, true) +
@@ -250,28 +225,33 @@ namespace conetact::bodies
                       "Mesh.SubdivisionAlgorithm = 2;") +
           "').");
       if (hypercubes && parameters.cells == Cells::simplices)
-        mesh = divide_into_simplices(*mesh, parameters);
+        {
+          mesh  = divide_into_simplices(*mesh, parameters);
+          nodes = {};
+        }
     }
   } // namespace
 
   template <int dim>
   std::unique_ptr<Triangulation<dim>>
-  generate_or_read(MeshParameters &parameters, MeshGroups &groups)
+  generate_or_read(MeshParameters &parameters,
+                   MeshGroups     &groups,
+                   CellNodes<dim> &nodes)
   {
     auto mesh = std::make_unique<Triangulation<dim>>();
     if (parameters.file.empty())
       generate(*mesh, parameters);
     else
       {
-        groups = read_mesh_file(parameters, *mesh);
+        groups = read_mesh_file(parameters, *mesh, nodes);
         check_shared_faces(*mesh, parameters);
       }
-    settle_cells(mesh, parameters);
+    settle_cells(mesh, parameters, nodes);
     return mesh;
   }
 
   template std::unique_ptr<Triangulation<2>>
-  generate_or_read<2>(MeshParameters &, MeshGroups &);
+  generate_or_read<2>(MeshParameters &, MeshGroups &, CellNodes<2> &);
   template std::unique_ptr<Triangulation<3>>
-  generate_or_read<3>(MeshParameters &, MeshGroups &);
+  generate_or_read<3>(MeshParameters &, MeshGroups &, CellNodes<3> &);
 } // namespace conetact::bodies

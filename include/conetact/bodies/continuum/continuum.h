@@ -121,6 +121,11 @@ namespace conetact::bodies
     caution() const override;
     std::string
     description() const override;
+    const std::string &
+    made_mesh() const override
+    {
+      return mesh_file;
+    }
     /** Cells that are translated copies of each other are congruent. */
     MatrixCount
     matrix_count() const override;
@@ -156,7 +161,8 @@ namespace conetact::bodies
     std::unique_ptr<const BoundaryFaces<dim>>  faces;
     Phases<dim>                                phases;
     MeshGroups::Ids                            groups_of_faces;
-    std::string                                of_file;   ///< cautions
+    std::string                                of_file; ///< cautions
+    std::string                                notes_of_file, mesh_file;
     double                                     thickness; ///< 1 in 3D, of rings
     const char                                *element_name;
     CellMatrices<dim>                          matrices;
