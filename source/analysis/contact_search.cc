@@ -42,7 +42,7 @@ namespace conetact::analysis
       {
         const bodies::Structure &body = *model.bodies.structures[key.second];
         for (const auto &face : body.surface(body.boundary_ids()).faces)
-          for (const auto &corners : bodies::parts_of_first_degree(body, face))
+          for (const auto &corners : bodies::parts_of_contacts(body, face))
             if (std::all_of(corners.begin(),
                             corners.end(),
                             [&, &of = nodes](const unsigned int corner) {
@@ -417,8 +417,9 @@ namespace conetact::analysis
     constexpr double longest = .2, shortest = .01, level = 1e-3; // of the face
     pairing::ContactNode     node = model.points.nodes()[face.node];
     const bodies::Structure &body = *model.bodies.structures[node.body];
-    std::vector<Point<3>>    corners;
-    Point<3>                 p;
+    node.slaves.clear(); // a point of the face
+    std::vector<Point<3>> corners;
+    Point<3>              p;
     for (const unsigned int i : face.corners)
       {
         corners.push_back(body.position(i) + at(node.body, i));

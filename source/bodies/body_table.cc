@@ -104,19 +104,6 @@ namespace conetact::bodies
                          "have no area. Use Q1 or Q1 B-bar.");
     }
 
-    /** Contact is node by node: each must have an area. */
-    template <int dim>
-    void
-    refuse_tetrahedra(const ElementRow<dim> &row, const std::string &body)
-    {
-      if (dim == 3 && row.is_simplex && row.degree > 1)
-        throw InputError(body + ", Element: " + row.name +
-                         " is for triangles only. On faces of such tetrahedra "
-                         "corners carry no force under a pressure, so nothing "
-                         "could tell whether they touch. Use Q2 on hexahedra, "
-                         "or P1.");
-    }
-
     template <int dim>
     std::unique_ptr<Structure>
     make_continuum(MeshParameters                      &mesh,
@@ -128,11 +115,8 @@ namespace conetact::bodies
                                      nullptr :
                                      &find_row(element_table<dim>(), element);
       if (row != nullptr)
-        {
-          refuse_tetrahedra(*row, body);
-          mesh.cells = row->is_simplex ? MeshParameters::Cells::simplices :
-                                         MeshParameters::Cells::hypercubes;
-        }
+        mesh.cells = row->is_simplex ? MeshParameters::Cells::simplices :
+                                       MeshParameters::Cells::hypercubes;
       mesh.on_axis = materials.front().material.is_axisymmetric();
       if (mesh.on_axis)
         check_section(dim, element, row == nullptr || row->goes_round, body);

@@ -98,6 +98,7 @@ namespace conetact::pairing
       face.nodes          = from.nodes;
       face.outward        = from.normal;
       const std::size_t n = bodies::n_corners(body, from);
+      face.n_functions    = from.meets_at_corners ? n : from.nodes.size();
       for (std::size_t i = 0; i < n; ++i)
         {
           face.corners.push_back(body.position(from.nodes[i]));

@@ -36,13 +36,13 @@ namespace conetact::pairing
 
     using Corner = std::pair<std::size_t, std::size_t>; ///< of a face
 
-    /** The corners of faces at each node. */
+    /** The corners of faces at each node that contacts stand at. */
     std::map<unsigned int, std::vector<Corner>>
     corners_at_nodes(const std::vector<FaceNet::Face> &faces)
     {
       std::map<unsigned int, std::vector<Corner>> corners;
       for (std::size_t f = 0; f < faces.size(); ++f)
-        for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
+        for (std::size_t c = 0; c < faces[f].n_functions; ++c)
           corners[faces[f].nodes[c]].emplace_back(f, c);
       return corners;
     }
@@ -69,6 +69,23 @@ namespace conetact::pairing
     }
   } // namespace
 
+  double
+  thickness_of(const bodies::Surface            &surface,
+               const std::vector<FaceNet::Face> &faces,
+               const bool                        axisymmetric)
+  {
+    if (axisymmetric)
+      return 2 * M_PI;
+    if (faces.front().corners.size() > 2)
+      return 1;
+    double area = 0, length = 0;
+    for (const bodies::SurfaceNode &node : surface.nodes)
+      area += node.area;
+    for (const FaceNet::Face &face : faces)
+      length += face.size;
+    return area / length;
+  }
+
   MortarRows::MortarRows(const std::vector<FaceNet::Face> &faces,
                          const double                      sharp_edge,
                          const bool                        axisymmetric)
@@ -76,7 +93,7 @@ namespace conetact::pairing
     , is_space(!faces.empty() && faces.front().corners.size() > 2)
   {
     for (std::size_t f = 0; f < faces.size(); ++f)
-      row_of[f].resize(faces[f].nodes.size());
+      row_of[f].resize(faces[f].n_functions);
     // An edge of just this angle is not sharp, whatever the rounding.
     const double cosine = std::cos(sharp_edge) - 1e-12;
     for (const auto &[node, corners] : corners_at_nodes(faces))
@@ -92,7 +109,7 @@ namespace conetact::pairing
             MortarRow &row = at(f, c);
             // Shares of a parallelogram are near enough: they weigh normals,
             // and tell which part of a node's faces is covered.
-            const std::size_t n         = faces[f].nodes.size(),
+            const std::size_t n         = faces[f].n_functions,
                               n_corners = faces[f].corners.size();
             if (n > n_corners)
               row.least = next_to_cancelled;

@@ -4,6 +4,7 @@
 #include "conetact/pairing/projected_face.h"
 
 #include "conetact/pairing/closest_point.h"
+#include "conetact/pairing/nodal_shapes.h"
 
 #include <Eigen/LU>
 
@@ -138,5 +139,16 @@ namespace conetact::pairing
                                       g.col(0).cross(g.col(1)).norm() /
                                         std::abs(g.topRows<2>().determinant());
     return seen;
+  }
+
+  Eigen::VectorXd
+  nodal_shapes(const FaceNet::Face &face, const ProjectedFace::Seen &seen)
+  {
+    const std::size_t n    = face.nodes.size();
+    const auto        size = static_cast<Eigen::Index>(n);
+    if (n == face.corners.size())
+      return seen.shape.head(size);
+    const auto N = nodal_shape_values(n, face.corners.size(), seen.local);
+    return Eigen::Map<const Eigen::VectorXd>(N.data(), size);
   }
 } // namespace conetact::pairing

@@ -25,9 +25,18 @@ namespace conetact::bodies
     return face.nodes.size() > n_corners(body, face);
   }
 
+  /** Of a face of second degree: nodes that are no corners, and the corners
+   * that each is in the middle of. */
+  std::vector<HangingNode>
+  middle_nodes(const Structure &body, const SurfaceFace &face);
+
   /** Faces of first degree over all nodes: itself, or two or four. */
   std::vector<std::vector<unsigned int>>
   parts_of_first_degree(const Structure &body, const SurfaceFace &face);
+
+  /** Of these the ones between the nodes that contacts stand at. */
+  std::vector<std::vector<unsigned int>>
+  parts_of_contacts(const Structure &body, const SurfaceFace &face);
 } // namespace conetact::bodies
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "conetact/base/points.h"
 #include "conetact/pairing/clipping.h"
+#include "conetact/pairing/face_net.h"
 
 #include <Eigen/Core>
 
@@ -84,6 +85,10 @@ namespace conetact::pairing
     Polygon               around;
     double                skew = 0;
   };
+
+  /** Shape functions of all nodes of a face at a point of it that is seen. */
+  Eigen::VectorXd
+  nodal_shapes(const FaceNet::Face &face, const ProjectedFace::Seen &seen);
 } // namespace conetact::pairing
 
 #endif

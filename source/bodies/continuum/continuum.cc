@@ -64,6 +64,43 @@ namespace conetact::bodies
         values[i] += field(to_space(mesh.nodes[i]));
     }
 
+    /** Corners of six-node triangles have no area by their shape functions. */
+    bool
+    has_corners_without_area(const std::vector<unsigned int> &nodes)
+    {
+      return nodes.size() == 6;
+    }
+
+    /** What stands for a node in the area of a face at a point: its shape
+     * function, or on a six-node triangle the linear one of a corner. */
+    template <int dim>
+    double
+    area_part(const FaceValues<dim>           &fe,
+              const std::vector<unsigned int> &nodes,
+              const unsigned int               v,
+              const unsigned int               q)
+    {
+      if (!has_corners_without_area(nodes))
+        return fe.shape_value(v, q);
+      return v >= 3 ?
+               0. :
+               fe.shape_value(v, q) + .5 * (fe.shape_value(3 + v, q) +
+                                            fe.shape_value(3 + (v + 2) % 3, q));
+    }
+
+    /** The weight of the normal there, of nodes in the middle of edges, too. */
+    template <int dim>
+    double
+    normal_part(const FaceValues<dim>           &fe,
+                const std::vector<unsigned int> &nodes,
+                const unsigned int               v,
+                const unsigned int               q)
+    {
+      if (has_corners_without_area(nodes) && v >= 3)
+        return fe.shape_value(v, q);
+      return area_part(fe, nodes, v, q);
+    }
+
     /**
      * Moves what hanging nodes have to the nodes that they follow: areas, and
      * the normals of faces times their share of the area.
@@ -233,7 +270,7 @@ namespace conetact::bodies
   {
     Surface                             surface;
     std::map<unsigned int, SurfaceNode> nodes;
-    faces->for_each(ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(mesh, ids, [&](const auto &face, const auto &fe) {
       const auto               &numbers = face.nodes;
       std::vector<Tensor<1, 3>> shares(numbers.size());
       Tensor<1, 3>              mean;
@@ -245,13 +282,13 @@ namespace conetact::bodies
             {
               // The tributary area int N_v, times thickness or circumference in
               // 2D, and the same with the normal.
-              const double part = extent(fe.quadrature_point(q)) * fe.JxW(q) *
-                                  fe.shape_value(face.shapes[v], q);
-              nodes[numbers[v]].area += part;
-              shares[v] += part * normal;
+              const double dx = extent(fe.quadrature_point(q)) * fe.JxW(q);
+              nodes[numbers[v]].area += dx * area_part(fe, numbers, v, q);
+              shares[v] += dx * normal_part(fe, numbers, v, q) * normal;
             }
         }
-      surface.faces.push_back({numbers, mean / mean.norm()});
+      surface.faces.push_back(
+        {numbers, mean / mean.norm(), has_corners_without_area(numbers)});
       for (unsigned int v = 0; v < numbers.size(); ++v)
         nodes[numbers[v]].normals.push_back(shares[v]);
     });
@@ -280,13 +317,11 @@ namespace conetact::bodies
                                const SurfaceField &traction,
                                Eigen::VectorXd    &f) const
   {
-    faces->for_each(ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(mesh, ids, [&](const auto &face, const auto &fe) {
       for (const unsigned int q : fe.quadrature_point_indices())
         distribute(
           face.nodes,
-          [&](const unsigned int v) {
-            return fe.shape_value(face.shapes[v], q);
-          },
+          [&](const unsigned int v) { return fe.shape_value(v, q); },
           extent(fe.quadrature_point(q)) * fe.JxW(q) *
             traction(to_space(fe.quadrature_point(q)),
                      to_space(fe.normal_vector(q))),
@@ -346,7 +381,7 @@ namespace conetact::bodies
                                 const SurfaceTensorField &stiffness,
                                 const ElementVisitor     &visit) const
   {
-    faces->for_each(ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(mesh, ids, [&](const auto &face, const auto &fe) {
       const auto      n = dim * static_cast<unsigned int>(face.nodes.size());
       Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
       for (const unsigned int q : fe.quadrature_point_indices())
@@ -355,7 +390,7 @@ namespace conetact::bodies
                                  stiffness(to_space(fe.quadrature_point(q)),
                                            to_space(fe.normal_vector(q)));
           const auto shape = [&](const unsigned int i) {
-            return fe.shape_value(face.shapes[i / dim], q);
+            return fe.shape_value(i / dim, q);
           };
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j <= i; ++j)

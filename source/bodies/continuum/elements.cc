@@ -198,8 +198,8 @@ namespace conetact::bodies
        2},
       {"P2",
        true,
-       "quadratic displacements on triangles with straight edges; neither for "
-       "tetrahedra nor for bodies of revolution",
+       "quadratic displacements on triangles or tetrahedra; for bending, for "
+       "stresses, for nu up to 0.499; not for bodies of revolution",
        &create_quadratic<dim, true>,
        false,
        2}};

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_faces_on_obstacle_h
+#define conetact_pairing_faces_on_obstacle_h
+
+#include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/face_net.h"
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace conetact::pairing
+{
+  /**
+   * How faces that contacts stand at the corners of meet an obstacle: what a
+   * corner j has is the mean @f$\int \psi_j v / \int \psi_j@f$ over the faces
+   * around it, with linear dual functions (@f$\psi_j = 4 \lambda_j - 1@f$ on a
+   * triangle), of displacements of second degree and of gaps at quadrature
+   * points, each to the nearest point of the obstacle. The functions sum to 1,
+   * so a uniform pressure passes exactly. (Popp, Wohlmuth, Gee, Wall, SIAM J.
+   * Sci. Comput. 34 (2012) B421-B446.)
+   */
+  class FacesOnObstacle
+  {
+  public:
+    /** Of a node of the body [length]. */
+    using Displacement = std::function<Tensor<1, 3>(const unsigned int node)>;
+
+    /** Contact and body must outlive it. */
+    FacesOnObstacle(const Contact           &contact,
+                    const bodies::Structure &body,
+                    const bodies::Surface   &surface);
+
+    /** Whether faces of the surface are met like that. */
+    static bool
+    suits(const bodies::Surface &surface);
+
+    /** Whether it is a corner. */
+    bool
+    has(const unsigned int node) const
+    {
+      return rows.count(node) > 0;
+    }
+
+    /** Means over the faces around a corner, in the obstacle's own frame. */
+    struct Met
+    {
+      double       gap;
+      Tensor<1, 3> normal; ///< unit
+      Point<3>     foot;   ///< on the obstacle
+    };
+    /** Where the obstacle and the nodes are. Throws InputError as shapes do. */
+    Met
+    meet(const ContactNode  &node,
+         const RigidMotion  &motion,
+         const Displacement &at) const;
+
+    /** Gives an undeformed node its gap, normal, area and slaves. */
+    void
+    place(ContactNode &node) const;
+
+  private:
+    /** A quadrature point: its face, and its part of the mean. */
+    struct PointOfRow
+    {
+      std::size_t     face;
+      Eigen::VectorXd shapes;
+      double          weight;
+    };
+    struct Row
+    {
+      std::vector<PointOfRow>        points;
+      std::map<unsigned int, double> slaves; ///< weights
+      double                         area = 0;
+    };
+    void
+    add(const std::size_t face, const std::vector<bool> &of_row);
+
+    const Contact              &contact;
+    const bodies::Structure    &body;
+    FaceNet                     net;
+    double                      thickness;
+    std::map<unsigned int, Row> rows; ///< by their nodes
+  };
+} // namespace conetact::pairing
+
+#endif
