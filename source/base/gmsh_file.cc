@@ -87,7 +87,7 @@ namespace conetact
         const std::size_t value =
           is_binary ? take<std::uint64_t>() : from_zero(whole());
         if (value > 4000000000u)
-          throw GmshFault{"it holds numbers that are too large"};
+          throw FileFault{"it holds numbers that are too large"};
         return value;
       }
       /** The same with 4 bytes. */
@@ -103,14 +103,14 @@ namespace conetact
         for (unsigned int d = 0; d < 3; ++d)
           p[d] = real();
         if (!std::isfinite(p.norm_square()))
-          throw GmshFault{"a coordinate of " + to_text(p) +
+          throw FileFault{"a coordinate of " + to_text(p) +
                           " is not a finite number"};
         return p;
       }
       [[noreturn]] void
       ends_early() const
       {
-        throw GmshFault{"its section '" + section + "' does not end"};
+        throw FileFault{"its section '" + section + "' does not end"};
       }
 
     private:
@@ -137,7 +137,7 @@ namespace conetact
         char             *end   = nullptr;
         const double      value = std::strtod(text.c_str(), &end);
         if (end != text.c_str() + text.size())
-          throw GmshFault{"'" + text.substr(0, 20) +
+          throw FileFault{"'" + text.substr(0, 20) +
                           "' stands there instead of a number"};
         return value;
       }
@@ -146,7 +146,7 @@ namespace conetact
       {
         const double value = number();
         if (!(std::abs(value) <= 4e9 && value == std::floor(value)))
-          throw GmshFault{to_text(value) +
+          throw FileFault{to_text(value) +
                           " stands there instead of a whole number"};
         return static_cast<long>(value);
       }
@@ -154,7 +154,7 @@ namespace conetact
       from_zero(const long value)
       {
         if (value < 0)
-          throw GmshFault{std::to_string(value) +
+          throw FileFault{std::to_string(value) +
                           " stands there instead of a number from 0 on"};
         return static_cast<std::size_t>(value);
       }
@@ -164,12 +164,11 @@ namespace conetact
       std::string        section;
     };
 
-    /** Dimension and numbers of nodes; corners stand first, then the middles of
-     * edges if it has them. */
+    /** Dimension and numbers of nodes; corners stand first. */
     struct Kind
     {
       unsigned int dim;
-      std::size_t  n_nodes, n_corners, n_middles = 0;
+      std::size_t  n_nodes, n_corners;
     };
     Kind
     kind_of(const std::size_t type)
@@ -182,21 +181,21 @@ namespace conetact
                                                         {6, {3, 6, 6}},
                                                         {7, {3, 5, 5}},
                                                         // of second order
-                                                        {8, {1, 3, 2, 1}},
-                                                        {9, {2, 6, 3, 3}},
-                                                        {10, {2, 9, 4, 4}},
-                                                        {11, {3, 10, 4, 6}},
-                                                        {12, {3, 27, 8, 12}},
-                                                        {13, {3, 18, 6, 9}},
-                                                        {14, {3, 14, 5, 8}},
+                                                        {8, {1, 3, 2}},
+                                                        {9, {2, 6, 3}},
+                                                        {10, {2, 9, 4}},
+                                                        {11, {3, 10, 4}},
+                                                        {12, {3, 27, 8}},
+                                                        {13, {3, 18, 6}},
+                                                        {14, {3, 14, 5}},
                                                         {15, {0, 1, 1}},
-                                                        {16, {2, 8, 4, 4}},
-                                                        {17, {3, 20, 8, 12}},
-                                                        {18, {3, 15, 6, 9}},
-                                                        {19, {3, 13, 5, 8}}};
+                                                        {16, {2, 8, 4}},
+                                                        {17, {3, 20, 8}},
+                                                        {18, {3, 15, 6}},
+                                                        {19, {3, 13, 5}}};
       const auto                               found = kinds.find(type);
       if (found == kinds.end())
-        throw GmshFault{"it has elements of third or higher order, or of a "
+        throw FileFault{"it has elements of third or higher order, or of a "
                         "kind that is not known (Gmsh's type " +
                         std::to_string(type) +
                         "). Save it with elements of first order (in Gmsh "
@@ -211,7 +210,7 @@ namespace conetact
         : source(contents)
       {}
 
-      GmshMesh
+      FileMesh
       read()
       {
         for (std::string name = source.next_section(); !name.empty();
@@ -223,7 +222,7 @@ namespace conetact
             source.leave_section();
           }
         if (mesh.elements.empty())
-          throw GmshFault{"it has no elements"};
+          throw FileFault{"it has no elements"};
         return std::move(mesh);
       }
 
@@ -251,12 +250,12 @@ namespace conetact
         const double data_size = source.real();
         blocks                 = version >= 4;
         if (!(version >= 2 && version < 3) && version != 4.1)
-          throw GmshFault{"it is of version " + to_text(version) +
+          throw FileFault{"it is of version " + to_text(version) +
                           ". Save it as version 4.1 or 2.2"};
         source.line();
         source.is_binary = binary;
         if (binary && (source.integer() != 1 || data_size != 8))
-          throw GmshFault{"it is a binary file of another kind of machine. "
+          throw FileFault{"it is a binary file of another kind of machine. "
                           "Save it as ASCII (in Gmsh 'Mesh.Binary = 0;')"};
       }
 
@@ -304,7 +303,7 @@ namespace conetact
       void
       refuse_partitions()
       {
-        throw GmshFault{"it is divided into partitions. Save it without "
+        throw FileFault{"it is divided into partitions. Save it without "
                         "them"};
       }
 
@@ -333,7 +332,7 @@ namespace conetact
               read_node_block();
           }
         if (numbers.size() != mesh.points.size())
-          throw GmshFault{"a node stands there twice"};
+          throw FileFault{"a node stands there twice"};
       }
 
       void
@@ -411,7 +410,7 @@ namespace conetact
         for (std::size_t i = 0; i < n; ++i)
           {
             source.count();
-            GmshMesh::Element element{kind.dim, {}, {}};
+            FileMesh::Element element{kind.dim, {}, {}};
             if (found != groups_of.end())
               element.groups = found->second;
             for (std::size_t k = 0; k < kind.n_nodes; ++k)
@@ -421,16 +420,16 @@ namespace conetact
           }
       }
 
-      /** Corners stand first, then the middles of edges, of faces and cell. */
+      /** Corners stand first. */
       static void
       add_node(const Kind        &kind,
                const std::size_t  k,
                const unsigned int point,
-               GmshMesh::Element &element)
+               FileMesh::Element &element)
       {
         if (k < kind.n_corners)
           element.nodes.push_back(point);
-        else if (k < kind.n_corners + kind.n_middles)
+        else
           element.middles.push_back(point);
       }
 
@@ -459,7 +458,7 @@ namespace conetact
       void
       read_old_element(const Kind kind, const std::size_t n_tags)
       {
-        GmshMesh::Element element{kind.dim, {}, {}};
+        FileMesh::Element element{kind.dim, {}, {}};
         for (std::size_t k = 0; k < n_tags; ++k)
           if (const long tag = source.integer(); k == 0 && tag != 0)
             element.groups.insert(group(tag));
@@ -482,12 +481,12 @@ namespace conetact
       {
         const auto found = numbers.find(number);
         if (found == numbers.end())
-          throw GmshFault{"an element names a node that is not there"};
+          throw FileFault{"an element names a node that is not there"};
         return found->second;
       }
 
       Source                              source;
-      GmshMesh                            mesh;
+      FileMesh                            mesh;
       double                              version = 0;
       bool                                blocks  = false; ///< of version 4
       std::map<std::size_t, unsigned int> numbers; ///< of nodes to points
@@ -507,7 +506,7 @@ namespace conetact
     return std::strtod(contents.c_str() + found + header.size(), nullptr);
   }
 
-  GmshMesh
+  FileMesh
   read_gmsh(const std::string &contents)
   {
     return Reader(contents).read();

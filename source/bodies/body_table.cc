@@ -120,8 +120,9 @@ namespace conetact::bodies
       mesh.on_axis = materials.front().material.is_axisymmetric();
       if (mesh.on_axis)
         check_section(dim, element, row == nullptr || row->goes_round, body);
-      MeshGroups groups;
-      auto       triangulation = make_mesh<dim>(mesh, groups);
+      MeshGroups     groups;
+      CellNodes<dim> nodes;
+      auto           triangulation = make_mesh<dim>(mesh, groups, nodes);
       set_materials(*triangulation, materials, groups.cells, body);
       if (row == nullptr)
         row = &default_element<dim>(

@@ -11,19 +11,19 @@ namespace conetact::pairing
   SurfaceFaces
   read_msh(const std::string &contents, const unsigned int dim)
   {
-    GmshMesh file;
+    FileMesh file;
     try
       {
         file = read_gmsh(contents);
       }
-    catch (const GmshFault &fault)
+    catch (const FileFault &fault)
       {
         throw Fault{fault.why};
       }
     SurfaceFaces mesh;
     mesh.points = file.points;
-    std::vector<const GmshMesh::Element *> taken;
-    for (const GmshMesh::Element &element : file.elements)
+    std::vector<const FileMesh::Element *> taken;
+    for (const FileMesh::Element &element : file.elements)
       if (element.dim == dim - 1) // not the lines round faces, nor cells
         {
           mesh.faces.push_back(element.nodes);

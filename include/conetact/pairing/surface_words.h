@@ -4,7 +4,7 @@
 #ifndef conetact_pairing_surface_words_h
 #define conetact_pairing_surface_words_h
 
-#include "conetact/base/gmsh_edges.h"
+#include "conetact/base/bent_edges.h"
 #include "conetact/base/points.h"
 
 #include <istream>

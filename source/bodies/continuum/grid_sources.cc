@@ -224,7 +224,8 @@ namespace conetact::bodies
     template <int dim>
     void
     settle_cells(std::unique_ptr<Triangulation<dim>> &mesh,
-                 const MeshParameters                &parameters)
+                 const MeshParameters                &parameters,
+                 CellNodes<dim>                      &nodes)
     {
       using Cells = MeshParameters::Cells;
       const std::string where =
@@ -250,28 +251,33 @@ namespace conetact::bodies
                       "Mesh.SubdivisionAlgorithm = 2;") +
           "').");
       if (hypercubes && parameters.cells == Cells::simplices)
-        mesh = divide_into_simplices(*mesh, parameters);
+        {
+          mesh  = divide_into_simplices(*mesh, parameters);
+          nodes = {};
+        }
     }
   } // namespace
 
   template <int dim>
   std::unique_ptr<Triangulation<dim>>
-  generate_or_read(MeshParameters &parameters, MeshGroups &groups)
+  generate_or_read(MeshParameters &parameters,
+                   MeshGroups     &groups,
+                   CellNodes<dim> &nodes)
   {
     auto mesh = std::make_unique<Triangulation<dim>>();
     if (parameters.file.empty())
       generate(*mesh, parameters);
     else
       {
-        groups = read_mesh_file(parameters, *mesh);
+        groups = read_mesh_file(parameters, *mesh, nodes);
         check_shared_faces(*mesh, parameters);
       }
-    settle_cells(mesh, parameters);
+    settle_cells(mesh, parameters, nodes);
     return mesh;
   }
 
   template std::unique_ptr<Triangulation<2>>
-  generate_or_read<2>(MeshParameters &, MeshGroups &);
+  generate_or_read<2>(MeshParameters &, MeshGroups &, CellNodes<2> &);
   template std::unique_ptr<Triangulation<3>>
-  generate_or_read<3>(MeshParameters &, MeshGroups &);
+  generate_or_read<3>(MeshParameters &, MeshGroups &, CellNodes<3> &);
 } // namespace conetact::bodies

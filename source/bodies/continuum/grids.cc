@@ -50,16 +50,24 @@ namespace conetact::bodies
 
     template <int dim>
     void
-    place(Triangulation<dim> &mesh, const MeshParameters &parameters)
+    place(Triangulation<dim>   &mesh,
+          CellNodes<dim>       &nodes,
+          const MeshParameters &parameters)
     {
+      const auto to_scene = [&](const Point<dim> &given) {
+        const Point<3> p = parameters.to_scene(to_space(given));
+        Point<dim>     q;
+        for (unsigned int d = 0; d < dim; ++d)
+          q[d] = p[d];
+        return q;
+      };
+      nodes.transform(to_scene);
       std::vector<bool> done(mesh.n_vertices(), false);
       for (const auto &cell : mesh.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
           if (!done[cell->vertex_index(v)])
             {
-              const Point<3> p = parameters.to_scene(to_space(cell->vertex(v)));
-              for (unsigned int d = 0; d < dim; ++d)
-                cell->vertex(v)[d] = p[d];
+              cell->vertex(v)             = to_scene(cell->vertex(v));
               done[cell->vertex_index(v)] = true;
             }
       // the curved geometry has not moved along
@@ -193,9 +201,11 @@ namespace conetact::bodies
 
   template <int dim>
   std::unique_ptr<Triangulation<dim>>
-  make_mesh(MeshParameters &parameters, MeshGroups &groups)
+  make_mesh(MeshParameters &parameters,
+            MeshGroups     &groups,
+            CellNodes<dim> &nodes)
   {
-    auto mesh = generate_or_read<dim>(parameters, groups);
+    auto mesh = generate_or_read<dim>(parameters, groups, nodes);
     for (MeshParameters::Zone &zone : parameters.zones)
       zone.ids = to_ids(zone.text,
                         groups.faces,
@@ -206,9 +216,11 @@ namespace conetact::bodies
     refine_locally(*mesh, parameters);
     tag(*mesh, parameters);
     refine_elements(*mesh, parameters.refinements);
+    if (!nodes.coarse.empty())
+      bend_refined_cells(nodes, *mesh);
     if (mesh->has_hanging_nodes())
       straighten_hanging_vertices(*mesh);
-    place(*mesh, parameters);
+    place(*mesh, nodes, parameters);
     if (parameters.on_axis)
       put_on_axis(*mesh, parameters);
     refuse_distorted(*mesh, parameters);
@@ -216,7 +228,7 @@ namespace conetact::bodies
   }
 
   template std::unique_ptr<Triangulation<2>>
-  make_mesh<2>(MeshParameters &, MeshGroups &);
+  make_mesh<2>(MeshParameters &, MeshGroups &, CellNodes<2> &);
   template std::unique_ptr<Triangulation<3>>
-  make_mesh<3>(MeshParameters &, MeshGroups &);
+  make_mesh<3>(MeshParameters &, MeshGroups &, CellNodes<3> &);
 } // namespace conetact::bodies

@@ -8,7 +8,7 @@
 #include "conetact/base/gmsh_file.h"
 #include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
-#include "conetact/bodies/continuum/gmsh_mesh.h"
+#include "conetact/bodies/continuum/file_cells.h"
 #include "conetact/bodies/continuum/grid_messages.h"
 
 #include <deal.II/base/multithread_info.h>
@@ -274,11 +274,21 @@ namespace conetact::bodies
     MeshGroups
     read_by_own_reader(const MeshFile       &file,
                        const MeshParameters &parameters,
-                       Triangulation<dim>   &mesh)
+                       Triangulation<dim>   &mesh,
+                       CellNodes<dim>       &nodes)
     {
       try
         {
-          return read_gmsh_mesh<dim>(file.contents, parameters, mesh);
+          return make_cells<dim>(read_gmsh(file.contents),
+                                 parameters,
+                                 mesh,
+                                 nodes);
+        }
+      catch (const FileFault &fault)
+        {
+          throw InputError(
+            file.where + "'" + file.name +
+            "' is no mesh of Gmsh that can be taken: " + fault.why + ".");
         }
       catch (const dealii::ExceptionBase &)
         {
@@ -293,11 +303,13 @@ namespace conetact::bodies
 
   template <int dim>
   MeshGroups
-  read_mesh_file(const MeshParameters &parameters, Triangulation<dim> &mesh)
+  read_mesh_file(const MeshParameters &parameters,
+                 Triangulation<dim>   &mesh,
+                 CellNodes<dim>       &nodes)
   {
     MeshFile file = open_mesh(parameters);
     if (is_for_own_reader(file))
-      return read_by_own_reader(file, parameters, mesh);
+      return read_by_own_reader(file, parameters, mesh, nodes);
     if (!parameters.group.empty())
       throw InputError(parameters.where + "Group: only Gmsh's files (.msh) "
                                           "of version 2 and 4.1 have "
@@ -309,7 +321,7 @@ namespace conetact::bodies
   }
 
   template MeshGroups
-  read_mesh_file<2>(const MeshParameters &, Triangulation<2> &);
+  read_mesh_file<2>(const MeshParameters &, Triangulation<2> &, CellNodes<2> &);
   template MeshGroups
-  read_mesh_file<3>(const MeshParameters &, Triangulation<3> &);
+  read_mesh_file<3>(const MeshParameters &, Triangulation<3> &, CellNodes<3> &);
 } // namespace conetact::bodies

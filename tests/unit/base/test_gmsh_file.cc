@@ -99,7 +99,7 @@ namespace conetact::test
         {
           read_gmsh(contents);
         }
-      catch (const GmshFault &fault)
+      catch (const FileFault &fault)
         {
           return fault.why;
         }
@@ -118,7 +118,7 @@ namespace conetact::test
     for (const std::string &contents :
          {old_text, new_text, old_binary(), new_binary()})
       {
-        const GmshMesh mesh = read_gmsh(contents);
+        const FileMesh mesh = read_gmsh(contents);
         ASSERT_EQ(mesh.points.size(), 3);
         EXPECT_EQ(mesh.points[1], Point<3>(1, 0, 0));
         EXPECT_EQ(mesh.points[2], Point<3>(0, 1, 0));
@@ -139,7 +139,7 @@ namespace conetact::test
 
   TEST(GmshFile, CornersOfSecondOrderAreTaken)
   {
-    const GmshMesh mesh = read_gmsh(
+    const FileMesh mesh = read_gmsh(
       replaced(old_text, "4 2 3 3 1 0 1 5 9", "4 9 3 3 1 0 1 5 9 5 9 1"));
     EXPECT_EQ(mesh.elements.back().nodes, (std::vector<unsigned int>{0, 1, 2}));
     EXPECT_EQ(mesh.elements.back().groups, std::set<unsigned int>{3});

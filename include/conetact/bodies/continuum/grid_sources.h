@@ -4,27 +4,25 @@
 #ifndef conetact_bodies_continuum_grid_sources_h
 #define conetact_bodies_continuum_grid_sources_h
 
+#include "conetact/bodies/continuum/cell_nodes.h"
 #include "conetact/bodies/continuum/mesh_parameters.h"
 #include "conetact/bodies/groups.h"
 
 #include <memory>
 
-namespace dealii
-{
-  template <int dim, int spacedim>
-  class Triangulation;
-}
-
 namespace conetact::bodies
 {
   /**
    * The coarse mesh of quadrilaterals or hexahedra, by a generator's name (with
-   * its curved geometry) or from a file, which may name groups. Large blocks
+   * its curved geometry) or from a file, which may name groups and
+   * have nodes of second order. Large blocks
    * get more global refinements instead of their cells. Throws InputError.
    */
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>
-  generate_or_read(MeshParameters &parameters, MeshGroups &groups);
+  generate_or_read(MeshParameters &parameters,
+                   MeshGroups     &groups,
+                   CellNodes<dim> &nodes);
 } // namespace conetact::bodies
 
 #endif

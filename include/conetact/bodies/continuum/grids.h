@@ -4,16 +4,11 @@
 #ifndef conetact_bodies_continuum_grids_h
 #define conetact_bodies_continuum_grids_h
 
+#include "conetact/bodies/continuum/cell_nodes.h"
 #include "conetact/bodies/continuum/mesh_parameters.h"
 #include "conetact/bodies/groups.h"
 
 #include <memory>
-
-namespace dealii
-{
-  template <int dim, int spacedim>
-  class Triangulation;
-}
 
 namespace conetact::bodies
 {
@@ -22,11 +17,14 @@ namespace conetact::bodies
    * refined on its curved geometry, then scaled, rotated, moved and tagged.
    * Its cells are straight-edged; hanging vertices lie on the straight edges
    * and faces of their coarser neighbours. `groups` are those that a file
-   * names; they give zones their ids. Throws InputError.
+   * names; they give zones their ids. `nodes` are those of a file of second
+   * order, moved along. Throws InputError.
    */
   template <int dim>
   std::unique_ptr<dealii::Triangulation<dim, dim>>
-  make_mesh(MeshParameters &parameters, MeshGroups &groups);
+  make_mesh(MeshParameters &parameters,
+            MeshGroups     &groups,
+            CellNodes<dim> &nodes);
 } // namespace conetact::bodies
 
 #endif

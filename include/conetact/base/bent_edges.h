@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#ifndef conetact_base_gmsh_edges_h
-#define conetact_base_gmsh_edges_h
+#ifndef conetact_base_bent_edges_h
+#define conetact_base_bent_edges_h
 
-#include "conetact/base/gmsh_file.h"
+#include "conetact/base/file_mesh.h"
 
 namespace conetact
 {
@@ -17,8 +17,8 @@ namespace conetact
     Point<3>    place;        ///< of that node
   };
   BentEdges
-  bent_edges(const GmshMesh                               &mesh,
-             const std::vector<const GmshMesh::Element *> &elements);
+  bent_edges(const FileMesh                               &mesh,
+             const std::vector<const FileMesh::Element *> &elements);
   /** What a user must know of them, a sentence; empty: there are none. The
    * distance times `scale`, `place` in the scene. */
   std::string

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/bodies/continuum/gmsh_mesh.h"
+#include "conetact/bodies/continuum/file_cells.h"
 
+#include "conetact/base/bent_edges.h"
 #include "conetact/base/errors.h"
-#include "conetact/base/gmsh_edges.h"
+#include "conetact/base/middle_nodes.h"
 #include "conetact/base/text.h"
 
 #include <deal.II/base/geometry_info.h>
@@ -30,11 +31,11 @@ namespace conetact::bodies
     class GroupIds
     {
     public:
-      GroupIds(const GmshMesh &m, const unsigned int d)
+      GroupIds(const FileMesh &m, const unsigned int d)
         : mesh(m)
         , dim(d)
       {
-        for (const GmshMesh::Element &element : mesh.elements)
+        for (const FileMesh::Element &element : mesh.elements)
           if (element.dim == dim)
             for (const unsigned int group : element.groups)
               next = std::max(next, group + 1);
@@ -72,14 +73,14 @@ namespace conetact::bodies
       }
 
     private:
-      const GmshMesh                &mesh;
+      const FileMesh                &mesh;
       unsigned int                   dim, next = 1;
       std::map<Groups, unsigned int> overlaps;
     };
 
     /** Numbers and names of groups of this dimension that are asked for. */
     Groups
-    wanted_groups(const GmshMesh       &mesh,
+    wanted_groups(const FileMesh       &mesh,
                   const unsigned int    dim,
                   const MeshParameters &parameters)
     {
@@ -93,8 +94,8 @@ namespace conetact::bodies
                     parameters.where + "Group");
     }
 
-    std::vector<const GmshMesh::Element *>
-    cells_of(const GmshMesh       &mesh,
+    std::vector<const FileMesh::Element *>
+    cells_of(const FileMesh       &mesh,
              const unsigned int    dim,
              const MeshParameters &parameters)
     {
@@ -102,8 +103,8 @@ namespace conetact::bodies
       if (!parameters.group.empty())
         wanted = wanted_groups(mesh, dim, parameters);
       Groups                                 seen;
-      std::vector<const GmshMesh::Element *> cells;
-      for (const GmshMesh::Element &element : mesh.elements)
+      std::vector<const FileMesh::Element *> cells;
+      for (const FileMesh::Element &element : mesh.elements)
         if (element.dim == dim)
           {
             bool is_wanted = wanted.empty();
@@ -129,23 +130,25 @@ namespace conetact::bodies
     class Vertices
     {
     public:
-      Vertices(const GmshMesh                               &mesh,
-               const std::vector<const GmshMesh::Element *> &cells)
+      Vertices(const FileMesh                               &mesh,
+               const std::vector<const FileMesh::Element *> &cells)
         : number(mesh.points.size(), unused)
       {
-        for (const GmshMesh::Element *cell : cells)
+        for (const FileMesh::Element *cell : cells)
           for (const unsigned int node : cell->nodes)
             number[node] = 0;
         for (unsigned int i = 0; i < number.size(); ++i)
           if (number[i] != unused)
             {
               number[i] = static_cast<unsigned int>(places.size());
+              point.push_back(i);
               places.push_back(mesh.points[i]);
             }
       }
 
       static constexpr unsigned int unused = ~0u;
       std::vector<unsigned int>     number; ///< of the file's points
+      std::vector<unsigned int>     point;  ///< of the file, by this number
       std::vector<dealii::Point<3>> places;
     };
 
@@ -176,12 +179,12 @@ namespace conetact::bodies
 
     template <int dim>
     std::vector<dealii::CellData<dim>>
-    cell_data(const std::vector<const GmshMesh::Element *> &cells,
+    cell_data(const std::vector<const FileMesh::Element *> &cells,
               const Vertices                               &vertices,
               GroupIds                                     &ids)
     {
       std::vector<dealii::CellData<dim>> result;
-      for (const GmshMesh::Element *cell : cells)
+      for (const FileMesh::Element *cell : cells)
         {
           const auto n = static_cast<unsigned int>(cell->nodes.size());
           dealii::CellData<dim> data(n);
@@ -200,12 +203,12 @@ namespace conetact::bodies
 
     template <int dim>
     MeshGroups::Ids
-    set_boundary_ids(const GmshMesh     &file,
+    set_boundary_ids(const FileMesh     &file,
                      const Vertices     &vertices,
                      Triangulation<dim> &mesh)
     {
       std::map<Corners, const Groups *> groups_of;
-      for (const GmshMesh::Element &element : file.elements)
+      for (const FileMesh::Element &element : file.elements)
         if (element.dim == dim - 1 && !element.groups.empty())
           {
             Corners corners;
@@ -232,53 +235,87 @@ namespace conetact::bodies
           }
       return ids.names(seen);
     }
-  } // namespace
 
-  template <int dim>
-  MeshGroups
-  read_gmsh_mesh(const std::string    &contents,
-                 const MeshParameters &parameters,
-                 Triangulation<dim>   &mesh)
-  {
-    const std::string where = parameters.where + "File: ";
-    GmshMesh          file;
-    try
-      {
-        file = read_gmsh(contents);
-      }
-    catch (const GmshFault &fault)
-      {
-        throw InputError(
-          where + "'" + parameters.file.string() +
-          "' is no mesh of Gmsh that can be taken: " + fault.why + ".");
-      }
-    const auto cells = cells_of(file, dim, parameters);
-    if (cells.empty())
-      throw InputError(where + "'" + parameters.file.string() +
+    template <int dim>
+    void
+    create_cells(const std::vector<const FileMesh::Element *> &cells,
+                 const Vertices                               &vertices,
+                 const std::string                            &where,
+                 GroupIds                                     &ids,
+                 Triangulation<dim>                           &mesh)
+    {
+      const auto places = in_plane<dim>(vertices.places, where);
+      auto       data   = cell_data<dim>(cells, vertices, ids);
+      dealii::GridTools::invert_cells_with_negative_measure(places, data);
+      // simplices have no order to be found
+      if (std::all_of(data.begin(), data.end(), [](const auto &cell) {
+            return cell.vertices.size() == GeometryInfo<dim>::vertices_per_cell;
+          }))
+        dealii::GridTools::consistently_order_cells(data);
+      mesh.create_triangulation(places, data, dealii::SubCellData());
+    }
+
+    template <int dim>
+    CellNodes<dim>
+    nodes_of(const FileMesh                               &file,
+             const std::vector<const FileMesh::Element *> &cells,
+             const Vertices                               &vertices,
+             const Triangulation<dim>                     &mesh)
+    {
+      const MiddleNodes middles(file, cells);
+      if (middles.empty())
+        return {};
+      return make_cell_nodes<dim>(
+        mesh, [&](const unsigned int v, const unsigned int w) {
+          const Point<3> p =
+            middles.between(vertices.point[v], vertices.point[w]);
+          dealii::Point<dim> q;
+          for (unsigned int d = 0; d < dim; ++d)
+            q[d] = p[d];
+          return q;
+        });
+    }
+
+    [[noreturn]] void
+    refuse_no_cells(const unsigned int dim, const MeshParameters &parameters)
+    {
+      throw InputError(parameters.where + "File: '" + parameters.file.string() +
                        "' has no cells of dimension " + std::to_string(dim) +
                        (dim == 2 ? ", quadrilaterals or triangles" :
                                    ", hexahedra or tetrahedra") +
                        ". Mesh it and save all elements (in Gmsh " +
                        "'Mesh.SaveAll = 1;'), or set Dimension.");
-    const Vertices vertices(file, cells);
-    const auto     places = in_plane<dim>(vertices.places, where);
-    GroupIds       ids(file, dim);
-    auto           data = cell_data<dim>(cells, vertices, ids);
-    dealii::GridTools::invert_cells_with_negative_measure(places, data);
-    // simplices have no order to be found
-    if (std::all_of(data.begin(), data.end(), [](const auto &cell) {
-          return cell.vertices.size() ==
-                 dealii::GeometryInfo<dim>::vertices_per_cell;
-        }))
-      dealii::GridTools::consistently_order_cells(data);
-    mesh.create_triangulation(places, data, dealii::SubCellData());
+    }
 
-    std::set<Groups> seen;
-    for (const GmshMesh::Element *cell : cells)
-      if (!cell->groups.empty())
-        seen.insert(cell->groups);
+    MeshGroups::Ids
+    cell_groups(const std::vector<const FileMesh::Element *> &cells,
+                GroupIds                                     &ids)
+    {
+      std::set<Groups> seen;
+      for (const FileMesh::Element *cell : cells)
+        if (!cell->groups.empty())
+          seen.insert(cell->groups);
+      return ids.names(seen);
+    }
+  } // namespace
+
+  template <int dim>
+  MeshGroups
+  make_cells(const FileMesh       &file,
+             const MeshParameters &parameters,
+             Triangulation<dim>   &mesh,
+             CellNodes<dim>       &nodes)
+  {
+    const auto cells = cells_of(file, dim, parameters);
+    if (cells.empty())
+      refuse_no_cells(dim, parameters);
+    const Vertices vertices(file, cells);
+    GroupIds       ids(file, dim);
+    create_cells<dim>(cells, vertices, parameters.where + "File: ", ids, mesh);
+    nodes = nodes_of<dim>(file, cells, vertices, mesh);
+
     MeshGroups groups;
-    groups.cells         = ids.names(seen);
+    groups.cells         = cell_groups(cells, ids);
     groups.faces         = set_boundary_ids(file, vertices, mesh);
     const BentEdges bent = bent_edges(file, cells);
     groups.caution       = to_sentence(bent,
@@ -289,11 +326,13 @@ namespace conetact::bodies
   }
 
   template MeshGroups
-  read_gmsh_mesh<2>(const std::string &,
-                    const MeshParameters &,
-                    Triangulation<2> &);
+  make_cells<2>(const FileMesh &,
+                const MeshParameters &,
+                Triangulation<2> &,
+                CellNodes<2> &);
   template MeshGroups
-  read_gmsh_mesh<3>(const std::string &,
-                    const MeshParameters &,
-                    Triangulation<3> &);
+  make_cells<3>(const FileMesh &,
+                const MeshParameters &,
+                Triangulation<3> &,
+                CellNodes<3> &);
 } // namespace conetact::bodies
