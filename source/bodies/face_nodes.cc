@@ -18,30 +18,33 @@ namespace conetact::bodies
     return face.nodes.size();
   }
 
+  const std::vector<MiddleNode> &
+  middle_nodes(const unsigned int dim, const std::size_t n_nodes)
+  {
+    static const std::vector<MiddleNode> none,
+      of_line          = {{2, {0, 1}}},
+      of_triangle      = {{3, {0, 1}}, {4, {1, 2}}, {5, {2, 0}}},
+      of_quadrilateral = {
+        {4, {0, 2}}, {5, {1, 3}}, {6, {0, 1}}, {7, {2, 3}}, {8, {0, 1, 2, 3}}};
+    if (n_nodes == 9)
+      return of_quadrilateral;
+    if (n_nodes == 6)
+      return of_triangle;
+    return dim == 2 && n_nodes == 3 ? of_line : none;
+  }
+
   std::vector<HangingNode>
   middle_nodes(const Structure &body, const SurfaceFace &face)
   {
-    using Corners                                 = std::vector<std::size_t>;
-    static const std::vector<Corners> of_segment  = {{0, 1}},
-                                      of_triangle = {{0, 1}, {1, 2}, {2, 0}},
-                                      of_quadrilateral = {{0, 2},
-                                                          {1, 3},
-                                                          {0, 1},
-                                                          {2, 3},
-                                                          {0, 1, 2, 3}};
-    if (!is_of_second_degree(body, face))
-      return {};
-    const std::size_t           n   = n_corners(body, face);
-    const std::vector<Corners> &all = n == 2 ? of_segment :
-                                      n == 3 ? of_triangle :
-                                               of_quadrilateral;
-    std::vector<HangingNode>    result;
-    for (std::size_t m = 0; m < all.size(); ++m)
+    std::vector<HangingNode> result;
+    for (const MiddleNode &middle :
+         middle_nodes(body.n_components(), face.nodes.size()))
       {
-        result.push_back({face.nodes[n + m], {}});
-        for (const std::size_t corner : all[m])
-          result.back().masters.emplace_back(
-            face.nodes[corner], 1. / static_cast<double>(all[m].size()));
+        result.push_back({face.nodes[middle.node], {}});
+        for (const std::size_t corner : middle.corners)
+          result.back().masters.emplace_back(face.nodes[corner],
+                                             1. / static_cast<double>(
+                                                    middle.corners.size()));
       }
     return result;
   }

@@ -105,6 +105,9 @@ namespace conetact::pairing
           face.centre +=
             Tensor<1, 3>(face.corners.back()) / static_cast<double>(n);
         }
+      if (from.meets_at_corners)
+        for (std::size_t i = n; i < from.nodes.size(); ++i)
+          face.middles.push_back(body.position(from.nodes[i]));
       for (const Point<3> &corner : face.corners)
         face.radius = std::max(face.radius, face.centre.distance(corner));
       for (std::size_t e = 0; e < n; ++e)

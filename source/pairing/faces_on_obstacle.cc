@@ -58,7 +58,7 @@ namespace conetact::pairing
       const ProjectionPlane  plane(face.centre,
                                   face.outward,
                                   face.corners.size() == 2);
-      const ProjectedFace    own(face.corners, plane);
+      const ProjectedFace    own(face, plane);
       std::vector<FacePoint> points;
       for (const PlanePoint &q :
            gauss_points(own.outline(), own.skewness() == 0 ? 0 : 1))
@@ -172,11 +172,14 @@ namespace conetact::pairing
         const ObstacleShape::Closest closest =
           shape.closest_after(X, motion.relative(X, u), node.spacing);
         met.gap += point.weight * closest.gap;
-        met.normal += point.weight * closest.normal;
         met.foot += point.weight *
                     (X + motion.relative(X, u) - closest.gap * closest.normal);
       }
-    met.normal /= met.normal.norm();
+    met.normal = shape
+                   .closest_after(node.position,
+                                  motion.relative(node.position, at(node.node)),
+                                  node.spacing)
+                   .normal;
     return met;
   }
 

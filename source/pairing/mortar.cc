@@ -179,7 +179,7 @@ namespace conetact::pairing
         const ProjectionPlane plane(face.centre,
                                     face.outward,
                                     face.corners.size() == 2);
-        const ProjectedFace   own(face.corners, plane);
+        const ProjectedFace   own(face, plane);
         const auto            n = static_cast<Index>(face.n_functions);
         FaceIntegrals         sums{
           Eigen::MatrixXd::Zero(n, n),

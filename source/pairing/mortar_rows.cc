@@ -38,7 +38,7 @@ namespace conetact::pairing
 
     /** The corners of faces at each node that contacts stand at. */
     std::map<unsigned int, std::vector<Corner>>
-    corners_at_nodes(const std::vector<FaceNet::Face> &faces)
+    functions_at_nodes(const std::vector<FaceNet::Face> &faces)
     {
       std::map<unsigned int, std::vector<Corner>> corners;
       for (std::size_t f = 0; f < faces.size(); ++f)
@@ -69,6 +69,30 @@ namespace conetact::pairing
     }
   } // namespace
 
+  namespace
+  {
+    /** Of a segment that may be bent, at three Gauss points. */
+    double
+    length_of(const FaceNet::Face &face)
+    {
+      if (face.middles.empty())
+        return face.size;
+      const double off    = .5 * std::sqrt(.6);
+      double       length = 0;
+      for (const auto &[at, weight] : {std::make_pair(.5 - off, 5. / 18),
+                                       std::make_pair(.5, 8. / 18),
+                                       std::make_pair(.5 + off, 5. / 18)})
+        {
+          const auto   slope = nodal_shape_slopes(3, 2, {{at, 0}})[0];
+          Tensor<1, 3> along = slope[2] * Tensor<1, 3>(face.middles[0]);
+          for (std::size_t i = 0; i < 2; ++i)
+            along += slope[i] * Tensor<1, 3>(face.corners[i]);
+          length += weight * along.norm();
+        }
+      return length;
+    }
+  } // namespace
+
   double
   thickness_of(const bodies::Surface            &surface,
                const std::vector<FaceNet::Face> &faces,
@@ -82,7 +106,7 @@ namespace conetact::pairing
     for (const bodies::SurfaceNode &node : surface.nodes)
       area += node.area;
     for (const FaceNet::Face &face : faces)
-      length += face.size;
+      length += length_of(face);
     return area / length;
   }
 
@@ -96,7 +120,7 @@ namespace conetact::pairing
       row_of[f].resize(faces[f].n_functions);
     // An edge of just this angle is not sharp, whatever the rounding.
     const double cosine = std::cos(sharp_edge) - 1e-12;
-    for (const auto &[node, corners] : corners_at_nodes(faces))
+    for (const auto &[node, corners] : functions_at_nodes(faces))
       {
         const auto side = sides_of(corners, faces, cosine);
         std::map<std::size_t, std::size_t> row_of_side;

@@ -64,6 +64,26 @@ namespace conetact::pairing
     return products(n_nodes, of_segment(at[0]), of_segment(at[1]));
   }
 
+  /* Differences about the point are exact for functions of second degree. */
+  std::array<std::vector<double>, 2>
+  nodal_shape_slopes(const std::size_t            n_nodes,
+                     const std::size_t            n_corners,
+                     const std::array<double, 2> &at)
+  {
+    std::array<std::vector<double>, 2> slopes;
+    for (std::size_t d = 0; d < 2; ++d)
+      {
+        auto before = at, behind = at;
+        before[d] -= .5;
+        behind[d] += .5;
+        slopes[d]        = nodal_shape_values(n_nodes, n_corners, behind);
+        const auto lower = nodal_shape_values(n_nodes, n_corners, before);
+        for (std::size_t i = 0; i < n_nodes; ++i)
+          slopes[d][i] -= lower[i];
+      }
+    return slopes;
+  }
+
   std::vector<double>
   nodal_shares(const std::size_t n_nodes, const std::size_t n_corners)
   {

@@ -25,8 +25,17 @@ namespace conetact::bodies
     return face.nodes.size() > n_corners(body, face);
   }
 
-  /** Of a face of second degree: nodes that are no corners, and the corners
-   * that each is in the middle of. */
+  /** A node of a face of second degree that is no corner, and the corners that
+   * it is in the middle of, by their places in the face. */
+  struct MiddleNode
+  {
+    std::size_t              node;
+    std::vector<std::size_t> corners;
+  };
+  /** Of faces with so many nodes, lines in the plane; none of first degree. */
+  const std::vector<MiddleNode> &
+  middle_nodes(const unsigned int dim, const std::size_t n_nodes);
+  /** Of a face, by their numbers. */
   std::vector<HangingNode>
   middle_nodes(const Structure &body, const SurfaceFace &face);
 

@@ -36,6 +36,8 @@ namespace conetact::pairing
       std::vector<unsigned int> nodes;
       std::size_t n_functions = 0; ///< its first nodes that contacts stand at
       std::vector<Point<3>> corners;
+      /** Places of its other nodes, where faces may be bent; else none. */
+      std::vector<Point<3>> middles;
       std::vector<Edge>     edges;   ///< as many as corners
       Tensor<1, 3>          outward; ///< mean unit normal
       Point<3>              centre;

@@ -48,7 +48,7 @@ namespace conetact::pairing
     struct Met
     {
       double       gap;
-      Tensor<1, 3> normal; ///< unit
+      Tensor<1, 3> normal; ///< at the corner: on planes of symmetry in them
       Point<3>     foot;   ///< on the obstacle
     };
     /** Where the obstacle and the nodes are. Throws InputError as shapes do. */

@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/continuum/boundary_faces.h"
 
+#include "conetact/bodies/face_nodes.h"
+
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 namespace conetact::bodies
 {
@@ -164,6 +167,46 @@ namespace conetact::bodies
     for (const Face &face : faces)
       result.insert(face.id);
     return result;
+  }
+
+  template <int dim>
+  bool
+  BoundaryFaces<dim>::have_hanging_nodes(const ContinuumMesh<dim> &mesh) const
+  {
+    std::set<unsigned int> hanging;
+    for (const HangingNode &node : mesh.hanging)
+      hanging.insert(node.node);
+    return std::any_of(faces.begin(), faces.end(), [&](const Face &face) {
+      return std::any_of(face.nodes.begin(),
+                         face.nodes.end(),
+                         [&](const unsigned int node) {
+                           return hanging.count(node) > 0;
+                         });
+    });
+  }
+
+  template <int dim>
+  bool
+  BoundaryFaces<dim>::is_bent(const ContinuumMesh<dim> &mesh) const
+  {
+    constexpr double digits = 1e-6; // of mesh files, over the size of a face
+    return std::any_of(faces.begin(), faces.end(), [&](const Face &face) {
+      const auto at = [&](const std::size_t i) -> const Point<dim> & {
+        return mesh.nodes[face.nodes[i]];
+      };
+      const std::size_t n    = face.nodes.size();
+      const double      size = at(0).distance(at(1));
+      for (const MiddleNode &middle : middle_nodes(dim, n))
+        {
+          Tensor<1, dim> beside = Tensor<1, dim>(at(middle.node));
+          for (const std::size_t corner : middle.corners)
+            beside -= Tensor<1, dim>(at(corner)) /
+                      static_cast<double>(middle.corners.size());
+          if (beside.norm() > digits * size)
+            return true;
+        }
+      return false;
+    });
   }
 
   template class FaceValues<2>;

@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 
 namespace conetact::bodies
 {
@@ -53,6 +54,8 @@ namespace conetact::bodies
         shapes.push_back(shapes_at(q));
         gradients.push_back(gradients_at(q));
       }
+    for (const Point<dim> &p : fe->get_unit_support_points())
+      at_nodes.push_back(gradients_at(p));
   }
 
   template <int dim>
@@ -107,6 +110,32 @@ namespace conetact::bodies
           p[d] = place[d];
         visit(p, J.determinant() * weights[q], shapes[q]);
       }
+  }
+
+  template <int dim>
+  double
+  CellQuadrature<dim>::least_volume(const ContinuumMesh<dim> &mesh,
+                                    const unsigned int        cell) const
+  {
+    const auto x     = columns(mesh.vertices(cell));
+    double     least = std::numeric_limits<double>::max();
+    for (const auto *const all : {&gradients, &at_nodes})
+      for (const Gradients &g : *all)
+        least =
+          std::min(least, Eigen::Matrix<double, dim, dim>(x * g).determinant());
+    return least;
+  }
+
+  template <int dim>
+  Point<dim>
+  CellQuadrature<dim>::middle(const ContinuumMesh<dim> &mesh,
+                              const unsigned int        cell) const
+  {
+    const auto nodes = mesh.vertices(cell);
+    Point<dim> sum;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      sum += nodes[v] / n_vertices;
+    return sum;
   }
 
   template <int dim>

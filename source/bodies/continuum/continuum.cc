@@ -19,6 +19,21 @@ namespace conetact::bodies
 
   namespace
   {
+    /** On bent edges of their coarser neighbours, or not even rigid motions
+     * would be free of strain. */
+    template <int dim>
+    void
+    follow_masters(ContinuumMesh<dim> &mesh)
+    {
+      for (const HangingNode &node : mesh.hanging)
+        {
+          Point<dim> place;
+          for (const auto &[master, weight] : node.masters)
+            place += weight * Tensor<1, dim>(mesh.nodes[master]);
+          mesh.nodes[node.node] = place;
+        }
+    }
+
     template <int dim>
     ContinuumMesh<dim>
     plain(const Discretization<dim> &body, const bool has_phases)
@@ -40,6 +55,8 @@ namespace conetact::bodies
           if (has_phases)
             mesh.phase_of_cell.push_back(cell->material_id());
         }
+      if (body.fe.degree > 1)
+        follow_masters(mesh);
       return mesh;
     }
 
@@ -142,13 +159,18 @@ namespace conetact::bodies
     std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
     const std::vector<ElasticMaterial>              &materials,
     const ElementRow<dim>                           &row,
-    const MeshGroups                                &groups)
+    const MeshGroups                                &groups,
+    const CellNodes<dim>                            &nodes)
     : discretization(
         std::make_unique<Discretization<dim>>(std::move(finished_mesh),
-                                              row.degree))
+                                              row.degree,
+                                              nodes))
     , mesh(plain(*discretization, materials.size() > 1))
     , cells(std::make_unique<CellQuadrature<dim>>(*discretization))
     , faces(std::make_unique<BoundaryFaces<dim>>(*discretization))
+    , meets_at_corners(
+        faces->are_triangles_of_second_degree() ||
+        (faces->is_bent(mesh) && !faces->have_hanging_nodes(mesh)))
     , phases(make_phases(materials, row))
     , groups_of_faces(groups.faces)
     , of_file(groups.caution)
@@ -287,8 +309,7 @@ namespace conetact::bodies
               shares[v] += dx * normal_part(fe, numbers, v, q) * normal;
             }
         }
-      surface.faces.push_back(
-        {numbers, mean / mean.norm(), has_corners_without_area(numbers)});
+      surface.faces.push_back({numbers, mean / mean.norm(), meets_at_corners});
       for (unsigned int v = 0; v < numbers.size(); ++v)
         nodes[numbers[v]].normals.push_back(shares[v]);
     });
@@ -484,7 +505,7 @@ namespace conetact::bodies
       return of_file;
     const std::string kind = dim == 2 ? "triangles" : "tetrahedra";
     return "linear " + kind + " are too stiff in bending and lock near nu = " +
-           "0.5. Refine until results stay the same, or use " +
+           "0.5. Refine until results stay the same, or use P2 or " +
            (dim == 2 ? "quadrilaterals." : "hexahedra.") +
            (of_file.empty() ? "" : " Besides, " + of_file);
   }
@@ -509,6 +530,17 @@ namespace conetact::bodies
   {
     return {mesh.n_cells(),
             static_cast<unsigned int>(matrices.cell_shapes().all().size())};
+  }
+
+  template <int dim>
+  std::optional<Point<3>>
+  Continuum<dim>::folded_cell() const
+  {
+    if (cells->degree() > 1)
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        if (!(cells->least_volume(mesh, c) > 0))
+          return to_space(cells->middle(mesh, c));
+    return {};
   }
 
   template <int dim>

@@ -83,6 +83,18 @@ namespace conetact::bodies
     BoundaryIds
     ids() const;
 
+    bool
+    are_triangles_of_second_degree() const
+    {
+      return !faces.empty() && faces[0].nodes.size() == 6;
+    }
+    /** Whether some node of a face hangs. */
+    bool
+    have_hanging_nodes(const ContinuumMesh<dim> &mesh) const;
+    /** Whether nodes stand beside the middle of straight edges and faces. */
+    bool
+    is_bent(const ContinuumMesh<dim> &mesh) const;
+
     /** Calls visit(face, FaceValues) for each face that has one of the ids. */
     template <class Visitor>
     void

@@ -47,6 +47,14 @@ namespace conetact::bodies
                    const unsigned int        cell,
                    const Visit              &visit) const;
 
+    /** The least determinant of the map from the unit cell, at quadrature
+     * points and nodes [length^dim]. */
+    double
+    least_volume(const ContinuumMesh<dim> &mesh, const unsigned int cell) const;
+    /** Mean of its vertices. */
+    Point<dim>
+    middle(const ContinuumMesh<dim> &mesh, const unsigned int cell) const;
+
     /** A point of a body: its cell, and shape functions of the nodes there. */
     struct Place
     {
@@ -77,7 +85,7 @@ namespace conetact::bodies
     unsigned int                                            n_vertices;
     std::vector<double>                                     weights;
     std::vector<Eigen::VectorXd> shapes; ///< at quadrature points
-    std::vector<Gradients>       gradients;
+    std::vector<Gradients>       gradients, at_nodes;
   };
 } // namespace conetact::bodies
 
