@@ -121,11 +121,30 @@ namespace conetact::pairing
       }
     for (auto &[node, row] : rows)
       {
-        for (PointOfRow &point : row.points)
-          point.weight /= row.area;
-        for (auto &[slave, weight] : row.slaves)
-          weight /= row.area;
+        for (auto &[slave, part] : row.slaves)
+          part /= row.area;
+        weigh(node, row);
       }
+  }
+
+  void
+  FacesOnObstacle::weigh(const unsigned int node, Row &row) const
+  {
+    constexpr double least     = .5; // cosine, beside edges of an obstacle
+    const auto       normal_at = [&](const unsigned int i) {
+      return contact.obstacle->shape
+        ->closest(body.position(i), std::sqrt(row.area))
+        .normal;
+    };
+    const Tensor<1, 3> own = normal_at(node);
+    row.whole              = 0;
+    for (const auto &[slave, part] : row.slaves)
+      if (std::abs(part) > 16 * std::numeric_limits<double>::epsilon())
+        {
+          const double weight = part / std::max(least, own * normal_at(slave));
+          row.weights[slave]  = weight;
+          row.whole += weight;
+        }
   }
 
   void
@@ -142,7 +161,6 @@ namespace conetact::pairing
           for (const FacePoint &p : points)
             {
               const double weight = p.area * dual.row(j).dot(p.linear);
-              row.points.push_back({f, p.shapes, weight});
               row.area += weight;
               for (std::size_t k = 0; k < face.nodes.size(); ++k)
                 row.slaves[face.nodes[k]] +=
@@ -156,30 +174,23 @@ namespace conetact::pairing
                         const RigidMotion  &motion,
                         const Displacement &at) const
   {
-    const ObstacleShape &shape = *contact.obstacle->shape;
-    Met                  met{0, {}, {}};
-    for (const PointOfRow &point : rows.at(node.node).points)
+    const ObstacleShape &shape    = *contact.obstacle->shape;
+    const auto           moved_by = [&](const unsigned int i) {
+      return motion.relative(body.position(i), at(i));
+    };
+    const auto closest = [&](const unsigned int i) {
+      return shape.closest_after(body.position(i), moved_by(i), node.spacing);
+    };
+    const Row &row = rows.at(node.node);
+    Met        met{0, closest(node.node).normal, {}};
+    for (const auto &[slave, weight] : row.weights)
       {
-        const auto  &nodes = net.all()[point.face].nodes;
-        Point<3>     X;
-        Tensor<1, 3> u;
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-          {
-            const double N = point.shapes[static_cast<Index>(k)];
-            X += N * Tensor<1, 3>(body.position(nodes[k]));
-            u += N * at(nodes[k]);
-          }
-        const ObstacleShape::Closest closest =
-          shape.closest_after(X, motion.relative(X, u), node.spacing);
-        met.gap += point.weight * closest.gap;
-        met.foot += point.weight *
-                    (X + motion.relative(X, u) - closest.gap * closest.normal);
+        const ObstacleShape::Closest there = closest(slave);
+        met.gap += row.slaves.at(slave) / row.whole * there.gap;
+        met.foot += weight / row.whole *
+                    (Tensor<1, 3>(body.position(slave)) + moved_by(slave) -
+                     there.gap * there.normal);
       }
-    met.normal = shape
-                   .closest_after(node.position,
-                                  motion.relative(node.position, at(node.node)),
-                                  node.spacing)
-                   .normal;
     return met;
   }
 
@@ -192,10 +203,9 @@ namespace conetact::pairing
     node.gap       = met.gap;
     node.n         = met.normal;
     const Row &row = rows.at(node.node);
-    node.area      = thickness * row.area;
+    node.area      = thickness * row.area * row.whole;
     node.slaves.clear();
-    for (const auto &[slave, weight] : row.slaves)
-      if (std::abs(weight) > 16 * std::numeric_limits<double>::epsilon())
-        node.slaves.emplace_back(slave, weight);
+    for (const auto &[slave, weight] : row.weights)
+      node.slaves.emplace_back(slave, weight / row.whole);
   }
 } // namespace conetact::pairing

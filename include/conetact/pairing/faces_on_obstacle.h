@@ -17,9 +17,9 @@ namespace conetact::pairing
    * How faces that contacts stand at the corners of meet an obstacle: what a
    * corner j has is the mean @f$\int \psi_j v / \int \psi_j@f$ over the faces
    * around it, with linear dual functions (@f$\psi_j = 4 \lambda_j - 1@f$ on a
-   * triangle), of displacements of second degree and of gaps at quadrature
-   * points, each to the nearest point of the obstacle. The functions sum to 1,
-   * so a uniform pressure passes exactly. (Popp, Wohlmuth, Gee, Wall, SIAM J.
+   * triangle), of displacements and of gaps of second degree, each node's to
+   * the nearest point of the obstacle. The functions sum to 1, so a uniform
+   * pressure passes exactly. (Popp, Wohlmuth, Gee, Wall, SIAM J.
    * Sci. Comput. 34 (2012) B421-B446.)
    */
   class FacesOnObstacle
@@ -62,21 +62,20 @@ namespace conetact::pairing
     place(ContactNode &node) const;
 
   private:
-    /** A quadrature point: its face, and its part of the mean. */
-    struct PointOfRow
-    {
-      std::size_t     face;
-      Eigen::VectorXd shapes;
-      double          weight;
-    };
+    /** Of a corner: its faces' nodes and their parts of the mean. */
     struct Row
     {
-      std::vector<PointOfRow>        points;
-      std::map<unsigned int, double> slaves; ///< weights
+      std::map<unsigned int, double> slaves; ///< parts of a sum of 1
       double                         area = 0;
+      /** Over the cosine between the normals of a slave and of the corner: so
+       * that a uniform pressure passes where the obstacle bends. */
+      std::map<unsigned int, double> weights;
+      double                         whole = 1; ///< sum of the weights
     };
     void
     add(const std::size_t face, const std::vector<bool> &of_row);
+    void
+    weigh(const unsigned int node, Row &row) const;
 
     const Contact              &contact;
     const bodies::Structure    &body;
