@@ -9,13 +9,13 @@
 #include "conetact/application/located.h"
 #include "conetact/application/manual.h"
 #include "conetact/application/scene.h"
-#include "conetact/backends/workers.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/folder_lock.h"
 #include "conetact/base/log.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
+#include "conetact/base/workers.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -83,11 +83,11 @@ namespace
   {
     log.note("memory: " + analysis::megabytes(analysis::peak_memory()) +
              " at most");
-    if (backends::Together::is_possible())
+    if (Together::is_possible())
       {
-        const backends::Together together({backends::Command::report});
-        std::string              memory, time;
-        for (const backends::Needs &needs : backends::needs_of_processes())
+        const Together together({Command::report});
+        std::string    memory, time;
+        for (const Needs &needs : needs_of_processes())
           {
             const char *const comma = memory.empty() ? "" : ", ";
             memory += comma + analysis::megabytes(needs.peak_memory);
@@ -206,7 +206,6 @@ namespace
     const std::unique_ptr<analysis::Analysis> analysis =
       analysis::make_analysis(scene, log);
     log.time("contact nodes and supports");
-    analysis->choose_working_set();
     analysis->report();
     if (line.dry_run)
       {
@@ -290,7 +289,7 @@ namespace
     std::string why;
     try
       {
-        backends::work();
+        work();
         return 0;
       }
     catch (const std::bad_alloc &)
@@ -315,9 +314,9 @@ namespace
     if (ProcessSession::n_processes() == 1)
       return code;
     std::cout << std::flush;
-    if (!backends::Together::is_possible())
+    if (!Together::is_possible())
       ProcessSession::end_all(code);
-    backends::Together({backends::Command::end});
+    Together({Command::end});
     return code;
   }
 

@@ -608,10 +608,6 @@ BAD_ENTRIES = {"a block that is no multiple of 8": ("contact/base", lambda v: v 
                "energies of other sizes": ("energies/forces", lambda v: v[8:]),
                "a number of points that is nan": ("energies/points", lambda v: NAN),
                "a number of points below 0": ("energies/points", lambda v: BELOW),
-               "a working set of nan": ("working set", lambda v: NAN + v[8:]),
-               "a working set below 0": ("working set", lambda v: BELOW + v[8:]),
-               "a working set beyond all": ("working set", lambda v: HUGE + v[8:]),
-               "a node twice in its working set": ("working set", lambda v: v[8:16] + v[8:]),
                "states of no kind": ("contact/states", lambda v: HUGE + v[8:]),
                "states of rows below 0": ("rows/states", lambda v: BELOW + v[8:]),
                "a number of rows below 0": ("rows of reactions.csv", lambda v: BELOW)}

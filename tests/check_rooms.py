@@ -17,12 +17,13 @@ import sys
 # from the ground up: each may include those before it that are named
 BELOW = {"base": (), "solvers": (), "load_path": ("solvers",),
          "reproductions": ("solvers", "load_path"), "bodies": ("base",),
-         "pairing": ("base", "bodies"), "backends": ("base", "solvers"),
-         "output": ("base", "bodies", "backends", "solvers"), "exchange": ("base", "solvers"),
-         "contact": ("base", "bodies", "pairing", "backends", "output", "solvers"),
+         "pairing": ("base", "bodies"), "condensed": ("base", "solvers"),
+         "iterative": ("base", "solvers", "condensed"),
+         "output": ("base", "bodies", "condensed", "solvers"), "exchange": ("base", "solvers"),
+         "contact": ("base", "bodies", "pairing", "condensed", "iterative", "output", "solvers"),
          "verification": ("base", "output", "contact"),
-         "application": ("base", "bodies", "pairing", "backends", "output", "contact", "solvers", "load_path"),
-         "analysis": ("base", "bodies", "pairing", "backends", "output", "contact", "verification",
+         "application": ("base", "bodies", "pairing", "condensed", "output", "contact", "solvers", "load_path"),
+         "analysis": ("base", "bodies", "pairing", "condensed", "iterative", "output", "contact", "verification",
                       "solvers", "load_path", "application")}
 
 

@@ -7,9 +7,9 @@
 // Prints CPU seconds (wall seconds with several threads). CHOLMOD factorises
 // the stiffness of the eliminated unknowns alone, in the same order.
 
-#include "conetact/backends/elimination_order.h"
-#include "conetact/backends/mumps_schur.h"
 #include "conetact/base/process.h"
+#include "conetact/condensed/elimination_order.h"
+#include "conetact/condensed/mumps_schur.h"
 
 #ifdef CONETACT_WITH_CHOLMOD
 #  include <cholmod.h>
@@ -189,18 +189,18 @@ namespace
     const Block  block = assemble(n);
     const double t0    = seconds();
     const auto   places =
-      conetact::backends::elimination_order(block.upper,
-                                            block.upper.cols() - block.n_schur,
-                                            block.node_of);
-    const double                   t1 = seconds();
-    conetact::backends::MumpsSchur solver(block.upper,
-                                          block.n_schur,
-                                          block.node_of);
-    const MatrixXd                 S  = solver.take_schur_complement();
-    const double                   t2 = seconds();
-    const MatrixXd                 b  = MatrixXd::Ones(block.upper.cols(), 11);
-    const MatrixXd                 r  = solver.reduce(b);
-    const double                   t3 = seconds();
+      conetact::condensed::elimination_order(block.upper,
+                                             block.upper.cols() - block.n_schur,
+                                             block.node_of);
+    const double                    t1 = seconds();
+    conetact::condensed::MumpsSchur solver(block.upper,
+                                           block.n_schur,
+                                           block.node_of);
+    const MatrixXd                  S  = solver.take_schur_complement();
+    const double                    t2 = seconds();
+    const MatrixXd                  b  = MatrixXd::Ones(block.upper.cols(), 11);
+    const MatrixXd                  r  = solver.reduce(b);
+    const double                    t3 = seconds();
     solver.expand(b, r);
     const double t4 = seconds();
 
@@ -245,7 +245,7 @@ main(int argc, char **argv)
 
   const conetact::ProcessSession session(n_threads);
   const Block                    tiny = assemble(2); // starts MPI
-  conetact::backends::MumpsSchur(tiny.upper, tiny.n_schur, tiny.node_of);
+  conetact::condensed::MumpsSchur(tiny.upper, tiny.n_schur, tiny.node_of);
   std::printf("%s seconds; factor in GB; 11 right-hand sides; ratios to "
               "CHOLMOD with and without its analysis\n\n"
               "| n | unknowns | Schur | METIS | METIS and S | reduce | expand "

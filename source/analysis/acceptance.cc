@@ -7,6 +7,8 @@
 #include "conetact/bodies/frame/frame.h"
 #include "conetact/output/extremes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -115,10 +117,9 @@ namespace conetact::analysis
   }
 
   void
-  Acceptance::set_stiffness(const contact::ElasticBackend &elastic)
+  Acceptance::set_stiffness(const contact::Elasticity &elastic)
   {
     const solvers::ContactSystem &system   = *elastic.system();
-    const contact::WorkingSet    &set      = elastic.working_set();
     const Eigen::VectorXd         diagonal = system.diagonal();
     Eigen::VectorXd               stiffness =
       Eigen::VectorXd::Zero(model.points.layout().n_nodes());
@@ -131,12 +132,10 @@ namespace conetact::analysis
             .mean();
         // tr K_ii / dim, or dim / tr W_ii: what turns a gap that is left into a
         // force.
-        stiffness[set.nodes()[static_cast<std::size_t>(i)]] =
-          system.form == solvers::Form::stiffness ? mean :
-          mean > 0                                ? 1 / mean :
-                                                    0;
+        stiffness[i] = system.form == solvers::Form::stiffness ? mean :
+                       mean > 0                                ? 1 / mean :
+                                                                 0;
       }
-    // candidates outside the set carry nothing; their gaps are like others
     const double largest = stiffness.size() > 0 ? stiffness.maxCoeff() : 0;
     verification.set_stiffness(stiffness.unaryExpr([largest](const double k) {
       return k > 0 ? k : largest;
@@ -148,6 +147,8 @@ namespace conetact::analysis
   Acceptance::claim(const PendingIncrement &increment,
                     const Eigen::VectorXd  &w) const
   {
+    AssertDimension(w.size(), model.coordinates.n_dofs());
+    AssertDimension(increment.forces.size(), w.size());
     verification::Claim claim;
     claim.amounts    = amounts(increment);
     claim.w          = w;
@@ -155,7 +156,7 @@ namespace conetact::analysis
     claim.states     = increment.state.node;
     claim.loads      = increment.forces;
     claim.mechanical = increment.mechanical;
-    if (!model.bodies.cuts().empty())
+    if (!model.bodies.cuts.empty())
       {
         const Eigen::VectorXd locks = model.lock_forces(claim.r);
         claim.loads += locks;
@@ -173,6 +174,8 @@ namespace conetact::analysis
   Eigen::VectorXd
   Acceptance::reactions(const PendingIncrement &increment) const
   {
+    AssertDimension(increment.state.r.size() + increment.bound.r.size(),
+                    model.points.n_all_unknowns());
     Eigen::VectorXd r(model.points.n_all_unknowns());
     r << increment.state.r, increment.bound.r;
     return r;
@@ -447,7 +450,7 @@ namespace conetact::analysis
                            const verification::Finding &finding) const
   {
     record.preloads.clear();
-    for (const contact::Cut &cut : model.bodies.cuts())
+    for (const contact::Cut &cut : model.bodies.cuts)
       record.preloads.push_back(
         {-(finding.external.contacts[cut.contact].force * cut.axis),
          finding.u.size() > 0 ? -model.opening(cut, finding.u) : 0.});

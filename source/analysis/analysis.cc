@@ -76,47 +76,15 @@ namespace conetact::analysis
                   "contact a Gap that closes.");
     }
 
-    BackendChoice
-    backend_of(const application::Scene &scene, contact::ContactModel &model)
-    {
-      if (scene.backend != application::Backend::automatic)
-        return {scene.backend == application::Backend::iterative,
-                "the scene asks for it"};
-      if (!scene.restart)
-        return choose_backend(model, scene.times.size(), scene.n_drawings());
-      double iterative = 0;
-      scene.restart->state.fill("iterative", iterative);
-      return {iterative > 0, "as in the run that is continued"};
-    }
-
-    std::string
-    what_processes_do(const application::Scene    &scene,
-                      const contact::ContactModel &model)
-    {
-      if (model.is_iterative())
-        return "they share the linear systems";
-      if (scene.condenser->useful_processes(largest_system(model)) > 1)
-        return "they share the condensation";
-      return "the first one condenses, the others have nothing to do";
-    }
-
-    /** The model with the backend that the scene asks for. */
-    contact::ContactModel &
+    /** The model is solved by it from here on. */
+    const Backend &
     with_backend(const application::Scene &scene,
                  contact::ContactModel    &model,
                  Log                      &log)
     {
-      const BackendChoice choice = backend_of(scene, model);
-      if (choice.iterative)
-        model.solve_iteratively();
-      if (scene.backend != application::Backend::condensed)
-        log.note("backend: " +
-                 std::string(choice.iterative ? "iterative" : "condensed") +
-                 ", " + choice.reason);
-      if (const unsigned int n = ProcessSession::n_processes(); n > 1)
-        log.note(std::to_string(n) +
-                 " processes: " + what_processes_do(scene, model));
-      return model;
+      const Backend &backend = choose_backend(scene, model, log);
+      model.solve_by(*backend.elasticity);
+      return backend;
     }
   } // namespace
 
@@ -126,8 +94,8 @@ namespace conetact::analysis
     , model(scene.bodies, scene.times, *scene.condenser)
     , loads(scene.nodal_loads())
     , prestress(scene.prestress())
-    , history(with_backend(scene, model, log))
-    , set(model)
+    , backend(&with_backend(scene, model, log))
+    , history(model)
     , acceptance(scene, model, l)
     , notices(scene, model)
   {
@@ -135,30 +103,6 @@ namespace conetact::analysis
     warn_of_tied_gaps(scene, model, log);
     say_doubled_nodes(scene, log);
     notices.say_start(log);
-  }
-
-  void
-  Analysis::choose_working_set()
-  {
-    if (model.is_iterative())
-      return;
-    if (scene.restart && scene.leave_out_far_nodes)
-      resume_working_set();
-    else if (scene.leave_out_far_nodes)
-      set.start(
-        [&](const double t) -> Eigen::VectorXd {
-          return loads.at(t) + scene.obstacle_forces(t);
-        },
-        scene.times);
-  }
-
-  void
-  Analysis::resume_working_set()
-  {
-    std::vector<Eigen::Index> nodes;
-    for (const double node : scene.restart->state.get("working set"))
-      nodes.push_back(static_cast<Eigen::Index>(node));
-    set.resume(std::move(nodes));
   }
 
   void
@@ -170,7 +114,7 @@ namespace conetact::analysis
   void
   Analysis::estimate() const
   {
-    report_cost(scene, model, log);
+    report_cost(scene, model, *backend, log);
   }
 
   void
@@ -219,28 +163,25 @@ namespace conetact::analysis
   Analysis::prepare()
   {
     check_history();
-    if (model.is_iterative())
-      {
-        model.condense();
-        log.time("stiffness of all unknowns, levels of multigrid");
-        return;
-      }
-    condense();
+    make_elasticity();
     if (!scene.fclib_increments.empty())
-      output::check_problem_is_writable(*model.condense().system());
+      output::check_problem_is_writable(*model.elasticity().system());
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
       throw InputError("Output, Text increments: no node may touch anything, "
                        "there is no contact problem. Leave the entry empty.");
   }
 
   void
-  Analysis::condense()
+  Analysis::make_elasticity()
   {
-    const double bytes = model.condense().factor_bytes();
-    log.time("condensation by " + std::string(scene.condenser->name) +
-             ": order, factor and Schur complement" +
+    const contact::Elasticity &elastic = model.elasticity();
+    const double               bytes   = elastic.factor_bytes();
+    log.time(elastic.description() +
              (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
-    report_shared_bodies(scene.bodies, model.condense().n_shared_bodies(), log);
+    if (const auto n = elastic.system()->matrix.size(); n > 0)
+      log.note("condensed stiffness: " +
+               megabytes(sizeof(double) * static_cast<double>(n)));
+    report_shared_bodies(model.bodies, elastic.n_shared_bodies(), log);
   }
 
   void
@@ -248,7 +189,7 @@ namespace conetact::analysis
   {
     verify_condensation(model,
                         *scene.condenser,
-                        backends::independent_of(*scene.condenser),
+                        condensed::independent_of(*scene.condenser),
                         log);
     log.time("condensation once more, to verify it");
   }
@@ -268,7 +209,7 @@ namespace conetact::analysis
     for (std::size_t k = 0; k < scene.bodies.n_free_obstacles(); ++k)
       description.obstacles.push_back(
         scene.bodies.names[scene.bodies.n_elastic() + k]);
-    for (const contact::Cut &cut : scene.bodies.cuts())
+    for (const contact::Cut &cut : model.bodies.cuts)
       description.preloads.push_back(scene.contact_names[cut.contact]);
     for (const bodies::Probe &probe : scene.probes)
       description.probes.push_back(probe.name);
@@ -344,7 +285,7 @@ namespace conetact::analysis
       others += prestress;
     increment.thermal = acting.thermal;
     increment.record.each_load.clear();
-    if (model.bodies.frames().empty())
+    if (model.bodies.frames.empty())
       {
         increment.forces     = acting.forces + others;
         increment.mechanical = acting.mechanical + others;

@@ -7,7 +7,6 @@
 #include "conetact/base/text.h"
 
 #include <cmath>
-#include <set>
 
 namespace conetact::analysis
 {
@@ -52,16 +51,6 @@ namespace conetact::analysis
                    " to choose from, 0 and more");
       return result;
     }
-    /** Contact nodes, each of them once. */
-    void
-    check_working_set(const Archive &archive, const std::size_t n_nodes)
-    {
-      const char *const     name = "working set";
-      std::set<std::size_t> seen;
-      for (const std::size_t node : indices(archive, name, n_nodes))
-        if (!seen.insert(node).second)
-          refuse(name, std::to_string(node) + " twice");
-    }
   } // namespace
 
 
@@ -93,7 +82,6 @@ namespace conetact::analysis
     expect(archive, "contact/states", n_nodes);
     indices(archive, "contact/states", n_states);
     indices(archive, "rows/states", n_states);
-    check_working_set(archive, n_nodes);
   }
 
 

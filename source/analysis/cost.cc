@@ -6,6 +6,8 @@
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -61,20 +63,23 @@ namespace conetact::analysis
     }
 
     // Measured on blocks of 16^3 to 40^3 cells, in units of dense products.
-    constexpr double sparse_over_dense = 1.6; // factorisation
-    constexpr double lu_over_dense     = 2;   // of contact unknowns
-    constexpr double lus_an_increment  = .15; // after the first
+    // In the plane fronts are small, and so is the rate: strips of 1500 x 60 to
+    // 2000 x 200 cells with all nodes of a side retained.
+    constexpr double sparse_over_dense[] = {4, 1.6}; // factorisation
+    constexpr double lu_over_dense       = 2;        // of contact unknowns
+    constexpr double lus_an_increment    = .15;      // after the first
     // The same for an unknown in an iteration of the iterative backend, with
     // what Newton's steps take besides: 64^3 cells.
     constexpr double iteration_of_unknown = 2500;
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
-    // 32^3 and 64^3 cells (space), 50^2 (plane). What processes share, what the
-    // first one has besides its meshes, and what each other has anyway: from
-    // 64^3 and 100^3 cells and 400^2, by one and two processes. Cells that
-    // differ take so many times as long, and as many bytes: 48^3 of them.
-    constexpr double setup_of_unknown[]     = {8e-6, 4e-6};
-    constexpr double increment_of_unknown[] = {4e-5, 2e-6};
+    // 32^3 and 64^3 cells (space), squares of 200^2 and 400^2, strips (plane).
+    // What processes share, what the first one has besides its meshes, and what
+    // each other has anyway: from 64^3 and 100^3 cells and 400^2, by one and
+    // two processes. Cells that differ take so many times as long, and as many
+    // bytes: 48^3 of them.
+    constexpr double setup_of_unknown[]     = {4e-6, 4e-6};
+    constexpr double increment_of_unknown[] = {1e-6, 2e-6};
     constexpr double shared_bytes[]         = {350, 640};
     constexpr double bytes_of_first[]       = {400, 100};
     constexpr double bytes_of_others        = 1.7e8;
@@ -110,6 +115,14 @@ namespace conetact::analysis
     // which none is needed.
     constexpr Eigen::Index small_body = 60000, huge_body = 600000;
 
+    // Contact unknowns from which on dense matrices of them are worth one.
+    constexpr Eigen::Index many_unknowns = 2000;
+
+    // A little time is no reason: what does not converge is condensed after
+    // all, and then both were for nothing. Of many contact unknowns that are
+    // condensed few may touch, which nothing tells beforehand.
+    constexpr double much_faster = 2, faster = 1.2;
+
     // Seconds for each dof: to recover and check an increment, to draw it.
     constexpr double check_of_dof = 1e-6, drawing_of_dof = 1e-6;
 
@@ -118,19 +131,18 @@ namespace conetact::analysis
     flops_of_contact(const contact::ContactModel &model,
                      const double                 n_increments)
     {
-      const auto n =
-        static_cast<double>(model.working_set().layout().n_unknowns());
+      const auto n = static_cast<double>(model.points.n_unknowns());
       return lu_over_dense * 2. / 3. * std::pow(n, 3) *
              (1 + lus_an_increment * (n_increments - 1));
     }
 
     /** To condense bodies and solve increments then. */
     double
-    flops_of_condensing(const contact::ContactModel    &model,
-                        const backends::FactorEstimate &factor,
-                        const std::size_t               n_increments)
+    flops_of_condensing(const contact::ContactModel     &model,
+                        const condensed::FactorEstimate &factor,
+                        const std::size_t                n_increments)
     {
-      return sparse_over_dense * factor.flops +
+      return sparse_over_dense[model.bodies.dim - 2] * factor.flops +
              flops_of_contact(model, static_cast<double>(n_increments));
     }
 
@@ -168,7 +180,7 @@ namespace conetact::analysis
     {
       const double more =
         std::max(1., largest_contrast(model) / usual_contrast);
-      if (!model.condenses_bodies())
+      if (model.condensed_form() == solvers::Form::stiffness)
         return more;
       return more *
              (has_hard_slave(model) ? more_of_hard_slaves : more_of_bodies);
@@ -214,8 +226,6 @@ namespace conetact::analysis
   Eigen::Index
   largest_system(const contact::ContactModel &model)
   {
-    if (!model.condenses_bodies())
-      return model.coordinates.n_unknowns();
     Eigen::Index n = 0;
     for (const bodies::Structure *body : model.bodies.structures)
       n = std::max<Eigen::Index>(n, body->n_dofs());
@@ -230,8 +240,8 @@ namespace conetact::analysis
                 const std::size_t            n_drawings,
                 const int                    n_processes)
   {
-    const auto n_contact =
-      static_cast<double>(model.working_set().layout().n_unknowns());
+    Assert(n_processes > 0, dealii::ExcMessage("There is a process."));
+    const auto n_contact  = static_cast<double>(model.points.n_unknowns());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
     cost.factor = model.estimate_factor();
@@ -245,8 +255,9 @@ namespace conetact::analysis
       cost.factor.working_bytes / n_processes * (shares ? larger_if_shared : 1);
     cost.memory_bytes = peak_memory() + factor_bytes + 2 * cost.stiffness_bytes;
     const double rate = dense_rate();
-    const double factorisation = sparse_over_dense * cost.factor.flops / rate /
-                                 n_processes * (shares ? longer_if_shared : 1);
+    const double factorisation = sparse_over_dense[model.bodies.dim - 2] *
+                                 cost.factor.flops / rate / n_processes *
+                                 (shares ? longer_if_shared : 1);
     cost.seconds = cpu_seconds() + factorisation +
                    flops_of_contact(model, increments) / rate +
                    seconds_of_results(model, increments, n_drawings);
@@ -290,40 +301,50 @@ namespace conetact::analysis
 
 
   BackendChoice
-  choose_backend(const contact::ContactModel &model,
-                 const std::size_t            n_increments,
-                 const std::size_t            n_drawings)
+  cheaper_backend(const contact::ContactModel &model,
+                  const std::size_t            n_increments,
+                  const std::size_t            n_drawings)
   {
-    const Eigen::Index n = model.coordinates.n_unknowns();
-    if (const std::string why = model.why_not_iterative(); !why.empty())
-      return {false, "the iterative one " + why};
-    if (model.bodies.dim == 2)
-      return {false, "bodies in the plane condense fast"};
-    if (n < small_body)
-      return {false, "the mesh is small"};
-    const bool slow      = is_nearly_incompressible(model);
-    const bool hard_one  = has_hard_slave(model);
-    const bool uncertain = hard_one || model.points.slide();
-    if (largest_system(model) > huge_body && !slow && !hard_one)
-      return {true, "the mesh is large"};
-    const Cost condensed = estimate_cost(model, n_increments, n_drawings);
-    const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
-    const double flops_condensed =
-      flops_of_condensing(model, condensed.factor, n_increments);
+    const contact::ElasticityRow &condensed = contact::condensed_row();
+    const contact::ElasticityRow &iterative = contact::iterative_row();
+    const Eigen::Index            n         = model.coordinates.n_unknowns();
+    if (const std::string why = iterative.why_not(model); !why.empty())
+      return {&condensed, "the iterative one " + why};
+    const bool   slow      = is_nearly_incompressible(model);
+    const bool   hard_one  = has_hard_slave(model);
+    const bool   uncertain = hard_one || model.points.slide();
     const double flops_iterative =
       usual_rate * seconds_of_iterating(model, n_increments);
+    if (!uncertain &&
+        flops_of_contact(model, static_cast<double>(n_increments)) >
+          much_faster * flops_iterative)
+      return {&iterative, "many nodes may touch"};
+    const bool many = model.points.n_unknowns() >= many_unknowns;
+    if (!many)
+      {
+        if (model.bodies.dim == 2)
+          return {&condensed, "bodies in the plane condense fast"};
+        if (n < small_body)
+          return {&condensed, "the mesh is small"};
+      }
+    if (model.bodies.dim == 3 && largest_system(model) > huge_body && !slow &&
+        !hard_one)
+      return {&iterative, "the mesh is large"};
+    const Cost cost  = estimate_cost(model, n_increments, n_drawings);
+    const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
+    const double flops_condensed =
+      flops_of_condensing(model, cost.factor, n_increments);
     const auto text = [](const double flops, const double bytes) {
       char operations[40];
       std::snprintf(operations, sizeof(operations), "%.2g", flops);
       return operations + (" operations and " + megabytes(bytes));
     };
-    // A little time is no reason: what does not converge is condensed after
-    // all, and then both were for nothing.
-    constexpr double much_faster = 2;
-    const bool       is_faster =
-      !uncertain && flops_condensed > much_faster * flops_iterative;
-    return {condensed.memory_bytes > machine_memory() || is_faster,
-            "condensed " + text(flops_condensed, condensed.memory_bytes) +
+    const bool is_faster =
+      !uncertain &&
+      flops_condensed > (many ? faster : much_faster) * flops_iterative;
+    return {cost.memory_bytes > machine_memory() || is_faster ? &iterative :
+                                                                &condensed,
+            "condensed " + text(flops_condensed, cost.memory_bytes) +
               ", iterative " + text(flops_iterative, other.memory_bytes) +
               (slow      ? ", as a body is nearly incompressible" :
                hard_one  ? ", as a slave is harder than its master" :

@@ -3,16 +3,14 @@
 
 #include "conetact/analysis/increment_analysis.h"
 
-#include "conetact/analysis/checkpoint.h"
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
-#include "conetact/contact/candidates.h"
 #include "conetact/contact/refusal.h"
-#include "conetact/output/former_rows.h"
 #include "conetact/solvers/large_newton.h"
-#include "conetact/solvers/solver_table.h"
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <limits>
@@ -21,29 +19,11 @@ namespace conetact::analysis
 {
   namespace
   {
-    /**
-     * Without condensation an increment is solved as a whole, to begin with,
-     * and left to condensed bodies once these are the faster way.
-     */
-    std::unique_ptr<solvers::ContactSolver>
-    solver_of(const application::Scene    &scene,
-              const contact::ContactModel &model)
+    /** Without free motions. */
+    solvers::ContactState
+    of_contacts(const solvers::ContactState &state, const Eigen::Index n)
     {
-      constexpr double few = 500; // to ask what condensing takes
-      if (!model.is_iterative())
-        return solvers::make_solver(scene.solver);
-      solvers::SolverOptions whole = scene.solver;
-      whole.max_substeps           = 1;
-      whole.leaves = [&, worth = 0.](const unsigned int n_iterations) mutable {
-        if (n_iterations < few)
-          return false;
-        if (worth == 0)
-          worth = iterations_of_condensing(model,
-                                           scene.times.size(),
-                                           scene.n_drawings());
-        return n_iterations > worth;
-      };
-      return std::make_unique<solvers::LargeNewton>(whole);
+      return {state.v.head(n), state.r.head(n), state.node};
     }
 
     double
@@ -55,7 +35,7 @@ namespace conetact::analysis
 
   IncrementAnalysis::IncrementAnalysis(const application::Scene &s, Log &l)
     : Analysis(s, l)
-    , solver(solver_of(scene, model))
+    , solver(backend->create_solver(scene, model))
     , search(scene.sliding_contacts(), model)
   {
     if (scene.restart)
@@ -84,89 +64,28 @@ namespace conetact::analysis
             case Outcome::corrected:
               one_by_one = true;
               break;
-            case Outcome::needs_more_nodes:
-              extend_set(step.gaps);
-              first_unsure = next - 1;
-              break;
             case Outcome::failed:
               if (!leaves_small().empty())
                 return;
-              if (!condense_all() && !solve_otherwise(step.why) && !cut(next))
+              if (!solve_otherwise(step.why) && !cut(next))
                 {
                   const std::string why = why_it_leaves(next);
                   throw AnalysisError(why.empty() ? step.why : why);
                 }
           }
       }
-    report_skips(scene, model, loads, set, log);
-  }
-
-  void
-  IncrementAnalysis::save_state(const bool at_end)
-  {
-    const unsigned int every = scene.checkpoint_every;
-    if (every == 0 || n_on_disk == n_saved ||
-        (!at_end && n_on_disk % every != 0 && n_on_disk != scene.times.size()))
-      return;
-    if (search.is_needed())
-      {
-        if (search.time() != scene.times[n_on_disk - 1])
-          return;   // in parts of the next increment
-        if (at_end) // the model has contacts of an increment that failed
-          {
-            search.go_back();
-            take(search.accepted());
-          }
-      }
-    Archive archive;
-    archive.put_text("scene", scene.values());
-    archive.put("times",
-                std::vector<double>(scene.times.begin(),
-                                    scene.times.begin() + n_on_disk));
-    const auto &nodes = model.working_set().nodes();
-    archive.put("working set", std::vector<double>(nodes.begin(), nodes.end()));
-    archive.put("one by one", one_by_one ? 1. : 0.);
-    archive.put("iterative", model.is_iterative() ? 1. : 0.);
-    put_reaction_rows(archive, n_reaction_rows);
-    scene.save_kinematics(archive);
-    search.save(archive);
-    history.save(archive);
-    acceptance.save(archive);
-    archive.write(description.folder / "checkpoint.bin");
-    n_saved = n_on_disk;
-  }
-
-  void
-  IncrementAnalysis::restore_state()
-  {
-    const Archive &archive = scene.restart->state;
-    check_checkpoint(archive, model, scene.support_names);
-    double one = 0;
-    archive.fill("one by one", one);
-    one_by_one      = one > 0;
-    n_reaction_rows = reaction_rows_of(archive);
-    output::check_former_tables(scene.restart->folder,
-                                scene.n_done(),
-                                n_reaction_rows);
-    search.restore(archive, history);
-    history.restore(archive);
-    acceptance.restore(archive);
-    n_saved = n_on_disk = first_unsure = scene.n_done();
+    report_skips(scene, model, loads, log);
   }
 
   std::size_t
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
-    // nor is anything gained where nothing is condensed
-    if (one_by_one || search.is_needed() || model.is_iterative())
+    if (one_by_one || search.is_needed() || !backend->batches)
       return 1;
     std::size_t most = most_at_once();
     if (const unsigned int every = scene.checkpoint_every; every > 0)
       most = std::min<std::size_t>(most, every - n_finished % every);
-    // what follows an increment in which a node is missing is solved in vain
-    return model.working_set().is_all() ?
-             most :
-             std::clamp<std::size_t>(n_finished - first_unsure, 1, most);
+    return most;
   }
 
   IncrementAnalysis::Step
@@ -205,22 +124,23 @@ namespace conetact::analysis
             const std::string failure = failed(batch.back().record, why);
             history                   = batch.back().before;
             batch.pop_back();
-            return {Step::Outcome::failed, k, failure, {}};
+            return {Step::Outcome::failed, k, failure};
           }
       }
-    return {Step::Outcome::accepted, parts.others_follow() ? first : k, {}, {}};
+    return {Step::Outcome::accepted, parts.others_follow() ? first : k, {}};
   }
 
   double
   IncrementAnalysis::begin(const unsigned int k) const
   {
+    AssertIndexRange(k, scene.times.size() + 1);
     return k > 1 ? scene.times[k - 2] : 0.;
   }
 
   bool
   IncrementAnalysis::lock_is_due(const unsigned int k) const
   {
-    const auto &cuts = scene.bodies.cuts();
+    const auto &cuts = model.bodies.cuts;
     return std::any_of(cuts.begin(), cuts.end(), [&](const contact::Cut &cut) {
       return !cut.opening && cut.is_due(begin(k));
     });
@@ -233,7 +153,7 @@ namespace conetact::analysis
     model.lock_cuts(begin(k), acceptance.accepted_displacements());
     history.forget_motions();
     existence.reset();
-    solver = solver_of(scene, model);
+    solver = backend->create_solver(scene, model);
     log.note("increment " + std::to_string(k) + ": preloads are locked");
   }
 
@@ -293,9 +213,6 @@ namespace conetact::analysis
       return report.reason.empty() ?
                "the residual is " + to_text(report.residual) :
                report.reason;
-    // nor were candidates that are left out
-    if (report.substeps > 1 && !model.working_set().is_all())
-      return "it was solved in parts";
     take_result(increment, problem);
     if (start_is_known)
       shorten_way(increment, problem);
@@ -322,7 +239,7 @@ namespace conetact::analysis
       return;
     const contact::Coordinates &coordinates = model.coordinates;
     const Eigen::VectorXd       w =
-      model.condense().expand({&increment.load}, {increment.primal});
+      model.elasticity().expand({&increment.load}, {increment.primal});
     Eigen::VectorXd way =
       coordinates.in_frames(acceptance.displacements(increment, w));
     const Eigen::VectorXd &start = acceptance.accepted_displacements();
@@ -355,202 +272,6 @@ namespace conetact::analysis
   }
 
   void
-  IncrementAnalysis::take(ContactSearch::Nodes found)
-  {
-    search.take(std::move(found), history);
-    acceptance.relink();
-    existence.reset();
-    if (!model.is_iterative())
-      return;
-    if (const std::string why = model.why_not_iterative(); !why.empty())
-      {
-        if (!fits_condensed(model, scene.times.size(), scene.n_drawings()))
-          throw AnalysisError(
-            "Contacts have slid to where Backend = iterative " + why +
-            ", and condensed bodies take more memory "
-            "than this machine has.");
-        condense_from_here("Contacts have slid to where Backend = iterative " +
-                           why + ".");
-      }
-  }
-
-  std::string
-  IncrementAnalysis::solve_with(ContactSearch::Nodes found,
-                                PendingIncrement    &increment)
-  {
-    Eigen::VectorXd       w; // of the solution so far
-    const Eigen::VectorXd motions = increment.motions;
-    if (model.is_iterative())
-      w = model.iterative_backend().displacements_of(increment.primal);
-    history = increment.before;
-    take(std::move(found));
-    increment.before = history;
-    apply_loads(increment);
-    solvers::ContactState guess = history.start();
-    guess.node                  = increment.end.node;
-    if (model.is_iterative())
-      guess.nearby = history.nearby(w, motions);
-    const unsigned int before = increment.record.report.iterations;
-    const std::string  why    = solve_contact(increment, guess);
-    increment.record.report.iterations += before;
-    return why;
-  }
-
-  std::string
-  IncrementAnalysis::try_to_settle(PendingIncrement &increment)
-  {
-    try
-      {
-        return settle(increment);
-      }
-    catch (const AnalysisError &error) // nodes without a place
-      {
-        std::string why = error.what();
-        if (!why.empty() && why.back() == '.') // the sentence goes on
-          why.pop_back();
-        return why;
-      }
-  }
-
-  std::string
-  IncrementAnalysis::settle(PendingIncrement &increment)
-  {
-    constexpr unsigned int most       = 30;
-    constexpr double       exact      = 1e-9;
-    constexpr double       least_turn = 1e-3; // where the rest is not exact
-    constexpr double       strain = 1e-4; // what false ones are compared with
-    double                 before = std::numeric_limits<double>::max();
-    unsigned int           n_slow = 1;
-    for (unsigned int &n = increment.record.pairings;;)
-      {
-        const Eigen::VectorXd w =
-          model.condense().expand({&increment.load}, {increment.primal});
-        const Eigen::VectorXd u = acceptance.displacements(increment, w);
-        ContactSearch::Nodes  found =
-          search.find(u, increment.record.time, n_slow > 1);
-        const ContactSearch::Change change = search.change(increment, u, found);
-        const Eigen::VectorXd       moved =
-          acceptance.amounts(increment) +
-          model.motions.of_free(model.motions.free_in(w));
-        // cos a - 1 is what a small rotation by a strains its body
-        const double angle   = model.turn_of_frames(moved);
-        const double turn    = .5 * angle * angle / strain;
-        const double error   = std::max({change.gap, change.force, turn});
-        const bool   is_slow = n >= most / 3 && error > .9 * before;
-        before               = error;
-        if (error <= exact)
-          return passes_through(increment.record, u);
-        if ((is_slow || n == most) && turn <= least_turn &&
-            may_take(increment.record, change))
-          {
-            say_unsettled(increment.record, change);
-            return passes_through(increment.record, u);
-          }
-        if (n++ == most)
-          return why_unsettled(change, turn) +
-                 "; Kinematics = small keeps the contacts of the start, with a "
-                 "warning where they are wrong";
-        model.move_frames(moved);
-        if (is_slow || n_slow > 1) // from now on
-          found = search.find_between(u, increment.record.time, 1. / ++n_slow);
-        if (const std::string why = solve_with(std::move(found), increment);
-            !why.empty())
-          return why;
-      }
-  }
-
-  std::string
-  IncrementAnalysis::why_unsettled(const ContactSearch::Change &change,
-                                   const double                 turn) const
-  {
-    if (turn > std::max(change.gap, change.force))
-      return "how far bodies turn is found otherwise again and again, as where "
-             "they deform so much that small strains are wrong. Use smaller "
-             "loads or stiffer bodies";
-    return "contacts that slide are found elsewhere again and again, their "
-           "gaps are off by " +
-           to_text(change.gap) + " of a cell, also in parts of the increment" +
-           where(change.worst) +
-           ". Use smaller increments or smoother surfaces";
-  }
-
-  /* Where a surface ends, what slides off it has no neighbour to be found on.
-   */
-  std::string
-  IncrementAnalysis::where(const pairing::ContactNode *node) const
-  {
-    return node == nullptr ?
-             "" :
-             ", most of all at the node " + to_text(node->position) + " of " +
-               model.bodies.called(node->body) +
-               ", which may have come to an edge or to the end of a surface";
-  }
-
-  bool
-  IncrementAnalysis::may_take(const output::IncrementRecord &record,
-                              const pairing::FoundChange    &change) const
-  {
-    constexpr double enough = 1e-3; // where facets meet there is no more
-    constexpr double nearly = 1e-2; // of directions
-    return change.gap <= enough &&
-           (change.force <= nearly ||
-            !parts.is_long(search.time(),
-                           duration(record.increment),
-                           scene.times[record.increment - 1]));
-  }
-
-  /* A body that goes round an edge may look so: it is asked for smaller parts
-     only. */
-  std::string
-  IncrementAnalysis::passes_through(const output::IncrementRecord &record,
-                                    const Eigen::VectorXd         &u)
-  {
-    const bool        may_be_cut = parts.may_be_cut(search.time(),
-                                             duration(record.increment),
-                                             scene.times[record.increment - 1]);
-    const std::string why = search.passes_through(u, record.time, may_be_cut);
-    return why.empty() && may_be_cut ? search.loses_masters(u) : why;
-  }
-
-  double
-  IncrementAnalysis::duration(const unsigned int k) const
-  {
-    return scene.times[k - 1] - begin(k);
-  }
-
-  void
-  IncrementAnalysis::say_unsettled(const output::IncrementRecord &record,
-                                   const pairing::FoundChange    &change)
-  {
-    const std::string sentence =
-      name(record) + " (t = " + to_text(record.time) +
-      "): contacts that slide are found elsewhere again and again, as where "
-      "facets meet. Those taken are off by " +
-      to_text(change.gap) + " of a cell in their gaps, by " +
-      to_text(change.force) + " of the largest reaction in their directions";
-    if (said_unsettled)
-      log.note(sentence);
-    else
-      log.say("warning: " + sentence +
-              ". Use smoother surfaces or Pairing = mortar, or smaller "
-              "increments; others are told in log.txt.");
-    said_unsettled = true;
-  }
-
-  bool
-  IncrementAnalysis::cut(const unsigned int k)
-  {
-    const double whole = scene.times[k - 1];
-    if (!lost_contacts || !parts.cut(search.time(), duration(k), whole))
-      return false;
-    log.note("increment " + std::to_string(k) +
-             ": contacts that slide are not found, it is cut: a part up to "
-             "t = " +
-             to_text(parts.end(whole)));
-    return true;
-  }
-
-  void
   IncrementAnalysis::keep(output::IncrementRecord               record,
                           std::vector<output::IncrementRecord> &finished)
   {
@@ -579,7 +300,7 @@ namespace conetact::analysis
     increment.record.errors = solvers::kanno_errors(problem, state);
     increment.base          = history.linearised_at();
     history.advance(state);
-    increment.state   = history.of_candidates(state, increment.before);
+    increment.state   = of_contacts(state, model.points.n_unknowns());
     increment.contact = history.displacements();
     increment.primal  = history.primal();
     increment.motions = history.free_motions();
@@ -591,83 +312,7 @@ namespace conetact::analysis
   IncrementAnalysis::take_bound(PendingIncrement &increment)
   {
     increment.bound =
-      model.condense().bound_state(increment.load, increment.primal);
-  }
-
-  std::string
-  IncrementAnalysis::no_equilibrium(const solvers::ContactProblem &problem,
-                                    const PendingIncrement        &increment)
-  {
-    if (problem.system->null_space.cols() == 0 ||
-        problem.system->n_nodes() == 0)
-      return "";
-    if (!existence)
-      existence = std::make_unique<solvers::ExistenceCheck>(
-        contact::make_existence_check(model));
-    // at the start of the increment the reactions balance the load on the null
-    // space
-    const solvers::Existence result =
-      existence->check(contact::resultants_of(problem, model),
-                       -increment.before.start().r.head(
-                         problem.system->n_contact_unknowns()),
-                       history.largest_force(),
-                       problem.gap);
-    return result.admissible ?
-             "" :
-             std::string("no equilibrium exists") +
-               // bodies that move have others
-               (search.is_needed() ? " with contacts as they were found, " :
-                                     ", ") +
-               describe(result, model);
-  }
-
-  /* The way on was not found: what is known is that there must be one. */
-  std::string
-  IncrementAnalysis::why_it_leaves(const unsigned int k)
-  {
-    if (!lost_contacts)
-      return "";
-    take(search.guess(search.time()));
-    PendingIncrement increment{history, history};
-    increment.record.increment = k;
-    increment.record.time      = parts.end(scene.times[k - 1]);
-    apply_loads(increment);
-    const solvers::ContactProblem problem = history.problem(increment.load);
-    if (problem.system->null_space.cols() == 0)
-      return "";
-    const auto here =
-      contact::check_where_it_stands(problem.gap,
-                                     contact::resultants_of(problem, model),
-                                     -history.start().r.head(
-                                       problem.system->n_contact_unknowns()),
-                                     history.largest_force(),
-                                     model);
-    return here && here->friction_needed ?
-             failed(increment.record,
-                    "no equilibrium exists where bodies stand at its start, " +
-                      describe(*here, model) +
-                      ", and none is found where they go from there") :
-             "";
-  }
-
-  /* What slips or tips under the part of the load that was solved; empty: the
-     method has failed otherwise. */
-  std::string
-  IncrementAnalysis::limit_of(const solvers::ContactProblem &problem,
-                              const PendingIncrement        &increment)
-  {
-    const Eigen::Index n = problem.system->n_contact_unknowns();
-    if (!existence || model.is_iterative() || increment.end.r.size() < n)
-      return "";
-    const Eigen::VectorXd    last = increment.end.r.head(n);
-    const solvers::Existence limit =
-      existence->limit_state(contact::resultants_of(problem, model),
-                             -increment.before.start().r.head(n),
-                             last);
-    return limit.admissible ?
-             "" :
-             "no equilibrium exists, " +
-               describe_limit(limit, last, scene.contact_names, model);
+      model.elasticity().bound_state(increment.load, increment.primal);
   }
 
   Eigen::MatrixXd
@@ -680,22 +325,23 @@ namespace conetact::analysis
         cases.push_back(&increment.load);
         primal.push_back(increment.primal);
       }
-    acceptance.set_stiffness(model.condense());
-    return model.condense().expand(cases, primal);
+    acceptance.set_stiffness(model.elasticity());
+    return model.elasticity().expand(cases, primal);
   }
 
   IncrementAnalysis::Step
   IncrementAnalysis::finish(std::vector<PendingIncrement> &batch)
   {
+    AssertIndexRange(batch.size(), scene.times.size() + 1);
     using Outcome  = Step::Outcome;
     start_is_known = true;
     if (batch.empty())
       return {};
-    const Eigen::MatrixXd                w       = deformations(batch);
-    const std::size_t                    n_right = recover_all(batch, w);
+    const Eigen::MatrixXd                w = deformations(batch);
     std::vector<output::IncrementRecord> finished;
     Step                                 step;
-    for (std::size_t i = 0; i < n_right && step.outcome == Outcome::accepted;
+    for (std::size_t i = 0;
+         i < batch.size() && step.outcome == Outcome::accepted;
          ++i)
       {
         step = check(batch[i], w.col(static_cast<Eigen::Index>(i)));
@@ -707,62 +353,7 @@ namespace conetact::analysis
     write(finished);
     for (const output::IncrementRecord &record : finished)
       n_reaction_rows += record.rows.size();
-    if (step.outcome != Outcome::accepted || n_right == batch.size())
-      return step;
-    history = batch[n_right].before;
-    return {Outcome::needs_more_nodes,
-            batch[n_right].record.increment,
-            {},
-            batch[n_right].after.gaps()};
-  }
-
-  void
-  IncrementAnalysis::recover(PendingIncrement      &increment,
-                             const Eigen::VectorXd &w) const
-  {
-    if (model.working_set().is_all())
-      return;
-    increment.after.recover(
-      model.relative_displacements(acceptance.displacements(increment, w),
-                                   increment.record.time));
-    increment.state =
-      increment.after.of_candidates(increment.end, increment.before);
-    increment.contact = increment.after.displacements();
-  }
-
-  std::size_t
-  IncrementAnalysis::recover_all(std::vector<PendingIncrement> &batch,
-                                 const Eigen::MatrixXd         &w) const
-  {
-    for (std::size_t i = 0; i < batch.size(); ++i)
-      {
-        if (i > 0)
-          batch[i].before = batch[i - 1].after;
-        recover(batch[i], w.col(static_cast<Eigen::Index>(i)));
-        if (!set.suffices(batch[i].after.gaps()))
-          return i;
-      }
-    return batch.size();
-  }
-
-  void
-  IncrementAnalysis::extend_set(const Eigen::VectorXd &gaps)
-  {
-    const std::size_t before = set.size(), n_new = set.extend(gaps);
-    existence.reset();
-    log.time("working set: " + std::to_string(n_new) + " contact nodes join " +
-             std::to_string(before));
-  }
-
-  bool
-  IncrementAnalysis::condense_all()
-  {
-    if (!set.take_all())
-      return false;
-    log.note("working set: all contact nodes, the increment is not solved "
-             "without");
-    existence.reset();
-    return true;
+    return step;
   }
 
   /* Without condensation there is one method only. What it does not solve is
@@ -770,7 +361,7 @@ namespace conetact::analysis
   bool
   IncrementAnalysis::solve_otherwise(std::string &why)
   {
-    if (!model.is_iterative() || !unsolved)
+    if (backend->otherwise == nullptr || !unsolved)
       return false;
     if (in_parts)
       {
@@ -794,23 +385,25 @@ namespace conetact::analysis
     log.say(why +
             " From here on bodies are condensed, which has more methods.");
     log.time("an increment that has not been solved");
-    model.solve_condensed();
-    history.see_condensation();
+    backend = backend->otherwise;
+    model.solve_by(*backend->elasticity);
     existence.reset();
-    solver = solver_of(scene, model);
+    solver = backend->create_solver(scene, model);
     try
       {
-        condense();
+        make_elasticity();
       }
     catch (const InputError &error) // too late for one
       {
         throw AnalysisError(error.what());
       }
+    history.see_elasticity();
   }
 
   IncrementAnalysis::Step
   IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
   {
+    AssertDimension(w.size(), model.coordinates.n_dofs());
     constexpr unsigned int most_steps = 4;
     verification::Finding  finding    = acceptance.judge(increment, w);
     bool                   corrected  = false;
@@ -832,20 +425,17 @@ namespace conetact::analysis
         w         = *refined;
         corrected = true;
       }
-    if (corrected)
-      recover(increment, w);
     const unsigned int k   = increment.record.increment;
     const std::string  why = complete(increment, finding, w);
     unsolved               = !(error_of(finding) <= scene.solver.tolerance);
     if (!why.empty())
-      return {Step::Outcome::failed, k, failed(increment.record, why), {}};
+      return {Step::Outcome::failed, k, failed(increment.record, why)};
     warn_of_nodes(increment, finding.u);
     if (search.is_needed())
       search.accept(finding.u, increment.record.time);
     // those after it started from what was not exact
     return {corrected ? Step::Outcome::corrected : Step::Outcome::accepted,
             parts.others_follow() ? k : k + 1,
-            {},
             {}};
   }
 
@@ -872,34 +462,24 @@ namespace conetact::analysis
   {
     // the relation holds for rounded matrices; the true one leaves forces
     // unbalanced, and contacts elsewhere than the recovered displacements
-    contact::ElasticBackend &elastic = model.condense();
-    contact::LoadCase change    = elastic.reduce_unbalanced(finding.unbalanced);
-    solvers::ContactState guess = increment.before.start();
-    if (model.is_dual())
-      {
-        const Eigen::Index    n      = model.points.n_unknowns();
-        const Eigen::VectorXd missed = model.working_set().gather(
-          finding.displacements.head(n) - increment.contact);
-        change.f.head(missed.size()) += missed;
-        elastic.move_bound(finding.missed_by_bound, change);
-        guess      = increment.end;
-        guess.node = increment.end.node;
-        guess.r.tail(increment.motions.size()).setZero();
-      }
+    const contact::Elasticity &elastic = model.elasticity();
+    contact::LoadCase change = elastic.reduce_unbalanced(finding.unbalanced);
+    elastic.add_missed(finding.displacements.head(model.points.n_unknowns()) -
+                         increment.contact,
+                       finding.missed_by_bound,
+                       change);
     // Where a body has moved further than it deforms, the rounding of this way
-    // is what is left; about its end there is none.
-    const bool has_moved =
-      model.is_iterative() &&
-      solvers::largest(increment.motions - increment.base) >
-        solvers::largest(w);
-    if (!has_moved)
+    // is what is left.
+    const bool is_rounded =
+      elastic.is_rounded_by(increment.motions - increment.base, w);
+    if (!is_rounded)
       increment.load.f += change.f;
-    if (!has_moved && change.bound.size() > 0)
+    if (!is_rounded && change.bound.size() > 0)
       increment.load.bound += change.bound;
     history = increment.before;
     history.linearise_at(increment.motions);
-    if (model.is_iterative()) // displacements count from there
-      guess = history.start();
+    const solvers::ContactState guess =
+      elastic.restart(history.start(), increment.end);
     const unsigned int    before = increment.record.report.iterations;
     const Eigen::VectorXd old    = increment.primal;
     if (!solve_contact(increment, guess).empty())

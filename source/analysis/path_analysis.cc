@@ -10,6 +10,8 @@
 #include "conetact/output/graphics.h"
 #include "conetact/output/problem_texts.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -116,7 +118,7 @@ namespace conetact::analysis
   {
     if (!stiffness)
       {
-        stiffness.emplace(model.condense().system());
+        stiffness.emplace(model.elasticity().system());
         if (!stiffness->exists())
           throw InputError(
             "Solver/Method: a load path needs contacts that do not depend on "
@@ -144,7 +146,7 @@ namespace conetact::analysis
     for (Eigen::Index i = 0; i < system().n_nodes(); ++i)
       start[system().normal(i)] += initial_gap[i];
     result.relation = result.load.f;
-    if (model.is_dual())
+    if (model.condensed_form() == solvers::Form::compliance)
       result.relation.head(start.size()) += start;
     else
       result.relation += multiply(system(), start);
@@ -157,6 +159,8 @@ namespace conetact::analysis
   PathAnalysis::Case
   PathAnalysis::between(const Case &a, const Case &b, const double part)
   {
+    Assert(part >= 0 && part <= 1, dealii::ExcMessage("A part of the way."));
+    AssertDimension(a.each_load.size(), b.each_load.size());
     const auto mean = [&](const Eigen::VectorXd &x, const Eigen::VectorXd &y) {
       return Eigen::VectorXd(x + part * (y - x));
     };
@@ -356,7 +360,7 @@ namespace conetact::analysis
                             PendingIncrement           &pending)
   {
     pending.motions = Eigen::VectorXd::Zero(model.motions.n_free());
-    if (!model.is_dual())
+    if (model.condensed_form() == solvers::Form::stiffness)
       {
         pending.primal = pending.contact - at.load.offset;
         return;
@@ -364,7 +368,8 @@ namespace conetact::analysis
     pending.motions = stiffness->motions(at.relation, point.v, pending.state.r);
     pending.primal.resize(point.r.size() + pending.motions.size());
     pending.primal << pending.state.r, pending.motions;
-    pending.bound = model.condense().bound_state(pending.load, pending.primal);
+    pending.bound =
+      model.elasticity().bound_state(pending.load, pending.primal);
   }
 
 
@@ -379,8 +384,8 @@ namespace conetact::analysis
          step < 2 && finding.equilibrium > .1 * scene.solver.tolerance;
          ++step)
       {
-        contact::ElasticBackend &elastic = model.condense();
-        contact::LoadCase        change =
+        contact::Elasticity &elastic = model.elasticity();
+        contact::LoadCase    change =
           elastic.reduce_unbalanced(finding.unbalanced);
         elastic.move_bound(finding.missed_by_bound, change);
         const Eigen::VectorXd refined =
@@ -415,8 +420,8 @@ namespace conetact::analysis
         cases.push_back(&w.pending.load);
         primal.push_back(w.pending.primal);
       }
-    acceptance.set_stiffness(model.condense());
-    const Eigen::MatrixXd w = model.condense().expand(cases, primal);
+    acceptance.set_stiffness(model.elasticity());
+    const Eigen::MatrixXd w = model.elasticity().expand(cases, primal);
     std::vector<output::IncrementRecord> finished;
     std::string                          failure;
     for (std::size_t i = 0; i < waiting.size() && failure.empty(); ++i)
@@ -486,11 +491,11 @@ namespace conetact::analysis
   Eigen::VectorXd
   PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
   {
-    if (!model.is_dual())
-      return model.condense().correction(model.condense().reduce_unbalanced(
-                                           Eigen::VectorXd::Zero(
-                                             model.coordinates.n_dofs())),
-                                         velocity);
+    if (model.condensed_form() == solvers::Form::stiffness)
+      return model.elasticity().correction(model.elasticity().reduce_unbalanced(
+                                             Eigen::VectorXd::Zero(
+                                               model.coordinates.n_dofs())),
+                                           velocity);
     const Eigen::VectorXd a =
       model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
     return model.motions.field(model.motions.of_free(a));

@@ -4,7 +4,6 @@
 #include "conetact/analysis/scene_report.h"
 
 #include "conetact/analysis/cost.h"
-#include "conetact/backends/large_stiffness.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 #include "conetact/pairing/shared_nodes.h"
@@ -101,21 +100,21 @@ namespace conetact::analysis
                 tenths(cost.seconds_of_others));
     }
 
+    /** Of condensed bodies. */
     void
-    report_iterative_cost(const application::Scene    &scene,
-                          const contact::ContactModel &model,
-                          Log                         &log)
+    report_factor(const application::Scene &scene, const Cost &cost, Log &log)
     {
-      const int  n = backends::useful_processes(model.coordinates.n_unknowns());
-      const Cost cost  = estimate_iterative_cost(model,
-                                                scene.times.size(),
-                                                scene.n_drawings(),
-                                                n);
-      const double all = memory_of_all(n, cost);
-      log.say("estimate: backend iterative, memory of " + megabytes(all) +
-              ", " + tenths(seconds_of_all(n, cost)) + " in all");
-      report_processes(n, cost, log);
-      warn_of_memory(all, log);
+      if (cost.factor.flops == 0)
+        return;
+      report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
+      log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
+              ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
+              ", " + to_text(cost.factor.flops) +
+              " floating-point operations to factorise");
+      if (scene.condenser != &condensed::default_condenser())
+        log.say("estimate: at least, for " +
+                std::string(scene.condenser->name) +
+                " tells nothing before it is done");
     }
   } // namespace
 
@@ -143,7 +142,7 @@ namespace conetact::analysis
       if (b < bodies.n_elastic() + bodies.n_free_obstacles())
         log.say((bodies.is_rigid(b) ? "Obstacle " : "Body ") + bodies.names[b] +
                 ": " + bodies.structures[b]->description());
-    for (const contact::Cut &cut : bodies.cuts())
+    for (const contact::Cut &cut : bodies.cuts)
       log.say("Preload of contact " + scene.contact_names[cut.contact] +
               ": along " + to_text(cut.axis) +
               (cut.locked_from ?
@@ -178,18 +177,6 @@ namespace conetact::analysis
               " equations of ties and bilateral contacts");
     if (model.points.all().empty())
       log.note("skipped: condensation, no node may touch anything");
-    else if (!model.is_iterative())
-      {
-        const auto n =
-          static_cast<double>(model.working_set().layout().n_unknowns() +
-                              model.points.n_bound_unknowns());
-        log.note("condensed stiffness: " + megabytes(8 * n * n));
-      }
-    if (!model.working_set().is_all())
-      log.note(
-        "working set: " + std::to_string(model.working_set().nodes().size()) +
-        " contact nodes are likely to touch, the others are condensed "
-        "when they do");
     for (std::size_t c = 0; c < scene.pairings.size(); ++c)
       {
         report_pairing(scene.contact_names[c],
@@ -246,38 +233,28 @@ namespace conetact::analysis
   void
   report_cost(const application::Scene    &scene,
               const contact::ContactModel &model,
+              const Backend               &backend,
               Log                         &log)
   {
-    if (model.is_iterative())
-      {
-        report_iterative_cost(scene, model, log);
-        return;
-      }
-    const int  n = scene.condenser->useful_processes(largest_system(model));
+    const int  n = backend.useful_processes(scene, model);
     const Cost cost =
-      estimate_cost(model, scene.times.size(), scene.n_drawings(), n);
+      backend.estimate(model, scene.times.size(), scene.n_drawings(), n);
     const double all = memory_of_all(n, cost);
-    report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
-    log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
-            ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
-            ", memory of " + megabytes(all) + " in all");
-    log.say("estimate: " + to_text(cost.factor.flops) +
-            " floating-point operations to factorise, " +
+    report_factor(scene, cost, log);
+    log.say("estimate: backend " + std::string(backend.elasticity->name) +
+            ", memory of " + megabytes(all) + ", " +
             tenths(seconds_of_all(n, cost)) + " in all");
     report_processes(n, cost, log);
-    if (scene.condenser != &backends::default_condenser())
-      log.say("estimate: at least, for " + std::string(scene.condenser->name) +
-              " tells nothing before it is done");
     warn_of_memory(all, log);
   }
 
 
+
   void
-  report_skips(const application::Scene  &scene,
-               contact::ContactModel     &model,
-               const bodies::NodalLoads  &loads,
-               const contact::GrowingSet &set,
-               Log                       &log)
+  report_skips(const application::Scene &scene,
+               contact::ContactModel    &model,
+               const bodies::NodalLoads &loads,
+               Log                      &log)
   {
     const auto n_increments = static_cast<unsigned int>(scene.times.size());
     const auto note         = [&log](const unsigned int n_done,
@@ -287,25 +264,13 @@ namespace conetact::analysis
         log.note("skipped: " + std::to_string(n_all - n_done) + " of " +
                  std::to_string(n_all) + " " + what);
     };
-    if (!model.is_iterative())
-      note(std::max(model.work().factorizations, 1u), // of small bodies: none
-           n_increments,
-           "factorisations, the stiffness stays the same");
-    note(model.condense().n_reductions(),
+    if (const unsigned int n = model.work().condensations; n > 0)
+      note(n, n_increments, "factorisations, the stiffness stays the same");
+    note(model.elasticity().n_reductions(),
          n_increments,
          "load cases, combinations of others or bodies carried along");
     note(loads.n_integrations(),
          loads.n_evaluations(),
          "integrations of loads, known already");
-    const auto n_candidates =
-      static_cast<std::size_t>(model.working_set().n_candidates());
-    if (set.size_at_start() < n_candidates)
-      log.note("skipped: condensation of " +
-               std::to_string(n_candidates - set.size()) + " of " +
-               std::to_string(n_candidates) +
-               " contact nodes, working set of " +
-               std::to_string(set.size_at_start()) + " at the start and " +
-               std::to_string(set.size()) + " at the end, " +
-               std::to_string(set.n_extensions()) + " times larger");
   }
 } // namespace conetact::analysis

@@ -277,7 +277,7 @@ namespace conetact::analysis
     for (unsigned int b = 0; b < model.bodies.n_elastic(); ++b)
       {
         const double angle = model.motions.rotation(amounts, b);
-        if (!(angle > largest_turn) || model.has_frame(b))
+        if (!(angle > largest_turn) || model.frames.has(b))
           continue;
         Turned turned{model.bodies.called(b) + " turns by " + to_text(angle) +
                         " rad",

@@ -26,10 +26,10 @@ namespace conetact::analysis
 
 
   void
-  verify_condensation(contact::ContactModel     &model,
-                      const backends::Condenser &own,
-                      const backends::Condenser &other,
-                      Log                       &log)
+  verify_condensation(contact::ContactModel      &model,
+                      const condensed::Condenser &own,
+                      const condensed::Condenser &other,
+                      Log                        &log)
   {
     const auto found = model.compare_stiffness(other);
     if (found.empty())

@@ -118,8 +118,6 @@ namespace conetact::application
     condenser = &chosen_condenser(prm);
     path      = create_path_settings(prm);
     threads   = static_cast<unsigned int>(prm.get_integer("Threads"));
-    leave_out_far_nodes =
-      prm.get("Working set") == "automatic" && !path.follows;
     prm.leave_subsection();
     prm.enter_subsection("Output");
     vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));
@@ -164,7 +162,6 @@ namespace conetact::application
     text_increments  = increments_of("Text increments");
     output::check_fclib_is_there(fclib_increments);
     prm.leave_subsection();
-    leave_out_far_nodes &= fclib_increments.empty() && text_increments.empty();
     prm.enter_subsection("Solver");
     backend =
       chosen_backend(prm,
@@ -238,9 +235,6 @@ namespace conetact::application
       }
     check_turning_supports();
     pair_contacts();
-    for (const pairing::Contact &contact : contacts)
-      // rows change all the time: all nodes are known from the start
-      leave_out_far_nodes &= !contact.slides;
     keep_nodes();
     contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();

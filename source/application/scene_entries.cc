@@ -48,16 +48,6 @@ namespace conetact::application
         "first one has them, for what it does alone; the others have "
         "one each and sleep meanwhile. Results do not depend on it but "
         "for rounding.");
-      prm.declare_entry(
-        "Working set",
-        "automatic",
-        dealii::Patterns::Selection("automatic|all"),
-        "Contact nodes that are condensed. automatic: those that "
-        "are likely to touch, where that saves much; as soon as "
-        "another one would penetrate it joins them, so that the "
-        "result is that of all. all: all from the start, as "
-        "where condensed problems are written, and for the load "
-        "path.");
       prm.leave_subsection();
     }
 

@@ -60,13 +60,13 @@ namespace conetact::application
     declare_condensation(dealii::ParameterHandler &prm)
     {
       std::vector<std::string> names, lines;
-      for (const backends::Condenser &row : backends::condenser_table())
+      for (const condensed::Condenser &row : condensed::condenser_table())
         {
           names.push_back(row.name);
           lines.push_back(std::string(row.name) + ": " + row.description);
         }
       prm.declare_entry("Condensation",
-                        backends::default_condenser().name,
+                        condensed::default_condenser().name,
                         dealii::Patterns::Selection(join(names, "|")),
                         "What condenses the stiffness of bodies to their "
                         "contact nodes. " +
@@ -166,10 +166,10 @@ namespace conetact::application
     return options;
   }
 
-  const backends::Condenser &
+  const condensed::Condenser &
   chosen_condenser(dealii::ParameterHandler &prm)
   {
-    return backends::condenser_named(prm.get("Condensation"));
+    return condensed::condenser_named(prm.get("Condensation"));
   }
 
   Backend
@@ -177,7 +177,7 @@ namespace conetact::application
   {
     const std::string name   = prm.get("Backend");
     std::string       reason = wants_matrix;
-    if (prm.get("Condensation") != backends::default_condenser().name)
+    if (prm.get("Condensation") != condensed::default_condenser().name)
       reason = "Solver, Condensation = " + prm.get("Condensation");
     if (prm.get("Method") != solvers::SolverOptions().method)
       reason = "Solver, Method = " + prm.get("Method");

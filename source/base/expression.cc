@@ -81,7 +81,7 @@ namespace conetact
   } // namespace
 
   Expression::Expression(const std::string &text, const std::string &entry)
-    : parser(std::make_unique<Parser>())
+    : parser(std::make_shared<Parser>())
   {
     Parser &p = *parser;
     p.text    = trim(text);
@@ -122,11 +122,6 @@ namespace conetact
         fail(entry, p.text, one_line(error.GetMsg()));
       }
   }
-
-  Expression::Expression(Expression &&) noexcept = default;
-  Expression &
-  Expression::operator=(Expression &&) noexcept = default;
-  Expression::~Expression()                     = default;
 
   double
   Expression::operator()(const dealii::Point<3> &point, const double t) const

@@ -32,10 +32,14 @@ namespace conetact::contact
     }
   } // namespace
 
-  BodyCoordinates::BodyCoordinates(const Bodies &b, const Coordinates &c)
+  BodyCoordinates::BodyCoordinates(const Bodies        &b,
+                                   const Coordinates   &c,
+                                   const ContactPoints *points)
     : bodies(b)
     , coordinates(c)
   {
+    if (points != nullptr)
+      take(*points);
     reserve(static_cast<std::size_t>(coordinates.n_dofs()));
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
@@ -67,6 +71,23 @@ namespace conetact::contact
   }
 
   void
+  BodyCoordinates::take(const ContactPoints &points)
+  {
+    for (const ContactPoint &point : points)
+      {
+        Assert(point.node->masters.empty() && point.node->slaves.empty(),
+               dealii::ExcMessage("Its node faces an obstacle only."));
+        const std::size_t number =
+          coordinates.number(point.node->body, point.node->node);
+        if (point_of_node.size() <= number)
+          point_of_node.resize(number + 1, nullptr);
+        Assert(point_of_node[number] == nullptr,
+               dealii::ExcMessage("A node is in one contact."));
+        point_of_node[number] = &point;
+      }
+  }
+
+  void
   BodyCoordinates::add_node(const unsigned int body, const unsigned int node)
   {
     const NodeRule *rule = coordinates.rule(body, node);
@@ -81,12 +102,19 @@ namespace conetact::contact
   BodyCoordinates::add_translations(const unsigned int body,
                                     const unsigned int node)
   {
-    for (const Tensor<1, 3> &e :
-         left_over(coordinates.rule(body, node), bodies.dim))
-      unknowns.push_back({coordinates.number(body, node),
-                          coordinates.dof(body, node),
-                          bodies.dim,
-                          e});
+    const unsigned int number = coordinates.number(body, node);
+    const auto         add    = [&](const Directions &directions) {
+      for (const Tensor<1, 3> &e : directions)
+        unknowns.push_back(
+          {number, coordinates.dof(body, node), bodies.dim, e});
+    };
+    if (number < point_of_node.size() && point_of_node[number] != nullptr)
+      {
+        add(point_of_node[number]->frictionless);
+        add(point_of_node[number]->directions);
+      }
+    else
+      add(left_over(coordinates.rule(body, node), bodies.dim));
   }
 
   void

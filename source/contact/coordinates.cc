@@ -58,7 +58,7 @@ namespace conetact::contact
     const ContactPoint *&own =
       point_of_node[number(point.node->body, point.node->node)];
     own = &point;
-    if (bodies.frames().empty())
+    if (bodies.frames.empty())
       return;
     ContactPoint &turned = own_points.emplace_back(point);
     for (auto *const list : {&turned.directions, &turned.frictionless})
@@ -504,7 +504,7 @@ namespace conetact::contact
   Coordinates::map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const
   {
     Eigen::VectorXd result = x;
-    if (!bodies.frames().empty() && x.size() > 0)
+    if (!bodies.frames.empty() && x.size() > 0)
       for (unsigned int body = 0; body < bodies.structures.size(); ++body)
         for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
           {

@@ -3,7 +3,7 @@
 
 #include "conetact/contact/equal_bodies.h"
 
-#include "conetact/backends/free_motion.h"
+#include "conetact/condensed/free_motion.h"
 
 #include <algorithm>
 #include <set>
@@ -28,7 +28,7 @@ namespace conetact::contact
       for (std::size_t body = 0; body < n_bodies; ++body)
         {
           const Index n                 = own.end(body) - own.begin(body);
-          p.segment(own.begin(body), n) = backends::numbers_without_order(n);
+          p.segment(own.begin(body), n) = condensed::numbers_without_order(n);
         }
       return p;
     }

@@ -133,9 +133,9 @@ namespace conetact::contact
                     const NodeRules     &supports,
                     const ContactPoints &points)
   {
-    if (!bodies.cuts().empty())
+    if (!bodies.cuts.empty())
       return "knows no ties with a Preload, and there is '" +
-             bodies.names[bodies.cuts().front().body] + "'";
+             bodies.names[bodies.cuts.front().body] + "'";
     for (std::size_t b = 0; b < bodies.structures.size(); ++b)
       if (bodies.is_rigid(b))
         return "solves bodies that deform, and " + bodies.called(b) +

@@ -280,7 +280,7 @@ namespace conetact::contact
   {
     const Point<3> p = bodies.structures[rule.body]->position(rule.node);
     // Bodies that turn far are held in all directions, or not at all.
-    if (bodies.frames().empty() || rule.held.size() < bodies.dim)
+    if (bodies.frames.empty() || rule.held.size() < bodies.dim)
       return displacement(held, p, t);
     Tensor<1, 3> u;
     for (const HeldDirection &h : rule.held)

@@ -114,7 +114,7 @@ namespace conetact::contact
         bodies.structures.push_back(made.back().get());
         bodies.supports.push_back(guide_of(cut, face.centre, bodies));
         ++bodies.n_rigid;
-        bodies.change_cuts().push_back(cut);
+        bodies.cuts.push_back(cut);
       }
     return made;
   }
@@ -126,7 +126,7 @@ namespace conetact::contact
                      Eigen::VectorXd                     &f)
   {
     const std::vector<Eigen::Index> first = first_dofs(bodies);
-    for (const Cut &cut : bodies.cuts())
+    for (const Cut &cut : bodies.cuts)
       if (!cut.is_locked_after(t))
         {
           const double tension =

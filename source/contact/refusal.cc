@@ -34,14 +34,13 @@ namespace conetact::contact
                    const ContactModel       &model,
                    const unsigned int        body)
     {
-      const solvers::ContactSystem &layout = model.working_set().layout();
+      const solvers::ContactSystem &layout = model.points.layout();
       Tensor<1, 3>                  sum;
       for (const Eigen::Index i : refusal.tight)
         {
-          const auto          k = static_cast<std::size_t>(i);
-          const ContactPoint &point =
-            model.points[model.working_set().nodes()[k]];
-          const double sign = side_of(body, *point.node);
+          const auto          k     = static_cast<std::size_t>(i);
+          const ContactPoint &point = model.points[k];
+          const double        sign  = side_of(body, *point.node);
           for (Eigen::Index c = 0; c < layout.n_tangents(i); ++c)
             sum += sign * refusal.v[layout.first[k] + c] *
                    point.directions[static_cast<std::size_t>(c)];
@@ -53,10 +52,8 @@ namespace conetact::contact
     RigidMotions::Motion
     rigid_motion(const solvers::Existence &refusal, const ContactModel &model)
     {
-      return model.motions.motion(model.working_set()
-                                    .gather(model.motions.null_space())
-                                    .colPivHouseholderQr()
-                                    .solve(refusal.v));
+      return model.motions.motion(
+        model.motions.null_space().colPivHouseholderQr().solve(refusal.v));
     }
 
     bool
@@ -104,17 +101,15 @@ namespace conetact::contact
                        const ContactModel             &model)
     {
       constexpr double used_up = .99, presses = 1e-6; // of the largest reaction
-      const solvers::ContactSystem &layout  = model.working_set().layout();
+      const solvers::ContactSystem &layout  = model.points.layout();
       const double                  largest = solvers::largest(r);
       std::vector<int>              slips(contact_names.size(), 0);
       for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
         {
-          const Eigen::Index p =
-            model.working_set().nodes()[static_cast<std::size_t>(i)];
           const double r_n = r[layout.normal(i)];
           const double r_t =
             r.segment(layout.first[i], layout.n_tangents(i)).norm();
-          int &state = slips[model.points[p].node->contact];
+          int &state = slips[model.points[i].node->contact];
           if (r_n <= presses * largest || layout.mu[i] == 0)
             continue;
           const bool slides = r_t >= used_up * layout.mu[i] * r_n;
@@ -135,9 +130,9 @@ namespace conetact::contact
                     const ContactModel                           &model)
     {
       std::vector<solvers::ExistenceCheck::Frame> frames;
-      for (const Eigen::Index i : model.working_set().nodes())
+      for (const ContactPoint &point : model.points)
         {
-          const auto &directions = model.points[i].directions;
+          const auto                    &directions = point.directions;
           solvers::ExistenceCheck::Frame frame(
             3, static_cast<Eigen::Index>(directions.size()));
           for (Eigen::Index c = 0; c < frame.cols(); ++c)
@@ -152,20 +147,19 @@ namespace conetact::contact
     std::vector<bool>
     nearest_nodes(const Eigen::VectorXd &gaps, const ContactModel &model)
     {
-      constexpr double               near  = .01; // of a cell
-      const auto                    &nodes = model.working_set().nodes();
-      std::map<unsigned int, double> least; // of a contact
+      constexpr double               near = .01; // of a cell
+      std::map<unsigned int, double> least;      // of a contact
       const auto                     at = [&](const std::size_t i) {
-        return *model.points[nodes[i]].node;
+        return *model.points[i].node;
       };
-      for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t i = 0; i < model.points.size(); ++i)
         {
           const double gap   = gaps[static_cast<Eigen::Index>(i)];
           const auto   found = least.emplace(at(i).contact, gap).first;
           found->second      = std::min(found->second, gap);
         }
       std::vector<bool> nearest;
-      for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t i = 0; i < model.points.size(); ++i)
         nearest.push_back(gaps[static_cast<Eigen::Index>(i)] <=
                           least[at(i).contact] + near * at(i).spacing);
       return nearest;
@@ -175,7 +169,7 @@ namespace conetact::contact
   solvers::ExistenceCheck
   make_existence_check(ContactModel &model)
   {
-    return existence_check(model.condense().system(), model);
+    return existence_check(model.elasticity().system(), model);
   }
 
   std::optional<solvers::Existence>
@@ -185,7 +179,7 @@ namespace conetact::contact
                         const double           reference_force,
                         ContactModel          &model)
   {
-    const solvers::ContactSystem &all     = *model.condense().system();
+    const solvers::ContactSystem &all     = *model.elasticity().system();
     const std::vector<bool>       nearest = nearest_nodes(gaps, model);
     auto system        = std::make_shared<solvers::ContactSystem>();
     system->first      = all.first; // all that the check asks for
@@ -206,24 +200,6 @@ namespace conetact::contact
     };
     return existence_check(system, model)
       .check(on_nearest(load), on_nearest(start), reference_force);
-  }
-
-  Eigen::VectorXd
-  resultants_of(const solvers::ContactProblem &problem, ContactModel &model)
-  {
-    const solvers::ContactSystem &system = *problem.system;
-    Eigen::VectorXd               resultants;
-    if (model.is_iterative())
-      resultants = model.iterative_backend().resultants(problem.load);
-    else if (system.form == solvers::Form::stiffness)
-      return problem.load;
-    else
-      resultants = -model.motions.unresisted().transpose() *
-                   problem.load.tail(system.n_motions);
-    // Any f with these resultants will do: the check asks for nothing but N^T
-    // f. This is the shortest.
-    const Eigen::MatrixXd balance = system.null_space.transpose();
-    return balance.completeOrthogonalDecomposition().solve(resultants);
   }
 
   std::string

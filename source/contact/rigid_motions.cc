@@ -298,7 +298,7 @@ namespace conetact::contact
   void
   RigidMotions::hold_locked()
   {
-    for (const Cut &cut : bodies.cuts())
+    for (const Cut &cut : bodies.cuts)
       if (cut.opening)
         {
           const Index              first = cut.body * n_one;
@@ -369,8 +369,8 @@ namespace conetact::contact
   {
     std::vector<Index> modes, own;
     const auto         is_locked = [&](const unsigned int body) {
-      return std::any_of(bodies.cuts().begin(),
-                         bodies.cuts().end(),
+      return std::any_of(bodies.cuts.begin(),
+                         bodies.cuts.end(),
                          [&](const Cut &cut) {
                            return cut.opening && cut.body == body;
                          });
@@ -581,7 +581,7 @@ namespace conetact::contact
             add(moved - relative(tied, amounts), tied, right);
           }
         // What is locked does not give way to the others.
-        for (const Cut &cut : bodies.cuts())
+        for (const Cut &cut : bodies.cuts)
           if (cut.opening)
             right.segment(cut.body * n_one, n_one).setZero();
         amounts += held_inverse * right;
@@ -593,7 +593,7 @@ namespace conetact::contact
   RigidMotions::locked() const
   {
     Amounts amounts = none();
-    for (const Cut &cut : bodies.cuts())
+    for (const Cut &cut : bodies.cuts)
       if (cut.opening)
         amounts.segment(cut.body * n_one, n_one) =
           *cut.opening *

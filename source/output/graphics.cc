@@ -3,11 +3,11 @@
 
 #include "conetact/output/graphics.h"
 
-#include "conetact/backends/partition.h"
-#include "conetact/backends/workers.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/partition.h"
 #include "conetact/base/vtu_pieces.h"
+#include "conetact/base/workers.h"
 #include "conetact/output/csv.h"
 
 #include <cstdio>
@@ -62,7 +62,7 @@ namespace conetact::output
     std::vector<std::vector<unsigned int>>
     cells_of_pieces(const VtuGrid &grid, const int n_pieces)
     {
-      std::vector<backends::WeighedNode> places;
+      std::vector<WeighedNode> places;
       for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
         {
           const Point<3> &p = grid.place_of_cell(cell);
@@ -71,7 +71,7 @@ namespace conetact::output
       std::vector<std::vector<unsigned int>> cells(
         static_cast<std::size_t>(n_pieces));
       unsigned int cell = 0;
-      for (const int piece : backends::partition(places, n_pieces))
+      for (const int piece : partition(places, n_pieces))
         cells[static_cast<std::size_t>(piece)].push_back(cell++);
       return cells;
     }
@@ -252,8 +252,8 @@ namespace conetact::output
                        const std::size_t      body)
   {
     const int n_pieces =
-      backends::processes_for(static_cast<Eigen::Index>(grid.n_cells()),
-                              cells_worth_a_piece);
+      processes_for(static_cast<Eigen::Index>(grid.n_cells()),
+                    cells_worth_a_piece);
     const std::string stem =
       numbered("solution-" + names[body], record.increment);
     if (n_pieces == 1)
@@ -268,7 +268,7 @@ namespace conetact::output
     const auto  files = names_of_pieces(stem, n_pieces);
     std::string why;
     {
-      const backends::Together together({backends::Command::draw, 0, n_pieces});
+      const Together together({Command::draw, 0, n_pieces});
       why = write_pieces(run.folder,
                          files,
                          grid,

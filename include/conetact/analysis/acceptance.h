@@ -80,7 +80,7 @@ namespace conetact::analysis
 
     /** Stiffness of each contact node. */
     void
-    set_stiffness(const contact::ElasticBackend &elastic);
+    set_stiffness(const contact::Elasticity &elastic);
 
     /** Of all rigid motions, in the frames of bodies. */
     Eigen::VectorXd

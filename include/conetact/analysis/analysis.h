@@ -5,12 +5,12 @@
 #define conetact_analysis_analysis_h
 
 #include "conetact/analysis/acceptance.h"
+#include "conetact/analysis/backend_table.h"
 #include "conetact/analysis/contact_notices.h"
 #include "conetact/analysis/work.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
-#include "conetact/contact/contact_model.h"
-#include "conetact/contact/growing_set.h"
+#include "conetact/contact/contact_history.h"
 #include "conetact/output/output.h"
 
 #include <filesystem>
@@ -29,10 +29,6 @@ namespace conetact::analysis
     /** Throws InputError where a body is not held. */
     Analysis(const application::Scene &scene, Log &log);
     virtual ~Analysis() = default;
-
-    /** The contact nodes that are condensed to begin with. */
-    void
-    choose_working_set();
 
     /** Sizes and what will be skipped, to the log. */
     void
@@ -97,14 +93,13 @@ namespace conetact::analysis
     }
 
   protected:
-    /** Bodies, with a word to the log. Throws InputError. */
+    /** Condensed bodies or levels, with a word to the log. Throws InputError.
+     */
     void
-    condense();
+    make_elasticity();
     /** Throws InputError where loads drive a body that nothing can hold. */
     void
     refuse_unbalanced(const Eigen::VectorXd &forces, const double t) const;
-    void
-    resume_working_set();
     /** `n_increments` is 0 where it is not known beforehand. */
     void
     create_outputs(const std::filesystem::path &folder,
@@ -137,8 +132,8 @@ namespace conetact::analysis
     contact::ContactModel     model;
     bodies::NodalLoads        loads;
     const Eigen::VectorXd     prestress; ///< all dofs [force]
+    const Backend            *backend;
     contact::ContactHistory   history;
-    contact::GrowingSet       set;
     Acceptance                acceptance;
     ContactNotices            notices;
     output::RunDescription    description;

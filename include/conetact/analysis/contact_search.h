@@ -25,7 +25,7 @@ namespace conetact::analysis
     bool
     is_needed() const
     {
-      return !contacts.empty() || !model.bodies.frames().empty();
+      return !contacts.empty() || !model.bodies.frames.empty();
     }
 
     /**

@@ -13,9 +13,9 @@ namespace conetact::analysis
   /** What an analysis will take, at most but for rounding. */
   struct Cost
   {
-    backends::FactorEstimate factor;
-    double                   stiffness_bytes = 0; ///< condensed, dense
-    double                   memory_bytes    = 0; ///< of the process
+    condensed::FactorEstimate factor;
+    double                    stiffness_bytes = 0; ///< condensed, dense
+    double                    memory_bytes    = 0; ///< of the process
     double seconds = 0; ///< on this machine, within a factor 2
     /** The same of each other one, where many share the work. */
     double memory_of_others = 0, seconds_of_others = 0;
@@ -46,16 +46,16 @@ namespace conetact::analysis
   /** What a scene that leaves the backend open is solved by, and why. */
   struct BackendChoice
   {
-    bool        iterative = false;
-    std::string reason;
+    const contact::ElasticityRow *row;
+    std::string                   reason;
   };
   /**
    * By both estimates, where the condensation is large enough for it to matter.
    */
   BackendChoice
-  choose_backend(const contact::ContactModel &model,
-                 const std::size_t            n_increments,
-                 const std::size_t            n_drawings);
+  cheaper_backend(const contact::ContactModel &model,
+                  const std::size_t            n_increments,
+                  const std::size_t            n_drawings);
 
   /** Whether this machine has the memory to condense it. */
   bool

@@ -38,14 +38,12 @@ namespace conetact::analysis
       enum class Outcome
       {
         accepted,
-        corrected,        ///< accepted; those after it are to be solved anew
-        needs_more_nodes, ///< outside of the working set
+        corrected, ///< accepted; those after it are to be solved anew
         failed
       };
-      Outcome         outcome = Outcome::accepted;
-      unsigned int    next    = 1;
-      std::string     why;  ///< it failed, a sentence
-      Eigen::VectorXd gaps; ///< of all candidates, some negative [length]
+      Outcome      outcome = Outcome::accepted;
+      unsigned int next    = 1;
+      std::string  why; ///< it failed, a sentence
     };
 
     /** Keeps the state after the increments on disk, where that is wanted. */
@@ -139,15 +137,6 @@ namespace conetact::analysis
     finish(std::vector<PendingIncrement> &batch);
     Eigen::MatrixXd
     deformations(const std::vector<PendingIncrement> &batch);
-    void
-    recover(PendingIncrement &increment, const Eigen::VectorXd &w) const;
-    std::size_t
-    recover_all(std::vector<PendingIncrement> &batch,
-                const Eigen::MatrixXd         &w) const;
-    void
-    extend_set(const Eigen::VectorXd &gaps);
-    bool
-    condense_all();
     /** Prepares another way to solve what is not solved without condensation;
      * false, and in `why`: there is none. */
     bool
@@ -178,7 +167,6 @@ namespace conetact::analysis
     bool said_unsettled = false, said_between = false, said_askew = false;
     unsigned int n_saved         = 0; ///< increments before the checkpoint
     std::size_t  n_reaction_rows = 0; ///< of increments on disk
-    unsigned int first_unsure    = 0; ///< increments before the last one
     /** Increments need refinement, or leave positions open. */
     bool one_by_one = false;
     /** What is solved follows an increment that was accepted. */

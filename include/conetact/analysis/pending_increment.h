@@ -4,7 +4,7 @@
 #ifndef conetact_analysis_pending_increment_h
 #define conetact_analysis_pending_increment_h
 
-#include "conetact/contact/contact_model.h"
+#include "conetact/contact/contact_history.h"
 #include "conetact/output/output.h"
 
 namespace conetact::analysis
@@ -20,12 +20,12 @@ namespace conetact::analysis
     contact::LoadCase       load       = {};
     solvers::ContactState   state      = {};
     Eigen::VectorXd         contact = {}; ///< displacements of contact unknowns
-    Eigen::VectorXd       primal = {}; ///< as ElasticBackend::expand() takes it
-    Eigen::VectorXd       motions = {}; ///< amounts of the free motions
-    Eigen::VectorXd       base    = {}; ///< those that it was solved about
-    contact::BoundState   bound   = {}; ///< ties and bilateral contacts
-    solvers::ContactState end     = {}; ///< of the working set alone
-    Eigen::VectorXd       thermal = {}; ///< nodal forces, or none
+    Eigen::VectorXd         primal  = {}; ///< as Elasticity::expand() takes it
+    Eigen::VectorXd         motions = {}; ///< amounts of the free motions
+    Eigen::VectorXd         base    = {}; ///< those that it was solved about
+    contact::BoundState     bound   = {}; ///< ties and bilateral contacts
+    solvers::ContactState   end     = {}; ///< as the solver left it
+    Eigen::VectorXd         thermal = {}; ///< nodal forces, or none
   };
 } // namespace conetact::analysis
 

@@ -4,10 +4,10 @@
 #ifndef conetact_analysis_scene_report_h
 #define conetact_analysis_scene_report_h
 
+#include "conetact/analysis/backend_table.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
 #include "conetact/contact/contact_model.h"
-#include "conetact/contact/growing_set.h"
 
 namespace conetact::analysis
 {
@@ -30,6 +30,7 @@ namespace conetact::analysis
   void
   report_cost(const application::Scene    &scene,
               const contact::ContactModel &model,
+              const Backend               &backend,
               Log                         &log);
 
   /** That `n_shared` bodies equal others and are not condensed. */
@@ -40,11 +41,10 @@ namespace conetact::analysis
 
   /** What the increments were spared, to the log. */
   void
-  report_skips(const application::Scene  &scene,
-               contact::ContactModel     &model,
-               const bodies::NodalLoads  &loads,
-               const contact::GrowingSet &set,
-               Log                       &log);
+  report_skips(const application::Scene &scene,
+               contact::ContactModel    &model,
+               const bodies::NodalLoads &loads,
+               Log                      &log);
 } // namespace conetact::analysis
 
 #endif

@@ -16,10 +16,10 @@ namespace conetact::analysis
    * more than 1e-10.
    */
   void
-  verify_condensation(contact::ContactModel     &model,
-                      const backends::Condenser &own,
-                      const backends::Condenser &other,
-                      Log                       &log);
+  verify_condensation(contact::ContactModel      &model,
+                      const condensed::Condenser &own,
+                      const condensed::Condenser &other,
+                      Log                        &log);
 } // namespace conetact::analysis
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef conetact_analysis_work_h
 #define conetact_analysis_work_h
 
-#include "conetact/backends/schur_solver.h"
+#include "conetact/condensed/schur_solver.h"
 #include "conetact/output/output.h"
 #include "conetact/solvers/contact_problem.h"
 
@@ -18,12 +18,12 @@ namespace conetact::analysis
    */
   struct Work
   {
-    backends::SchurWork elastic;                  ///< with the elastic system
-    unsigned int        contact_solves       = 0; ///< linear, or sweeps
-    unsigned int        dense_factorizations = 0; ///< of contact unknowns
-    unsigned int        krylov               = 0; ///< iterations without them
-    unsigned int        load_integrations    = 0;
-    output::OutputWork  outputs;
+    condensed::SchurWork elastic;                  ///< with the elastic system
+    unsigned int         contact_solves       = 0; ///< linear, or sweeps
+    unsigned int         dense_factorizations = 0; ///< of contact unknowns
+    unsigned int         krylov               = 0; ///< iterations without them
+    unsigned int         load_integrations    = 0;
+    output::OutputWork   outputs;
 
     void
     add(const solvers::SolverReport &report);

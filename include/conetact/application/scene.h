@@ -104,12 +104,12 @@ namespace conetact::application
     std::vector<pairing::ContactKinematics> kinematics; ///< the same
     std::vector<double>                     times;
     solvers::SolverOptions                  solver;
-    const backends::Condenser *condenser = &backends::default_condenser();
-    Backend                    backend   = Backend::automatic;
-    PathSettings               path;
-    AdaptiveSettings           adaptive;
-    std::vector<bodies::Probe> probes;
-    unsigned int               vtu_every = 1;
+    const condensed::Condenser *condenser = &condensed::default_condenser();
+    Backend                     backend   = Backend::automatic;
+    PathSettings                path;
+    AdaptiveSettings            adaptive;
+    std::vector<bodies::Probe>  probes;
+    unsigned int                vtu_every = 1;
     /** Increments that are drawn. */
     std::size_t
     n_drawings() const
@@ -146,9 +146,8 @@ namespace conetact::application
     /** A run that continues this one must take contacts as it does. */
     void
                            save_kinematics(Archive &archive) const;
-    unsigned int           checkpoint_every    = 0; ///< 0: never
-    unsigned int           threads             = 1;
-    bool                   leave_out_far_nodes = true; ///< working set
+    unsigned int           checkpoint_every = 0; ///< 0: never
+    unsigned int           threads          = 1;
     std::set<unsigned int> fclib_increments; ///< with a file of their own
     std::set<unsigned int> text_increments;  ///< or stages of a load path
 

@@ -4,7 +4,7 @@
 #ifndef conetact_application_solver_options_h
 #define conetact_application_solver_options_h
 
-#include "conetact/backends/condenser.h"
+#include "conetact/condensed/condenser.h"
 #include "conetact/load_path/load_path.h"
 #include "conetact/solvers/contact_solver.h"
 
@@ -34,7 +34,7 @@ namespace conetact::application
   /** Throws InputError. */
   solvers::SolverOptions
   create_solver_options(dealii::ParameterHandler &prm);
-  const backends::Condenser &
+  const condensed::Condenser &
   chosen_condenser(dealii::ParameterHandler &prm);
   /**
    * Throws InputError where other entries do not go with it. `wants_matrix`: an

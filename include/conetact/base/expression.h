@@ -25,10 +25,6 @@ namespace conetact
      * InputError if the text does not parse.
      */
     Expression(const std::string &text, const std::string &entry);
-    Expression(Expression &&) noexcept;
-    Expression &
-    operator=(Expression &&) noexcept;
-    ~Expression();
 
     /** Throws InputError if the value is not finite. */
     double
@@ -47,7 +43,7 @@ namespace conetact
 
   private:
     struct Parser;
-    std::unique_ptr<Parser> parser;
+    std::shared_ptr<Parser> parser; ///< copies share it
   };
 
   /** Several expressions, separated by ';'. */

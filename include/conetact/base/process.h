@@ -17,7 +17,7 @@ namespace conetact
    * faster to start and to end.
    *
    * Of the processes of mpirun the first one runs the program, all others wait
-   * for work that it gives them (backends/workers.h). Threads are those of the
+   * for work that it gives them (workers.h). Threads are those of the
    * first one; where it works alone, the others sleep.
    */
   class ProcessSession

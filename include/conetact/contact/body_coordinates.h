@@ -11,13 +11,17 @@ namespace conetact::contact
   /**
    * Unknowns p of each body by itself: @f$ u = B p @f$ but for what is
    * prescribed. What supports hold and hanging nodes are eliminated. Bodies
-   * that are copies of each other have equal matrices @f$ B^T K B @f$.
+   * that are copies of each other have equal matrices @f$ B^T K B @f$. With
+   * contact points, whose nodes face obstacles only, unknowns of these nodes
+   * are along the directions of the points, those with a cone last.
    */
   class BodyCoordinates : public LinearMap
   {
   public:
-    /** `coordinates` without contacts. */
-    BodyCoordinates(const Bodies &bodies, const Coordinates &coordinates);
+    /** `coordinates` without contacts; references must outlive the object. */
+    BodyCoordinates(const Bodies        &bodies,
+                    const Coordinates   &coordinates,
+                    const ContactPoints *points = nullptr);
 
     /** First unknown of a body, and one past its last. */
     Eigen::Index
@@ -44,6 +48,13 @@ namespace conetact::contact
       return {static_cast<Eigen::Index>(first_of_node[n]),
               static_cast<Eigen::Index>(end_of_node[n])};
     }
+    /** First unknown of a contact point along its directions. */
+    Eigen::Index
+    first_of(const ContactPoint &point) const
+    {
+      return unknowns_of(point.node->body, point.node->node).first +
+             static_cast<Eigen::Index>(point.frictionless.size());
+    }
     /** p of displacements of all dofs, as far as they have one. */
     Eigen::VectorXd
     values(const Eigen::VectorXd &u) const;
@@ -59,6 +70,8 @@ namespace conetact::contact
     };
 
     void
+    take(const ContactPoints &points);
+    void
     add_node(const unsigned int body, const unsigned int node);
     void
     add_translations(const unsigned int body, const unsigned int node);
@@ -70,9 +83,11 @@ namespace conetact::contact
                const unsigned int component,
                const double       factor);
 
-    const Bodies             &bodies;
-    const Coordinates        &coordinates;
-    std::vector<Eigen::Index> first_unknown; ///< of each body
+    const Bodies      &bodies;
+    const Coordinates &coordinates;
+    /** By numbers of nodes; null: none of the point's directions. */
+    std::vector<const ContactPoint *> point_of_node;
+    std::vector<Eigen::Index>         first_unknown; ///< of each body
     /** By numbers of nodes. */
     std::vector<std::size_t> first_of_node, end_of_node;
     std::vector<Unknown>     unknowns;

@@ -4,6 +4,7 @@
 #ifndef conetact_contact_contact_rows_h
 #define conetact_contact_contact_rows_h
 
+#include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
 #include "conetact/output/output.h"
 

@@ -10,7 +10,7 @@
 
 namespace conetact::contact
 {
-  /** Why IterativeBackend cannot solve a scene, as the end of a sentence;
+  /** Why IterativeElasticity cannot solve a scene, as the end of a sentence;
    * empty: it can. */
   std::string
   why_not_iterative(const Bodies        &bodies,

@@ -73,20 +73,10 @@ namespace conetact::contact
     std::size_t
     n_free_obstacles() const
     {
-      return n_rigid - cuts().size();
+      return n_rigid - cuts.size();
     }
     /** Ties that forces tighten; which are locked changes with time. */
-    const std::vector<Cut> &
-    cuts() const
-    {
-      return *all_cuts;
-    }
-    /** For ContactModel, which locks them. */
-    std::vector<Cut> &
-    change_cuts() const
-    {
-      return *all_cuts;
-    }
+    std::vector<Cut> cuts;
     /** Bodies of revolution round the y axis: all of them or none. */
     bool
     are_axisymmetric() const
@@ -109,26 +99,16 @@ namespace conetact::contact
      * of elasticity are components there, x = frame(X + u). What contacts see
      * and tables tell are those in space.
      */
-    const std::vector<pairing::RigidMotion> &
-    frames() const
-    {
-      return *places;
-    }
-    /** For ContactModel, which moves them. */
-    std::vector<pairing::RigidMotion> &
-    move_frames() const
-    {
-      return *places;
-    }
+    std::vector<pairing::RigidMotion> frames;
     /** Displacement in space of a node that moved by u in its frame. */
     Tensor<1, 3>
     displacement(const unsigned int  body,
                  const unsigned int  node,
                  const Tensor<1, 3> &u) const
     {
-      if (places->empty())
+      if (frames.empty())
         return u;
-      const pairing::RigidMotion &frame = (*places)[body];
+      const pairing::RigidMotion &frame = frames[body];
       return frame.displacement(structures[body]->position(node)) +
              frame.direction_to_space(u);
     }
@@ -138,29 +118,29 @@ namespace conetact::contact
              const unsigned int  node,
              const Tensor<1, 3> &u) const
     {
-      return places->empty() ?
+      return frames.empty() ?
                u :
-               (*places)[body].relative(structures[body]->position(node), u);
+               frames[body].relative(structures[body]->position(node), u);
     }
     /** Forces and directions in space, in the frame of a body. */
     Tensor<1, 3>
     in_frame(const unsigned int body, const Tensor<1, 3> &direction) const
     {
-      return places->empty() ? direction :
-                               (*places)[body].direction_to_own(direction);
+      return frames.empty() ? direction :
+                              frames[body].direction_to_own(direction);
     }
     Tensor<1, 3>
     in_space(const unsigned int body, const Tensor<1, 3> &direction) const
     {
-      return places->empty() ? direction :
-                               (*places)[body].direction_to_space(direction);
+      return frames.empty() ? direction :
+                              frames[body].direction_to_space(direction);
     }
     /** Where its frame puts a node. */
     Point<3>
     position(const unsigned int body, const unsigned int node) const
     {
       const Point<3> p = structures[body]->position(node);
-      return places->empty() ? p : (*places)[body].to_space(p);
+      return frames.empty() ? p : frames[body].to_space(p);
     }
 
     /** Body and number of nodes that contacts may come to see, in any
@@ -180,12 +160,6 @@ namespace conetact::contact
     {
       return !is_at_rest(body) && !is_rigid(body);
     }
-
-  private:
-    std::shared_ptr<std::vector<pairing::RigidMotion>> places =
-      std::make_shared<std::vector<pairing::RigidMotion>>();
-    std::shared_ptr<std::vector<Cut>> all_cuts =
-      std::make_shared<std::vector<Cut>>();
   };
 
   /**

@@ -19,9 +19,9 @@ namespace conetact::contact
 
   /**
    * The same by those contact nodes alone that are nearest to what they face,
-   * contact by contact: what holds a body where it stands. `gaps` of the
-   * working set; the load and the start of the increment are as check() takes
-   * them for all nodes. Nothing: those nodes do not see all free motions.
+   * contact by contact: what holds a body where it stands. `gaps`, the load
+   * and the start of the increment are as check() takes them. Nothing: those
+   * nodes do not see all free motions.
    */
   std::optional<solvers::Existence>
   check_where_it_stands(const Eigen::VectorXd &gaps,
@@ -29,13 +29,6 @@ namespace conetact::contact
                         const Eigen::VectorXd &start,
                         const double           reference_force,
                         ContactModel          &model);
-
-  /**
-   * Forces on the contact unknowns with the same resultants against the free
-   * motions as the load of a problem.
-   */
-  Eigen::VectorXd
-  resultants_of(const solvers::ContactProblem &problem, ContactModel &model);
 
   /**
    * What happens physically where no equilibrium exists: "body 'block' slides

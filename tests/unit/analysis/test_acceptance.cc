@@ -23,7 +23,7 @@ namespace
       , loads(scene->nodal_loads())
       , history(model)
     {
-      acceptance.set_stiffness(model.condense());
+      acceptance.set_stiffness(model.elasticity());
     }
 
     PendingIncrement
@@ -41,7 +41,7 @@ namespace
       one.primal  = history.primal();
       one.motions = history.free_motions();
       one.after   = history;
-      w           = model.condense().expand({&one.load}, {one.primal}).col(0);
+      w           = model.elasticity().expand({&one.load}, {one.primal}).col(0);
       return one;
     }
 
@@ -71,7 +71,7 @@ namespace
       if (problem.system->form == solvers::Form::stiffness)
         one.end.u = solvers::elastic_part(problem, one.end);
       history.advance(one.end);
-      one.state   = history.of_candidates(one.end, one.before);
+      one.state   = one.end;
       one.contact = history.displacements();
     }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/contact_model.h"
+#include "conetact/contact/contact_history.h"
 #include "conetact/contact/preloads.h"
 
 #include "scene_fixture.h"
@@ -63,8 +63,8 @@ TEST(Preloads, AreRigidBodiesBehindTheOthers)
   EXPECT_EQ(bodies.n_free_obstacles(), 0u);
   EXPECT_EQ(bodies.called(1), "body 'upper'");
   EXPECT_EQ(bodies.called(2), "'preload cut'");
-  ASSERT_EQ(bodies.cuts().size(), 1u);
-  const Cut &cut = bodies.cuts()[0];
+  ASSERT_EQ(bodies.cuts.size(), 1u);
+  const Cut &cut = bodies.cuts[0];
   expect_near(cut.axis, vector(0, 1)); // from the master to the body
   EXPECT_FALSE(cut.is_due(.5));
   EXPECT_TRUE(cut.is_due(1));
@@ -114,7 +114,7 @@ TEST(Preloads, LocksTakeAMotionAway)
       EXPECT_FALSE(model.lock_cuts(.5, u));
       EXPECT_TRUE(model.lock_cuts(1, u));
       EXPECT_FALSE(model.lock_cuts(1, u)); // once
-      EXPECT_NEAR(model.opening(scene->bodies.cuts()[0], u), -.02, 1e-15);
+      EXPECT_NEAR(model.opening(model.bodies.cuts[0], u), -.02, 1e-15);
       EXPECT_EQ(model.motions.n_free(), 0);
       const auto placed = model.motions.placement(2);
       EXPECT_NEAR(model.motions.at(placed, 2, 0)[1], -.02, 1e-14);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/contact/contact_history.h"
 #include "conetact/contact/refusal.h"
 
 #include "scene_fixture.h"
@@ -28,8 +29,8 @@ namespace
       model =
         std::make_unique<ContactModel>(scene->bodies, std::vector<double>{1});
       if (GetParam() == "iterative")
-        model->solve_iteratively();
-      EXPECT_EQ(model->is_dual(), GetParam() != "iterative");
+        model->solve_by(iterative_row());
+      EXPECT_EQ(model->condensed_form(), solvers::Form::compliance);
       const solvers::ExistenceCheck check = make_existence_check(*model);
       const solvers::Existence      result =
         check.check(resultants(push), resultants(0));
@@ -67,7 +68,8 @@ namespace
             f[2 * i + 1] = -10;
           }
       ContactHistory history(*model);
-      return resultants_of(history.problem(model->load_case(f, {}, 1)), *model);
+      return model->elasticity().contact_load(
+        history.problem(model->load_case(f, {}, 1)));
     }
 
     std::unique_ptr<application::Scene> scene;

@@ -5,11 +5,11 @@
 // in its table, made and used through the row. The page shows what stands
 // between the marks [...].
 
-#include "conetact/backends/condenser.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/body_table.h"
 #include "conetact/bodies/continuum/continuum.h"
+#include "conetact/condensed/condenser.h"
 #include "conetact/output/output_table.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/solvers/solver_table.h"
@@ -26,7 +26,7 @@
 #include "body_fixture.h"
 
 using namespace conetact;
-using namespace conetact::backends;
+using namespace conetact::condensed;
 using namespace conetact::bodies;
 using namespace conetact::output;
 using namespace conetact::pairing;
@@ -447,11 +447,6 @@ namespace
     factor_bytes() const override
     {
       return 8. * static_cast<double>(n_f * n_f);
-    }
-    bool
-    extension_is_cheaper(const Index /*n_new*/) const override
-    {
-      return false;
     }
     const SchurWork &
     work() const override

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/contact_model.h"
+#include "conetact/contact/contact_history.h"
 #include "conetact/verification/external_forces.h"
 
 #include "scene_fixture.h"

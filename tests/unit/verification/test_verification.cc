@@ -3,7 +3,7 @@
 
 // Faults that are planted into right results are found, right ones accepted.
 
-#include "conetact/contact/contact_model.h"
+#include "conetact/contact/contact_history.h"
 #include "conetact/solvers/solver_table.h"
 #include "conetact/verification/verification.h"
 
@@ -59,9 +59,10 @@ namespace
           history.advance(state);
           Claim claim;
           claim.amounts = model.amounts(load.placement, history.free_motions());
-          claim.w = model.condense().expand({&load}, {history.primal()}).col(0);
-          claim.r = history.of_candidates(state, before).r;
-          claim.states = history.of_candidates(state, before).node;
+          claim.w =
+            model.elasticity().expand({&load}, {history.primal()}).col(0);
+          claim.r      = state.r.head(model.points.n_unknowns());
+          claim.states = state.node;
           claim.loads = claim.mechanical = forces;
           claim.t                        = t;
           visit(claim);
@@ -77,7 +78,7 @@ namespace
     void
     set_stiffness()
     {
-      const ContactSystem &system = *model.condense().system();
+      const ContactSystem &system = *model.elasticity().system();
       Eigen::VectorXd      k(system.n_nodes());
       for (Eigen::Index i = 0; i < k.size(); ++i)
         {

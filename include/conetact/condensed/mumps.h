@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_condensed_mumps_h
+#define conetact_condensed_mumps_h
+
+#include "conetact/base/workers.h"
+
+#include <dmumps_c.h>
+
+#include <map>
+
+namespace conetact::condensed
+{
+  /**
+   * One instance of the direct solver MUMPS for symmetric positive definite
+   * matrices, silent, on the first processes of a run. The first one has
+   * matrices, right-hand sides and the Schur complement, the others have their
+   * parts of the factor. What it complains of becomes exceptions:
+   * SingularMatrix, std::bad_alloc, and std::runtime_error for what should
+   * never happen.
+   */
+  class Mumps
+  {
+  public:
+    explicit Mumps(const int n_processes = 1);
+    ~Mumps();
+    Mumps(const Mumps &) = delete;
+    Mumps &
+    operator=(const Mumps &) = delete;
+
+    /** ICNTL(i) and INFOG(i), counted from 1 as in the manual of MUMPS. */
+    int &
+    control(const int i)
+    {
+      return data.icntl[i - 1];
+    }
+    int
+    info(const int i) const
+    {
+      return data.infog[i - 1];
+    }
+
+    void
+    analyse();
+
+    /** With more workspace, again, where that of the analysis is too small. */
+    void
+    factorize();
+
+    /** Treats the right-hand sides in `data`. */
+    void
+    solve();
+
+    DMUMPS_STRUC_C data{};
+
+  private:
+    void
+    call(const int job);
+
+    void
+    throw_errors() const;
+
+    const int number; ///< among those that are shared, otherwise 0
+  };
+
+  /** What a process but the first has of those that are shared. */
+  class MumpsParts
+  {
+  public:
+    void
+    make(const Order &order);
+    void
+    call(const Order &order);
+
+  private:
+    std::map<int, DMUMPS_STRUC_C> parts;
+  };
+} // namespace conetact::condensed
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_condensed_stiffness_h
+#define conetact_contact_condensed_stiffness_h
+
+#include "conetact/contact/condensed_bodies.h"
+#include "conetact/contact/rigid_motions.h"
+
+namespace conetact::contact
+{
+  /**
+   * Bodies that supports hold and that meet obstacles only, each node in one
+   * contact: what they are condensed to is the stiffness of the contact
+   * unknowns, [K] section 4, @f$ K q_C = r + f @f$, without any inverse. It
+   * serves all loads of all increments. Also bodies that nothing may touch.
+   */
+  class CondensedStiffness : public Elasticity
+  {
+  public:
+    /**
+     * With `find_mechanisms` motions without strain are looked for besides
+     * rigid ones.
+     * `coordinates` are those of the bodies without contacts; references must
+     * outlive the object. Throws SingularMatrix if a body can move although its
+     * contact nodes are fixed.
+     */
+    CondensedStiffness(const ElasticSystem        &elastic,
+                       const ContactPoints        &points,
+                       const Coordinates          &coordinates,
+                       const RigidMotions         &motions,
+                       const bool                  find_mechanisms,
+                       const condensed::Condenser &condenser);
+
+    /** What its factorisation would take. */
+    static condensed::FactorEstimate
+    estimate(const ElasticSystem        &elastic,
+             const ContactPoints        &points,
+             const Coordinates          &coordinates,
+             const condensed::Condenser &condenser);
+
+    Eigen::MatrixXd
+    expand(const std::vector<const LoadCase *> &loads,
+           const std::vector<Eigen::VectorXd>  &primal) const override;
+    void
+    write(const LoadCase          &load,
+          const Eigen::VectorXd   &offset,
+          const ElasticState      &state,
+          solvers::ContactProblem &problem) const override;
+    double
+    largest_force(const LoadCase &load) const override;
+    Eigen::VectorXd
+    contact_load(const solvers::ContactProblem &problem) const override;
+    void
+    begin(const ElasticState    &state,
+          solvers::ContactState &start) const override;
+    void
+    end(const solvers::ContactState &end, ElasticState &state) const override;
+    Eigen::VectorXd
+    primal(const ElasticState &state, const Eigen::VectorXd &r) const override;
+    void
+    move(const Eigen::VectorXd &amounts,
+         const Eigen::VectorXd &seen,
+         solvers::ContactState &end) const override;
+    void
+    restore(const std::vector<double> &start,
+            const Eigen::VectorXd     &q,
+            ElasticState              &state) const override;
+    LoadCase
+    reduce_unbalanced(const Eigen::VectorXd &unbalanced) const override;
+    Eigen::VectorXd
+    correction(const LoadCase        &change,
+               const Eigen::VectorXd &primal) const override;
+    std::string
+    description() const override;
+    double
+    factor_bytes() const override
+    {
+      return bodies.factor_bytes();
+    }
+    condensed::SchurWork
+    work() const override
+    {
+      return bodies.work();
+    }
+    std::vector<StiffnessDifference>
+    compare(const condensed::Condenser &other) const override
+    {
+      return bodies.compare(condenser, other);
+    }
+
+  protected:
+    void
+    reduce_one(const Eigen::VectorXd &forces,
+               const Eigen::VectorXd &prescribed,
+               LoadCase              &load) override;
+    LoadCase
+    nothing() const override;
+
+  private:
+    /** Whether nothing may touch: load cases are solved, not reduced. */
+    bool
+    is_linear() const
+    {
+      return own_unknown.empty();
+    }
+    Eigen::MatrixXd
+    take_stiffness();
+    Eigen::VectorXd
+    reduce_forces(const Eigen::VectorXd &b) const;
+    /** Own unknowns under forces (columns) and displacements of contact
+     * unknowns. */
+    Eigen::MatrixXd
+    carry(const Eigen::MatrixXd &b, const Eigen::MatrixXd &contact) const;
+
+    const ElasticSystem        &elastic;
+    const RigidMotions         &motions;
+    const condensed::Condenser &condenser;
+    const BodyCoordinates       own;
+    /** Of each contact unknown. */
+    const std::vector<CondensedBodies::Index> own_unknown;
+    CondensedBodies                           bodies;
+  };
+} // namespace conetact::contact
+
+#endif

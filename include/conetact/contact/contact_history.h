@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_contact_contact_history_h
+#define conetact_contact_contact_history_h
+
+#include "conetact/base/archive.h"
+#include "conetact/contact/contact_model.h"
+
+namespace conetact::contact
+{
+  /**
+   * One increment in the terms of [K] (17): unknowns are slips of the
+   * increment and new gaps. A value: a copy of it is where to go back to.
+   */
+  class ContactHistory
+  {
+  public:
+    explicit ContactHistory(ContactModel &model);
+
+    /** The increment that ends with `load`. */
+    solvers::ContactProblem
+    problem(const LoadCase &load);
+    /** Where it starts: v = (0, gap), reactions and states so far. */
+    solvers::ContactState
+    start() const;
+    /**
+     * Free motions that the problem is written about, so that its unknowns are
+     * small; those at the start unless said otherwise.
+     */
+    void
+    linearise_at(const Eigen::VectorXd &motions)
+    {
+      elastic.base = motions;
+    }
+    /** See Elasticity. */
+    bool
+    linearise_about(const solvers::ContactProblem &problem,
+                    const solvers::ContactState   &state)
+    {
+      return model->elasticity().linearise_about(problem, state, elastic);
+    }
+    const Eigen::VectorXd &
+    linearised_at() const
+    {
+      return elastic.base;
+    }
+    /**
+     * The model takes contacts that were found again: their gaps are other
+     * ones, and their displacements so far, which belong to the displacements u
+     * of all dofs at time t (none: the start). Reactions and states stay,
+     * components and all. Throws AnalysisError.
+     */
+    void
+    relink(std::vector<pairing::ContactNode> nodes,
+           const Eigen::VectorXd            &u,
+           const double                      t);
+    /** The model is solved in another way from here on. */
+    void
+    see_elasticity();
+    /** Free motions have become other ones. */
+    void
+    forget_motions()
+    {
+      elastic.motions = elastic.base =
+        Eigen::VectorXd::Zero(model->motions.n_free());
+    }
+    /**
+     * Where a solution is about that moves bodies by `motions` and deforms them
+     * by w (all dofs), whose frames have followed these: what a solver starts
+     * from, of a large system.
+     */
+    Eigen::VectorXd
+    nearby(const Eigen::VectorXd &w, Eigen::VectorXd motions) const;
+    /** The end of an increment with such amounts of OpenMotions more. */
+    void
+    move(solvers::ContactState &end,
+         const Eigen::VectorXd &amounts,
+         const double           largest_force) const;
+    /** Takes over the end of an increment. */
+    void
+    advance(const solvers::ContactState &end);
+
+    /** Relative displacements of all contact unknowns since the start. */
+    const Eigen::VectorXd &
+    displacements() const
+    {
+      return q;
+    }
+    /** Amounts of the free motions since the start [length]. */
+    const Eigen::VectorXd &
+    free_motions() const
+    {
+      return elastic.motions;
+    }
+    /** What of it is kept in a checkpoint, and taken from one again. */
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
+
+    /** What Elasticity::expand() takes. */
+    Eigen::VectorXd
+    primal() const
+    {
+      return model->elasticity().primal(elastic, r);
+    }
+    Eigen::VectorXd
+    gaps() const;
+    /** Largest reaction or load so far [force]. */
+    double
+    largest_force() const
+    {
+      return largest;
+    }
+
+  private:
+    Eigen::VectorXd
+    shift() const;
+    /** What moves contacts without strain until the end with `load`. */
+    Eigen::VectorXd
+    offset_at(const LoadCase &load) const;
+
+    ContactModel                   *model;
+    Eigen::VectorXd                 initial_gap; ///< of each node
+    Eigen::VectorXd                 q, r;
+    ElasticState                    elastic;
+    std::vector<solvers::NodeState> states;
+    double largest = 0; ///< reaction or load so far [force]
+  };
+} // namespace conetact::contact
+
+#endif

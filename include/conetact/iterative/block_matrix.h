@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_iterative_block_matrix_h
+#define conetact_iterative_block_matrix_h
+
+#include "conetact/iterative/block_products.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace conetact::iterative
+{
+  /** Rows of numbers, each of which is kept once. */
+  template <typename Number>
+  class EqualRows
+  {
+  public:
+    /** Where these numbers are among `all`, at the end of which they go if they
+     * are not there yet. */
+    std::size_t
+    place(const Number *row, const std::size_t length, std::vector<Number> &all)
+    {
+      const std::size_t      n_bytes = length * sizeof(Number);
+      const std::string_view bytes(reinterpret_cast<const char *>(row),
+                                   n_bytes);
+      const std::size_t      hash = std::hash<std::string_view>()(bytes);
+      const auto [begin, end]     = known.equal_range(hash);
+      for (auto it = begin; it != end; ++it)
+        if (it->second + length <= all.size() &&
+            (length == 0 ||
+             std::memcmp(all.data() + it->second, row, n_bytes) == 0))
+          return it->second;
+      const std::size_t at_end = all.size();
+      all.insert(all.end(), row, row + length);
+      known.emplace(hash, at_end);
+      return at_end;
+    }
+
+  private:
+    std::unordered_multimap<std::size_t, std::size_t> known; ///< places by hash
+  };
+
+  /**
+   * A sparse matrix of small dense blocks, row by row, such as the stiffness
+   * of a mesh, whose nodes have n_rows unknowns each. An index for a whole
+   * block and numbers in single precision are what makes its product, which
+   * memory limits, three times as fast as that of a matrix of entries.
+   */
+  template <int n_rows, int n_columns, typename Number>
+  class BlockMatrix
+  {
+  public:
+    using Block = Eigen::Matrix<Number, n_rows, n_columns>;
+    static constexpr std::size_t block_size =
+      static_cast<std::size_t>(n_rows) * n_columns;
+
+    /** Blocks of row i stand at start[i], ..., start[i+1]-1. */
+    std::vector<std::size_t> start = {0};
+    std::vector<int>         column; ///< ascending in each row
+    std::vector<Number>      value;  ///< blocks, column by column
+
+    /** Makes room for the blocks of `start`, all of them zero. */
+    void
+    allocate()
+    {
+      column.resize(start.back());
+      // Columns are read in fours, up to three numbers too many.
+      value.assign(start.back() * block_size + lanes(n_rows), Number(0));
+    }
+    std::size_t
+    n_block_rows() const
+    {
+      return start.size() - 1;
+    }
+    /** Number k of all blocks, which is in row i. */
+    Eigen::Map<const Block>
+    block(const std::size_t i, const std::size_t k) const
+    {
+      return Eigen::Map<const Block>(row(i) + (k - start[i]) * block_size);
+    }
+    /** The same while no row shares its blocks with others. */
+    Eigen::Map<Block>
+    block(const std::size_t k)
+    {
+      return Eigen::Map<Block>(value.data() + k * block_size);
+    }
+    Eigen::Map<Block>
+    block(const std::size_t, const std::size_t k)
+    {
+      return block(k);
+    }
+
+    /** y = A x. */
+    void
+    multiply(const Number *x, Number *y) const
+    {
+      multiply(0, n_block_rows(), x, y);
+    }
+    /** Rows begin, ..., end - 1 of it. */
+    void
+    multiply(const std::size_t begin,
+             const std::size_t end,
+             const Number     *x,
+             Number           *y) const
+    {
+      multiply_rows<n_rows, n_columns>({start.data(),
+                                        column.data(),
+                                        first.empty() ? nullptr : first.data(),
+                                        value.data(),
+                                        begin,
+                                        end},
+                                       x,
+                                       y);
+    }
+
+    BlockMatrix<n_columns, n_rows, Number>
+    transposed(const std::size_t n_block_columns) const
+    {
+      BlockMatrix<n_columns, n_rows, Number> result;
+      result.start.assign(n_block_columns + 1, 0);
+      for (const int j : column)
+        ++result.start[static_cast<std::size_t>(j) + 1];
+      for (std::size_t j = 0; j < n_block_columns; ++j)
+        result.start[j + 1] += result.start[j];
+      result.allocate();
+      std::vector<std::size_t> next = result.start;
+      for (std::size_t i = 0; i < n_block_rows(); ++i)
+        for (std::size_t k = start[i]; k < start[i + 1]; ++k)
+          {
+            const std::size_t p = next[static_cast<std::size_t>(column[k])]++;
+            result.column[p]    = static_cast<int>(i);
+            result.block(p)     = block(i, k).transpose();
+          }
+      return result;
+    }
+
+    /** Whether rows of the same numbers keep them once. */
+    bool
+    shares_rows() const
+    {
+      return !first.empty();
+    }
+
+    template <typename Other>
+    BlockMatrix<n_rows, n_columns, Other>
+    cast() const
+    {
+      BlockMatrix<n_rows, n_columns, Other> result;
+      result.start  = start;
+      result.column = column;
+      result.first  = first;
+      result.value.assign(value.begin(), value.end());
+      return result;
+    }
+
+  private:
+    template <int, int, typename>
+    friend class BlockMatrix;
+    template <int, int, typename>
+    friend class RowByRow;
+
+    const Number *
+    row(const std::size_t i) const
+    {
+      return value.data() + (first.empty() ? start[i] * block_size : first[i]);
+    }
+
+    std::vector<std::size_t> first; ///< number of each row, if rows share them
+  };
+
+  /** Columns of a row in the order in which they come, and their blocks. */
+  template <int n_rows, int n_columns>
+  struct GrowingRow
+  {
+    using Block = Eigen::Matrix<double, n_rows, n_columns>;
+    std::vector<int>   column;
+    std::vector<Block> block;
+
+    /** Number of the block of a column, which is there then. */
+    std::size_t
+    find(const int j)
+    {
+      const auto k = static_cast<std::size_t>(
+        std::find(column.begin(), column.end(), j) - column.begin());
+      if (k == column.size())
+        {
+          column.push_back(j);
+          block.push_back(Block::Zero());
+        }
+      return k;
+    }
+    Block &
+    operator[](const int j)
+    {
+      return block[find(j)];
+    }
+    void
+    clear()
+    {
+      column.clear();
+      block.clear();
+    }
+    /** Appends them in ascending order; blocks column by column. */
+    template <typename Number>
+    void
+    append_to(std::vector<int> &columns, std::vector<Number> &numbers) const
+    {
+      std::vector<std::size_t> order(column.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
+        return column[a] < column[b];
+      });
+      for (const std::size_t k : order)
+        {
+          columns.push_back(column[k]);
+          const Eigen::Matrix<Number, n_rows, n_columns> cast =
+            block[k].template cast<Number>();
+          numbers.insert(numbers.end(), cast.data(), cast.data() + cast.size());
+        }
+    }
+  };
+
+  /**
+   * Puts a matrix together row by row. Where rows share their numbers those of
+   * the same numbers keep them once, such as all nodes inside a regular mesh:
+   * they are read from the cache.
+   */
+  template <int n_rows, int n_columns, typename Number>
+  class RowByRow
+  {
+  public:
+    using Matrix = BlockMatrix<n_rows, n_columns, Number>;
+
+    explicit RowByRow(const bool are_shared)
+      : share(are_shared)
+    {}
+
+    /** Columns ascend, as many as there are blocks; `numbers` are these. */
+    void
+    append(const int                 *columns,
+           const std::size_t          n,
+           const std::vector<Number> &numbers)
+    {
+      if (share)
+        A.first.push_back(rows.place(numbers.data(), numbers.size(), A.value));
+      else
+        A.value.insert(A.value.end(), numbers.begin(), numbers.end());
+      A.column.insert(A.column.end(), columns, columns + n);
+      A.start.push_back(A.column.size());
+    }
+
+    Matrix
+    finish()
+    {
+      A.value.resize(A.value.size() + lanes(n_rows), Number(0));
+      rows = {};
+      return std::move(A);
+    }
+
+    /** The same of rows that share numbers and came in another order: k-th was
+     * number[k]. Numbers are in the order of rows, too: products read them one
+     * behind the other. */
+    Matrix
+    finish(const std::vector<int> &number)
+    {
+      rows = {};
+      std::vector<std::size_t> from(number.size());
+      for (std::size_t k = 0; k < number.size(); ++k)
+        from[static_cast<std::size_t>(number[k])] = k;
+      Matrix sorted;
+      sorted.column.reserve(A.column.size());
+      sorted.value.reserve(A.value.size() + lanes(n_rows));
+      std::unordered_map<std::size_t, std::size_t> place; // of former ones
+      for (const std::size_t k : from)
+        {
+          const auto [found, is_new] =
+            place.emplace(A.first[k], sorted.value.size());
+          if (is_new)
+            {
+              const Number *const own = A.row(k);
+              sorted.value.insert(sorted.value.end(),
+                                  own,
+                                  own + (A.start[k + 1] - A.start[k]) *
+                                          Matrix::block_size);
+            }
+          sorted.first.push_back(found->second);
+          for (std::size_t l = A.start[k]; l < A.start[k + 1]; ++l)
+            sorted.column.push_back(A.column[l]);
+          sorted.start.push_back(sorted.column.size());
+        }
+      A = std::move(sorted);
+      return finish();
+    }
+
+  private:
+    const bool        share;
+    Matrix            A;
+    EqualRows<Number> rows;
+  };
+
+  /** The same matrix, with equal rows kept once if most are like others. */
+  template <int n_rows, int n_columns, typename Number>
+  BlockMatrix<n_rows, n_columns, Number>
+  with_equal_rows(BlockMatrix<n_rows, n_columns, Number> A)
+  {
+    RowByRow<n_rows, n_columns, Number> rows(true);
+    std::vector<Number>                 numbers;
+    for (std::size_t i = 0; i < A.n_block_rows(); ++i)
+      {
+        const std::size_t n = A.start[i + 1] - A.start[i];
+        numbers.clear();
+        if (n > 0)
+          {
+            const Number *const own = A.block(i, A.start[i]).data();
+            numbers.assign(own, own + n * A.block_size);
+          }
+        rows.append(A.column.data() + A.start[i], n, numbers);
+      }
+    auto result = rows.finish();
+    return 2 * result.value.size() < A.value.size() ? std::move(result) :
+                                                      std::move(A);
+  }
+} // namespace conetact::iterative
+
+#endif

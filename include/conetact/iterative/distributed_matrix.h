@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_iterative_distributed_matrix_h
+#define conetact_iterative_distributed_matrix_h
+
+#include "conetact/iterative/block_matrix.h"
+#include "conetact/iterative/halo.h"
+
+#include <algorithm>
+
+namespace conetact::iterative
+{
+  /** Adds to rows of a vector: y_rows[i] += (A x)_i. */
+  template <int n_rows, int n_columns, typename Number>
+  void
+  add_rows(const BlockMatrix<n_rows, n_columns, Number> &A,
+           const std::vector<int>                       &rows,
+           const Number                                 *x,
+           std::vector<Number>                          &buffer,
+           Number                                       *y)
+  {
+    buffer.resize(rows.size() * n_rows);
+    A.multiply(x, buffer.data());
+    const Number *from = buffer.data();
+    for (const int i : rows)
+      for (int r = 0; r < n_rows; ++r)
+        y[static_cast<std::ptrdiff_t>(i) * n_rows + r] += *from++;
+  }
+
+  /**
+   * The rows of a matrix that this process has: columns whose unknowns it has,
+   * too, and those of others, which are sent while it multiplies its own. A
+   * process that is alone has a BlockMatrix, no more.
+   */
+  template <int n_rows, int n_columns, typename Number>
+  class DistributedMatrix
+  {
+  public:
+    using Matrix = BlockMatrix<n_rows, n_columns, Number>;
+
+    DistributedMatrix() = default;
+    /**
+     * `rows` number columns among those of all processes, of which process p
+     * has first[p], ..., first[p+1]-1. All processes call this.
+     */
+    DistributedMatrix(Matrix                  rows,
+                      const std::vector<int> &first,
+                      const Communicator     &processes)
+    {
+      if (processes.size() == 1)
+        {
+          own           = std::move(rows);
+          n_own_columns = first.back();
+          return;
+        }
+      begin         = first[static_cast<std::size_t>(processes.rank())];
+      const int end = first[static_cast<std::size_t>(processes.rank()) + 1];
+      n_own_columns = end - begin;
+      for (const int j : rows.column)
+        if (j < begin || j >= end)
+          needed.push_back(j);
+      std::sort(needed.begin(), needed.end());
+      needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+      split(rows, end);
+      halo = Halo<n_columns, Number>(
+        std::make_shared<const HaloPlan>(needed, first, processes));
+    }
+
+    /** Not of a process that is alone. */
+    const HaloPlan &
+    halo_plan() const
+    {
+      return *halo.its_plan();
+    }
+    /** Of own rows and columns. */
+    const Matrix &
+    own_part() const
+    {
+      return own;
+    }
+
+    /** y = A x, of vectors of which each process has its part. */
+    void
+    multiply(const Number *x, Number *y) const
+    {
+      multiply(x, y, [&](const Number *in, Number *out) {
+        own.multiply(in, out);
+      });
+    }
+    /** The same with another product of the own part. */
+    template <typename Product>
+    void
+    multiply(const Number *x, Number *y, const Product &product_of_own) const
+    {
+      if (halo.its_plan() == nullptr)
+        return product_of_own(x, y);
+      halo.start(x);
+      product_of_own(x, y);
+      add_rows(far, edge, halo.finish(), buffer, y);
+    }
+
+    template <typename Other>
+    DistributedMatrix<n_rows, n_columns, Other>
+    cast() const
+    {
+      DistributedMatrix<n_rows, n_columns, Other> result;
+      result.own           = own.template cast<Other>();
+      result.far           = far.template cast<Other>();
+      result.edge          = edge;
+      result.begin         = begin;
+      result.n_own_columns = n_own_columns;
+      result.needed        = needed;
+      if (halo.its_plan() != nullptr)
+        result.halo = Halo<n_columns, Other>(halo.its_plan());
+      return result;
+    }
+
+    /** Calls f with the numbers of all blocks. */
+    template <typename F>
+    void
+    for_all_numbers(const F &f)
+    {
+      for (Number &a : own.value)
+        f(a);
+      for (Number &a : far.value)
+        f(a);
+    }
+
+    /** Calls f(column, block) for a row: own columns before those of others, as
+     * of_columns() has them. */
+    template <typename F>
+    void
+    for_row(const std::size_t i, const F &f) const
+    {
+      for_row_of(*this, i, f);
+    }
+    /** The same with blocks that f may change, while no rows share them. */
+    template <typename F>
+    void
+    for_row(const std::size_t i, const F &f)
+    {
+      for_row_of(*this, i, f);
+    }
+
+    /** Of a column that for_row() names, among those of all processes. */
+    int
+    number_of_column(const int column) const
+    {
+      return column < n_own_columns ?
+               begin + column :
+               needed[static_cast<std::size_t>(column - n_own_columns)];
+    }
+
+    /** Numbers of the own columns, n_columns for each block, and behind them
+     * those of the columns of others that it needs. */
+    std::vector<Number>
+    of_columns(std::vector<Number> x) const
+    {
+      if (halo.its_plan() == nullptr)
+        return x;
+      halo.start(x.data());
+      const Number *const others = halo.finish();
+      x.insert(x.end(),
+               others,
+               others + static_cast<std::ptrdiff_t>(halo.its_plan()->n_needed) *
+                          n_columns);
+      return x;
+    }
+
+  private:
+    template <int, int, typename>
+    friend class DistributedMatrix;
+    template <int, int, typename>
+    friend class TransposedMatrix;
+
+    template <typename Self, typename F>
+    static void
+    for_row_of(Self &self, const std::size_t i, const F &f)
+    {
+      for (std::size_t k = self.own.start[i]; k < self.own.start[i + 1]; ++k)
+        f(self.own.column[k], self.own.block(i, k));
+      const std::vector<int> &edge = self.edge;
+      const auto              it =
+        std::lower_bound(edge.begin(), edge.end(), static_cast<int>(i));
+      if (it == edge.end() || *it != static_cast<int>(i))
+        return;
+      const auto e = static_cast<std::size_t>(it - edge.begin());
+      for (std::size_t k = self.far.start[e]; k < self.far.start[e + 1]; ++k)
+        f(self.n_own_columns + self.far.column[k], self.far.block(e, k));
+    }
+
+    /** Parts of rows that share their numbers share theirs. */
+    void
+    split(const Matrix &rows, const int end)
+    {
+      RowByRow<n_rows, n_columns, Number> own_rows(rows.shares_rows()),
+        far_rows(rows.shares_rows());
+      std::vector<int>    own_columns, far_columns;
+      std::vector<Number> own_numbers, far_numbers;
+      for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
+        {
+          own_columns.clear();
+          far_columns.clear();
+          own_numbers.clear();
+          far_numbers.clear();
+          for (std::size_t k = rows.start[i]; k < rows.start[i + 1]; ++k)
+            {
+              const int  j      = rows.column[k];
+              const bool is_own = j >= begin && j < end;
+              const auto block  = rows.block(i, k);
+              (is_own ? own_columns : far_columns)
+                .push_back(is_own ? j - begin : place_of(j));
+              auto &numbers = is_own ? own_numbers : far_numbers;
+              numbers.insert(numbers.end(),
+                             block.data(),
+                             block.data() + block.size());
+            }
+          own_rows.append(own_columns.data(), own_columns.size(), own_numbers);
+          if (far_columns.empty())
+            continue;
+          edge.push_back(static_cast<int>(i));
+          far_rows.append(far_columns.data(), far_columns.size(), far_numbers);
+        }
+      own = own_rows.finish();
+      far = far_rows.finish();
+    }
+
+    /** Of a column of others. */
+    int
+    place_of(const int j) const
+    {
+      return static_cast<int>(
+        std::lower_bound(needed.begin(), needed.end(), j) - needed.begin());
+    }
+
+    Matrix           own;
+    Matrix           far;  ///< of rows `edge` and columns of others
+    std::vector<int> edge; ///< rows that see others
+    int              begin = 0, n_own_columns = 0;
+    std::vector<int> needed; ///< columns of others
+    // of a product, not of the matrix
+    mutable Halo<n_columns, Number> halo;
+    mutable std::vector<Number>     buffer;
+  };
+
+  /** The transposed of a DistributedMatrix, whose rows have the same owners as
+   * its columns. */
+  template <int n_rows, int n_columns, typename Number>
+  class TransposedMatrix
+  {
+  public:
+    TransposedMatrix() = default;
+    TransposedMatrix(const DistributedMatrix<n_columns, n_rows, Number> &A,
+                     const std::size_t                                   n_own)
+      : own(with_equal_rows(A.own.transposed(n_own)))
+      , edge(A.edge)
+    {
+      if (A.halo.its_plan() == nullptr)
+        return;
+      halo = Halo<n_rows, Number>(A.halo.its_plan());
+      far =
+        A.far.transposed(static_cast<std::size_t>(A.halo.its_plan()->n_needed));
+    }
+
+    /** y = A^T x. */
+    void
+    multiply(const Number *x, Number *y) const
+    {
+      if (halo.its_plan() == nullptr)
+        return own.multiply(x, y);
+      buffer.resize(edge.size() * n_columns);
+      Number *to = buffer.data();
+      for (const int i : edge)
+        for (int c = 0; c < n_columns; ++c)
+          *to++ = x[static_cast<std::ptrdiff_t>(i) * n_columns + c];
+      far.multiply(buffer.data(), halo.far_blocks());
+      halo.start_back();
+      own.multiply(x, y);
+      halo.finish_back(y);
+    }
+
+  private:
+    BlockMatrix<n_rows, n_columns, Number> own;
+    BlockMatrix<n_rows, n_columns, Number> far; ///< from `edge` to others
+    std::vector<int>                       edge;
+    mutable Halo<n_rows, Number>           halo;
+    mutable std::vector<Number>            buffer;
+  };
+} // namespace conetact::iterative
+
+#endif

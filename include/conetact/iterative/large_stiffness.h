@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_iterative_large_stiffness_h
+#define conetact_iterative_large_stiffness_h
+
+#include "conetact/base/workers.h"
+#include "conetact/iterative/shared_system.h"
+#include "conetact/solvers/contact_problem.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace conetact::iterative
+{
+  /** What a LargeSystem is made of. */
+  struct LargeStiffness
+  {
+    Elements                  elements; ///< of K
+    std::vector<unsigned int> node_of;  ///< of each unknown, any numbers
+    Eigen::MatrixXd           modes;    ///< rigid motions, a column for each
+    solvers::ContactSystem    contact;  ///< layout of the last unknowns
+    /** Nodes that are solved for together: see SurfaceSmoother. */
+    std::set<unsigned int> surface;
+    /** Of a node, to share nodes among processes. */
+    std::function<std::array<double, 3>(const unsigned int node)> position;
+  };
+
+  /**
+   * Solves the linear systems of Newton's method by GMRES (Saad, SIAM J. Sci.
+   * Comput. 14 (1993) 461-469, with a preconditioner that may vary). Unknowns
+   * that a law determines by itself (closed gaps, stuck slips) are eliminated,
+   * slipping and open nodes have rows
+   * @f$(K\,\delta u)_i + S_i\,\delta u_i + q_i (K\,\delta u)_n = h_i@f$.
+   *
+   * The preconditioner is one cycle of multigrid in single precision. Maps
+   * between its levels are made once, as if nothing touched; what the state of
+   * contacts changes of the matrix is projected to all levels in each step, at
+   * the cost of a surface (ContactChange), so that iterations depend neither on
+   * the state nor on the mesh. Its smoother, Chebyshev's method on the blocks
+   * of nodes, leaves out what is held and knows S. Nodes have `dim` unknowns at
+   * most, 2 or 3.
+   *
+   * In a run of many processes each has the rows of its nodes, as long as that
+   * is worth a process. What is given is empty then.
+   */
+  std::shared_ptr<const solvers::LargeSystem>
+  make_large_system(LargeStiffness &&given, const unsigned int dim);
+
+  /** Processes of this run that share a system of so many unknowns. */
+  int
+  useful_processes(const Eigen::Index n_unknowns);
+
+  /** What a process but the first has of such systems. */
+  class SystemParts
+  {
+  public:
+    void
+    make(const Order &order, const unsigned int dim);
+    /** Does what the first process does with a system, if it has a part. */
+    void
+    go_along(const Order &order) const;
+    void
+    forget(const Order &order);
+
+  private:
+    std::map<int, std::unique_ptr<SharedSystem>> systems;
+  };
+} // namespace conetact::iterative
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Sentences about increments that have no equilibrium.
+
+#include "conetact/analysis/increment_analysis.h"
+#include "conetact/contact/refusal.h"
+
+namespace conetact::analysis
+{
+  std::string
+  IncrementAnalysis::no_equilibrium(const solvers::ContactProblem &problem,
+                                    const PendingIncrement        &increment)
+  {
+    if (problem.system->null_space.cols() == 0 ||
+        problem.system->n_nodes() == 0)
+      return "";
+    if (!existence)
+      existence = std::make_unique<solvers::ExistenceCheck>(
+        contact::make_existence_check(model));
+    // at the start of the increment the reactions balance the load on the null
+    // space
+    const solvers::Existence result =
+      existence->check(model.elasticity().contact_load(problem),
+                       -increment.before.start().r.head(
+                         problem.system->n_contact_unknowns()),
+                       history.largest_force(),
+                       problem.gap);
+    return result.admissible ?
+             "" :
+             std::string("no equilibrium exists") +
+               // bodies that move have others
+               (search.is_needed() ? " with contacts as they were found, " :
+                                     ", ") +
+               describe(result, model);
+  }
+
+  /* The way on was not found: what is known is that there must be one. */
+  std::string
+  IncrementAnalysis::why_it_leaves(const unsigned int k)
+  {
+    if (!lost_contacts)
+      return "";
+    take(search.guess(search.time()));
+    PendingIncrement increment{history, history};
+    increment.record.increment = k;
+    increment.record.time      = parts.end(scene.times[k - 1]);
+    apply_loads(increment);
+    const solvers::ContactProblem problem = history.problem(increment.load);
+    if (problem.system->null_space.cols() == 0)
+      return "";
+    const auto here =
+      contact::check_where_it_stands(problem.gap,
+                                     model.elasticity().contact_load(problem),
+                                     -history.start().r.head(
+                                       problem.system->n_contact_unknowns()),
+                                     history.largest_force(),
+                                     model);
+    return here && here->friction_needed ?
+             failed(increment.record,
+                    "no equilibrium exists where bodies stand at its start, " +
+                      describe(*here, model) +
+                      ", and none is found where they go from there") :
+             "";
+  }
+
+  /* What slips or tips under the part of the load that was solved; empty: the
+     method has failed otherwise. */
+  std::string
+  IncrementAnalysis::limit_of(const solvers::ContactProblem &problem,
+                              const PendingIncrement        &increment)
+  {
+    const Eigen::Index n = problem.system->n_contact_unknowns();
+    if (!existence || problem.system->large || increment.end.r.size() < n)
+      return "";
+    const Eigen::VectorXd    last = increment.end.r.head(n);
+    const solvers::Existence limit =
+      existence->limit_state(model.elasticity().contact_load(problem),
+                             -increment.before.start().r.head(n),
+                             last);
+    return limit.admissible ?
+             "" :
+             "no equilibrium exists, " +
+               describe_limit(limit, last, scene.contact_names, model);
+  }
+} // namespace conetact::analysis

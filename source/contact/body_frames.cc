@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/body_frames.h"
+
+#include "conetact/base/errors.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    /** Over the spacing of nodes: ties of what is further apart do not turn. */
+    constexpr double tied_apart = 1e-9;
+
+    /** Whether the tie goes on to be one where its bodies turn together. */
+    bool
+    turns_along(const pairing::ContactNode &tie, const Bodies &bodies)
+    {
+      return tie.kind == pairing::ContactKind::tie && !tie.masters.empty() &&
+             !tie.opening &&
+             pairing::undeformed_distance(tie, bodies.structures).norm() <=
+               tied_apart * tie.spacing;
+    }
+
+    /** What equations join turns together, or not at all. */
+    std::vector<bool>
+    together(const RigidMotions &motions, const std::vector<bool> &alone)
+    {
+      std::vector<bool> may = alone;
+      for (unsigned int body = 0; body < alone.size(); ++body)
+        for (unsigned int other = 0; other < alone.size(); ++other)
+          if (motions.first_tied(body) == motions.first_tied(other))
+            may[body] = may[body] && alone[other];
+      return may;
+    }
+
+    /**
+     * Of what is tied to a body: the one whose frame all of them have. It is
+     * held by supports alone, if one is: the others follow it by their ties,
+     * and turn where these are strained.
+     */
+    unsigned int
+    leader_of(const unsigned int  body,
+              const Bodies       &bodies,
+              const RigidMotions &motions)
+    {
+      const unsigned int first = motions.first_tied(body);
+      const auto        &own   = motions.body_of_own();
+      for (unsigned int other = first; other < bodies.structures.size();
+           ++other)
+        if (motions.first_tied(other) == first &&
+            std::find(own.begin(), own.end(), other) == own.end())
+          return other;
+      return first;
+    }
+
+    [[noreturn]] void
+    refuse_turn(const bodies::Support &support, const Bodies &bodies)
+    {
+      throw InputError(
+        "Support '" + support.name + "', Turn: " + bodies.called(support.body) +
+        " is held along some directions only, has a foundation, or contacts "
+        "with Kinematics = small, which would stay where they are, or is "
+        "tied to an obstacle, with a Preload, across a gap, or to such a "
+        "body. Hold it by this support alone, and set Kinematics = finite "
+        "sliding in its contacts.");
+    }
+
+    /** Whether anything may turn far. */
+    bool
+    may_go_far(const Bodies &bodies, const ContactPoints &points)
+    {
+      return points.slide() || std::any_of(bodies.supports.begin(),
+                                           bodies.supports.end(),
+                                           [](const auto &support) {
+                                             return support.turn.has_value();
+                                           });
+    }
+  } // namespace
+
+  BodyFrames::BodyFrames(Bodies              &b,
+                         const NodeRules     &r,
+                         const ContactPoints &points,
+                         const RigidMotions  &m)
+    : bodies(b)
+    , rules(r)
+    , motions(m)
+  {
+    find(may_go_far(bodies, points));
+  }
+
+  /* Elements that turn have no frame here, and foundations and supports along
+     some directions do not turn with the body. */
+  bool
+  BodyFrames::may_turn(const unsigned int body) const
+  {
+    AssertIndexRange(body, bodies.structures.size());
+    if (!bodies.deforms(body) ||
+        bodies.structures[body]->n_components() > bodies.dim)
+      return false;
+    for (const bodies::Support &support : bodies.supports)
+      if (support.body == body && support.stiffness)
+        return false;
+    for (const NodeRule &rule : rules.rules())
+      if (rule.body == body && !rule.held.empty() &&
+          rule.held.size() < bodies.dim)
+        return false;
+    return std::all_of(bodies.contact_nodes.begin(),
+                       bodies.contact_nodes.end(),
+                       [&](const pairing::ContactNode &node) {
+                         return node.slides || turns_along(node, bodies) ||
+                                (node.body != body &&
+                                 (node.masters.empty() || node.master != body));
+                       });
+  }
+
+  void
+  BodyFrames::find(const bool far)
+  {
+    bodies.frames.clear();
+    std::vector<bool> may;
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      may.push_back(may_turn(body));
+    may = together(motions, may);
+    for (const bodies::Support &support : bodies.supports)
+      if (support.turn && !may[support.body])
+        refuse_turn(support, bodies);
+    if (!far)
+      return;
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      {
+        turns.push_back(may[body]);
+        bodies.frames.emplace_back();
+        bodies.frames.back().centre =
+          motions.of_body(motions.none(), leader_of(body, bodies, motions))
+            .centre;
+      }
+  }
+
+  double
+  BodyFrames::turn(const Eigen::VectorXd &amounts) const
+  {
+    Assert(turns.empty() || turns.size() == bodies.frames.size(),
+           dealii::ExcMessage("Each body has a frame, or none has."));
+    double largest = 0;
+    for (unsigned int body = 0; body < turns.size(); ++body)
+      if (turns[body] && leader_of(body, bodies, motions) == body)
+        largest = std::max(largest, motions.rotation(amounts, body));
+    return largest;
+  }
+
+  void
+  BodyFrames::place(std::vector<pairing::RigidMotion> frames)
+  {
+    AssertDimension(frames.size(), bodies.frames.size());
+    bodies.frames = std::move(frames);
+  }
+
+  /* What is tied has one frame: rigid motions leave ties alone. */
+  void
+  BodyFrames::move(const Eigen::VectorXd &amounts)
+  {
+    for (unsigned int body = 0; body < turns.size(); ++body)
+      if (turns[body])
+        {
+          const RigidMotions::Motion more =
+            motions.of_body(amounts, leader_of(body, bodies, motions));
+          pairing::RigidMotion &frame = bodies.frames[body];
+          frame.translation += frame.rotation * more.translation;
+          frame.rotation =
+            frame.rotation *
+            pairing::RigidMotion::turned({}, more.rotation, {}).rotation;
+        }
+  }
+
+  /* Placements are small motions: it takes a few to follow a far turn. */
+  void
+  BodyFrames::move_with_supports(const double t)
+  {
+    constexpr unsigned int most  = 50;
+    constexpr double       small = 1e-14;
+    for (unsigned int n = 0; n < most; ++n)
+      {
+        const Eigen::VectorXd placement = motions.placement(t);
+        move(placement);
+        if (turn(placement) <= small)
+          return;
+      }
+  }
+
+  double
+  BodyFrames::largest_way() const
+  {
+    double largest = 0;
+    if (!bodies.frames.empty())
+      for (const NodeRule &rule : rules.rules())
+        largest = std::max(
+          largest,
+          bodies.displacement(rule.body, rule.node, Tensor<1, 3>()).norm());
+    return largest;
+  }
+} // namespace conetact::contact

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/condensed_bodies.h"
+
+#include "conetact/base/index.h"
+
+#include <deal.II/base/exceptions.h>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::MatrixXd;
+    using SparseMatrix = Eigen::SparseMatrix<double>;
+  } // namespace
+
+  CondensedBodies::CondensedBodies(
+    const ElasticSystem                          &e,
+    const BodyCoordinates                        &o,
+    const std::vector<std::vector<unsigned int>> &groups,
+    const Retain                                 &retain)
+    : elastic(e)
+    , own(o)
+  {
+    const auto n = static_cast<unsigned int>(elastic.bodies.names.size());
+    std::vector<bool> placed(n, false);
+    for (const auto &group : groups)
+      {
+        all_parts.push_back({group, {}, nullptr});
+        for (const unsigned int body : group)
+          placed[body] = true;
+      }
+    for (unsigned int body = 0; body < n; ++body)
+      if (!placed[body] && n_own(body) > 0)
+        all_parts.push_back({{body}, {}, nullptr});
+    for (Part &part : all_parts)
+      {
+        std::vector<bool> kept(at(n_own(part.bodies[0])), false);
+        for (const unsigned int body : part.bodies)
+          {
+            AssertDimension(kept.size(), at(n_own(body)));
+            retain(body, kept);
+          }
+        for (std::size_t i = 0; i < kept.size(); ++i)
+          if (kept[i])
+            part.retained.push_back(static_cast<Index>(i));
+      }
+  }
+
+  CondensedBodies::Uncondensed
+  CondensedBodies::stiffness_of(const Part &part, const SparseMatrix &all) const
+  {
+    // All bodies of a part have the matrix of the first.
+    const unsigned int body  = part.bodies[0];
+    const Index        begin = own.begin(body), n = n_own(body);
+    Uncondensed        result{all.block(begin, begin, n, n), {}};
+    for (Index p = begin; p < begin + n; ++p)
+      result.node_of.push_back(own.node_of(p));
+    return result;
+  }
+
+  void
+  CondensedBodies::for_each_part(
+    const std::function<void(Part &, const Uncondensed &)> &act)
+  {
+    const SparseMatrix all = assemble(elastic, own);
+    for (Part &part : all_parts)
+      act(part, stiffness_of(part, all));
+  }
+
+  void
+  CondensedBodies::condense(const condensed::Condenser &condenser)
+  {
+    for_each_part([&](Part &part, const Uncondensed &body) {
+      part.element = std::make_unique<condensed::SuperElement>(body.upper,
+                                                               body.node_of,
+                                                               part.retained,
+                                                               condenser);
+    });
+  }
+
+  void
+  CondensedBodies::condense(
+    const condensed::Condenser                               &condenser,
+    const std::function<const MatrixXd &(unsigned int body)> &motions)
+  {
+    for_each_part([&](Part &part, const Uncondensed &body) {
+      part.element =
+        std::make_unique<condensed::SuperElement>(body.upper,
+                                                  body.node_of,
+                                                  part.retained,
+                                                  motions(part.bodies[0]),
+                                                  condenser);
+    });
+  }
+
+  condensed::FactorEstimate
+  CondensedBodies::estimate(const condensed::Condenser &condenser) const
+  {
+    const SparseMatrix        all = assemble(elastic, own);
+    condensed::FactorEstimate sum;
+    for (const Part &part : all_parts)
+      {
+        const Uncondensed body = stiffness_of(part, all);
+        sum += condensed::SuperElement::estimate(body.upper,
+                                                 body.node_of,
+                                                 part.retained,
+                                                 condenser);
+        sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
+      }
+    return sum;
+  }
+
+  MatrixXd
+  CondensedBodies::map(const MatrixXd &columns, const Answer &answer) const
+  {
+    AssertDimension(columns.rows(), own.n_unknowns());
+    MatrixXd result = MatrixXd::Zero(columns.rows(), columns.cols());
+    for (const Part &part : all_parts)
+      for (const unsigned int body : part.bodies)
+        result.middleRows(own.begin(body), n_own(body)) =
+          answer(part, body, columns.middleRows(own.begin(body), n_own(body)));
+    return result;
+  }
+
+  std::vector<StiffnessDifference>
+  CondensedBodies::compare(const condensed::Condenser &one,
+                           const condensed::Condenser &other) const
+  {
+    const SparseMatrix               all = assemble(elastic, own);
+    std::vector<StiffnessDifference> result;
+    for (const Part &part : all_parts)
+      {
+        if (part.retained.empty())
+          continue;
+        const Uncondensed body      = stiffness_of(part, all);
+        const auto        stiffness = [&](const condensed::Condenser &by) {
+          return condensed::SuperElement(body.upper,
+                                         body.node_of,
+                                         part.retained,
+                                         by)
+            .take_stiffness();
+        };
+        const MatrixXd K = stiffness(one);
+        result.push_back({part.bodies,
+                          (K - stiffness(other)).cwiseAbs().maxCoeff() /
+                            K.cwiseAbs().maxCoeff()});
+      }
+    return result;
+  }
+
+  double
+  CondensedBodies::factor_bytes() const
+  {
+    double sum = 0;
+    for (const Part &part : all_parts)
+      sum += part.element->solver().factor_bytes();
+    return sum;
+  }
+
+  unsigned int
+  CondensedBodies::n_shared() const
+  {
+    std::size_t n = 0;
+    for (const Part &part : all_parts)
+      n += part.bodies.size() - 1;
+    return static_cast<unsigned int>(n);
+  }
+
+  condensed::SchurWork
+  CondensedBodies::work() const
+  {
+    condensed::SchurWork sum;
+    for (const Part &part : all_parts)
+      sum += part.element->solver().work();
+    return sum;
+  }
+
+  std::string
+  condensation_by(const condensed::Condenser &condenser)
+  {
+    return "condensation by " + std::string(condenser.name) +
+           ": order, factor and Schur complement";
+  }
+} // namespace conetact::contact

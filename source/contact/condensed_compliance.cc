@@ -1,0 +1,566 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/condensed_compliance.h"
+
+#include "conetact/base/index.h"
+#include "conetact/contact/equal_bodies.h"
+#include "conetact/contact/retained_unknowns.h"
+#include "conetact/contact/unseen_motions.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using SparseMatrix = Eigen::SparseMatrix<double>;
+    using Triplets     = std::vector<Eigen::Triplet<double>>;
+
+    /** factor * direction . u of a node, in own unknowns. */
+    void
+    append(const BodyCoordinates &own,
+           const Index            row,
+           const Index            dof,
+           const unsigned int     dim,
+           const Tensor<1, 3>    &direction,
+           Triplets              &entries)
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        if (direction[c] != 0)
+          own.for_row(dof + c, [&](const Index unknown, const double factor) {
+            entries.emplace_back(row, unknown, direction[c] * factor);
+          });
+    }
+  } // namespace
+
+  CondensedCompliance::CondensedCompliance(const ElasticSystem        &e,
+                                           const ContactPoints        &p,
+                                           const Coordinates          &c,
+                                           const RigidMotions         &m,
+                                           const condensed::Condenser &by,
+                                           const Empty)
+    : elastic(e)
+    , points(p)
+    , coordinates(c)
+    , motions(m)
+    , condenser(by)
+    , own(elastic.bodies, coordinates)
+    , H(rows())
+    , bodies(elastic,
+             own,
+             find_equal_bodies(elastic, own),
+             RetainedUnknowns{elastic.bodies, coordinates, motions, own, H})
+    , free(elastic, motions, own)
+  {}
+
+  CondensedCompliance::CondensedCompliance(const ElasticSystem        &e,
+                                           const ContactPoints        &p,
+                                           const Coordinates          &c,
+                                           const RigidMotions         &m,
+                                           const condensed::Condenser &by)
+    : CondensedCompliance(e, p, c, m, by, Empty())
+  {
+    bodies.condense(condenser,
+                    [this](const unsigned int body) -> const MatrixXd & {
+                      return free.of_body(body);
+                    });
+    free.respond(bodies);
+    assemble_system();
+  }
+
+  /* v = (u of the node) - (u of the obstacle) or - sum of weight (u of a
+     master), in components along the dual directions: the matrix H of rows over
+     the own unknowns of all bodies. Motions of obstacles and supports are part
+     of q. */
+  Eigen::SparseMatrix<double>
+  CondensedCompliance::rows() const
+  {
+    SparseMatrix result(points.n_all_unknowns(), own.n_unknowns());
+    Triplets     entries;
+    Index        row = 0;
+    for (const ContactPoint &point : points.all())
+      write_row(point, row, entries);
+    AssertDimension(row, result.rows());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  bool
+  CondensedCompliance::relink()
+  {
+    H = rows();
+    assemble_system();
+    forget_reductions();
+    return true;
+  }
+
+  void
+  CondensedCompliance::see_motions()
+  {
+    free.find();
+    free.respond(bodies);
+    assemble_system();
+    forget_reductions();
+  }
+
+  void
+  CondensedCompliance::write_row(const ContactPoint &point,
+                                 Index              &row,
+                                 Triplets           &entries) const
+  {
+    for (const Tensor<1, 3> &dual : point.dual)
+      {
+        pairing::for_each_side(*point.node,
+                               [&](const unsigned int body,
+                                   const unsigned int number,
+                                   const double       weight) {
+                                 append(own,
+                                        row,
+                                        coordinates.dof(body, number),
+                                        elastic.bodies.dim,
+                                        elastic.bodies.in_frame(body,
+                                                                weight * dual),
+                                        entries);
+                               });
+        ++row;
+      }
+  }
+
+  /* W = sum of H_b P_b H_b^T: compliances add, and contrasts are harmless.
+     In a stiffness of all bodies a stiff one would swallow the digits of a
+     soft one. */
+  Eigen::MatrixXd
+  CondensedCompliance::flexibility() const
+  {
+    MatrixXd W = MatrixXd::Zero(H.rows(), H.rows());
+    for (const CondensedBodies::Part &part : bodies.parts())
+      for (const unsigned int body : part.bodies)
+        {
+          const SparseMatrix all =
+            H.middleCols(own.begin(body), bodies.n_own(body));
+          Triplets entries;
+          for (std::size_t k = 0; k < part.retained.size(); ++k)
+            for (SparseMatrix::InnerIterator it(all, part.retained[k]); it;
+                 ++it)
+              entries.emplace_back(it.row(), static_cast<Index>(k), it.value());
+          SparseMatrix rows(H.rows(), static_cast<Index>(part.retained.size()));
+          rows.setFromTriplets(entries.begin(), entries.end());
+          const MatrixXd half = rows * part.element->flexibility();
+          W.noalias() += half * rows.transpose();
+        }
+    // Both triangles alike: the two products round differently.
+    return .5 * (W + W.transpose());
+  }
+
+  /* (W G; -G^T C) of all rows and of the bodies' own motions. */
+  Eigen::MatrixXd
+  CondensedCompliance::assemble_all() const
+  {
+    const Index n = H.rows(), k = motions.own().cols();
+    MatrixXd    all         = MatrixXd::Zero(n + k, n + k);
+    all.topLeftCorner(n, n) = flexibility();
+    free.add_to(H, all);
+    // A rigid body has no unknowns that deform: its motions are all there is.
+    for (Index j = free.first_rigid(); j < k; ++j)
+      {
+        const VectorXd v = moved_rows(motions.field(motions.own().col(j)));
+        all.col(n + j).head(n) = v;
+        all.row(n + j).head(n) = -v.transpose();
+      }
+    return all;
+  }
+
+  /* The rows of displacements of all dofs. */
+  Eigen::VectorXd
+  CondensedCompliance::moved_rows(const VectorXd &u) const
+  {
+    AssertDimension(u.size(), coordinates.n_dofs());
+    VectorXd   v(H.rows());
+    Index      row = 0;
+    const auto add = [&](const ContactPoint &point) {
+      const Tensor<1, 3> d = difference_of_sides(
+        *point.node, [&](const unsigned int body, const unsigned int node) {
+          return coordinates.at_node(u, body, node);
+        });
+      for (const Tensor<1, 3> &dual : point.dual)
+        v[row++] = d * dual;
+    };
+    for (const ContactPoint &point : points.all())
+      add(point);
+    return v;
+  }
+
+  void
+  CondensedCompliance::assemble_system()
+  {
+    auto system   = std::make_shared<solvers::ContactSystem>(points.layout());
+    const Index n = n_contact(), n_bound = points.n_bound_unknowns();
+    const Index k     = motions.n_free();
+    system->form      = solvers::Form::compliance;
+    system->n_motions = k;
+    for (Index j = 0; j < k; ++j)
+      system->first.push_back(system->first.back() + 1);
+    MatrixXd       all      = assemble_all();
+    const VectorXd diagonal = all.diagonal().head(H.rows());
+    if (n_bound == 0)
+      system->matrix = std::move(all);
+    else
+      {
+        bound = BoundUnknowns(
+          all,
+          n,
+          n_bound,
+          motions.free_of_own(),
+          motions.tied_of_own(),
+          motions.loose(),
+          find_redundant_rows(elastic.bodies, points, coordinates, motions));
+        system->matrix = bound.matrix();
+        // where supports hold both sides nothing gives way: as elsewhere
+        const double mean  = diagonal.mean();
+        stiffness_of_bound = diagonal.tail(n_bound).unaryExpr(
+          [mean](const double w) { return 1 / (w > 1e-14 * mean ? w : mean); });
+      }
+    forget_unseen_motions(*system);
+    // The check of existence asks for motions that not even foundations resist.
+    system->null_space = motions.null_space();
+    contact_system     = system;
+    // loads and prescribed displacements are kept apart by their sizes only
+    stiffness_scale = diagonal.sum() > 0 ?
+                        static_cast<double>(diagonal.size()) / diagonal.sum() :
+                        1.;
+  }
+
+  /* Foundations make up for what contacts do not see. */
+  void
+  CondensedCompliance::forget_unseen_motions(solvers::ContactSystem &system)
+  {
+    const Index n = system.n_contact_unknowns(), k = system.n_motions;
+    const auto &loose = motions.loose();
+    MatrixXd    G     = system.matrix.topRightCorner(n, k)(Eigen::all, loose);
+    unseen            = motions.unresisted() * forget_unseen(G);
+    for (std::size_t j = 0; j < loose.size(); ++j)
+      {
+        const Index i = n + loose[j];
+        system.matrix.col(i).setZero();
+        system.matrix.row(i).setZero();
+        system.matrix.col(i).head(n) = G.col(static_cast<Index>(j));
+        system.matrix.row(i).head(n) = -G.col(static_cast<Index>(j));
+      }
+  }
+
+  Eigen::MatrixXd
+  CondensedCompliance::deform(const MatrixXd &forces) const
+  {
+    return bodies.map(forces,
+                      [](const CondensedBodies::Part &part,
+                         const unsigned int,
+                         const MatrixXd &of_body) {
+                        return part.element->deform(of_body);
+                      });
+  }
+
+  // Nothing resists these motions: a load on them would have no answer.
+  Eigen::VectorXd
+  CondensedCompliance::without_unseen(const VectorXd &against) const
+  {
+    AssertDimension(against.size(), motions.own().cols());
+    if (unseen.cols() == 0)
+      return against;
+    const MatrixXd nowhere = motions.free_of_own() * unseen;
+    return against - nowhere * (nowhere.transpose() * against).eval();
+  }
+
+  /* H^T r, and the foundations against the motions a. */
+  Eigen::VectorXd
+  CondensedCompliance::forces_of(const VectorXd &primal) const
+  {
+    AssertDimension(primal.size(), H.rows() + motions.own().cols());
+    return H.transpose() * primal.head(H.rows()) -
+           free.resistance(primal.tail(primal.size() - H.rows()));
+  }
+
+  void
+  CondensedCompliance::reduce_one(const VectorXd &forces,
+                                  const VectorXd &prescribed,
+                                  LoadCase       &load)
+  {
+    AssertDimension(forces.size(), coordinates.n_dofs());
+    AssertDimension(prescribed.size(), coordinates.n_dofs());
+    // What is prescribed acts as a load.
+    load.b       = own.restrict(forces - elastic.internal_forces(prescribed));
+    VectorXd all = reduce_all(load.b, forces);
+    // R^T K = 0 but for rounding, which must not carry anything
+    const VectorXd rounding =
+      own.restrict(elastic.structure_forces(prescribed));
+    all.tail(motions.own().cols()) -= free.resultants(rounding);
+    set_load(all, load);
+  }
+
+  void
+  CondensedCompliance::set_load(const VectorXd &all, LoadCase &load) const
+  {
+    if (points.n_bound() == 0)
+      {
+        load.f = all;
+        return;
+      }
+    load.bound = bound.bound_part(all);
+    load.f     = bound.kept_part(all) + bound.effect(load.bound);
+  }
+
+  LoadCase
+  CondensedCompliance::nothing() const
+  {
+    LoadCase load;
+    load.b = VectorXd::Zero(own.n_unknowns());
+    set_load(VectorXd::Zero(H.rows() + motions.own().cols()), load);
+    return load;
+  }
+
+  Eigen::VectorXd
+  CondensedCompliance::reduce_all(const VectorXd &b,
+                                  const VectorXd &forces) const
+  {
+    AssertDimension(b.size(), own.n_unknowns());
+    VectorXd w = VectorXd::Zero(b.size());
+    for (const CondensedBodies::Part &part : bodies.parts())
+      for (const unsigned int body : part.bodies)
+        {
+          const VectorXd kept =
+            part.element->flexibility() *
+            // P_C (f_C - K_CF K_FF^-1 f_F): displacements of what is retained.
+            part.element->reduce(
+              b.segment(own.begin(body), bodies.n_own(body)));
+          for (std::size_t k = 0; k < part.retained.size(); ++k)
+            w[own.begin(body) + part.retained[k]] = kept[static_cast<Index>(k)];
+        }
+    VectorXd f(H.rows() + motions.own().cols());
+    f << H * w,
+      without_unseen(free.imbalance(b) + free.rigid_imbalance(forces));
+    return f;
+  }
+
+  void
+  CondensedCompliance::forget_rounding(LoadCase &load) const
+  {
+    constexpr double rounding = 1e-13; // of a sum
+    const VectorXd   zero =
+      rounding * (motions.free_of_own().cwiseAbs().transpose() *
+                  free.size_of_terms(load.b));
+    for (Index j = 0; j < zero.size(); ++j)
+      if (double &sum = load.f[n_contact() + j]; std::abs(sum) <= zero[j])
+        sum = 0;
+  }
+
+  void
+  CondensedCompliance::move_bound(const VectorXd &offset, LoadCase &load) const
+  {
+    if (points.n_bound() == 0)
+      return;
+    VectorXd change            = VectorXd::Zero(load.bound.size());
+    change.head(offset.size()) = offset;
+    load.bound += change;
+    load.f += bound.effect(change);
+  }
+
+  BoundState
+  CondensedCompliance::bound_state(const LoadCase &load,
+                                   const VectorXd &primal) const
+  {
+    if (points.n_bound() == 0)
+      return {};
+    const VectorXd x = bound.bound_of(primal, load.bound);
+    const Index    n = points.n_bound_unknowns();
+    return {x.head(n), motions.own() * x.tail(x.size() - n)};
+  }
+
+  /* w = P (b + H^T r - K_s R a) of each body, and what is prescribed. */
+  Eigen::MatrixXd
+  CondensedCompliance::expand(const std::vector<const LoadCase *> &loads,
+                              const std::vector<Eigen::VectorXd>  &primal) const
+  {
+    AssertDimension(loads.size(), primal.size());
+    const auto n = static_cast<Index>(loads.size());
+    MatrixXd   forces(own.n_unknowns(), n);
+    for (Index k = 0; k < n; ++k)
+      forces.col(k) =
+        loads[at(k)]->b + forces_of(all_of(*loads[at(k)], primal[at(k)]));
+    const MatrixXd p = deform(forces);
+    MatrixXd       w(coordinates.n_dofs(), n);
+    for (Index k = 0; k < n; ++k)
+      w.col(k) = own.expand(p.col(k)) + loads[at(k)]->prescribed;
+    return w;
+  }
+
+  Eigen::VectorXd
+  CondensedCompliance::all_of(const LoadCase &load,
+                              const VectorXd &primal) const
+  {
+    return points.n_bound() == 0 ? primal : bound.complete(primal, load.bound);
+  }
+
+  LoadCase
+  CondensedCompliance::reduce_unbalanced(const VectorXd &unbalanced) const
+  {
+    AssertDimension(unbalanced.size(), coordinates.n_dofs());
+    LoadCase change;
+    change.b = -own.restrict(unbalanced);
+    set_load(reduce_all(change.b, -unbalanced), change);
+    return change;
+  }
+
+  /* Refinement of w: P of what is left unbalanced, with the forces of the
+     changed reactions and motions. */
+  Eigen::VectorXd
+  CondensedCompliance::correction(const LoadCase &change,
+                                  const VectorXd &primal) const
+  {
+    return own.expand(deform(change.b + forces_of(all_of(change, primal))));
+  }
+
+  condensed::FactorEstimate
+  CondensedCompliance::estimate(const ElasticSystem        &elastic,
+                                const ContactPoints        &points,
+                                const Coordinates          &coordinates,
+                                const RigidMotions         &motions,
+                                const condensed::Condenser &condenser)
+  {
+    return CondensedCompliance(
+             elastic, points, coordinates, motions, condenser, Empty())
+      .bodies.estimate(condenser);
+  }
+
+  /* Heat presses no body as a whole: its forces cancel up to rounding, and a
+     free motion would take this rounding for a load. */
+  LoadCase
+  CondensedCompliance::reduce(const VectorXd &forces,
+                              const VectorXd &heat,
+                              const VectorXd &prescribed)
+  {
+    LoadCase load = Elasticity::reduce(forces, prescribed);
+    forget_rounding(load);
+    if (heat.size() == 0)
+      return load;
+    LoadCase hot = Elasticity::reduce(heat, VectorXd::Zero(prescribed.size()));
+    for (Index j = n_contact(); j < contact_system->n_unknowns(); ++j)
+      if (contact_system->matrix(j, j) == 0) // rounding must not drive a body
+        hot.f[j] = 0;
+    load.b += hot.b;
+    load.f += hot.f;
+    if (hot.bound.size() > 0)
+      load.bound += hot.bound;
+    return load;
+  }
+
+  /* What is unknown is what motions change from their base on. */
+  void
+  CondensedCompliance::write(const LoadCase          &load,
+                             const VectorXd          &offset,
+                             const ElasticState      &state,
+                             solvers::ContactProblem &problem) const
+  {
+    AssertDimension(offset.size(), n_contact());
+    problem.load = load.f;
+    problem.load.head(offset.size()) += offset;
+    if (const Index k = contact_system->n_motions; k > 0)
+      problem.load += contact_system->matrix.rightCols(k) * state.base;
+  }
+
+  /* In compliance form f has forces in its balance rows only. What is bound may
+     carry nearly all. */
+  double
+  CondensedCompliance::largest_force(const LoadCase &load) const
+  {
+    const double force =
+      solvers::largest(load.f.tail(contact_system->n_motions));
+    if (points.n_bound() == 0)
+      return force;
+    const VectorXd none = VectorXd::Zero(load.f.size());
+    return std::max(force, solvers::largest(bound_state(load, none).r));
+  }
+
+  double
+  CondensedCompliance::reference_force(const LoadCase &load) const
+  {
+    return points.n_bound() == 0 ? 0. : rounding_of_past * largest_force(load);
+  }
+
+  Eigen::VectorXd
+  CondensedCompliance::contact_load(
+    const solvers::ContactProblem &problem) const
+  {
+    const VectorXd resultants = -motions.unresisted().transpose() *
+                                problem.load.tail(problem.system->n_motions);
+    return shortest_load(problem.system->null_space, resultants);
+  }
+
+  void
+  CondensedCompliance::begin(const ElasticState    &state,
+                             solvers::ContactState &start) const
+  {
+    const Index n = n_contact(), k = state.motions.size();
+    start.v.conservativeResizeLike(VectorXd::Zero(n + k));
+    start.r.conservativeResizeLike(VectorXd::Zero(n + k));
+    // motions count from where the problem is written about
+    start.r.tail(k) = state.motions - state.base;
+  }
+
+  void
+  CondensedCompliance::end(const solvers::ContactState &end,
+                           ElasticState                &state) const
+  {
+    // The next problem is written about where its bodies are then.
+    if (end.r.size() > n_contact())
+      state.motions = state.base =
+        state.base + end.r.tail(state.motions.size());
+  }
+
+  Eigen::VectorXd
+  CondensedCompliance::primal(const ElasticState &state,
+                              const VectorXd     &r) const
+  {
+    VectorXd result(n_contact() + state.motions.size());
+    result << r, state.motions;
+    return result;
+  }
+
+  void
+  CondensedCompliance::move(const VectorXd &amounts,
+                            const VectorXd &,
+                            solvers::ContactState &end) const
+  {
+    end.r.tail(amounts.size()) += amounts;
+  }
+
+  void
+  CondensedCompliance::restore(const std::vector<double> &,
+                               const VectorXd &,
+                               ElasticState &state) const
+  {
+    state.start.resize(0); // reactions and motions are all there is
+  }
+
+  void
+  CondensedCompliance::add_missed(const VectorXd &by_contacts,
+                                  const VectorXd &by_bound,
+                                  LoadCase       &change) const
+  {
+    change.f.head(by_contacts.size()) += by_contacts;
+    move_bound(by_bound, change);
+  }
+
+  /* The relation holds for rounded matrices: the end is nearly right. */
+  solvers::ContactState
+  CondensedCompliance::restart(const solvers::ContactState &,
+                               const solvers::ContactState &end) const
+  {
+    solvers::ContactState start = end;
+    start.r.tail(contact_system->n_motions).setZero();
+    return start;
+  }
+} // namespace conetact::contact

@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/condensed_stiffness.h"
+
+#include "conetact/base/index.h"
+#include "conetact/contact/large_nodes.h"
+#include "conetact/solvers/null_space.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::MatrixXd;
+    using Eigen::VectorXd;
+
+    /** Mechanisms are searched for in systems up to this size. */
+    constexpr Index largest_rank_search = 2000;
+
+    std::vector<Index>
+    own_unknowns(const ContactPoints &points, const BodyCoordinates &own)
+    {
+      std::vector<Index> result;
+      for (const ContactPoint &point : points)
+        for (std::size_t k = 0; k < point.directions.size(); ++k)
+          result.push_back(own.first_of(point) + static_cast<Index>(k));
+      return result;
+    }
+
+    /** Bodies keep the unknowns of contacts, and no others. */
+    CondensedBodies
+    bodies_with(const ElasticSystem      &elastic,
+                const BodyCoordinates    &own,
+                const std::vector<Index> &contact)
+    {
+      std::vector<bool> kept(at(own.n_unknowns()), false);
+      for (const Index p : contact)
+        kept[at(p)] = true;
+      return {elastic,
+              own,
+              {},
+              [&](const unsigned int body, std::vector<bool> &of_body) {
+                for (std::size_t i = 0; i < of_body.size(); ++i)
+                  of_body[i] = kept[at(own.begin(body)) + i];
+              }};
+    }
+
+    /** Rows of x of all own unknowns that a part has retained. */
+    std::vector<Index>
+    retained_rows(const CondensedBodies::Part &part,
+                  const unsigned int           body,
+                  const BodyCoordinates       &own)
+    {
+      std::vector<Index> rows = part.retained;
+      for (Index &row : rows)
+        row += own.begin(body);
+      return rows;
+    }
+  } // namespace
+
+  CondensedStiffness::CondensedStiffness(const ElasticSystem &e,
+                                         const ContactPoints &points,
+                                         const Coordinates   &coordinates,
+                                         const RigidMotions  &m,
+                                         const bool           find_mechanisms,
+                                         const condensed::Condenser &by)
+    : elastic(e)
+    , motions(m)
+    , condenser(by)
+    , own(elastic.bodies, coordinates, &points)
+    , own_unknown(own_unknowns(points, own))
+    , bodies(bodies_with(elastic, own, own_unknown))
+  {
+    bodies.condense(condenser);
+    auto system    = std::make_shared<solvers::ContactSystem>(points.layout());
+    system->matrix = take_stiffness();
+    const Index n  = system->matrix.cols();
+    AssertDimension(n, points.n_unknowns());
+    // Frames may have motions that nobody has named; those of other bodies
+    // are rigid, and known to the last digit.
+    system->null_space =
+      find_mechanisms && n > 0 && n <= largest_rank_search ?
+        solvers::null_space_basis(system->matrix, motions.null_space()) :
+        motions.null_space();
+    contact_system = system;
+    if (const double mean = diagonal_of(elastic, coordinates.n_dofs()).mean();
+        mean > 0)
+      stiffness_scale = std::exp2(std::round(std::log2(mean)));
+  }
+
+  condensed::FactorEstimate
+  CondensedStiffness::estimate(const ElasticSystem        &elastic,
+                               const ContactPoints        &points,
+                               const Coordinates          &coordinates,
+                               const condensed::Condenser &condenser)
+  {
+    const BodyCoordinates own(elastic.bodies, coordinates, &points);
+    return bodies_with(elastic, own, own_unknowns(points, own))
+      .estimate(condenser);
+  }
+
+  /* Bodies that meet obstacles only do not see each other: each has rows of its
+     own. */
+  MatrixXd
+  CondensedStiffness::take_stiffness()
+  {
+    std::vector<Index> place(at(own.n_unknowns()), -1);
+    for (std::size_t i = 0; i < own_unknown.size(); ++i)
+      place[at(own_unknown[i])] = static_cast<Index>(i);
+    const auto n = static_cast<Index>(own_unknown.size());
+    MatrixXd   K;
+    for (const CondensedBodies::Part &part : bodies.parts())
+      {
+        std::vector<Index> rows;
+        for (const Index row : retained_rows(part, part.bodies[0], own))
+          rows.push_back(place[at(row)]);
+        MatrixXd S = part.element->take_stiffness();
+        if (S.cols() == n && std::is_sorted(rows.begin(), rows.end()))
+          return S; // the usual case, and a large matrix
+        if (K.size() == 0)
+          K.setZero(n, n);
+        K(rows, rows) = S;
+      }
+    return K.size() > 0 ? K : MatrixXd::Zero(n, n);
+  }
+
+  void
+  CondensedStiffness::reduce_one(const VectorXd &forces,
+                                 const VectorXd &prescribed,
+                                 LoadCase       &load)
+  {
+    // B^T (f - K d): what is prescribed acts as a load on the rest.
+    load.b = own.restrict(forces - elastic.internal_forces(prescribed));
+    load.f = reduce_forces(load.b);
+    if (is_linear())
+      // No contact unknowns: the load case is solved once for all.
+      load.q = carry(load.b, MatrixXd(0, 1));
+  }
+
+  LoadCase
+  CondensedStiffness::nothing() const
+  {
+    LoadCase load;
+    load.b = VectorXd::Zero(own.n_unknowns());
+    load.f = VectorXd::Zero(static_cast<Index>(own_unknown.size()));
+    if (is_linear())
+      load.q = load.b;
+    return load;
+  }
+
+  VectorXd
+  CondensedStiffness::reduce_forces(const VectorXd &b) const
+  {
+    if (is_linear())
+      return {};
+    VectorXd reduced(b.size());
+    for (const CondensedBodies::Part &part : bodies.parts())
+      reduced(retained_rows(part, part.bodies[0], own)) = part.element->reduce(
+        b.segment(own.begin(part.bodies[0]), bodies.n_own(part.bodies[0])));
+    return reduced(own_unknown);
+  }
+
+  MatrixXd
+  CondensedStiffness::carry(const MatrixXd &b, const MatrixXd &contact) const
+  {
+    AssertDimension(b.cols(), contact.cols());
+    MatrixXd displaced(b.rows(), b.cols());
+    displaced(own_unknown, Eigen::all) = contact;
+    return bodies.map(b,
+                      [&](const CondensedBodies::Part &part,
+                          const unsigned int           body,
+                          const MatrixXd              &of_body) {
+                        return part.element->carry(
+                          of_body,
+                          displaced(retained_rows(part, body, own),
+                                    Eigen::all));
+                      });
+  }
+
+  MatrixXd
+  CondensedStiffness::expand(const std::vector<const LoadCase *> &loads,
+                             const std::vector<VectorXd>         &primal) const
+  {
+    AssertDimension(loads.size(), primal.size());
+    // Where nothing has changed the displacements are those before.
+    std::vector<std::size_t> different;
+    std::vector<Index>       column;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      {
+        if (k == 0 || loads[k]->b != loads[k - 1]->b ||
+            primal[k] != primal[k - 1])
+          different.push_back(k);
+        column.push_back(static_cast<Index>(different.size()) - 1);
+      }
+    const auto n = static_cast<Index>(different.size());
+    // A column of the right-hand side for each different load case: many of
+    // them cost little more than one.
+    MatrixXd q(own.n_unknowns(), n);
+    MatrixXd contact(static_cast<Index>(own_unknown.size()), n);
+    for (Index i = 0; i < n; ++i)
+      {
+        const std::size_t k = different[at(i)];
+        q.col(i)            = is_linear() ? loads[k]->q : loads[k]->b;
+        contact.col(i)      = primal[k];
+      }
+    if (!is_linear())
+      q = carry(q, contact);
+    MatrixXd w(loads[0]->prescribed.size(), static_cast<Index>(loads.size()));
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      w.col(static_cast<Index>(k)) =
+        own.expand(q.col(column[k])) + loads[k]->prescribed;
+    return w;
+  }
+
+  /* `unbalanced` is K w - f: what takes it away has the other sign. */
+  LoadCase
+  CondensedStiffness::reduce_unbalanced(const VectorXd &unbalanced) const
+  {
+    LoadCase change;
+    change.b = -own.restrict(unbalanced);
+    change.f = reduce_forces(change.b);
+    return change;
+  }
+
+  VectorXd
+  CondensedStiffness::correction(const LoadCase &change,
+                                 const VectorXd &primal) const
+  {
+    return own.expand(carry(change.b, primal));
+  }
+
+  void
+  CondensedStiffness::write(const LoadCase &load,
+                            const VectorXd &offset,
+                            const ElasticState &,
+                            solvers::ContactProblem &problem) const
+  {
+    AssertDimension(offset.size(), load.f.size());
+    problem.load   = load.f;
+    problem.offset = offset;
+  }
+
+  double
+  CondensedStiffness::largest_force(const LoadCase &load) const
+  {
+    return solvers::largest(load.f);
+  }
+
+  VectorXd
+  CondensedStiffness::contact_load(const solvers::ContactProblem &problem) const
+  {
+    return problem.load;
+  }
+
+  /* The elastic displacements by themselves: v - o would round them where
+     bodies have moved far. */
+  void
+  CondensedStiffness::begin(const ElasticState    &state,
+                            solvers::ContactState &start) const
+  {
+    start.u = primal(state, start.r);
+  }
+
+  void
+  CondensedStiffness::end(const solvers::ContactState &end,
+                          ElasticState                &state) const
+  {
+    if (end.u.size() == contact_system->n_unknowns())
+      state.start = end.u;
+  }
+
+  VectorXd
+  CondensedStiffness::primal(const ElasticState &state, const VectorXd &) const
+  {
+    return state.start.size() > 0 ?
+             state.start :
+             VectorXd::Zero(static_cast<Index>(own_unknown.size()));
+  }
+
+  void
+  CondensedStiffness::move(const VectorXd &,
+                           const VectorXd        &seen,
+                           solvers::ContactState &end) const
+  {
+    end.u += seen;
+  }
+
+  /* The iterative Elasticity has contact unknowns behind all others. One
+     stiffness of all knows no motions apart from displacements. */
+  void
+  CondensedStiffness::restore(const std::vector<double> &start,
+                              const VectorXd            &q,
+                              ElasticState              &state) const
+  {
+    state.start = q;
+    if (start.size() >= at(q.size()))
+      std::copy(start.end() - q.size(), start.end(), state.start.data());
+    if (state.motions.size() == 0)
+      return;
+    state.start += motions.seen() * state.motions;
+    state.motions.setZero();
+    state.base.setZero();
+  }
+
+  std::string
+  CondensedStiffness::description() const
+  {
+    return condensation_by(condenser);
+  }
+} // namespace conetact::contact

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/contact_history.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/contact/open_motions.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    std::vector<Tensor<1, 3>>
+    directions_of(const ContactPoints &points)
+    {
+      std::vector<Tensor<1, 3>> all;
+      for (const ContactPoint &point : points.all())
+        all.insert(all.end(), point.directions.begin(), point.directions.end());
+      return all;
+    }
+
+    std::vector<double>
+    to_numbers(const std::vector<solvers::NodeState> &states)
+    {
+      std::vector<double> numbers;
+      for (const solvers::NodeState state : states)
+        numbers.push_back(static_cast<double>(state));
+      return numbers;
+    }
+
+    std::vector<solvers::NodeState>
+    to_states(const std::vector<double> &numbers)
+    {
+      std::vector<solvers::NodeState> states;
+      for (const double number : numbers)
+        states.push_back(static_cast<solvers::NodeState>(number));
+      return states;
+    }
+  } // namespace
+
+  ContactHistory::ContactHistory(ContactModel &m)
+    : model(&m)
+    , initial_gap(m.points.layout().n_nodes())
+    , q(Eigen::VectorXd::Zero(m.points.n_unknowns()))
+    , r(q)
+  {
+    forget_motions();
+    Eigen::Index i = 0;
+    for (const ContactPoint &point : model->points)
+      initial_gap[i++] = point.node->gap;
+  }
+
+  /* The law counts the slip from the start of the increment, and the gap from
+     zero: v = H u + o + shift. */
+  Eigen::VectorXd
+  ContactHistory::shift() const
+  {
+    const solvers::ContactSystem &layout = model->points.layout();
+    Eigen::VectorXd               s      = -q;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      s[layout.normal(i)] = initial_gap[i];
+    return s;
+  }
+
+  // Bodies that are moved until they touch miss each other by rounding only,
+  // which must not press them.
+  Eigen::VectorXd
+  ContactHistory::offset_at(const LoadCase &load) const
+  {
+    AssertDimension(load.offset.size(), q.size());
+    using conetact::solvers::largest;
+    const solvers::ContactSystem &layout = model->points.layout();
+    Eigen::VectorXd               sum    = load.offset + shift();
+    Eigen::VectorXd               moving = load.offset;
+    double moved = largest(load.placement) + largest(load.prescribed);
+    if (const Eigen::VectorXd motions =
+          model->elasticity().moved_by(elastic.base);
+        motions.size() > 0)
+      {
+        sum += motions;
+        moving += motions;
+        moved += largest(elastic.base);
+      }
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      {
+        const Eigen::Index k = layout.normal(i);
+        if (std::abs(sum[k]) <=
+            solvers::position_rounding *
+              (std::abs(initial_gap[i]) + std::abs(moving[k]) + moved))
+          sum[k] = 0;
+      }
+    return sum;
+  }
+
+  Eigen::VectorXd
+  ContactHistory::gaps() const
+  {
+    const solvers::ContactSystem &layout = model->points.layout();
+    Eigen::VectorXd               gap    = initial_gap;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      gap[i] += q[layout.normal(i)];
+    return gap;
+  }
+
+  void
+  ContactHistory::relink(std::vector<pairing::ContactNode> nodes,
+                         const Eigen::VectorXd            &u,
+                         const double                      t)
+  {
+    model->relink(std::move(nodes), elastic);
+    Eigen::Index i = 0;
+    for (const ContactPoint &point : model->points)
+      initial_gap[i++] = point.node->gap;
+    if (u.size() > 0)
+      q = model->relative_displacements(u, t);
+    // Frames have taken the free motions so far.
+    for (Eigen::Index j = 0; j < elastic.motions.size(); ++j)
+      if (model->frames.has(
+            model->motions.body_of_free()[static_cast<std::size_t>(j)]))
+        elastic.motions[j] = elastic.base[j] = 0;
+  }
+
+  void
+  ContactHistory::save(Archive &archive) const
+  {
+    archive.put("contact/q", q);
+    archive.put("contact/r", r);
+    archive.put("contact/elastic", elastic.start);
+    archive.put("contact/a", elastic.motions);
+    archive.put("contact/base", elastic.base);
+    archive.put("contact/largest", largest);
+    archive.put("contact/gap", initial_gap);
+    archive.put("contact/directions", directions_of(model->points));
+    archive.put("contact/states", to_numbers(states));
+  }
+
+  void
+  ContactHistory::restore(const Archive &archive)
+  {
+    Eigen::VectorXd gap(initial_gap.size());
+    archive.fill("contact/gap", gap);
+    std::vector<Tensor<1, 3>> now = directions_of(model->points), then(now);
+    archive.fill("contact/directions", then);
+    double turned = conetact::solvers::largest(gap - initial_gap) /
+                    std::max(conetact::solvers::largest(gap), 1e-300);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      turned = std::max(turned, (now[i] - then[i]).norm());
+    if (turned > 1e-9)
+      throw InputError("The checkpoint does not fit the scene: contact nodes "
+                       "have other gaps or directions. Meshes, obstacles and "
+                       "supports of contact nodes must be those of the run "
+                       "that is continued.");
+    archive.fill("contact/q", q);
+    archive.fill("contact/r", r);
+    archive.fill("contact/largest", largest);
+    states = to_states(archive.get("contact/states"));
+    // Where other supports leave other motions free, the problem is written
+    // about the undeformed place, which is as good.
+    if (archive.get("contact/a").size() ==
+        static_cast<std::size_t>(elastic.motions.size()))
+      {
+        archive.fill("contact/a", elastic.motions);
+        archive.fill("contact/base", elastic.base);
+      }
+    model->elasticity().restore(archive.get("contact/elastic"), q, elastic);
+  }
+
+  void
+  ContactHistory::see_elasticity()
+  {
+    model->elasticity().restore({elastic.start.data(),
+                                 elastic.start.data() + elastic.start.size()},
+                                q,
+                                elastic);
+  }
+
+  solvers::ContactProblem
+  ContactHistory::problem(const LoadCase &load)
+  {
+    const Elasticity       &bodies = model->elasticity();
+    solvers::ContactProblem problem;
+    problem.system = bodies.system();
+    problem.gap    = gaps();
+    problem.reference_force =
+      std::max(rounding_of_past * largest, bodies.reference_force(load));
+    bodies.write(load, offset_at(load), elastic, problem);
+    largest = std::max(largest, bodies.largest_force(load));
+    return problem;
+  }
+
+  solvers::ContactState
+  ContactHistory::start() const
+  {
+    const solvers::ContactSystem &layout = model->points.layout();
+    const Eigen::VectorXd         gap    = gaps();
+    solvers::ContactState         state;
+    state.v = Eigen::VectorXd::Zero(layout.n_unknowns());
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      state.v[layout.normal(i)] = gap[i];
+    state.r    = r;
+    state.node = states;
+    model->elasticity().begin(elastic, state);
+    return state;
+  }
+
+  Eigen::VectorXd
+  ContactHistory::nearby(const Eigen::VectorXd &w,
+                         Eigen::VectorXd        motions) const
+  {
+    if (w.size() == 0)
+      return {};
+    for (Eigen::Index j = 0; j < motions.size(); ++j)
+      if (model->frames.has(
+            model->motions.body_of_free()[static_cast<std::size_t>(j)]))
+        motions[j] = elastic.base[j];
+    return model->elasticity().nearby(w, motions - elastic.base);
+  }
+
+  void
+  ContactHistory::advance(const solvers::ContactState &end)
+  {
+    AssertDimension(end.node.size(), model->points.size());
+    Assert(end.r.allFinite() && end.v.allFinite(),
+           dealii::ExcMessage("Only finite states become history."));
+    const solvers::ContactSystem &layout = model->points.layout();
+    const Eigen::Index            n      = layout.n_unknowns();
+    q += end.v.head(n);
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      // v has slips of the increment, but the gap itself.
+      q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i];
+    r = end.r.head(n);
+    model->elasticity().end(end, elastic);
+    states = end.node;
+    if (n > 0)
+      largest = std::max(largest, r.cwiseAbs().maxCoeff());
+  }
+
+  void
+  ContactHistory::move(solvers::ContactState &end,
+                       const Eigen::VectorXd &amounts,
+                       const double           largest_force) const
+  {
+    const Eigen::VectorXd seen = model->motions.seen() * amounts;
+    end.v.head(seen.size()) += seen;
+    model->elasticity().move(amounts, seen, end);
+    // What carried nothing may have left or slipped, and what stuck at its
+    // limit may slip.
+    const double zero = 1e-12 * conetact::solvers::largest(amounts);
+    const solvers::ContactSystem &layout = model->points.layout();
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      {
+        const Eigen::Index  n = layout.normal(i), nt = layout.n_tangents(i);
+        const bool          empty = presses_nothing(end.r[n], largest_force);
+        solvers::NodeState &state = end.node[static_cast<std::size_t>(i)];
+        if (empty && end.v[n] > zero)
+          {
+            end.r.segment(n - nt, nt + 1).setZero();
+            state = solvers::NodeState::open;
+          }
+        else if (state == solvers::NodeState::stick &&
+                 end.v.segment(n - nt, nt).norm() > zero &&
+                 (empty || is_at_limit(end.r.segment(n - nt, nt),
+                                       layout.mu(i) * end.r[n])))
+          state = solvers::NodeState::slip;
+      }
+  }
+} // namespace conetact::contact

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/elasticity.h"
+
+namespace conetact::contact
+{
+  namespace
+  {
+    /** More different loads than this are forgotten and begun anew. */
+    constexpr std::size_t largest_basis = 8;
+
+    /** A load case that differs by less is a combination of others. */
+    constexpr double same_load = 4e-15;
+
+    void
+    add(const double factor, const Eigen::VectorXd &x, Eigen::VectorXd &sum)
+    {
+      if (sum.size() == 0)
+        sum.setZero(x.size());
+      sum += factor * x;
+    }
+
+    void
+    add(const double factor, const LoadCase &part, LoadCase &sum)
+    {
+      add(factor, part.b, sum.b);
+      add(factor, part.f, sum.f);
+      add(factor, part.q, sum.q);
+      add(factor, part.bound, sum.bound);
+    }
+  } // namespace
+
+  LoadCase
+  Elasticity::reduce(const Eigen::VectorXd &forces,
+                     const Eigen::VectorXd &prescribed)
+  {
+    const Eigen::Index n = forces.size();
+    LoadCase           load;
+    load.prescribed = prescribed;
+    Eigen::VectorXd rest(2 * n);
+    // Reduction is linear in forces and prescribed displacements: both as one
+    // vector, made of like size.
+    rest << forces, stiffness_scale * prescribed;
+
+    const double size = rest.norm();
+    if (size == 0)
+      {
+        load            = nothing();
+        load.prescribed = prescribed;
+        return load;
+      }
+    const auto project = [&] {
+      for (const Known &known : basis)
+        {
+          const double part = known.direction.dot(rest);
+          rest -= part * known.direction;
+          add(part, known.load, load);
+        }
+    };
+    project();
+    project(); // twice is enough for orthogonality to round-off
+    const double norm = rest.norm();
+    if (norm <= same_load * size)
+      return load;
+
+    if (basis.size() == largest_basis)
+      basis.clear();
+    Known known;
+    known.direction = rest / norm;
+    reduce_one(known.direction.head(n),
+               known.direction.tail(n) / stiffness_scale,
+               known.load);
+    ++n_reduced;
+    add(norm, known.load, load);
+    basis.push_back(std::move(known));
+    return load;
+  }
+
+  LoadCase
+  Elasticity::reduce(const Eigen::VectorXd &forces,
+                     const Eigen::VectorXd &heat,
+                     const Eigen::VectorXd &prescribed)
+  {
+    return heat.size() == 0 ? reduce(forces, prescribed) :
+                              reduce(forces + heat, prescribed);
+  }
+
+  Eigen::VectorXd
+  shortest_load(const Eigen::MatrixXd &null_space,
+                const Eigen::VectorXd &resultants)
+  {
+    const Eigen::MatrixXd balance = null_space.transpose();
+    return balance.completeOrthogonalDecomposition().solve(resultants);
+  }
+} // namespace conetact::contact

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/free_motions.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+
+namespace conetact::contact
+{
+  FreeMotions::FreeMotions(const ElasticSystem   &e,
+                           const RigidMotions    &m,
+                           const BodyCoordinates &o)
+    : elastic(e)
+    , motions(m)
+    , own(o)
+  {
+    find();
+  }
+
+  /* R of each body in its own unknowns, and the forces K_s R by which
+     foundations resist. */
+  void
+  FreeMotions::find()
+  {
+    const auto &of_body = motions.body_of_own();
+    all.resize(elastic.bodies.names.size());
+    n_of_elastic =
+      std::count_if(of_body.begin(), of_body.end(), [&](const unsigned int b) {
+        return !elastic.bodies.is_rigid(b);
+      });
+    for (unsigned int body = 0; body < all.size(); ++body)
+      {
+        OfBody     &own_motions = all[body];
+        const Index n           = own.end(body) - own.begin(body);
+        const auto  begin = std::find(of_body.begin(), of_body.end(), body);
+        const Index k     = std::count(of_body.begin(), of_body.end(), body);
+        own_motions.first = begin - of_body.begin();
+        own_motions.R.resize(n, k);
+        own_motions.spring_forces.setZero(n, k);
+        own_motions.Y = own_motions.spring_forces;
+        for (Index j = 0; j < k; ++j)
+          {
+            const VectorXd u =
+              motions.field(motions.own().col(own_motions.first + j));
+            own_motions.R.col(j) = own.values(u).segment(own.begin(body), n);
+            own_motions.spring_forces.col(j) =
+              own.restrict(elastic.spring_forces(u))
+                .segment(own.begin(body), n);
+          }
+      }
+  }
+
+  /* Foundations push back against a motion, and the body deforms under that: Y
+     = -P K_s R. */
+  void
+  FreeMotions::respond(const CondensedBodies &bodies)
+  {
+    for (const CondensedBodies::Part &part : bodies.parts())
+      for (const unsigned int body : part.bodies)
+        {
+          OfBody &m = all[body];
+          m.Y       = m.spring_forces.isZero(0) ?
+                        MatrixXd(MatrixXd::Zero(m.R.rows(), m.R.cols())) :
+                        MatrixXd(part.element->deform(-m.spring_forces));
+        }
+  }
+
+  void
+  FreeMotions::add_to(const Eigen::SparseMatrix<double> &H,
+                      MatrixXd                          &relation) const
+  {
+    const Index n = H.rows();
+    AssertDimension(relation.rows(), n + motions.own().cols());
+    for (unsigned int body = 0; body < all.size(); ++body)
+      {
+        const OfBody &m     = all[body];
+        const Index   first = n + m.first, size = m.R.cols();
+        if (m.R.size() == 0)
+          continue;
+        const MatrixXd G =
+          H.middleCols(own.begin(body), m.R.rows()) * (m.R + m.Y);
+        relation.block(0, first, n, size) = G;
+        relation.block(first, 0, size, n) = -G.transpose();
+        // R^T K_s R + R^T K_s Y, as Y^T K_s R is symmetric.
+        const MatrixXd C = (m.R + m.Y).transpose() * m.spring_forces;
+        // Foundations hold each body by itself: C has a block for each.
+        relation.block(first, first, size, size) = .5 * (C + C.transpose());
+      }
+  }
+
+  template <typename Value>
+  Eigen::VectorXd
+  FreeMotions::against(const VectorXd &forces, const Value &value) const
+  {
+    AssertDimension(forces.size(), own.n_unknowns());
+    VectorXd result = VectorXd::Zero(motions.own().cols());
+    for (unsigned int body = 0; body < all.size(); ++body)
+      if (const OfBody &m = all[body]; m.R.size() > 0)
+        result.segment(m.first, m.R.cols()) =
+          value(m, forces.segment(own.begin(body), m.R.rows()));
+    return result;
+  }
+
+  Eigen::VectorXd
+  FreeMotions::imbalance(const VectorXd &forces) const
+  {
+    return against(forces, [](const OfBody &m, const auto &f) -> VectorXd {
+      return -(m.R + m.Y).transpose() * f;
+    });
+  }
+
+  Eigen::VectorXd
+  FreeMotions::size_of_terms(const VectorXd &forces) const
+  {
+    return against(forces, [](const OfBody &m, const auto &f) -> VectorXd {
+      return (m.R + m.Y).cwiseAbs().transpose() * f.cwiseAbs();
+    });
+  }
+
+  Eigen::VectorXd
+  FreeMotions::resultants(const VectorXd &forces) const
+  {
+    return against(forces, [](const OfBody &m, const auto &f) -> VectorXd {
+      return m.R.transpose() * f;
+    });
+  }
+
+  Eigen::VectorXd
+  FreeMotions::rigid_imbalance(const VectorXd &forces) const
+  {
+    VectorXd    sum = VectorXd::Zero(motions.own().cols());
+    const Index n   = motions.own().cols() - n_of_elastic;
+    if (n > 0)
+      sum.tail(n) =
+        -motions.own().rightCols(n).transpose() * motions.resultants(forces);
+    return sum;
+  }
+
+  Eigen::VectorXd
+  FreeMotions::resistance(const VectorXd &amounts) const
+  {
+    AssertDimension(amounts.size(), motions.own().cols());
+    VectorXd forces = VectorXd::Zero(own.n_unknowns());
+    for (unsigned int body = 0; body < all.size(); ++body)
+      if (const OfBody &m = all[body]; m.R.size() > 0)
+        forces.segment(own.begin(body), m.R.rows()) =
+          m.spring_forces * amounts.segment(m.first, m.R.cols());
+    return forces;
+  }
+} // namespace conetact::contact

@@ -1,0 +1,504 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/iterative_elasticity.h"
+
+#include "conetact/contact/large_nodes.h"
+#include "conetact/iterative/separate_systems.h"
+#include "conetact/solvers/null_space.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    using Eigen::VectorXd;
+
+    /** Of linear systems without contact: as exact as rounding lets them be. */
+    constexpr double to_the_end = 1e-13;
+
+    /** Of the force that it takes to hold back what moves: to a tolerance of
+     * 1e-10 of this, what is left of it is rounding. */
+    constexpr double rounding_of_motion = 1e-3;
+
+    /** Rigid motions of all bodies together, in the unknowns. */
+    Eigen::MatrixXd
+    rigid_modes(const Bodies &bodies, const Coordinates &coordinates)
+    {
+      const unsigned int dim = bodies.dim, n_turns = dim == 2 ? 1 : 3;
+      Point<3>           centre;
+      unsigned int       n = 0;
+      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+        for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i, ++n)
+          centre += Tensor<1, 3>(bodies.position(b, i));
+      centre /= std::max(n, 1u);
+      Eigen::MatrixXd modes(coordinates.n_unknowns(), dim + n_turns);
+      for (unsigned int k = 0; k < dim + n_turns; ++k)
+        {
+          Tensor<1, 3> axis;
+          axis[k < dim ? k : dim == 2 ? 2 : k - dim] = 1;
+          VectorXd u = VectorXd::Zero(coordinates.n_dofs());
+          for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+            for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
+              {
+                const bodies::Structure &structure = *bodies.structures[b];
+                const Tensor<1, 3>       moved     = bodies.in_frame(
+                  b,
+                  k < dim ?
+                              axis :
+                              cross_product_3d(axis, bodies.position(b, i) - centre));
+                const Eigen::Index first = coordinates.dof(b, i);
+                for (unsigned int c = 0; c < dim; ++c)
+                  u[first + c] = moved[c];
+                for (unsigned int c = dim;
+                     c < structure.n_components() && k >= dim;
+                     ++c)
+                  u[first + c] = axis[dim == 2 ? 2 : c - dim];
+              }
+          modes.col(k) = coordinates.values(u);
+          modes.col(k) /= std::max(modes.col(k).norm(), 1e-300);
+        }
+      return modes;
+    }
+
+    /** Displacements of all dofs by the motions that nothing resists,
+     * orthonormal. */
+    Eigen::MatrixXd
+    unresisted_fields(const RigidMotions &motions,
+                      const Coordinates  &coordinates)
+    {
+      const Eigen::MatrixXd unseen = motions.unseen();
+      Eigen::MatrixXd       fields(coordinates.n_dofs(), unseen.cols());
+      for (Eigen::Index j = 0; j < unseen.cols(); ++j)
+        fields.col(j) = motions.field(motions.of_free(unseen.col(j)));
+      return solvers::orthonormal_basis(fields);
+    }
+
+    /**
+     * An unknown for each of these fields, which together they move far: held,
+     * they keep bodies from moving so, and take no force as long as none drives
+     * these.
+     */
+    std::vector<Eigen::Index>
+    find_pins(const Eigen::MatrixXd &fields, const Coordinates &coordinates)
+    {
+      std::vector<Eigen::Index> pins;
+      Eigen::MatrixXd           moved(coordinates.n_unknowns(), fields.cols());
+      for (Eigen::Index j = 0; j < fields.cols(); ++j)
+        moved.col(j) = coordinates.values(fields.col(j));
+      for (Eigen::Index j = 0; j < fields.cols(); ++j)
+        {
+          Eigen::Index furthest = 0;
+          moved.rowwise().squaredNorm().maxCoeff(&furthest);
+          pins.push_back(furthest);
+          // what is left of the motions with it held
+          const VectorXd row = moved.row(furthest).normalized();
+          moved -= (moved * row).eval() * row.transpose();
+        }
+      return pins;
+    }
+  } // namespace
+
+  IterativeElasticity::IterativeElasticity(const ElasticSystem &e,
+                                           const NodeRules     &supports,
+                                           const ContactPoints &contact_points,
+                                           const RigidMotions  &m)
+    : elastic(e)
+    , points(contact_points)
+    , motions(m)
+    , coordinates(elastic.bodies, supports, &points, arm_of_rotations(e))
+    , nowhere(unresisted_fields(motions, coordinates))
+    , n_bound(points.n_bound_unknowns())
+    , contacts(describe_contacts())
+  {
+    auto system = std::make_shared<solvers::ContactSystem>(points.layout());
+    iterative::LargeStiffness given;
+    const auto                pins = find_pins(nowhere, coordinates);
+    VectorXd                  diagonal_of_dofs;
+    if (!pins.empty() || n_bound > 0)
+      diagonal_of_dofs = diagonal_of(elastic, coordinates.n_dofs());
+    const double pinned     = pins.empty() ? 0. : diagonal_of_dofs.mean();
+    given.elements.for_each = [&](const UnknownsVisitor &visit) {
+      for_each_element(elastic, coordinates, visit);
+      for (const Eigen::Index pin : pins)
+        visit({pin}, &pinned);
+    };
+    given.elements.for_each_connection = [&](const auto &visit) {
+      for_each_connection(elastic, coordinates, visit);
+      for (const Eigen::Index pin : pins)
+        visit({pin});
+    };
+    given.node_of        = nodes_of_unknowns(coordinates);
+    given.modes          = rigid_modes(elastic.bodies, coordinates);
+    given.contact        = points.layout();
+    SpecialNodes special = special_nodes(elastic, coordinates, points);
+    given.surface        = std::move(special.together);
+    given.position       = [&](const unsigned int block) {
+      const auto [body, node] = coordinates.locate(number_of_node(block));
+      const Point<3> p        = elastic.bodies.structures[body]->position(node);
+      return std::array<double, 3>{{p[0], p[1], p[2]}};
+    };
+    system->large           = iterative::make_separate_systems(std::move(given),
+                                                     special.direct,
+                                                     elastic.bodies.dim);
+    const VectorXd diagonal = system->large->diagonal();
+    system->large_diagonal  = diagonal.tail(system->n_unknowns());
+    system->null_space      = motions.null_space();
+    if (diagonal.size() > 0 && diagonal.mean() > 0)
+      stiffness_scale = std::exp2(std::round(std::log2(diagonal.mean())));
+    contact_system = system;
+    if (n_bound > 0)
+      find_stiffness_of_bound(diagonal_of_dofs);
+  }
+
+  std::vector<double>
+  IterativeElasticity::describe_contacts() const
+  {
+    std::vector<double> numbers;
+    const auto add = [&](const ContactPoint &point, const unsigned int body) {
+      for (const auto *const list :
+           {&point.directions, &point.dual, &point.frictionless})
+        for (const Tensor<1, 3> &direction : *list)
+          {
+            const Tensor<1, 3> v = elastic.bodies.in_frame(body, direction);
+            numbers.insert(numbers.end(), {v[0], v[1], v[2]});
+          }
+    };
+    for (const ContactPoint &point : points)
+      {
+        const pairing::ContactNode &node = *point.node;
+        add(point, node.body);
+        if (!node.masters.empty())
+          add(point, node.master);
+        for (const auto *const side : {&node.masters, &node.slaves})
+          for (const auto &[i, weight] : *side)
+            numbers.insert(numbers.end(), {static_cast<double>(i), weight});
+      }
+    return numbers;
+  }
+
+  /* Of what supports hold, any of the size of the others. */
+  void
+  IterativeElasticity::find_stiffness_of_bound(const VectorXd &diagonal)
+  {
+    stiffness_of_bound.setConstant(n_bound, diagonal.mean());
+    for (const Coordinates::BoundDirection &bound :
+         coordinates.bound_directions())
+      {
+        double sum = 0;
+        for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+          sum +=
+            diagonal[bound.dof + c] * bound.direction[c] * bound.direction[c];
+        stiffness_of_bound[bound.unknown] = sum;
+      }
+  }
+
+  VectorXd
+  IterativeElasticity::expand_bound(const VectorXd &v) const
+  {
+    AssertDimension(v.size(), n_bound);
+    VectorXd u = VectorXd::Zero(coordinates.n_dofs());
+    for (const Coordinates::BoundDirection &bound :
+         coordinates.bound_directions())
+      for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+        u[bound.dof + c] += v[bound.unknown] * bound.direction[c];
+    return u;
+  }
+
+  VectorXd
+  IterativeElasticity::restrict_bound(const VectorXd &forces) const
+  {
+    VectorXd r = VectorXd::Zero(n_bound);
+    for (const Coordinates::BoundDirection &bound :
+         coordinates.bound_directions())
+      for (unsigned int c = 0; c < elastic.bodies.dim; ++c)
+        r[bound.unknown] += forces[bound.dof + c] * bound.direction[c];
+    return r;
+  }
+
+  VectorXd
+  IterativeElasticity::contact_load(
+    const solvers::ContactProblem &problem) const
+  {
+    constexpr double       rounding = 1e-13; // of a sum
+    const Eigen::MatrixXd &free     = motions.unresisted();
+    VectorXd               resultants(free.cols());
+    for (Eigen::Index j = 0; j < free.cols(); ++j)
+      {
+        const VectorXd terms =
+          coordinates.values(motions.field(motions.of_free(free.col(j))))
+            .cwiseProduct(problem.load);
+        const double sum = terms.sum();
+        resultants[j] = std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
+      }
+    return shortest_load(problem.system->null_space, resultants);
+  }
+
+  void
+  IterativeElasticity::reduce_one(const VectorXd &forces,
+                                  const VectorXd &prescribed,
+                                  LoadCase       &load)
+  {
+    AssertDimension(forces.size(), coordinates.n_dofs());
+    AssertDimension(prescribed.size(), coordinates.n_dofs());
+    const VectorXd all       = forces - elastic.internal_forces(prescribed);
+    load.b                   = coordinates.restrict(all);
+    load.f                   = load.b;
+    load.bound               = VectorXd::Zero(2 * n_bound);
+    load.bound.head(n_bound) = restrict_bound(all);
+  }
+
+  /* What is bound stays where it is: it moves the other way against its
+     body. */
+  void
+  IterativeElasticity::move_bound(const VectorXd &offset, LoadCase &load) const
+  {
+    if (offset.isZero(0))
+      return;
+    const VectorXd forces = elastic.internal_forces(expand_bound(offset));
+    const VectorXd b      = coordinates.restrict(forces);
+    load.b += b;
+    load.f += b;
+    load.bound.head(n_bound) += restrict_bound(forces);
+    load.bound.tail(n_bound) -= offset;
+  }
+
+  BoundState
+  IterativeElasticity::bound_state(const LoadCase &load,
+                                   const VectorXd &primal) const
+  {
+    if (n_bound == 0)
+      return {};
+    const VectorXd u = coordinates.expand(unknowns(load, primal));
+    return {restrict_bound(elastic.internal_forces(u)) -
+              load.bound.head(n_bound),
+            {}};
+  }
+
+  LoadCase
+  IterativeElasticity::nothing() const
+  {
+    LoadCase load;
+    load.b     = VectorXd::Zero(coordinates.n_unknowns());
+    load.f     = load.b;
+    load.bound = VectorXd::Zero(2 * n_bound);
+    return load;
+  }
+
+  VectorXd
+  IterativeElasticity::unknowns(const LoadCase &load,
+                                const VectorXd &primal) const
+  {
+    if (points.layout().n_unknowns() > 0)
+      return primal;
+    // Where nothing may touch no solver has been asked.
+    const solvers::LargeSystem &large = *contact_system->large;
+    const auto                  f     = large.keep(load.f);
+    auto                        u = large.keep(VectorXd::Zero(load.f.size()));
+    for (unsigned int i = 0; i < 2; ++i) // and the rounding of that
+      if (const auto step =
+            large.solve({}, large.add(large.multiply(u), -1, f), {to_the_end}))
+        u = large.add(u, 1, step->du);
+    return large.numbers(u);
+  }
+
+  Eigen::MatrixXd
+  IterativeElasticity::expand(const std::vector<const LoadCase *> &loads,
+                              const std::vector<VectorXd>         &primal) const
+  {
+    AssertDimension(loads.size(), primal.size());
+    Eigen::MatrixXd w(coordinates.n_dofs(),
+                      static_cast<Eigen::Index>(loads.size()));
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      {
+        VectorXd column = coordinates.expand(unknowns(*loads[k], primal[k])) +
+                          loads[k]->prescribed;
+        if (n_bound > 0)
+          column += expand_bound(loads[k]->bound.tail(n_bound));
+        w.col(static_cast<Eigen::Index>(k)) = without_motion(column);
+      }
+    return w;
+  }
+
+  LoadCase
+  IterativeElasticity::reduce_unbalanced(const VectorXd &unbalanced) const
+  {
+    AssertDimension(unbalanced.size(), coordinates.n_dofs());
+    LoadCase change;
+    change.b                   = -coordinates.restrict(unbalanced);
+    change.f                   = change.b;
+    change.bound               = VectorXd::Zero(2 * n_bound);
+    change.bound.head(n_bound) = -restrict_bound(unbalanced);
+    return change;
+  }
+
+  VectorXd
+  IterativeElasticity::correction(const LoadCase &,
+                                  const VectorXd &primal) const
+  {
+    return without_motion(coordinates.expand(primal));
+  }
+
+  VectorXd
+  IterativeElasticity::without_motion(const VectorXd &w) const
+  {
+    if (nowhere.cols() == 0)
+      return w;
+    return w - nowhere * (nowhere.transpose() * w).eval();
+  }
+
+  VectorXd
+  IterativeElasticity::motions_in(const VectorXd &values) const
+  {
+    return motions.free_in(without_motion(coordinates.expand(values)));
+  }
+
+  VectorXd
+  IterativeElasticity::values_of_motions(const VectorXd &a) const
+  {
+    return coordinates.values(motions.field(motions.of_free(a)));
+  }
+
+  VectorXd
+  IterativeElasticity::resistance(const VectorXd &a) const
+  {
+    return coordinates.restrict(
+      elastic.spring_forces(motions.field(motions.of_free(a))));
+  }
+
+  void
+  IterativeElasticity::write(const LoadCase          &load,
+                             const VectorXd          &offset,
+                             const ElasticState      &state,
+                             solvers::ContactProblem &problem) const
+  {
+    problem.load   = load.f;
+    problem.offset = offset;
+    if (!state.base.isZero(0))
+      problem.load -= resistance(state.base);
+  }
+
+  VectorXd
+  IterativeElasticity::moved_by(const VectorXd &base) const
+  {
+    return base.size() > 0 ? VectorXd(motions.seen() * base) : VectorXd();
+  }
+
+  double
+  IterativeElasticity::largest_force(const LoadCase &load) const
+  {
+    return solvers::largest(load.f);
+  }
+
+  /* Open contacts carry nothing, and not all unknowns are theirs. */
+  double
+  IterativeElasticity::reference_force(const LoadCase &load) const
+  {
+    if (contact_system->n_nodes() == 0)
+      return 0;
+    return rounding_of_motion * contact_system->diagonal().mean() *
+           (solvers::largest(load.offset) + solvers::largest(load.placement) +
+            solvers::largest(load.prescribed));
+  }
+
+  void
+  IterativeElasticity::begin(const ElasticState    &state,
+                             solvers::ContactState &start) const
+  {
+    start.u = primal(state, start.r);
+    if (state.motions != state.base)
+      start.u += values_of_motions(state.motions - state.base);
+  }
+
+  /* What moves bodies as a whole would cost the digits of what strains them:
+     amounts of their own have it. */
+  void
+  IterativeElasticity::end(const solvers::ContactState &end,
+                           ElasticState                &state) const
+  {
+    state.start = end.u;
+    if (state.motions.size() == 0)
+      return;
+    const VectorXd more = motions_in(state.start);
+    state.start -= values_of_motions(more);
+    state.motions = state.base = state.base + more;
+  }
+
+  VectorXd
+  IterativeElasticity::primal(const ElasticState &state, const VectorXd &) const
+  {
+    return state.start.size() > 0 ?
+             state.start :
+             VectorXd::Zero(contact_system->large->n_unknowns());
+  }
+
+  void
+  IterativeElasticity::move(const VectorXd &amounts,
+                            const VectorXd &,
+                            solvers::ContactState &end) const
+  {
+    end.u += values_of_motions(amounts);
+  }
+
+  /* Unknowns of other supports are others. */
+  void
+  IterativeElasticity::restore(const std::vector<double> &start,
+                               const VectorXd &,
+                               ElasticState &state) const
+  {
+    state.start.resize(0);
+    const VectorXd none = primal(state, {});
+    if (start.size() == static_cast<std::size_t>(none.size()))
+      state.start = Eigen::Map<const VectorXd>(start.data(), none.size());
+  }
+
+  bool
+  IterativeElasticity::linearise_about(const solvers::ContactProblem &problem,
+                                       const solvers::ContactState   &state,
+                                       ElasticState &elastic_state) const
+  {
+    if (elastic_state.motions.size() == 0 || state.nearby.size() == 0)
+      return false;
+    std::vector<Eigen::Index> closed;
+    for (Eigen::Index i = 0; i < problem.system->n_nodes(); ++i)
+      if (state.node[static_cast<std::size_t>(i)] != solvers::NodeState::open)
+        closed.push_back(problem.system->normal(i));
+    if (closed.empty())
+      return false;
+    const Eigen::MatrixXd normals = motions.seen()(closed, Eigen::all);
+    const VectorXd        way =
+      normals.completeOrthogonalDecomposition().solve(-problem.offset(closed));
+    const VectorXd rest = state.nearby - values_of_motions(way);
+    if (!(solvers::largest(way) > solvers::largest(rest)))
+      return false;
+    elastic_state.base += way;
+    return true;
+  }
+
+  VectorXd
+  IterativeElasticity::deformation(const VectorXd &primal) const
+  {
+    return coordinates.expand(primal);
+  }
+
+  VectorXd
+  IterativeElasticity::nearby(const VectorXd &w, const VectorXd &amounts) const
+  {
+    VectorXd u = coordinates.values(w);
+    if (!amounts.isZero(0))
+      u += values_of_motions(amounts);
+    return u;
+  }
+
+  /* About the end of a way there is no rounding of it. */
+  bool
+  IterativeElasticity::is_rounded_by(const VectorXd &way,
+                                     const VectorXd &w) const
+  {
+    return solvers::largest(way) > solvers::largest(w);
+  }
+} // namespace conetact::contact

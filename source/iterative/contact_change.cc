@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/iterative/contact_change.h"
+
+#include <map>
+
+namespace conetact::iterative
+{
+  namespace
+  {
+    /** Pairs of all processes, each once, in ascending order. */
+    std::vector<std::pair<int, int>>
+    gather_pairs(std::vector<std::pair<int, int>> pairs,
+                 const Communicator              &processes)
+    {
+      const auto sort = [&] {
+        std::sort(pairs.begin(), pairs.end());
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+      };
+      sort();
+      if (processes.size() == 1)
+        return pairs;
+      Eigen::VectorXi numbers(2 * static_cast<Eigen::Index>(pairs.size()));
+      Eigen::Index    k = 0;
+      for (const auto &[i, j] : pairs)
+        {
+          numbers[k++] = i;
+          numbers[k++] = j;
+        }
+      numbers = processes.gather_all(numbers);
+      pairs.clear();
+      for (k = 0; k < numbers.size(); k += 2)
+        pairs.emplace_back(numbers[k], numbers[k + 1]);
+      sort();
+      return pairs;
+    }
+  } // namespace
+
+
+
+  template <int fine, int coarse>
+  ContactChange<fine, coarse>::ContactChange(
+    const DistributedMatrix<fine, fine, float>   &A,
+    const std::vector<int>                       &nodes,
+    const std::vector<int>                       &first,
+    const DistributedMatrix<fine, coarse, float> &prolongator,
+    const Communicator                           &p)
+    : processes(p)
+  {
+    const int        begin = first[at(processes.rank())];
+    std::vector<int> numbers, near;
+    for (const int i : nodes)
+      {
+        numbers.push_back(begin + i);
+        A.for_row(at(i), [&](const int column, const auto &) {
+          near.push_back(A.number_of_column(column));
+        });
+      }
+    contact = gather_numbers(numbers, processes);
+    find_rows(A,
+              nodes,
+              begin,
+              {prolongator, gather_numbers(near, processes), begin, processes});
+    P = {prolongator, contact, begin, processes};
+
+    typename Rows::Pattern pairs;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      P.for_row(own[i].place, [&](const int a, const auto &) {
+        AP.for_row(i, [&](const int b, const auto &) {
+          pairs.emplace_back(a, b);
+          pairs.emplace_back(b, a);
+        });
+      });
+    first_change = Rows(gather_pairs(std::move(pairs), processes));
+  }
+
+
+
+  template <int fine, int coarse>
+  void
+  ContactChange<fine, coarse>::find_rows(
+    const DistributedMatrix<fine, fine, float> &A,
+    const std::vector<int>                     &nodes,
+    const int                                   begin,
+    const SomeRows<fine, coarse>               &P_near)
+  {
+    for (const int i : nodes)
+      {
+        Node               node;
+        std::map<int, Map> row;
+        A.for_row(at(i), [&](const int column, const auto &block) {
+          const int  j = A.number_of_column(column);
+          const auto k = std::lower_bound(contact.begin(), contact.end(), j);
+          if (j == begin + i)
+            node.diagonal = block;
+          if (k != contact.end() && *k == j)
+            node.neighbours.emplace_back(k - contact.begin(), block);
+          P_near.for_row(P_near.find(j), [&](const int c, const auto &of_j) {
+            row.try_emplace(c, Map::Zero()).first->second += block * of_j;
+          });
+        });
+        node.place = at(static_cast<int>(
+          std::lower_bound(contact.begin(), contact.end(), begin + i) -
+          contact.begin()));
+        own.push_back(std::move(node));
+        AP.number.push_back(begin + i);
+        for (const auto &[column, block] : row)
+          {
+            AP.blocks.column.push_back(column);
+            AP.blocks.value.insert(AP.blocks.value.end(),
+                                   block.data(),
+                                   block.data() + block.size());
+          }
+        AP.blocks.start.push_back(AP.blocks.column.size());
+      }
+  }
+
+
+
+  template <int fine, int coarse>
+  void
+  ContactChange<fine, coarse>::add_level(
+    const DistributedMatrix<coarse, coarse, float> &prolongator,
+    const int                                       begin,
+    const Communicator                             &sharers)
+  {
+    const Rows &above = pattern(n_levels() - 1);
+    Level       level;
+    level.P = {prolongator, above.number, begin, sharers};
+    typename Rows::Pattern pairs;
+    std::vector<int>       columns;
+    for (std::size_t i = 0; i < above.number.size(); ++i)
+      {
+        columns.clear();
+        above.for_row(i, [&](const int j, const auto &) {
+          level.P.for_row(level.P.find(j), [&](const int c, const auto &) {
+            columns.push_back(c);
+          });
+        });
+        std::sort(columns.begin(), columns.end());
+        columns.erase(std::unique(columns.begin(), columns.end()),
+                      columns.end());
+        level.P.for_row(i, [&](const int a, const auto &) {
+          for (const int b : columns)
+            pairs.emplace_back(a, b);
+        });
+      }
+    level.change = Rows(gather_pairs(std::move(pairs), Communicator()));
+    levels.push_back(std::move(level));
+  }
+
+
+
+  /* With G = 1 where unknowns are held, D the diagonal of A, S what is added:
+     A' - A = -G A - A G + G A G + G D + S, half of it here, Y = (A' - A) P of
+     rows of contact nodes, and its transposed in the end. */
+  template <int fine, int coarse>
+  typename ContactChange<fine, coarse>::Rows
+  ContactChange<fine, coarse>::first_level(
+    const std::vector<NodeState<fine>> &states) const
+  {
+    Eigen::VectorXf held =
+      Eigen::VectorXf::Zero(static_cast<Eigen::Index>(contact.size()) * fine);
+    const auto held_at = [&](const std::size_t place) {
+      return held.segment<fine>(static_cast<Eigen::Index>(place) * fine);
+    };
+    for (std::size_t i = 0; i < own.size(); ++i)
+      held_at(own[i].place) = states[i].held;
+    processes.sum(held.data(), held.size());
+
+    Rows             result = first_change;
+    std::vector<Map> Y;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      {
+        const auto add = [&](const std::size_t place, const FineBlock &a) {
+          P.for_row(place, [&](const int column, const auto &block) {
+            Y[AP.find(i, column) - AP.blocks.start[i]] += a * block;
+          });
+        };
+        const auto G = states[i].held.asDiagonal();
+        Y.clear();
+        AP.for_row(i, [&](const int, const auto &block) {
+          Y.push_back(-(G * block));
+        });
+        for (const auto &[place, block] : own[i].neighbours)
+          if (const auto other = held_at(place); !other.isZero(0))
+            add(place, .5f * (G * block * other.asDiagonal()));
+        const FineBlock diagonal =
+          states[i].held.cwiseProduct(own[i].diagonal.diagonal()).asDiagonal();
+        add(own[i].place, .5f * (diagonal + states[i].added));
+        P.for_row(own[i].place, [&](const int a, const auto &block) {
+          const std::size_t row = result.find(a);
+          std::size_t       k   = result.blocks.start[row];
+          for (std::size_t j = 0; j < Y.size(); ++j)
+            {
+              while (result.blocks.column[k] !=
+                     AP.blocks.column[AP.blocks.start[i] + j])
+                ++k;
+              result.blocks.block(k) += block.transpose() * Y[j];
+            }
+        });
+      }
+    processes.sum(result.blocks.value.data(),
+                  static_cast<Eigen::Index>(result.blocks.value.size()));
+    for (std::size_t i = 0; i < result.number.size(); ++i)
+      for (std::size_t k = result.blocks.start[i];
+           k < result.blocks.start[i + 1];
+           ++k)
+        {
+          const int j = result.blocks.column[k];
+          if (j < result.number[i])
+            continue;
+          auto block = result.blocks.block(k);
+          auto other =
+            result.blocks.block(result.find(result.find(j), result.number[i]));
+          const CoarseBlock sum = block + other.transpose();
+          block                 = sum;
+          other                 = sum.transpose();
+        }
+    return result;
+  }
+
+
+
+  template <int fine, int coarse>
+  std::vector<typename ContactChange<fine, coarse>::Rows>
+  ContactChange<fine, coarse>::change(
+    const std::vector<NodeState<fine>> &states) const
+  {
+    std::vector<Rows> result = {first_level(states)};
+    for (const Level &level : levels)
+      {
+        const Rows                &above = result.back();
+        Rows                       below = level.change;
+        std::map<int, CoarseBlock> row;
+        // each process a part of the rows, as far apart as they come
+        for (std::size_t i = at(processes.rank()); i < above.number.size();
+             i += at(processes.size()))
+          {
+            row.clear();
+            above.for_row(i, [&](const int j, const auto &block) {
+              level.P.for_row(
+                level.P.find(j), [&](const int c, const auto &of_j) {
+                  row.try_emplace(c, CoarseBlock::Zero()).first->second +=
+                    block * of_j;
+                });
+            });
+            level.P.for_row(i, [&](const int a, const auto &of_i) {
+              const std::size_t at_a = below.find(a);
+              for (const auto &[b, block] : row)
+                below.blocks.block(below.find(at_a, b)) +=
+                  of_i.transpose() * block;
+            });
+          }
+        processes.sum(below.blocks.value.data(),
+                      static_cast<Eigen::Index>(below.blocks.value.size()));
+        result.push_back(std::move(below));
+      }
+    return result;
+  }
+
+  template class ContactChange<2, 3>;
+  template class ContactChange<3, 6>;
+} // namespace conetact::iterative

@@ -1,0 +1,576 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/iterative/smoothed_aggregation.h"
+
+#include "conetact/base/index.h"
+#include "conetact/base/partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numeric>
+
+namespace conetact::iterative
+{
+  namespace
+  {
+    /** Modes of an aggregate that are so much the same count as one. */
+    constexpr double same = 1e-7;
+
+    /** Over the geometric mean of the diagonal blocks of two nodes: below it
+     * they are not neighbours, such as those of a hard and a soft body. */
+    constexpr double weak = .02;
+
+    /**
+     * The aggregate of each own node: nodes all of whose neighbours are free
+     * yet begin one with these, others join one of their neighbours', and those
+     * that are left make what they can.
+     */
+    template <int size>
+    std::vector<int>
+    group(const DistributedMatrix<size, size, double> &A, int &n_aggregates)
+    {
+      const auto      &own  = A.own_part();
+      const int        n    = static_cast<int>(own.n_block_rows());
+      constexpr int    none = -1;
+      std::vector<int> of(at(n), none);
+      Eigen::VectorXd  least = Eigen::VectorXd::Zero(n);
+      for (int i = 0; i < n; ++i)
+        A.for_row(at(i), [&](const int j, const auto &block) {
+          if (j == i)
+            least[i] = weak * block.norm();
+        });
+      const auto neighbours = [&](const int i, const auto &f) {
+        for (std::size_t k = own.start[at(i)]; k < own.start[at(i) + 1]; ++k)
+          if (const int j = own.column[k];
+              own.block(at(i), k).squaredNorm() >= least[i] * least[j])
+            f(j);
+      };
+      const auto begin_with = [&](const int i) {
+        of[at(i)] = n_aggregates;
+        neighbours(i, [&](const int j) {
+          if (of[at(j)] == none)
+            of[at(j)] = n_aggregates;
+        });
+        ++n_aggregates;
+      };
+      n_aggregates = 0;
+      for (int i = 0; i < n; ++i)
+        {
+          bool free = of[at(i)] == none;
+          neighbours(i, [&](const int j) { free &= of[at(j)] == none; });
+          if (free)
+            begin_with(i);
+        }
+      std::vector<int>   joined = of;
+      std::map<int, int> votes;
+      for (int i = 0; i < n; ++i)
+        if (of[at(i)] == none)
+          {
+            votes.clear();
+            neighbours(i, [&](const int j) {
+              if (of[at(j)] != none)
+                ++votes[of[at(j)]];
+            });
+            const auto most =
+              std::max_element(votes.begin(),
+                               votes.end(),
+                               [](const auto &a, const auto &b) {
+                                 return a.second < b.second;
+                               });
+            if (most != votes.end())
+              joined[at(i)] = most->first;
+          }
+      of.swap(joined);
+      for (int i = 0; i < n; ++i)
+        if (of[at(i)] == none)
+          begin_with(i);
+      return of;
+    }
+
+    /** Nodes of all processes, from the number of each. */
+    std::vector<int>
+    number(const int n_own, const Communicator &processes)
+    {
+      const Eigen::VectorXi n = processes.gather_all(
+        Eigen::VectorXi(Eigen::VectorXi::Constant(1, n_own)));
+      std::vector<int> first(at(static_cast<int>(n.size())) + 1, 0);
+      std::partial_sum(n.begin(), n.end(), first.begin() + 1);
+      return first;
+    }
+
+    /** As ints, which processes exchange. */
+    template <typename Number>
+    void
+    pack(const int         i,
+         const int        *columns,
+         const std::size_t n_columns,
+         const Number     *values,
+         const std::size_t n_values,
+         std::vector<int> &list)
+    {
+      static_assert(sizeof(Number) % sizeof(int) == 0);
+      list.push_back(i);
+      list.push_back(static_cast<int>(n_columns));
+      list.insert(list.end(), columns, columns + n_columns);
+      const std::size_t end = list.size();
+      list.resize(end + n_values * sizeof(Number) / sizeof(int));
+      if (n_values > 0)
+        std::memcpy(list.data() + end, values, n_values * sizeof(Number));
+    }
+
+    /** Calls f(number, columns, how many, values) for all that was packed. */
+    template <typename Number, typename F>
+    void
+    unpack(const std::vector<int> &list,
+           const std::size_t       block_size,
+           const F                &f)
+    {
+      std::vector<Number> values;
+      for (std::size_t k = 0; k < list.size();)
+        {
+          const int         i = list[k];
+          const std::size_t n = at(list[k + 1]);
+          values.resize(n * block_size);
+          if (!values.empty())
+            std::memcpy(values.data(),
+                        list.data() + k + 2 + n,
+                        values.size() * sizeof(Number));
+          f(i, list.data() + k + 2, n, values.data());
+          k += 2 + n + values.size() * sizeof(Number) / sizeof(int);
+        }
+    }
+
+    /** Behind own rows of a matrix those of others that A needs. */
+    template <int size, int coarse>
+    void
+    append_rows_of_others(const DistributedMatrix<size, size, double> &A,
+                          const Communicator               &processes,
+                          BlockMatrix<size, coarse, float> &rows)
+    {
+      if (processes.size() == 1)
+        return;
+      std::vector<std::vector<int>> lists(at(processes.size()));
+      for (const HaloPlan::Side &side : A.halo_plan().sides)
+        for (const int i : side.sent)
+          {
+            const std::size_t begin = rows.start[at(i)],
+                              n     = rows.start[at(i) + 1] - begin;
+            pack(i,
+                 rows.column.data() + begin,
+                 n,
+                 rows.block(begin).data(),
+                 n * rows.block_size,
+                 lists[at(side.rank)]);
+          }
+      lists = processes.exchange(lists);
+      for (const std::vector<int> &list : lists)
+        unpack<float>(list,
+                      rows.block_size,
+                      [&](const int,
+                          const int        *columns,
+                          const std::size_t n,
+                          const float      *values) {
+                        rows.column.insert(rows.column.end(),
+                                           columns,
+                                           columns + n);
+                        rows.value.insert(rows.value.end(),
+                                          values,
+                                          values + n * rows.block_size);
+                        rows.start.push_back(rows.column.size());
+                      });
+    }
+
+    /** Makes it the next row of a matrix. */
+    template <int n_rows, int n_columns, typename Number>
+    void
+    append(const GrowingRow<n_rows, n_columns>    &row,
+           BlockMatrix<n_rows, n_columns, Number> &A)
+    {
+      row.append_to(A.column, A.value);
+      A.start.push_back(A.column.size());
+    }
+
+    /** Columns are read in fours: so many numbers more than blocks have. */
+    constexpr std::size_t spare = 8;
+
+    /** Room for so many blocks. */
+    template <typename Matrix>
+    void
+    reserve(const std::size_t n, Matrix &A)
+    {
+      A.column.reserve(n);
+      A.value.reserve(n * A.block_size + spare);
+    }
+
+    void
+    add_once(const int i, std::vector<int> &list)
+    {
+      if (std::find(list.begin(), list.end(), i) == list.end())
+        list.push_back(i);
+    }
+
+    /**
+     * Orthogonal columns that span those of B, one after the other (Gram and
+     * Schmidt, twice for the sake of rounding); zero where those before them
+     * span them. The same for equal aggregates anywhere in a body: its
+     * translations come first, and turns about their own centre are left of
+     * the others.
+     */
+    Eigen::MatrixXd
+    orthogonal(const Eigen::MatrixXd &B)
+    {
+      Eigen::MatrixXd Q = B;
+      for (Eigen::Index j = 0; j < B.cols(); ++j)
+        {
+          for (int pass = 0; pass < 2; ++pass)
+            for (Eigen::Index i = 0; i < j; ++i)
+              Q.col(j) -= Q.col(i).dot(Q.col(j)) * Q.col(i);
+          const double left = Q.col(j).norm();
+          Q.col(j) *= left > same * B.col(j).norm() ? 1. / left : 0.;
+        }
+      return Q;
+    }
+
+    /** Rounded, so that equal aggregates have the same numbers to the last
+     * bit: their rows are kept once (RowRuns). */
+    float
+    rounded(const double x)
+    {
+      constexpr double quantum = 0x1p-22;
+      return static_cast<float>(std::round(x / quantum) * quantum);
+    }
+
+    /** Modes of each aggregate, orthogonal; and what they are made of. */
+    template <int size, int coarse>
+    BlockMatrix<size, coarse, float>
+    orthogonal_modes(const std::vector<int> &aggregate_of,
+                     const int               n_aggregates,
+                     const int               begin,
+                     const Eigen::MatrixXd  &modes,
+                     Eigen::MatrixXd        &coarse_modes)
+    {
+      std::vector<std::vector<int>> nodes(at(n_aggregates));
+      for (std::size_t i = 0; i < aggregate_of.size(); ++i)
+        nodes[at(aggregate_of[i])].push_back(static_cast<int>(i));
+      BlockMatrix<size, coarse, float> T;
+      T.start.resize(aggregate_of.size() + 1);
+      std::iota(T.start.begin(), T.start.end(), std::size_t(0));
+      T.allocate();
+      coarse_modes.setZero(Eigen::Index(n_aggregates) * coarse, coarse);
+      for (int a = 0; a < n_aggregates; ++a)
+        {
+          const auto     &own = nodes[at(a)];
+          Eigen::MatrixXd B(Eigen::Index(own.size()) * size, coarse);
+          for (std::size_t k = 0; k < own.size(); ++k)
+            B.middleRows<size>(Eigen::Index(k) * size) =
+              modes.middleRows<size>(Eigen::Index(own[k]) * size);
+          const Eigen::MatrixXd Q = orthogonal(B);
+          coarse_modes.middleRows<coarse>(Eigen::Index(a) * coarse) =
+            Q.transpose() * B;
+          for (std::size_t k = 0; k < own.size(); ++k)
+            {
+              T.column[at(own[k])] = begin + a;
+              T.block(at(own[k])) =
+                Q.middleRows<size>(Eigen::Index(k) * size).unaryExpr(&rounded);
+            }
+        }
+      T.value.resize(T.column.size() * T.block_size);
+      return T;
+    }
+
+    /** Of A T, where T has a block in each row. */
+    template <int size, int coarse>
+    std::size_t
+    n_blocks_of_product(const DistributedMatrix<size, size, double> &A,
+                        const BlockMatrix<size, coarse, float>      &T)
+    {
+      std::size_t      n = 0;
+      std::vector<int> columns;
+      for (std::size_t i = 0; i < A.own_part().n_block_rows(); ++i)
+        {
+          columns.clear();
+          A.for_row(i, [&](const int j, const auto &) {
+            add_once(T.column[at(j)], columns);
+          });
+          n += columns.size();
+        }
+      return n;
+    }
+
+    /** One step of Jacobi's method: T - omega D A T. */
+    template <int size, int coarse>
+    BlockMatrix<size, coarse, float>
+    smoothed(const LevelAbove<size>          &above,
+             BlockMatrix<size, coarse, float> T,
+             const Communicator              &processes)
+    {
+      append_rows_of_others(above.A, processes, T);
+      const double omega =
+        4. / 3 / static_cast<double>(above.largest) / above.unit;
+      BlockMatrix<size, coarse, float> P;
+      reserve(n_blocks_of_product(above.A, T), P);
+      GrowingRow<size, coarse> row;
+      for (std::size_t i = 0; i < above.A.own_part().n_block_rows(); ++i)
+        {
+          row.clear();
+          above.A.for_row(i, [&](const int j, const auto &a) {
+            row[T.column[at(j)]].noalias() +=
+              a * T.block(at(j)).template cast<double>();
+          });
+          const Eigen::Matrix<double, size, size> D =
+            -omega * above.D[i].template cast<double>();
+          for (auto &block : row.block)
+            block = D * block;
+          row[T.column[i]] += T.block(i).template cast<double>();
+          append(row, P);
+        }
+      return P;
+    }
+
+    /**
+     * Rows of P^T A P: those of own aggregates, and behind them those of others
+     * to which own rows of A add.
+     */
+    template <int size, int coarse>
+    class Projection
+    {
+    public:
+      using Sums = BlockMatrix<coarse, coarse, double>;
+
+      /** P has the rows of others that A needs. */
+      Projection(const LevelAbove<size>                 &level_above,
+                 const BlockMatrix<size, coarse, float> &prolongator,
+                 const std::vector<int>                 &first_aggregates,
+                 const Communicator                     &all)
+        : above(level_above)
+        , P(prolongator)
+        , first(first_aggregates)
+        , processes(all)
+        , begin(first[at(processes.rank())])
+        , n_own(first[at(processes.rank()) + 1] - begin)
+      {}
+
+      /** Own rows, with what other processes add to them. */
+      Sums
+      rows()
+      {
+        find_columns();
+        allocate();
+        add_all();
+        if (processes.size() > 1)
+          exchange_rows();
+        return std::move(sums);
+      }
+
+    private:
+      /** Row of an aggregate. */
+      std::size_t
+      place(const int a) const
+      {
+        if (a >= begin && a < begin + n_own)
+          return at(a - begin);
+        return at(n_own) + static_cast<std::size_t>(
+                             std::lower_bound(others.begin(), others.end(), a) -
+                             others.begin());
+      }
+      int
+      n_rows() const
+      {
+        return static_cast<int>(above.A.own_part().n_block_rows());
+      }
+
+      void
+      find_columns()
+      {
+        for (std::size_t k = 0; k < P.start[at(n_rows())]; ++k)
+          if (const int a = P.column[k]; a < begin || a >= begin + n_own)
+            others.push_back(a);
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        columns.resize(at(n_own) + others.size());
+        std::vector<int> of_row;
+        for (int i = 0; i < n_rows(); ++i)
+          {
+            of_row.clear();
+            above.A.for_row(at(i), [&](const int j, const auto &) {
+              for (std::size_t k = P.start[at(j)]; k < P.start[at(j) + 1]; ++k)
+                add_once(P.column[k], of_row);
+            });
+            for (std::size_t k = P.start[at(i)]; k < P.start[at(i) + 1]; ++k)
+              for (const int b : of_row)
+                add_once(b, columns[place(P.column[k])]);
+          }
+        if (processes.size() > 1)
+          exchange_columns();
+      }
+      /** Of own aggregates, from those who add to their rows. */
+      void
+      exchange_columns()
+      {
+        std::vector<std::vector<int>> lists(at(processes.size()));
+        for (const int a : others)
+          {
+            const std::vector<int> &row = columns[place(a)];
+            pack<double>(a,
+                         row.data(),
+                         row.size(),
+                         nullptr,
+                         0,
+                         lists[at(owner_of(a, first))]);
+          }
+        for (const std::vector<int> &list : processes.exchange(lists))
+          unpack<double>(list,
+                         0,
+                         [&](const int         a,
+                             const int        *its_columns,
+                             const std::size_t n,
+                             const double *) {
+                           for (std::size_t k = 0; k < n; ++k)
+                             add_once(its_columns[k], columns[place(a)]);
+                         });
+      }
+      void
+      allocate()
+      {
+        for (std::vector<int> &row : columns)
+          {
+            std::sort(row.begin(), row.end());
+            sums.start.push_back(sums.start.back() + row.size());
+          }
+        sums.allocate();
+        std::size_t k = 0;
+        for (const std::vector<int> &row : columns)
+          for (const int column : row)
+            sums.column[k++] = column;
+        columns = {};
+      }
+      auto
+      block(const std::size_t row, const int column)
+      {
+        const auto from =
+          sums.column.begin() + static_cast<std::ptrdiff_t>(sums.start[row]);
+        const auto to = sums.column.begin() +
+                        static_cast<std::ptrdiff_t>(sums.start[row + 1]);
+        return sums.block(static_cast<std::size_t>(
+          std::lower_bound(from, to, column) - sums.column.begin()));
+      }
+
+      void
+      add_all()
+      {
+        GrowingRow<size, coarse> AP;
+        for (int i = 0; i < n_rows(); ++i)
+          {
+            AP.clear();
+            above.A.for_row(at(i), [&](const int j, const auto &a) {
+              for (std::size_t k = P.start[at(j)]; k < P.start[at(j) + 1]; ++k)
+                AP[P.column[k]].noalias() +=
+                  a * P.block(at(j), k).template cast<double>();
+            });
+            for (std::size_t k = P.start[at(i)]; k < P.start[at(i) + 1]; ++k)
+              {
+                const std::size_t row = place(P.column[k]);
+                const Eigen::Matrix<double, size, coarse> p =
+                  P.block(at(i), k).template cast<double>() / above.unit;
+                for (std::size_t l = 0; l < AP.column.size(); ++l)
+                  block(row, AP.column[l]).noalias() +=
+                    p.transpose() * AP.block[l];
+              }
+          }
+      }
+      /** Rows of others are sent to them, and go. */
+      void
+      exchange_rows()
+      {
+        std::vector<std::vector<int>> lists(at(processes.size()));
+        for (const int a : others)
+          {
+            const std::size_t row = place(a), from = sums.start[row],
+                              n = sums.start[row + 1] - from;
+            pack(a,
+                 sums.column.data() + from,
+                 n,
+                 sums.block(from).data(),
+                 n * sums.block_size,
+                 lists[at(owner_of(a, first))]);
+          }
+        sums.start.resize(at(n_own) + 1);
+        sums.column.resize(sums.start.back());
+        sums.value.resize(sums.start.back() * sums.block_size + spare);
+        for (const std::vector<int> &list : processes.exchange(lists))
+          unpack<double>(list,
+                         sums.block_size,
+                         [&](const int         a,
+                             const int        *its_columns,
+                             const std::size_t n,
+                             const double     *values) {
+                           for (std::size_t k = 0; k < n; ++k)
+                             block(place(a), its_columns[k]) +=
+                               Eigen::Map<const typename Sums::Block>(
+                                 values + k * sums.block_size);
+                         });
+      }
+
+      const LevelAbove<size>                 &above;
+      const BlockMatrix<size, coarse, float> &P;
+      const std::vector<int>       &first; ///< aggregates of processes
+      const Communicator           &processes;
+      const int                     begin, n_own;
+      std::vector<int>              others;  ///< aggregates, ascending
+      std::vector<std::vector<int>> columns; ///< of each row
+      Sums                          sums;
+    };
+
+    /** Own rows of P^T A P. */
+    template <int size, int coarse>
+    BlockMatrix<coarse, coarse, double>
+    project(const LevelAbove<size>           &above,
+            const std::vector<int>           &first,
+            const Communicator               &processes,
+            BlockMatrix<size, coarse, float> &P)
+    {
+      const std::size_t n_own = P.n_block_rows();
+      append_rows_of_others(above.A, processes, P);
+      auto result = Projection<size, coarse>(above, P, first, processes).rows();
+      P.start.resize(n_own + 1);
+      P.column.resize(P.start.back());
+      P.value.resize(P.start.back() * P.block_size + spare);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int size, int coarse>
+  CoarseLevel<size, coarse>
+  aggregate(const LevelAbove<size> &above, const Communicator &processes)
+  {
+    CoarseLevel<size, coarse> level;
+    int                       n_own        = 0;
+    const std::vector<int>    aggregate_of = group(above.A, n_own);
+    level.rows.first                       = number(n_own, processes);
+    level.P                                = smoothed(
+      above,
+      orthogonal_modes<size, coarse>(aggregate_of,
+                                     n_own,
+                                     level.rows.first[at(processes.rank())],
+                                     above.modes,
+                                     level.rows.modes),
+      processes);
+    level.rows.A = project(above, level.rows.first, processes, level.P);
+
+    return level;
+  }
+
+  template CoarseLevel<2, 3>
+  aggregate(const LevelAbove<2> &, const Communicator &);
+  template CoarseLevel<3, 3>
+  aggregate(const LevelAbove<3> &, const Communicator &);
+  template CoarseLevel<3, 6>
+  aggregate(const LevelAbove<3> &, const Communicator &);
+  template CoarseLevel<6, 6>
+  aggregate(const LevelAbove<6> &, const Communicator &);
+} // namespace conetact::iterative

@@ -1,0 +1,503 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/entries.h"
+#include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/contact_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::pairing
+{
+  bool
+  adjusts_gaps(const dealii::ParameterHandler &prm)
+  {
+    return prm.get("Gap") == "adjust";
+  }
+
+  namespace
+  {
+    /** The way of pairing that each kind of contact has by itself. */
+    const std::string by_kind = "automatic";
+
+    const Obstacle &
+    find_obstacle(const std::string           &name,
+                  const std::vector<Obstacle> &obstacles,
+                  const std::string           &in)
+    {
+      std::vector<std::string> names;
+      for (const Obstacle &obstacle : obstacles)
+        {
+          names.push_back(obstacle.name);
+          if (name == obstacle.name)
+            return obstacle;
+        }
+      throw InputError(
+        in + "Obstacle: " +
+        (name.empty() ? "it is empty" : "there is no obstacle '" + name + "'") +
+        ". Give " + (names.empty() ? "" : "one of " + join(names) + ", or ") +
+        "a Master body.");
+    }
+
+    void
+    find_master(dealii::ParameterHandler                     &prm,
+                const std::string                            &in,
+                const std::vector<std::string>               &bodies,
+                const std::vector<const bodies::Structure *> &structures,
+                Contact                                      &contact)
+    {
+      if (!prm.get("Obstacle").empty())
+        throw InputError(in + "Obstacle: there is a Master body too. Leave one "
+                              "of them empty.");
+      contact.master =
+        bodies::find_body(prm.get("Master body"), bodies, in + "Master body");
+      contact.master_ids = bodies::find_boundary(prm.get("Master boundary ids"),
+                                                 *structures[contact.master],
+                                                 bodies[contact.master],
+                                                 in + "Master boundary ids");
+      const std::string reach = prm.get("Reach");
+      contact.reach = reach.empty() ? size_of(*structures[contact.body],
+                                              *structures[contact.master]) :
+                                      to_number(reach, in + "Reach");
+      if (!prm.get("Gap").empty() && !adjusts_gaps(prm))
+        contact.gap.emplace(prm.get("Gap"), in + "Gap");
+      const bodies::Surface own =
+        structures[contact.body]->surface(contact.ids);
+      if (has_nodes_as_masters(contact, structures) &&
+          (own.two_sided || own.faces.empty()))
+        throw InputError(in +
+                         "Master boundary ids: they are single nodes of '" +
+                         bodies[contact.master] +
+                         "', which only faces of a continuum meet, and '" +
+                         bodies[contact.body] +
+                         "' is a frame. Give boundary ids of its members.");
+      if (own.two_sided &&
+          !structures[contact.master]->surface(contact.master_ids).two_sided)
+        throw InputError(in + "Body: '" + bodies[contact.body] +
+                         "' is a frame and its master a continuum. Exchange "
+                         "them: the continuum's nodes meet the frame.");
+      if (contact.body == contact.master)
+        for (const unsigned int id : contact.master_ids)
+          // A face against itself would be 0 = 0.
+          if (contact.ids.count(id) > 0)
+            throw InputError(in +
+                             "Master boundary ids: the faces with the id " +
+                             std::to_string(id) +
+                             " are on both sides of the contact. Give each "
+                             "side its own boundary ids.");
+    }
+
+    /** Entries that tell of a master body, where there is an obstacle. */
+    void
+    refuse_masters(const dealii::ParameterHandler &prm, const std::string &in)
+    {
+      if (!prm.get("Gap").empty() && !adjusts_gaps(prm))
+        throw InputError(in + "Gap: it is that to a Master body. Gaps to an "
+                              "obstacle follow from its place: leave it "
+                              "empty, or give adjust.");
+      for (const char *entry : {"Master boundary ids", "Reach"})
+        if (!prm.get(entry).empty())
+          throw InputError(in + entry +
+                           ": it is one of a Master body, and all nodes meet "
+                           "the Obstacle, however far. Remove it, or name a "
+                           "Master body in place of the Obstacle.");
+    }
+
+    void
+    find_kind(const dealii::ParameterHandler &prm, Contact &contact)
+    {
+      const KindRow &row = *std::find_if(contact_kinds().begin(),
+                                         contact_kinds().end(),
+                                         [&](const KindRow &r) {
+                                           return r.name == prm.get("Kind");
+                                         });
+      contact.kind       = row.kind;
+      contact.pairing =
+        prm.get("Pairing") == by_kind ? row.pairing : prm.get("Pairing");
+    }
+
+    /** What is bound has no cone. */
+    void
+    refuse_cone(const dealii::ParameterHandler &prm,
+                const Contact                  &contact,
+                const std::string              &in)
+    {
+      const auto refuse = [&](const char *entry) {
+        throw InputError(
+          in + entry + ": a contact with Kind = " + prm.get("Kind") + " has " +
+          (contact.kind == ContactKind::tie ?
+             "no friction cone, it carries any reaction" :
+             "no friction, for a reaction that may pull has no cone") +
+          ". Leave the entry at its default, or choose Kind = contact.");
+      };
+      const std::pair<const char *, const std::optional<Expression> *>
+        entries[] = {{"Friction coefficient", &contact.friction},
+                     {"Second friction coefficient", &contact.second_friction},
+                     {"Prestress", &contact.prestress},
+                     {"Cohesion", &contact.cohesion}};
+      for (const auto &[entry, expression] : entries)
+        if (*expression && !(*expression)->is_zero())
+          refuse(entry);
+    }
+
+    /** What may be paired at all. */
+    void
+    find_limits(dealii::ParameterHandler &prm,
+                const std::string        &in,
+                Contact                  &contact)
+    {
+      const double angle =
+        to_number(prm.get("Largest angle"), in + "Largest angle");
+      if (angle < 0 || angle > 90)
+        throw InputError(in + "Largest angle: " + prm.get("Largest angle") +
+                         " is not an angle between opposing faces. Give 0 to "
+                         "90 degrees.");
+      contact.largest_angle = angle * M_PI / 180;
+      const double edge =
+        to_number(prm.get("Sharp edge angle"), in + "Sharp edge angle");
+      if (edge < 0 || edge > 90)
+        throw InputError(in +
+                         "Sharp edge angle: " + prm.get("Sharp edge angle") +
+                         " is no angle of an edge. Give 0 to 90 degrees.");
+      contact.sharp_edge     = edge * M_PI / 180;
+      const std::string deep = prm.get("Largest interference");
+      if (deep.empty())
+        return;
+      contact.interference = to_number(deep, in + "Largest interference");
+      if (*contact.interference < 0)
+        throw InputError(in + "Largest interference: " + deep +
+                         " is negative. Give a length of 0 or more.");
+    }
+  } // namespace
+
+  namespace
+  {
+    void
+    declare_kind(dealii::ParameterHandler &prm)
+    {
+      std::vector<std::string> names;
+      std::string              kinds;
+      for (const KindRow &row : contact_kinds())
+        {
+          names.push_back(row.name);
+          kinds +=
+            (kinds.empty() ? "" : "; ") + row.name + ": " + row.description;
+        }
+      prm.declare_entry(
+        "Kind",
+        names.front(),
+        dealii::Patterns::Selection(join(names, "|")),
+        "What holds between both sides, from the undeformed state on. " +
+          kinds +
+          ". Ties and bilateral contacts have reactions of any sign and take "
+          "no friction, Prestress or Cohesion; an obstacle serves as a master "
+          "body does; nodes of frames stay free to turn. [-]");
+    }
+
+    void
+    declare_pairing(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      std::vector<std::string> names = {by_kind};
+      std::string              ways;
+      for (const PairingRow &row : pairings())
+        {
+          names.push_back(row.name);
+          ways += "; " + row.name + ": " + row.description;
+        }
+      std::string own;
+      for (const KindRow &row : contact_kinds())
+        own +=
+          (own.empty() ? "" : ", ") + row.pairing + " for Kind = " + row.name;
+      prm.declare_entry(
+        "Pairing",
+        by_kind,
+        Selection(join(names, "|")),
+        "How nodes find what they touch on a master body. " + by_kind + ": " +
+          own + ways +
+          ". Frames, and nodes at edges and corners that meet a "
+          "face, are paired node to face always. [-]");
+      prm.declare_entry(
+        "Sharp edge angle",
+        "40",
+        Anything(),
+        "Where faces of the body turn by more than this at a "
+        "node, it has a normal and a contact for each side of "
+        "the edge; where by less, one mean normal. Faces oppose "
+        "each other up to half of it (mortar only; beyond, up to the "
+        "Largest angle, node to face). 0 to 90. [degrees]");
+      prm.declare_entry(
+        "Largest angle",
+        "60",
+        Anything(),
+        "A node meets a master's face only if an outward normal "
+        "of the node's own faces and the reversed one of that "
+        "face differ by at most this, from 0 to 90; so tops are "
+        "not paired with bottoms where all boundary ids are "
+        "given. [degrees]");
+      prm.declare_entry(
+        "Largest interference",
+        "",
+        Anything(),
+        "Nodes may start this deep in the obstacle or the master "
+        "body; deeper ones are an error, for most often a body "
+        "is out of place. Give the overlap of a press fit here: nodes that "
+        "start inside, deeper than facets stand off, are warned of where "
+        "the entry is empty. "
+        "Empty: a quarter of the longest edge of the faces that "
+        "meet, which the facets of curved surfaces need. A Gap "
+        "that is written down is not limited. [length]");
+      prm.declare_entry("Gap",
+                        "",
+                        Anything(),
+                        "Gap to the master body as a function of x, y, z and "
+                        "t; negative: an interference, as of a press fit. "
+                        "Ties and bilateral contacts close it. adjust, with an "
+                        "obstacle, too: 0 at nodes that are drawn to touch, "
+                        "which are those whose gap, positive or negative, is "
+                        "within one and a half times of how far the plane "
+                        "facets of both sides stand off curved surfaces; "
+                        "others keep the gap that is drawn. An interference "
+                        "that small has to be written down. Empty: from "
+                        "geometry; ties and bilateral contacts keep that as "
+                        "it is. [length]");
+    }
+
+    void
+    declare_preload(dealii::ParameterHandler &prm)
+    {
+      const auto declare =
+        [&](const char *key, const char *value, const char *text) {
+          prm.declare_entry(key, value, dealii::Patterns::Anything(), text);
+        };
+      declare("Preload",
+              "",
+              "Kind = tie only: the tension across it, a function of t, as of "
+              "a bolt that is cut in two and tightened. The sides slip over "
+              "each other along Preload axis, all nodes by the same length, "
+              "until this force draws them together; they stay tied in all "
+              "else. Give the force of what is modelled: half of it where half "
+              "a bolt is. Its tension and shortening are in increments.csv. "
+              "Empty: none. [force]");
+      declare("Preload axis",
+              "",
+              "Direction of the Preload, of any length and either sense. "
+              "Empty: the normal of the faces, which must be plane.");
+      declare("Preload locked from",
+              "",
+              "Time from which on the shortening by the Preload stays as it "
+              "is, a nut that is no longer turned, and the tension follows "
+              "what happens to the joint; the end of an increment. "
+              "Empty: the force stays prescribed. [time]");
+    }
+
+    void
+    declare_friction(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry("Friction coefficient",
+                        "0",
+                        Anything(),
+                        "Coulomb's mu, 0 or more, a function of x, y, z; mu in "
+                        "[K] (5). [-]");
+      prm.declare_entry("Second friction coefficient",
+                        "",
+                        Anything(),
+                        "Friction coefficient across the first axis, for an "
+                        "elliptic cone ([K] remark 3.3; 3D). Empty: isotropic. "
+                        "[-]");
+      prm.declare_entry("Friction angle",
+                        "0",
+                        Anything(),
+                        "Angle of the first axis from the tangent t1 towards "
+                        "t2, for an elliptic cone. [degrees]");
+      prm.declare_entry(
+        "Prestress",
+        "0",
+        Anything(),
+        "Force that presses the two sides together at each "
+        "contact node from t = 0 on, 0 or more, a function of x, "
+        "y, z; the prestress of [P], whose tightening weight Fc "
+        "is a prestress Fc and a cohesion (1 - mu) Fc. [force]");
+      prm.declare_entry("Cohesion",
+                        "0",
+                        Anything(),
+                        "Friction that needs no pressure, |r_t| <= mu r_n + "
+                        "cohesion at each contact node, open ones too, 0 or "
+                        "more, a function of x, y, z; only for Method = load "
+                        "path in 2D. [force]");
+    }
+  } // namespace
+
+  void
+  declare_contact(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry("Body", "", Anything(), "Name of the body.");
+    prm.declare_entry("Boundary ids",
+                      "",
+                      Anything(),
+                      "Boundary ids of the body whose nodes may touch, "
+                      "separated by commas.");
+    prm.declare_entry("Obstacle",
+                      "",
+                      Anything(),
+                      "Name of the rigid obstacle they may touch. Empty: "
+                      "another body.");
+    prm.declare_entry("Master body",
+                      "",
+                      Anything(),
+                      "Instead of Obstacle: name of the body they may touch. "
+                      "Where meshes differ, let Body be the finer or softer "
+                      "one; where a frame meets a continuum, the continuum.");
+    prm.declare_entry("Master boundary ids",
+                      "",
+                      Anything(),
+                      "Boundary ids of the master body. Those of single nodes "
+                      "of a frame, as the end of a beam that runs against a "
+                      "stop: these nodes meet the body's faces.");
+    prm.declare_entry("Reach",
+                      "",
+                      Anything(),
+                      "Nodes further than this from the master's faces stay "
+                      "free. Empty: the diagonal of the box around both "
+                      "bodies. [length]");
+    declare_kind(prm);
+    declare_preload(prm);
+    declare_pairing(prm);
+    declare_friction(prm);
+  }
+
+  namespace
+  {
+    std::optional<Preload>
+    read_preload(const dealii::ParameterHandler &prm,
+                 const unsigned int              dim,
+                 const Contact                  &contact,
+                 const std::string              &in)
+    {
+      if (prm.get("Preload").empty())
+        {
+          for (const char *key : {"Preload axis", "Preload locked from"})
+            if (!prm.get(key).empty())
+              throw InputError(in + key +
+                               ": there is no Preload. Give its force, or "
+                               "remove the entry.");
+          return {};
+        }
+      if (contact.kind != ContactKind::tie)
+        throw InputError(in + "Preload: a force tightens two sides that are "
+                              "joined. Set Kind = tie and cut the bolt in two "
+                              "there, or use Prestress.");
+      if (contact.gap)
+        throw InputError(in + "Gap: a tie with a Preload finds by itself how "
+                              "far its sides move. Remove one of both.");
+      Preload preload{Expression(prm.get("Preload"), in + "Preload"), {}, {}};
+      if (preload.force.uses_space())
+        throw InputError(in + "Preload: '" + prm.get("Preload") +
+                         "' depends on position. It is one force on the whole "
+                         "cut: use t only.");
+      if (!prm.get("Preload axis").empty())
+        {
+          preload.axis =
+            to_vector(prm.get("Preload axis"), dim, in + "Preload axis");
+          if (preload.axis.norm() == 0)
+            throw InputError(in + "Preload axis: it has no length. Give a "
+                                  "direction other than zero.");
+          preload.axis /= preload.axis.norm();
+        }
+      if (!prm.get("Preload locked from").empty())
+        preload.locked_from =
+          to_number(prm.get("Preload locked from"), in + "Preload locked from");
+      return preload;
+    }
+
+    /** Forces of single nodes reach no face of second degree as a pressure
+     * does. */
+    void
+    refuse_single_nodes(
+      const Contact                                &contact,
+      const std::string                            &in,
+      const std::vector<const bodies::Structure *> &structures)
+    {
+      if (contact.obstacle != nullptr || contact.pairing != "node to face")
+        return;
+      for (const auto &[body, ids] :
+           {std::tie(contact.body, contact.ids),
+            std::tie(contact.master, contact.master_ids)})
+        for (const bodies::SurfaceFace &face :
+             structures[body]->surface(ids).faces)
+          if (bodies::is_of_second_degree(*structures[body], face))
+            throw InputError(in + "Pairing: node to face does not pass a "
+                                  "uniform pressure between faces of second "
+                                  "degree (Element = Q2 or P2). Choose "
+                                  "mortar.");
+    }
+  } // namespace
+
+  Contact
+  create_contact(dealii::ParameterHandler                     &prm,
+                 const std::string                            &name,
+                 const unsigned int                            dim,
+                 const std::vector<std::string>               &bodies,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::vector<Obstacle>                  &obstacles)
+  {
+    const std::string in = "Contact '" + name + "', ";
+    Contact           contact;
+    contact.name = name;
+    contact.body = bodies::find_body(prm.get("Body"), bodies, in + "Body");
+    contact.ids  = bodies::find_boundary(prm.get("Boundary ids"),
+                                        *structures[contact.body],
+                                        bodies[contact.body],
+                                        in + "Boundary ids");
+    find_kind(prm, contact);
+    if (prm.get("Master body").empty())
+      {
+        contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
+        refuse_masters(prm, in);
+      }
+    else
+      find_master(prm, in, bodies, structures, contact);
+
+    if (adjusts_gaps(prm) && contact.kind != ContactKind::contact)
+      throw InputError(in + "Gap: adjust is for Kind = contact. Ties and "
+                            "bilateral contacts keep gaps as they are drawn: "
+                            "leave the entry empty, or give 0 to close them.");
+    find_limits(prm, in, contact);
+    refuse_single_nodes(contact, in, structures);
+    contact.friction.emplace(prm.get("Friction coefficient"),
+                             in + "Friction coefficient");
+    if (!prm.get("Second friction coefficient").empty())
+      contact.second_friction.emplace(prm.get("Second friction coefficient"),
+                                      in + "Second friction coefficient");
+    contact.friction_angle =
+      to_number(prm.get("Friction angle"), in + "Friction angle") * M_PI / 180;
+    for (const auto *friction : {&contact.friction, &contact.second_friction})
+      if (*friction && (*friction)->uses_time())
+        throw InputError(in + "Friction coefficient: it depends on t. "
+                              "Friction stays the same: use x, y, z only.");
+    const auto constant = [&](const char *entry) {
+      Expression expression(prm.get(entry), in + entry);
+      if (expression.uses_time())
+        throw InputError(in + entry +
+                         ": it depends on t. It stays the same: "
+                         "use x, y, z only.");
+      return expression;
+    };
+    contact.prestress.emplace(constant("Prestress"));
+    contact.cohesion.emplace(constant("Cohesion"));
+    if (contact.kind != ContactKind::contact)
+      refuse_cone(prm, contact, in);
+    contact.preload = read_preload(prm, dim, contact, in);
+    if (contact.obstacle != nullptr && prm.get("Pairing") == "mortar")
+      throw InputError(in + "Pairing: mortar is for faces of a Master body. "
+                            "Obstacles are met node by node: leave the entry "
+                            "out.");
+    return contact;
+  }
+} // namespace conetact::pairing

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+#include "conetact/pairing/contact_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    double
+    value_at(const Expression  &expression,
+             const Point<3>    &p,
+             const std::string &entry)
+    {
+      const double value = expression(p);
+      if (value < 0)
+        throw InputError(entry + ": it is " + to_text(value) + " at " +
+                         to_text(p) + ". Give a value of 0 or more.");
+      return value;
+    }
+
+    /** The mean over what the node is a mean over. */
+    std::function<double(const double t)>
+    growth_of(const ContactNode                            &node,
+              const Contact                                &contact,
+              const std::vector<const bodies::Structure *> &structures)
+    {
+      if (!contact.gap || !contact.gap->uses_time())
+        return {};
+      std::vector<std::pair<Point<3>, double>> places;
+      for (const auto &[slave, weight] : node.slaves)
+        places.emplace_back(structures[node.body]->position(slave), weight);
+      if (places.empty())
+        places.emplace_back(node.position, 1.);
+      const Expression &gap = *contact.gap;
+      return [places, &gap](const double t) {
+        double sum = 0;
+        for (const auto &[p, weight] : places)
+          sum += weight * (gap(p, t) - gap(p));
+        return sum;
+      };
+    }
+
+    void
+    set_friction(ContactNode &node, const Contact &contact)
+    {
+      const std::string in = "Contact '" + contact.name + "', ";
+      node.friction_angle  = contact.friction_angle;
+      node.mu_1 =
+        value_at(*contact.friction, node.position, in + "Friction coefficient");
+      node.mu_2 = contact.second_friction ?
+                    value_at(*contact.second_friction,
+                             node.position,
+                             in + "Second friction coefficient") :
+                    node.mu_1;
+      node.prestress =
+        value_at(*contact.prestress, node.position, in + "Prestress");
+      node.cohesion =
+        value_at(*contact.cohesion, node.position, in + "Cohesion");
+    }
+
+    /** Diagonal of the box around two bodies. */
+    double
+    size_of(const bodies::Structure &one, const bodies::Structure &other)
+    {
+      Point<3> low = one.position(0), high = low;
+      for (const bodies::Structure *body : {&one, &other})
+        for (unsigned int node = 0; node < body->n_nodes(); ++node)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d]  = std::min(low[d], body->position(node)[d]);
+              high[d] = std::max(high[d], body->position(node)[d]);
+            }
+      return low.distance(high);
+    }
+
+    /** Positions are known to their rounding: a gap below it is none. A body
+     * that is turned with its master must not touch it node after node. */
+    double
+    rounding_of_gaps(const Contact                                &contact,
+                     const std::vector<const bodies::Structure *> &structures)
+    {
+      constexpr double eps = std::numeric_limits<double>::epsilon();
+      if (contact.gap ||
+          (contact.obstacle && contact.obstacle->shape->states_gaps()))
+        return 0; // gaps that are written down
+      const double other =
+        contact.obstacle ? 0. : bodies::reach(*structures[contact.master]);
+      return 16 * eps *
+             std::max(bodies::reach(*structures[contact.body]), other);
+    }
+
+    /** Throws InputError for the deepest node that is too deep. */
+    void
+    check(const std::optional<PairedNodes::Deep> &deepest,
+          const Contact                          &contact,
+          const std::vector<std::string>         &bodies)
+    {
+      if (!deepest)
+        return;
+      const std::string depth = to_text(-deepest->gap);
+      throw InputError(
+        "Contact '" + contact.name + "': the node at " +
+        to_text(deepest->position) + " of body '" + bodies[contact.body] +
+        "' starts " + depth + " deep in " +
+        (contact.obstacle ? "obstacle '" + contact.obstacle->name + "'" :
+                            "body '" + bodies[contact.master] + "'") +
+        ", more than " + to_text(deepest->allowed) +
+        ". Move them apart, or for a press fit give " +
+        (contact.obstacle ? "" : "the Gap or ") +
+        "a Largest interference of at least " + depth + ".");
+    }
+
+    /** Two obstacles that a node meets along one normal: nothing tells which
+     * of them carries it. */
+    bool
+    meet_the_same(const ContactNode &one, const ContactNode &other)
+    {
+      return one.obstacle != nullptr && other.obstacle != nullptr &&
+             one.n * other.n > 1 - 1e-12;
+    }
+
+    /** Throws InputError where a body is inside of its obstacle: a normal that
+     * is turned the wrong way. Outside, faces that slide may turn to it. */
+    void
+    refuse_inside(const Contact                  &contact,
+                  const std::vector<std::string> &bodies,
+                  const bodies::Structure        &body,
+                  const PairedNodes              &found)
+    {
+      constexpr double away = .5; // as a cosine
+      if (contact.obstacle == nullptr ||
+          contact.obstacle->shape->states_gaps() || found.nodes.empty())
+        return;
+      const bodies::Surface surface = body.surface(contact.ids);
+      if (surface.two_sided || surface.faces.empty())
+        return;
+      if (contact.slides &&
+          std::all_of(found.nodes.begin(),
+                      found.nodes.end(),
+                      [](const ContactNode &node) { return node.gap > 0; }))
+        return;
+      std::map<unsigned int, Tensor<1, 3>> towards;
+      for (const ContactNode &node : found.nodes)
+        towards[node.node] = node.n;
+      for (const bodies::SurfaceNode &node : surface.nodes)
+        for (const Tensor<1, 3> &outward : node.normals)
+          if (const auto at = towards.find(node.node);
+              at != towards.end() && outward * at->second < away)
+            return;
+      throw InputError("Contact '" + contact.name + "': all faces of body '" +
+                       bodies[contact.body] +
+                       "' there look away from obstacle '" +
+                       contact.obstacle->name +
+                       "'. Turn its normal to the side of the body, or change "
+                       "Boundary ids.");
+    }
+
+    /** Least distance of a node of one surface from one of the other. */
+    double
+    distance(const bodies::Surface &one, const bodies::Surface &other)
+    {
+      double least = std::numeric_limits<double>::max();
+      for (const bodies::SurfaceNode &a : one.nodes)
+        for (const bodies::SurfaceNode &b : other.nodes)
+          least = std::min(least, a.position.distance(b.position));
+      return least;
+    }
+
+    [[noreturn]] void
+    refuse_nothing_bound(
+      const Contact                                &contact,
+      const std::vector<const bodies::Structure *> &structures)
+    {
+      const std::string kind =
+        contact.kind == ContactKind::tie ? "tie" : "bilateral";
+      throw InputError(
+        "Contact '" + contact.name + "', Kind = " + kind +
+        ": it binds nothing, for no node of the body faces the master within "
+        "its Reach of " +
+        to_text(contact.reach) + ". The nearest nodes of both sides are " +
+        to_text(
+          distance(structures[contact.body]->surface(contact.ids),
+                   structures[contact.master]->surface(contact.master_ids))) +
+        " apart. Move the bodies, change boundary ids, or give a larger Reach "
+        "or Largest angle.");
+    }
+
+    Pairing
+    count(const PairedNodes &found)
+    {
+      Pairing pairing{found.n_nodes, found.n_paired, 0, 0};
+      bool    first = true;
+      for (const ContactNode &node : found.nodes)
+        {
+          if (node.meets_nothing())
+            continue;
+          pairing.least_gap =
+            first ? node.gap : std::min(pairing.least_gap, node.gap);
+          pairing.largest_gap =
+            first ? node.gap : std::max(pairing.largest_gap, node.gap);
+          first = false;
+        }
+      return pairing;
+    }
+  } // namespace
+
+  ContactNodes
+  find_contact_nodes(const std::vector<Contact>                   &contacts,
+                     const std::vector<std::string>               &bodies,
+                     const std::vector<const bodies::Structure *> &structures,
+                     const unsigned int                            dim)
+  {
+    ContactNodes                                                      result;
+    std::multimap<std::pair<unsigned int, unsigned int>, std::size_t> known;
+    for (unsigned int c = 0; c < contacts.size(); ++c)
+      {
+        const Contact    &contact  = contacts[c];
+        const PairingRow &row      = pairing_of(contact, structures);
+        PairedNodes       found    = row.pair(contact, structures);
+        const double      rounding = rounding_of_gaps(contact, structures);
+        for (ContactNode &node : found.nodes)
+          if (std::abs(node.gap) <= rounding)
+            node.gap = 0;
+        refuse_inside(contact, bodies, *structures[contact.body], found);
+        if (contact.kind != ContactKind::contact && found.n_paired == 0)
+          refuse_nothing_bound(contact, structures);
+        result.pairings.push_back(count(found));
+        for (ContactNode &node : found.nodes)
+          {
+            node.contact = c;
+            node.slides  = contact.slides;
+            // Two contacts of a node are rows of their own, unless their
+            // normals agree: then only the sum of the reactions is determined.
+            const auto key          = std::make_pair(node.body, node.node);
+            const auto [begin, end] = known.equal_range(key);
+            for (auto other = begin; other != end; ++other)
+              if (meet_the_same(result.nodes[other->second], node))
+                throw InputError(
+                  "Contact '" +
+                  contacts[result.nodes[other->second].contact].name +
+                  "' and contact '" + contact.name +
+                  "' both hold the node at " + to_text(node.position) +
+                  " of body '" + bodies[contact.body] +
+                  "' against obstacles with the same normal. A node stands in "
+                  "several contacts where their normals differ: change "
+                  "Boundary ids.");
+            set_friction(node, contact);
+            set_frame(node, node.n, dim);
+            node.kind   = contact.kind;
+            node.closes = contact.gap.has_value();
+            node.growth = growth_of(node, contact, structures);
+            known.emplace(key, result.nodes.size());
+            result.nodes.push_back(std::move(node));
+          }
+        check(found.deepest, contact, bodies);
+      }
+    return result;
+  }
+} // namespace conetact::pairing

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/iterative/node_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+using namespace conetact::iterative;
+using Eigen::Index;
+
+namespace
+{
+  /** Row i has blocks in i % 5 columns. */
+  template <int n_rows, int n_columns, typename Number>
+  BlockMatrix<n_rows, n_columns, Number>
+  uneven_rows(const int n)
+  {
+    using Numbers = Eigen::Matrix<Number, n_rows, n_columns>;
+    RowByRow<n_rows, n_columns, Number> rows(false);
+    for (int i = 0; i < n; ++i)
+      {
+        std::vector<int>    columns;
+        std::vector<Number> numbers;
+        for (int k = 0; k < i % 5; ++k)
+          {
+            const Numbers block = Numbers::Random();
+            columns.push_back(3 * k + i % 2);
+            numbers.insert(numbers.end(),
+                           block.data(),
+                           block.data() + block.size());
+          }
+        rows.append(columns.data(), columns.size(), numbers);
+      }
+    return rows.finish();
+  }
+
+  template <int n_rows, int n_columns, typename Number>
+  void
+  expect_product()
+  {
+    using Vector                = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+    constexpr Index   n         = 33;
+    constexpr int     untouched = 7;
+    const auto        A         = uneven_rows<n_rows, n_columns, Number>(n);
+    const Vector      x         = Vector::Random(14 * n_columns);
+    Vector            y         = Vector::Constant(n * n_rows, untouched);
+    Vector            expected  = y;
+    const std::size_t begin = 2, end = 31;
+    for (std::size_t i = begin; i < end; ++i)
+      {
+        auto row = expected.template segment<n_rows>(Index(i) * n_rows);
+        row.setZero();
+        for (std::size_t k = A.start[i]; k < A.start[i + 1]; ++k)
+          row += A.block(i, k) *
+                 x.template segment<n_columns>(Index(A.column[k]) * n_columns);
+      }
+    A.multiply(begin, end, x.data(), y.data());
+    EXPECT_LT((y - expected).norm(),
+              20 * std::numeric_limits<Number>::epsilon() * expected.norm());
+    for (const Index i : {Index(0), n - 1}) // rows that nobody asked for
+      EXPECT_EQ(y.template segment<n_rows>(i * n_rows),
+                expected.template segment<n_rows>(i * n_rows));
+    EXPECT_EQ(y[31 * n_rows], untouched);
+  }
+
+  /** One of three blocks for each node. */
+  template <int size>
+  std::vector<Eigen::Matrix<float, size, size>>
+  three_kinds(const int n)
+  {
+    using Block                      = Eigen::Matrix<float, size, size>;
+    const std::array<Block, 3> kinds = {
+      {Block::Random(), Block::Random(), Block::Random()}};
+    std::vector<Block> blocks;
+    for (int i = 0; i < n; ++i)
+      blocks.push_back(kinds[static_cast<std::size_t>(i * i % 3)]);
+    return blocks;
+  }
+
+  template <int size>
+  void
+  expect_scaled()
+  {
+    constexpr int    n      = 1000; // more than a piece
+    auto             blocks = three_kinds<size>(n);
+    NodeBlocks<size> D(blocks);
+    ASSERT_EQ(D.n_nodes(), static_cast<std::size_t>(n));
+    // twice the same node, which has its own one then
+    for (const std::size_t i : {0u, 500u, 999u, 500u})
+      {
+        blocks[i].setRandom();
+        D.set(i, blocks[i]);
+      }
+    const FloatVector x = FloatVector::Random(n * size);
+    FloatVector       r = 2 * x, seen(n * size), expected(n * size);
+    D.for_products(
+      r,
+      [&](const Index begin, const Index length) {
+        r.segment(begin, length) -= x.segment(begin, length);
+      },
+      [&](const Index begin, const auto &product) {
+        seen.segment(begin, product.size()) = product;
+      });
+    for (int i = 0; i < n; ++i)
+      {
+        const auto k = static_cast<std::size_t>(i);
+        EXPECT_EQ(D[k], blocks[k]);
+        expected.segment<size>(i * size) =
+          blocks[k] * x.segment<size>(i * size);
+      }
+    EXPECT_LT((r - x).norm(), 1e-6 * x.norm());
+    EXPECT_LT((seen - expected).norm(), 1e-6 * expected.norm());
+  }
+} // namespace
+
+
+
+TEST(BlockProducts, AreThoseOfDenseBlocks)
+{
+  expect_product<2, 2, float>();
+  expect_product<2, 2, double>();
+  expect_product<2, 3, float>();
+  expect_product<3, 2, float>();
+  expect_product<3, 3, float>();
+  expect_product<3, 3, double>();
+  expect_product<3, 6, float>();
+  expect_product<6, 3, float>();
+  expect_product<6, 6, float>();
+  expect_product<6, 6, double>();
+}
+
+
+
+TEST(NodeBlocks, ScaleEachNodeByItsBlock)
+{
+  expect_scaled<2>();
+  expect_scaled<3>();
+  expect_scaled<6>();
+}
