@@ -216,7 +216,7 @@ def volumes(laws):
         exact, errors = math.pi * (1 if dim == 2 else 4 / 3), []
         for finer in (1, 2):
             run = laws.run({"Dimension": dim, "Body ball": merge(kind, {
-                "Mesh": {"Generator": "hyper_ball", "Arguments": ", ".join("0" * dim) + " : 1", "Global refinements": finer},
+                "Mesh": {"Generator": "hyper_ball", "Arguments": ", ".join("0" * dim) + " : 1 : false", "Global refinements": finer},
                 "Material": {"Young modulus": 1000, "Poisson ratio": .3}}),
                 "Support rim": support(0, ", ".join("xyz"[:dim]), body="ball"),
                 "Load weight": load("body force", " ; ".join(["1"] + ["0"] * (dim - 1)), body="ball"), "Output": {"VTU": 0}})
