@@ -38,10 +38,7 @@ def formats(laws):
             tables.append([row["r_n"] for row in run.rows])
             file.write_bytes(gmsh_file(*of_second_order(*tower(dim, 2, (1.0, .5), ("rubber", "steel"))), version, binary))
             scene = column(dim, file.name, **{"Material group": "rubber ; steel", "Young modulus": f"{SOFT} ; {STIFF}"})
-            run = laws.run(scene)  # automatic takes an element of second degree
-            laws.check(f"{what}, second order: settlement", abs(settlement(run) / exact - 1), 1e-12)
-            laws.check("  pressure", max(abs(row["r_n"] / row["area"] / PRESSURE - 1) for row in run.rows), 1e-11)
-            scene["Body column"]["Element"] = "Q1"
+            scene["Body column"]["Element"] = "Q1"  # its nodes in the middle stand anywhere
             tables.append([row["r_n"] for row in laws.run(scene).rows])
         laws.demand(f"{dim}D: reactions depend neither on the format nor on nodes of second order", all(table == tables[0] for table in tables))
 
