@@ -38,7 +38,7 @@ namespace conetact::pairing
 
     /** The corners of faces at each node that contacts stand at. */
     std::map<unsigned int, std::vector<Corner>>
-    functions_at_nodes(const std::vector<FaceNet::Face> &faces)
+    corners_by_node(const std::vector<FaceNet::Face> &faces)
     {
       std::map<unsigned int, std::vector<Corner>> corners;
       for (std::size_t f = 0; f < faces.size(); ++f)
@@ -120,7 +120,7 @@ namespace conetact::pairing
       row_of[f].resize(faces[f].n_functions);
     // An edge of just this angle is not sharp, whatever the rounding.
     const double cosine = std::cos(sharp_edge) - 1e-12;
-    for (const auto &[node, corners] : functions_at_nodes(faces))
+    for (const auto &[node, corners] : corners_by_node(faces))
       {
         const auto side = sides_of(corners, faces, cosine);
         std::map<std::size_t, std::size_t> row_of_side;
