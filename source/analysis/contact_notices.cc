@@ -147,7 +147,7 @@ namespace conetact::analysis
     for (const ContactNode &node : scene.bodies.contact_nodes)
       if (node.contact == c && !node.meets_nothing() &&
           pairing::gap_at_start(node) <
-            -pairing::facet_margin * facets[c].around(node) -
+            -pairing::facet_margin * facets[c].allowance(node) -
               digits * node.spacing)
         {
           ++n;

@@ -219,8 +219,9 @@ namespace conetact::analysis
     constexpr double longest = .2, shortest = .01, level = 1e-3; // of the face
     pairing::ContactNode     node = model.points.nodes()[face.node];
     const bodies::Structure &body = *model.bodies.structures[node.body];
-    std::vector<Point<3>>    corners;
-    Point<3>                 p;
+    node.slaves.clear(); // a point of the face
+    std::vector<Point<3>> corners;
+    Point<3>              p;
     for (const unsigned int i : face.corners)
       {
         corners.push_back(body.position(i) + at(node.body, i));

@@ -43,7 +43,7 @@ namespace conetact::analysis
       {
         const bodies::Structure &body = *model.bodies.structures[key.second];
         for (const auto &face : body.surface(body.boundary_ids()).faces)
-          for (const auto &corners : bodies::parts_of_first_degree(body, face))
+          for (const auto &corners : bodies::parts_of_contacts(body, face))
             if (std::all_of(corners.begin(),
                             corners.end(),
                             [&, &of = nodes](const unsigned int corner) {

@@ -140,7 +140,13 @@ namespace conetact::analysis
     double                                                  indentation = 0;
     const auto at = [&](const Eigen::VectorXd      &x,
                         const pairing::ContactNode &node) {
-      return model.displacement(x, node.body, node.node);
+      Tensor<1, 3> mean;
+      pairing::for_each_slave(node,
+                              [&](const unsigned int i, const double weight) {
+                                mean +=
+                                  weight * model.displacement(x, node.body, i);
+                              });
+      return mean;
     };
     const contact::ContactPoints &points = model.points;
     for (std::size_t i = 0; i < points.all().size(); ++i)

@@ -16,22 +16,22 @@ namespace conetact
 {
   namespace
   {
-    using Number = std::vector<int>::iterator;
-    using Point  = std::array<double, 3>;
+    using Number   = std::vector<int>::iterator;
+    using Position = std::array<double, 3>;
 
     /** What a part may have more than its share of the work, relative. */
     constexpr double near_enough = .017;
 
     struct Box
     {
-      Point low, high;
+      Position low, high;
 
-      explicit Box(const Point &p)
+      explicit Box(const Position &p)
         : low(p)
         , high(p)
       {}
       void
-      add(const Point &p)
+      add(const Position &p)
       {
         for (std::size_t k = 0; k < 3; ++k)
           {
@@ -152,10 +152,10 @@ namespace conetact
     /** Nodes in the order of a curve that fills space (Hilbert): those near
      * each other are near in memory. */
     std::vector<int>
-    along_curve(const std::vector<Point> &positions)
+    along_curve(const std::vector<Position> &positions)
     {
       std::vector<dealii::Point<3>> points;
-      for (const Point &p : positions)
+      for (const Position &p : positions)
         points.emplace_back(p[0], p[1], p[2]);
       constexpr int fine = 20; // halvings of the box
       const auto    places =
@@ -190,14 +190,14 @@ namespace conetact
   /* Lines along the longest side; those of planes through it and the shortest
      one follow each other, so that neighbours are near. */
   std::vector<int>
-  order_of_lines(const std::vector<Point> &positions)
+  order_of_lines(const std::vector<Position> &positions)
   {
     std::vector<int> lines(positions.size());
     std::iota(lines.begin(), lines.end(), 0);
     if (positions.empty())
       return lines;
     Box box(positions.front());
-    for (const Point &p : positions)
+    for (const Position &p : positions)
       box.add(p);
     const auto [along, plane, line] = box.axes();
     const double same = 1e-6 * box.side(along); // but for rounding
@@ -206,7 +206,7 @@ namespace conetact
       double plane, line, along;
     };
     std::vector<Place> places;
-    for (const Point &p : positions)
+    for (const Position &p : positions)
       places.push_back({std::round((p[plane] - box.low[plane]) / same),
                         std::round((p[line] - box.low[line]) / same),
                         p[along]});

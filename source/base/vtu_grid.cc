@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -286,17 +287,34 @@ namespace conetact
 
 
 
+  namespace
+  {
+    /** VTK goes round, deal.II does not. Empty: the order is the same. */
+    const std::vector<std::size_t> &
+    order_of_vtk(const VtuGrid::Shape shape)
+    {
+      using Shape = VtuGrid::Shape;
+      static const std::map<Shape, std::vector<std::size_t>> orders = {
+        {Shape::quadrilateral, {0, 1, 3, 2}},
+        {Shape::hexahedron, {0, 1, 3, 2, 4, 5, 7, 6}},
+        {Shape::biquadratic_quadrilateral, {0, 1, 3, 2, 6, 5, 7, 4, 8}},
+        {Shape::triquadratic_hexahedron,
+         {0,  1,  3,  2,  4,  5,  7,  6,  10, 9,  11, 8,  14, 13,
+          15, 12, 16, 17, 19, 18, 20, 21, 22, 23, 24, 25, 26}}};
+      static const std::vector<std::size_t> same;
+      const auto                            found = orders.find(shape);
+      return found == orders.end() ? same : found->second;
+    }
+  } // namespace
+
   void
   VtuGrid::add_cell(const Shape shape, const std::vector<unsigned int> &nodes)
   {
-    std::vector<int> round(nodes.begin(), nodes.end());
-    // VTK goes round, deal.II does not
-    for (std::size_t i = 2;
-         i < round.size() &&
-         (shape == Shape::quadrilateral || shape == Shape::hexahedron);
-         i += 4)
-      std::swap(round[i], round[i + 1]);
-    add_vtk_cell(shape, round.data(), round.data() + round.size());
+    const std::vector<std::size_t> &order = order_of_vtk(shape);
+    std::vector<int>                in_vtk(nodes.begin(), nodes.end());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      in_vtk[i] = static_cast<int>(nodes[order[i]]);
+    add_vtk_cell(shape, in_vtk.data(), in_vtk.data() + in_vtk.size());
   }
 
 

@@ -58,10 +58,14 @@ namespace conetact::bodies
                         automatic,
                         Patterns::Selection(automatic + ("|" + elements.first)),
                         "Kind of elements. automatic: " +
-                          std::string(default_element<2>(false).name) +
+                          std::string(default_element<2>(false, 1).name) +
                           " on quadrilaterals and hexahedra, " +
-                          default_element<2>(true).name +
-                          " on triangles and tetrahedra; " + elements.second +
+                          default_element<2>(true, 1).name +
+                          " on triangles and tetrahedra; where a mesh file is "
+                          "of second order " +
+                          default_element<2>(false, 2).name + " and " +
+                          default_element<2>(true, 2).name +
+                          ", but for bodies of revolution; " + elements.second +
                           ". On a mesh of quadrilaterals or hexahedra P1 and "
                           "P2 divide each into 8 triangles or 24 tetrahedra. "
                           "[-]");
@@ -104,19 +108,6 @@ namespace conetact::bodies
                          "have no area. Use Q1 or Q1 B-bar.");
     }
 
-    /** Contact is node by node: each must have an area. */
-    template <int dim>
-    void
-    refuse_tetrahedra(const ElementRow<dim> &row, const std::string &body)
-    {
-      if (dim == 3 && row.is_simplex && row.degree > 1)
-        throw InputError(body + ", Element: " + row.name +
-                         " is for triangles only. On faces of such tetrahedra "
-                         "corners carry no force under a pressure, so nothing "
-                         "could tell whether they touch. Use Q2 on hexahedra, "
-                         "or P1.");
-    }
-
     template <int dim>
     std::unique_ptr<Structure>
     make_continuum(MeshParameters                      &mesh,
@@ -129,9 +120,9 @@ namespace conetact::bodies
                                      &find_row(element_table<dim>(), element);
       if (row != nullptr)
         {
-          refuse_tetrahedra(*row, body);
           mesh.cells = row->is_simplex ? MeshParameters::Cells::simplices :
                                          MeshParameters::Cells::hypercubes;
+          mesh.second_order = row->degree > 1;
         }
       mesh.on_axis = materials.front().material.is_axisymmetric();
       if (mesh.on_axis)
@@ -142,14 +133,23 @@ namespace conetact::bodies
       set_materials(*triangulation, materials, groups.cells, body);
       if (row == nullptr)
         row = &default_element<dim>(
-          !triangulation->all_reference_cells_are_hyper_cube());
+          !triangulation->all_reference_cells_are_hyper_cube(),
+          nodes.empty() || mesh.on_axis ? 1 : 2);
+      if (row->degree > 1)
+        groups.caution.clear(); // edges may be bent
       std::vector<ElasticMaterial> of_cells;
       for (const MaterialOfGroups &material : materials)
         of_cells.push_back(material.material);
-      return std::make_unique<Continuum<dim>>(std::move(triangulation),
-                                              of_cells,
-                                              *row,
-                                              groups);
+      auto made = std::make_unique<Continuum<dim>>(
+        std::move(triangulation), of_cells, *row, groups, nodes);
+      if (const auto folded = made->folded_cell())
+        throw InputError(
+          mesh.where + (mesh.file.empty() ? "Generator: " : "File: ") +
+          "the cell at " + to_text(Tensor<1, 3>(*folded)) +
+          " is folded: with its nodes in the middle of bent edges its volume "
+          "is not positive everywhere. Refine the mesh there, or set Element "
+          "to one of first degree, whose edges are straight.");
+      return made;
     }
 
     std::unique_ptr<Structure>

@@ -22,10 +22,10 @@ namespace conetact::condensed
 {
   namespace
   {
-    using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-    using dealii::TrilinosWrappers::SparseMatrix;
+    using RowMatrix      = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using TrilinosMatrix = dealii::TrilinosWrappers::SparseMatrix;
 
-    std::unique_ptr<SparseMatrix>
+    std::unique_ptr<TrilinosMatrix>
     to_trilinos(const RowMatrix &matrix)
     {
       const auto                n = static_cast<unsigned int>(matrix.rows());
@@ -34,10 +34,10 @@ namespace conetact::condensed
         length[i] = static_cast<unsigned int>(matrix.outerIndexPtr()[i + 1] -
                                               matrix.outerIndexPtr()[i]);
       auto result =
-        std::make_unique<SparseMatrix>(dealii::complete_index_set(n),
-                                       MPI_COMM_SELF,
-                                       length);
-      std::vector<SparseMatrix::size_type> columns;
+        std::make_unique<TrilinosMatrix>(dealii::complete_index_set(n),
+                                         MPI_COMM_SELF,
+                                         length);
+      std::vector<TrilinosMatrix::size_type> columns;
       for (unsigned int i = 0; i < n; ++i)
         {
           const int begin = matrix.outerIndexPtr()[i];
@@ -58,7 +58,7 @@ namespace conetact::condensed
 
   struct Amesos::Implementation
   {
-    explicit Implementation(std::unique_ptr<SparseMatrix> m)
+    explicit Implementation(std::unique_ptr<TrilinosMatrix> m)
       : matrix(std::move(m))
     {
       problem.SetOperator(
@@ -66,7 +66,7 @@ namespace conetact::condensed
     }
 
     // each refers to those before it
-    std::unique_ptr<SparseMatrix>      matrix;
+    std::unique_ptr<TrilinosMatrix>    matrix;
     Epetra_LinearProblem               problem;
     std::unique_ptr<Amesos_BaseSolver> solver;
     bool                               factorised = false;

@@ -16,8 +16,7 @@ namespace conetact::condensed
 {
   namespace
   {
-    using SparseMatrix = Eigen::SparseMatrix<double>;
-    using Numbers      = std::vector<int>;
+    using Numbers = std::vector<int>;
 
     // Consecutive numbers 0, 1, ... for the nodes of the eliminated unknowns.
     Numbers
@@ -41,15 +40,17 @@ namespace conetact::condensed
     // Pairs of vertices that share an entry of the matrix. Where the unknowns
     // of a node do not stand together, a pair may come more than once.
     std::vector<std::pair<int, int>>
-    coupled_vertices(const SparseMatrix &upper,
-                     const Numbers      &vertex_of,
-                     const int           n_vertices)
+    coupled_vertices(const Eigen::SparseMatrix<double> &upper,
+                     const Numbers                     &vertex_of,
+                     const int                          n_vertices)
     {
       std::vector<std::pair<int, int>> pairs;
       Numbers                          last_seen_from(n_vertices, -1);
       const int                        n = static_cast<int>(vertex_of.size());
       for (int column = 0; column < n; ++column)
-        for (SparseMatrix::InnerIterator entry(upper, column); entry; ++entry)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(upper, column);
+             entry;
+             ++entry)
           {
             const int v = vertex_of[column], w = vertex_of[entry.row()];
             if (v == w || last_seen_from[w] == v)
@@ -144,9 +145,9 @@ namespace conetact::condensed
 
 
   std::vector<int>
-  elimination_order(const SparseMatrix              &upper,
-                    const Eigen::Index               n_eliminated,
-                    const std::vector<unsigned int> &node_of)
+  elimination_order(const Eigen::SparseMatrix<double> &upper,
+                    const Eigen::Index                 n_eliminated,
+                    const std::vector<unsigned int>   &node_of)
   {
     AssertDimension(upper.rows(), upper.cols());
     AssertDimension(node_of.size(), static_cast<std::size_t>(upper.cols()));

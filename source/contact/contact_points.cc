@@ -235,7 +235,7 @@ namespace conetact::contact
   {
     if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
       return false;
-    if (!node.slaves.empty())
+    if (!node.slaves.empty() && node.obstacle == nullptr)
       return true; // nodes beside it may move along what is held here
     if (node.is_mean && !node.slides &&
         is_held_with_master(rule, node, supports, bodies, times))

@@ -37,6 +37,12 @@ namespace conetact::contact
     point_of_node.resize(node_offset.back(), nullptr);
     if (points != nullptr)
       {
+        if (std::any_of(points->all().begin(),
+                        points->all().end(),
+                        [](const ContactPoint &point) {
+                          return !point.node->slaves.empty();
+                        }))
+          means.emplace(bodies, node_rules, *points);
         for (const ContactPoint &point : *points)
           take(point);
         for (std::size_t i = points->size(); i < points->all().size(); ++i)
@@ -89,8 +95,29 @@ namespace conetact::contact
             {dof(point.node->body, point.node->node),
              point.first + static_cast<Eigen::Index>(k) - points->n_unknowns(),
              point.directions[k]});
+          if (means)
+            bind_middles(point, all_bound_directions.back());
         }
     point_of_node[n] = &bound;
+  }
+
+  /* Nodes in the middle move with their corners, along what is free there. */
+  void
+  Coordinates::bind_middles(const ContactPoint   &point,
+                            const BoundDirection &own)
+  {
+    const unsigned int   body   = point.node->body;
+    const BoundDirection corner = own; // the list grows
+    for (const auto &[middle, part] : means->middles(body, point.node->node))
+      {
+        Tensor<1, 3>    along = part * corner.direction;
+        const NodeRule *rule  = rule_of_node[number(body, middle)];
+        if (rule != nullptr)
+          for (const HeldDirection &held : rule->held)
+            along -= (along * held.direction) * held.direction;
+        all_bound_directions.push_back(
+          {dof(body, middle), corner.unknown, along});
+      }
   }
 
   Eigen::Index
@@ -206,7 +233,7 @@ namespace conetact::contact
     add(*free_directions(n), first_unknown[n], factor);
     if (const ContactPoint *const point = point_of_node[n]; point != nullptr)
       {
-        const double part = factor / pairing::own_weight(*point->node);
+        const double part = factor / own_weight(*point->node);
         if (first_contact[n] >= 0) // else it is bound
           add(point->directions, first_contact[n], part);
         append_others(*point, c, part);
@@ -223,17 +250,64 @@ namespace conetact::contact
     Tensor<1, 3> along;
     for (std::size_t k = 0; k < point.dual.size(); ++k)
       along += point.directions[k][c] * point.dual[k];
-    const pairing::ContactNode &own = *point.node;
-    const auto                  append_side =
-      [&](const unsigned int body, const auto &nodes, const double sign) {
-        const Tensor<1, 3> in_body = bodies.in_frame(body, along);
-        for (const auto &[node, weight] : nodes)
-          for (unsigned int d = 0; d < bodies.dim; ++d)
-            if (in_body[d] != 0 && !(body == own.body && node == own.node))
-              append_row(body, node, d, sign * factor * weight * in_body[d]);
-      };
-    append_side(own.master, own.masters, 1);
-    append_side(own.body, own.slaves, -1);
+    const pairing::ContactNode &own       = *point.node;
+    const Tensor<1, 3>          in_master = bodies.in_frame(own.master, along);
+    for (const auto &[node, weight] : own.masters)
+      for (unsigned int d = 0; d < bodies.dim; ++d)
+        if (in_master[d] != 0 && !(own.master == own.body && node == own.node))
+          append_row(own.master, node, d, factor * weight * in_master[d]);
+    if (!own.slaves.empty())
+      append_slaves(own, -factor * bodies.in_frame(own.body, along));
+  }
+
+  /* Of nodes in the middle only what they have of their own. */
+  void
+  Coordinates::append_slaves(const pairing::ContactNode &own,
+                             const Tensor<1, 3>         &along)
+  {
+    for (const auto &[node, weight] : means->weights(own))
+      for (unsigned int d = 0; d < bodies.dim; ++d)
+        if (node == own.node || along[d] == 0)
+          continue;
+        else if (corners(own.body, node) != nullptr)
+          append_free(own.body, node, d, weight * along[d]);
+        else
+          append_row(own.body, node, d, weight * along[d]);
+  }
+
+  /** What a node moves of its own: by its unknowns. */
+  void
+  Coordinates::append_free(const unsigned int body,
+                           const unsigned int node,
+                           const unsigned int c,
+                           const double       factor)
+  {
+    const std::size_t n = number(body, node);
+    if (free_directions(n) != nullptr)
+      append_own(n, c, factor);
+    else if (const Eigen::Index unknown =
+               own_unknown[static_cast<std::size_t>(dof(body, node)) + c];
+             unknown >= 0)
+      append(unknown, factor);
+  }
+
+  /* Along what no support holds. */
+  void
+  Coordinates::append_corners(const unsigned int body,
+                              const unsigned int node,
+                              const unsigned int c,
+                              const double       factor)
+  {
+    const Directions *const free = free_directions(number(body, node));
+    Tensor<1, 3>            along;
+    along[c] = free == nullptr ? factor : 0;
+    if (free != nullptr)
+      for (const Tensor<1, 3> &direction : *free)
+        along += factor * direction[c] * direction;
+    for (const auto &[corner, part] : *corners(body, node))
+      for (unsigned int d = 0; d < bodies.dim; ++d)
+        if (along[d] != 0)
+          append_row(body, corner, d, part * along[d]);
   }
 
   /* A hanging node has the rows of its masters in place of its own. Rotations
@@ -249,6 +323,12 @@ namespace conetact::contact
     if (!bodies.deforms(body))
       return;
     const std::size_t n = number(body, node);
+    if (corners(body, node) != nullptr && c < bodies.dim)
+      {
+        append_free(body, node, c, factor);
+        append_corners(body, node, c, factor);
+        return;
+      }
     if (free_directions(n) == nullptr || c >= bodies.dim)
       {
         if (const Eigen::Index unknown =
@@ -293,11 +373,20 @@ namespace conetact::contact
             free != nullptr && bodies.deforms(body))
           for (std::size_t k = 0; k < free->size(); ++k)
             q[first_unknown[number(body, i)] + static_cast<Eigen::Index>(k)] =
-              at_node(u, body, i) * (*free)[k];
+              own_displacement(u, body, i) * (*free)[k];
     for (Eigen::Index dof = 0; dof < n_dofs(); ++dof)
       if (const Eigen::Index k = own_unknown[static_cast<std::size_t>(dof)];
           k >= 0)
         q[k] = u[dof];
+    if (means)
+      for (const auto &[middle, its_corners] : means->all_middles())
+        for (unsigned int c = 0; c < bodies.dim; ++c)
+          if (const Eigen::Index k =
+                own_unknown[static_cast<std::size_t>(
+                              dof(middle.first, middle.second)) +
+                            c];
+              k >= 0)
+            q[k] = own_displacement(u, middle.first, middle.second)[c];
     if (arm != 1)
       {
         const std::vector<bool> rotation = are_rotations();
@@ -383,6 +472,18 @@ namespace conetact::contact
       // Orthonormal directions: setting one leaves the others as they are.
       u += (displacement(*rule, held) - u * held.direction) * held.direction;
     return u;
+  }
+
+  Tensor<1, 3>
+  Coordinates::own_displacement(const Eigen::VectorXd &u,
+                                const unsigned int     body,
+                                const unsigned int     node) const
+  {
+    Tensor<1, 3> result = at_node(u, body, node);
+    if (const auto *const around = corners(body, node); around != nullptr)
+      for (const auto &[corner, part] : *around)
+        result -= part * at_node(u, body, corner);
+    return result;
   }
 
   Tensor<1, 3>

@@ -4,6 +4,7 @@
 #include "conetact/contact/iterative_limits.h"
 
 #include "conetact/base/text.h"
+#include "conetact/contact/hierarchical_means.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,10 +45,13 @@ namespace conetact::contact
     /** Whether a mean over nodes has others in it that meet something or hang,
      * or hardly its own one, whose displacement it tells. */
     bool
-    has_tangled_means(const ContactPoints &points, const NodeRules &supports)
+    has_tangled_means(const Bodies        &bodies,
+                      const ContactPoints &points,
+                      const NodeRules     &supports)
     {
-      constexpr double least = .05;
-      Nodes            nodes;
+      constexpr double        least = .05;
+      const HierarchicalMeans means(bodies, supports, points);
+      Nodes                   nodes;
       for (const ContactPoint &point : points.all())
         if (!point.node->meets_nothing())
           nodes.insert({point.node->body, point.node->node});
@@ -57,9 +61,12 @@ namespace conetact::contact
       };
       const auto is_tangled = [&](const ContactPoint &point) {
         const pairing::ContactNode &own = *point.node;
-        return pairing::own_weight(own) < least ||
-               std::any_of(own.slaves.begin(),
-                           own.slaves.end(),
+        if (own.slaves.empty())
+          return false;
+        const auto slaves = means.weights(own);
+        return means.own_weight(own) < least ||
+               std::any_of(slaves.begin(),
+                           slaves.end(),
                            [&](const auto &slave) {
                              const unsigned int i = slave.first;
                              return i != own.node &&
@@ -143,7 +150,7 @@ namespace conetact::contact
              " is in several";
     if (points.have_prescribed_slip())
       return "knows no friction along what supports hold";
-    if (has_tangled_means(points, supports))
+    if (has_tangled_means(bodies, points, supports))
       return "knows means over nodes of a mortar surface only where they "
              "hang on no others and meet nothing by themselves, as on a slave "
              "that its master covers: let the narrower body be the slave, refine "

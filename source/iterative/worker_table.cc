@@ -6,7 +6,7 @@
 #include "conetact/condensed/mumps.h"
 #include "conetact/iterative/large_stiffness.h"
 
-namespace conetact::iterative
+namespace conetact
 {
   namespace
   {
@@ -46,4 +46,4 @@ namespace conetact::iterative
       {Command::report, [](const Order &) { needs_of_processes(); }},
     });
   }
-} // namespace conetact::iterative
+} // namespace conetact

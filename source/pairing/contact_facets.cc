@@ -56,4 +56,21 @@ namespace conetact::pairing
   {
     return (slave ? slave->at(node.node) : 0) + of_other_side(node);
   }
+
+  double
+  ContactFacets::allowance(const ContactNode &node) const
+  {
+    double result = around(node);
+    if (node.slaves.empty())
+      return result;
+    if (node.obstacle != nullptr)
+      result += std::abs(
+        node.gap -
+        node.obstacle->shape->closest(node.position, node.spacing).gap);
+    result += slave ? slave->bent_at(node.node) : 0.;
+    for (const auto &[number, weight] : node.masters)
+      if (master)
+        result += std::abs(weight) * master->bent_at(number);
+    return result;
+  }
 } // namespace conetact::pairing

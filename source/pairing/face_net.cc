@@ -98,12 +98,16 @@ namespace conetact::pairing
       face.nodes          = from.nodes;
       face.outward        = from.normal;
       const std::size_t n = bodies::n_corners(body, from);
+      face.n_functions    = from.meets_at_corners ? n : from.nodes.size();
       for (std::size_t i = 0; i < n; ++i)
         {
           face.corners.push_back(body.position(from.nodes[i]));
           face.centre +=
             Tensor<1, 3>(face.corners.back()) / static_cast<double>(n);
         }
+      if (from.meets_at_corners)
+        for (std::size_t i = n; i < from.nodes.size(); ++i)
+          face.middles.push_back(body.position(from.nodes[i]));
       for (const Point<3> &corner : face.corners)
         face.radius = std::max(face.radius, face.centre.distance(corner));
       for (std::size_t e = 0; e < n; ++e)

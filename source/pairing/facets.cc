@@ -3,6 +3,8 @@
 
 #include "conetact/pairing/facets.h"
 
+#include "conetact/bodies/face_nodes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -169,6 +171,25 @@ namespace conetact::pairing
                          });
     }
 
+    /** Whether the face itself follows the curve. */
+    bool
+    is_bent(const FaceNet::Face &face)
+    {
+      if (face.middles.empty())
+        return false;
+      const auto &all = bodies::middle_nodes(face.corners.size() == 2 ? 2 : 3,
+                                             face.nodes.size());
+      return std::any_of(
+        all.begin(), all.end(), [&](const bodies::MiddleNode &middle) {
+          Tensor<1, 3> beside =
+            Tensor<1, 3>(face.middles[middle.node - face.corners.size()]);
+          for (const std::size_t corner : middle.corners)
+            beside -= Tensor<1, 3>(face.corners[corner]) /
+                      static_cast<double>(middle.corners.size());
+          return beside.norm() > one_plane * face.size;
+        });
+    }
+
     double
     found_at(const std::map<unsigned int, double> &values,
              const unsigned int                    node)
@@ -193,7 +214,10 @@ namespace conetact::pairing
             value = around_face[f];
     };
     for (std::size_t f = 0; f < faces.size(); ++f)
-      if (const Facet &facet = facets[facet_of[f]]; is_of_curve(facet, facets))
+      if (const Facet &facet = facets[facet_of[f]]; is_bent(faces[f]))
+        for (const unsigned int node : faces[f].nodes)
+          bent_node[node] = std::max(bent_node[node], facet.sagitta);
+      else if (is_of_curve(facet, facets))
         {
           around_face[f] = facet.sagitta;
           for (const unsigned int node : faces[f].nodes)
@@ -214,6 +238,12 @@ namespace conetact::pairing
   Facets::at(const unsigned int node) const
   {
     return found_at(around_node, node);
+  }
+
+  double
+  Facets::bent_at(const unsigned int node) const
+  {
+    return found_at(bent_node, node);
   }
 
   double

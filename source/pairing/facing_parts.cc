@@ -34,7 +34,7 @@ namespace conetact::pairing
           continue;
         // Looking along the normal: a face of the master that looks away or
         // sideways has no shadow to clip.
-        const ProjectedFace other(face.corners, plane);
+        const ProjectedFace other(face, plane);
         if (!boxes_overlap(projected.outline(), other.outline()))
           continue;
         Polygon where = common_part(projected.outline(), other.outline());

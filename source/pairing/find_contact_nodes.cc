@@ -150,7 +150,7 @@ namespace conetact::pairing
 
     /** Least distance of a node of one surface from one of the other. */
     double
-    distance_between(const bodies::Surface &one, const bodies::Surface &other)
+    distance_of(const bodies::Surface &one, const bodies::Surface &other)
     {
       double least = std::numeric_limits<double>::max();
       for (const bodies::SurfaceNode &a : one.nodes)
@@ -171,9 +171,9 @@ namespace conetact::pairing
         ": it binds nothing, for no node of the body faces the master within "
         "its Reach of " +
         to_text(contact.reach) + ". The nearest nodes of both sides are " +
-        to_text(distance_between(structures[contact.body]->surface(contact.ids),
-                                 structures[contact.master]->surface(
-                                   contact.master_ids))) +
+        to_text(distance_of(structures[contact.body]->surface(contact.ids),
+                            structures[contact.master]->surface(
+                              contact.master_ids))) +
         " apart. Move the bodies, change boundary ids, or give a larger Reach "
         "or Largest angle.");
     }

@@ -40,26 +40,29 @@ namespace conetact::pairing
      */
     constexpr double beyond_seen = .01;
 
-    /** Of one slave face, over the parts of it that see the master. */
+    /** Of one slave face, over the parts of it that see the master. M are the
+     * shape functions N, or the linear ones of its corners. */
     struct FaceIntegrals
     {
-      Eigen::MatrixXd                         mass;    ///< N_j N_k
-      Eigen::VectorXd                         areas;   ///< N_j
-      std::map<unsigned int, Eigen::VectorXd> masters; ///< N_j N_l
+      Eigen::MatrixXd                         mass;    ///< M_j M_k
+      Eigen::VectorXd                         areas;   ///< M_j
+      Eigen::MatrixXd                         slaves;  ///< M_j N_k
+      std::map<unsigned int, Eigen::VectorXd> masters; ///< M_j N_l
       std::vector<bool> facing; ///< whether its nodes are over the master
       double            size = 0;
       double lowest = std::numeric_limits<double>::max(); ///< gap [length]
     };
 
-    /** Shape functions of the nodes of a face. */
+    /** The functions M of the nodes that contacts stand at. */
     Eigen::VectorXd
-    nodal_shapes(const FaceNet::Face &face, const ProjectedFace::Seen &seen)
+    functions(const FaceNet::Face       &face,
+              const ProjectedFace::Seen &seen,
+              const Eigen::VectorXd     &N)
     {
-      const std::size_t n = face.nodes.size();
-      if (n == face.corners.size())
-        return seen.shape.head(static_cast<Index>(n));
-      const auto N = nodal_shape_values(n, face.corners.size(), seen.local);
-      return Eigen::Map<const Eigen::VectorXd>(N.data(), static_cast<Index>(n));
+      const auto n = static_cast<Index>(face.n_functions);
+      return face.n_functions == face.nodes.size() ?
+               N :
+               Eigen::VectorXd(seen.shape.head(n));
     }
 
     /** The radius at a point of a face, where bodies go round an axis. */
@@ -70,27 +73,6 @@ namespace conetact::pairing
       for (std::size_t v = 0; v < face.corners.size(); ++v)
         r += shape[static_cast<Index>(v)] * face.corners[v][0];
       return r;
-    }
-
-    /**
-     * In 2D lengths are areas over the thickness of the slave; round an axis,
-     * lengths times radii are areas over 2 pi.
-     */
-    double
-    thickness_of(const bodies::Surface            &surface,
-                 const std::vector<FaceNet::Face> &faces,
-                 const bool                        axisymmetric)
-    {
-      if (axisymmetric)
-        return 2 * M_PI;
-      if (faces.front().corners.size() > 2)
-        return 1;
-      double area = 0, length = 0;
-      for (const bodies::SurfaceNode &node : surface.nodes)
-        area += node.area;
-      for (const FaceNet::Face &face : faces)
-        length += face.size;
-      return area / length;
     }
 
     /**
@@ -154,7 +136,7 @@ namespace conetact::pairing
         PairedNodes found;
         for (const bodies::SurfaceNode &s : one_by_one.slave_surface().nodes)
           {
-            if (one_by_one.is_joined(s.node))
+            if (one_by_one.is_joined(s.node) || !rows.has(s.node))
               continue;
             const auto [begin, end]  = rows_of.equal_range(s.node);
             const std::size_t before = found.nodes.size();
@@ -197,12 +179,14 @@ namespace conetact::pairing
         const ProjectionPlane plane(face.centre,
                                     face.outward,
                                     face.corners.size() == 2);
-        const ProjectedFace   own(face.corners, plane);
-        const auto            n = static_cast<Index>(face.nodes.size());
-        FaceIntegrals         sums{Eigen::MatrixXd::Zero(n, n),
-                           Eigen::VectorXd::Zero(n),
-                           {},
-                           std::vector<bool>(face.nodes.size(), false)};
+        const ProjectedFace   own(face, plane);
+        const auto            n = static_cast<Index>(face.n_functions);
+        FaceIntegrals         sums{
+          Eigen::MatrixXd::Zero(n, n),
+          Eigen::VectorXd::Zero(n),
+          Eigen::MatrixXd::Zero(n, static_cast<Index>(face.nodes.size())),
+          {},
+          std::vector<bool>(face.n_functions, false)};
         for (const auto &part :
              facing.seen_from(face, plane, own, limits(face.size)))
           {
@@ -221,10 +205,12 @@ namespace conetact::pairing
                 const Eigen::VectorXd N    = nodal_shapes(face, here);
                 const double          around =
                   axisymmetric ? radius(face, here.shape) : 1;
+                const Eigen::VectorXd M = functions(face, here, N);
                 const Eigen::VectorXd weighted =
-                  q.weight * here.stretch * around * N;
+                  q.weight * here.stretch * around * M;
                 sums.areas += weighted;
-                sums.mass += weighted * N.transpose();
+                sums.mass += weighted * M.transpose();
+                sums.slaves += weighted * N.transpose();
                 const auto            opposite = part.projected.at(q.position);
                 const Eigen::VectorXd there    = nodal_shapes(other, opposite);
                 sums.lowest =
@@ -245,7 +231,7 @@ namespace conetact::pairing
                   const Polygon         &where,
                   std::vector<bool>     &are) const
       {
-        for (std::size_t c = 0; c < face.nodes.size(); ++c)
+        for (std::size_t c = 0; c < face.n_functions; ++c)
           if (!are[c])
             are[c] = distance(where,
                               plane.project(structures[contact.body]->position(
@@ -268,7 +254,7 @@ namespace conetact::pairing
                 std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
           return;
         rows.join(f);
-        for (std::size_t c = 0; c < face.nodes.size(); ++c)
+        for (std::size_t c = 0; c < face.n_functions; ++c)
           {
             MortarRow &row = rows.at(f, c);
             if (one_by_one.is_joined(face.nodes[c])) // none of the contact
@@ -313,7 +299,7 @@ namespace conetact::pairing
         // Dual to the shape functions on the covered part: so D is diagonal
         // where faces are covered in part, too.
         const Eigen::MatrixXd dual = dual_functions(sums.mass, sums.areas, own);
-        const Eigen::MatrixXd slaves = dual * sums.mass;
+        const Eigen::MatrixXd slaves = dual * sums.slaves;
         for (const Index j : own)
           {
             MortarRow &row = rows.at(f, static_cast<std::size_t>(j));

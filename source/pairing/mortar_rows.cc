@@ -36,13 +36,13 @@ namespace conetact::pairing
 
     using Corner = std::pair<std::size_t, std::size_t>; ///< of a face
 
-    /** The corners of faces at each node. */
+    /** The corners of faces at each node that contacts stand at. */
     std::map<unsigned int, std::vector<Corner>>
-    corners_at_nodes(const std::vector<FaceNet::Face> &faces)
+    corners_by_node(const std::vector<FaceNet::Face> &faces)
     {
       std::map<unsigned int, std::vector<Corner>> corners;
       for (std::size_t f = 0; f < faces.size(); ++f)
-        for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
+        for (std::size_t c = 0; c < faces[f].n_functions; ++c)
           corners[faces[f].nodes[c]].emplace_back(f, c);
       return corners;
     }
@@ -69,6 +69,47 @@ namespace conetact::pairing
     }
   } // namespace
 
+  namespace
+  {
+    /** Of a segment that may be bent, at three Gauss points. */
+    double
+    length_of(const FaceNet::Face &face)
+    {
+      if (face.middles.empty())
+        return face.size;
+      const double off    = .5 * std::sqrt(.6);
+      double       length = 0;
+      for (const auto &[at, weight] : {std::make_pair(.5 - off, 5. / 18),
+                                       std::make_pair(.5, 8. / 18),
+                                       std::make_pair(.5 + off, 5. / 18)})
+        {
+          const auto   slope = nodal_shape_slopes(3, 2, {{at, 0}})[0];
+          Tensor<1, 3> along = slope[2] * Tensor<1, 3>(face.middles[0]);
+          for (std::size_t i = 0; i < 2; ++i)
+            along += slope[i] * Tensor<1, 3>(face.corners[i]);
+          length += weight * along.norm();
+        }
+      return length;
+    }
+  } // namespace
+
+  double
+  thickness_of(const bodies::Surface            &surface,
+               const std::vector<FaceNet::Face> &faces,
+               const bool                        axisymmetric)
+  {
+    if (axisymmetric)
+      return 2 * M_PI;
+    if (faces.front().corners.size() > 2)
+      return 1;
+    double area = 0, length = 0;
+    for (const bodies::SurfaceNode &node : surface.nodes)
+      area += node.area;
+    for (const FaceNet::Face &face : faces)
+      length += length_of(face);
+    return area / length;
+  }
+
   MortarRows::MortarRows(const std::vector<FaceNet::Face> &faces,
                          const double                      sharp_edge,
                          const bool                        axisymmetric)
@@ -76,10 +117,10 @@ namespace conetact::pairing
     , is_space(!faces.empty() && faces.front().corners.size() > 2)
   {
     for (std::size_t f = 0; f < faces.size(); ++f)
-      row_of[f].resize(faces[f].nodes.size());
+      row_of[f].resize(faces[f].n_functions);
     // An edge of just this angle is not sharp, whatever the rounding.
     const double cosine = std::cos(sharp_edge) - 1e-12;
-    for (const auto &[node, corners] : corners_at_nodes(faces))
+    for (const auto &[node, corners] : corners_by_node(faces))
       {
         const auto side = sides_of(corners, faces, cosine);
         std::map<std::size_t, std::size_t> row_of_side;
@@ -92,7 +133,7 @@ namespace conetact::pairing
             MortarRow &row = at(f, c);
             // Shares of a parallelogram are near enough: they weigh normals,
             // and tell which part of a node's faces is covered.
-            const std::size_t n         = faces[f].nodes.size(),
+            const std::size_t n         = faces[f].n_functions,
                               n_corners = faces[f].corners.size();
             if (n > n_corners)
               row.least = next_to_cancelled;

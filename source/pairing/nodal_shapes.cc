@@ -29,6 +29,18 @@ namespace conetact::pairing
               a[2] * b[1],
               a[2] * b[2]};
     }
+    /** Corners, then the middles of the edges 01, 12, 20. */
+    std::vector<double>
+    of_triangle(const double a, const double b)
+    {
+      const double c = 1 - a - b;
+      return {c * (2 * c - 1),
+              a * (2 * a - 1),
+              b * (2 * b - 1),
+              4 * c * a,
+              4 * a * b,
+              4 * b * c};
+    }
   } // namespace
 
   std::vector<double>
@@ -43,11 +55,33 @@ namespace conetact::pairing
         return {of_corners.begin(),
                 of_corners.begin() + static_cast<std::ptrdiff_t>(n_corners)};
       }
+    if (n_corners == 3)
+      return of_triangle(at[0], at[1]);
     const auto of_segment = [](const double a) {
       return std::array<double, 3>{
         {(1 - 2 * a) * (1 - a), a * (2 * a - 1), 4 * a * (1 - a)}};
     };
     return products(n_nodes, of_segment(at[0]), of_segment(at[1]));
+  }
+
+  /* Differences about the point are exact for functions of second degree. */
+  std::array<std::vector<double>, 2>
+  nodal_shape_slopes(const std::size_t            n_nodes,
+                     const std::size_t            n_corners,
+                     const std::array<double, 2> &at)
+  {
+    std::array<std::vector<double>, 2> slopes;
+    for (std::size_t d = 0; d < 2; ++d)
+      {
+        auto before = at, behind = at;
+        before[d] -= .5;
+        behind[d] += .5;
+        slopes[d]        = nodal_shape_values(n_nodes, n_corners, behind);
+        const auto lower = nodal_shape_values(n_nodes, n_corners, before);
+        for (std::size_t i = 0; i < n_nodes; ++i)
+          slopes[d][i] -= lower[i];
+      }
+    return slopes;
   }
 
   std::vector<double>
@@ -56,6 +90,8 @@ namespace conetact::pairing
     Assert(n_nodes >= n_corners, dealii::ExcMessage("Corners are nodes."));
     if (n_nodes == n_corners)
       return std::vector<double>(n_nodes, 1. / static_cast<double>(n_nodes));
+    if (n_corners == 3)
+      return {0, 0, 0, 1. / 3, 1. / 3, 1. / 3};
     constexpr std::array<double, 3> of_segment = {{1. / 6, 1. / 6, 4. / 6}};
     return products(n_nodes, of_segment, of_segment);
   }

@@ -80,6 +80,8 @@ namespace conetact::pairing
   {
     if (contact.obstacle == nullptr)
       master.emplace(*structures[contact.master], contact.master_ids);
+    else if (FacesOnObstacle::suits(surface))
+      on_obstacle.emplace(contact, body, surface);
   }
 
   ContactNode
@@ -119,10 +121,15 @@ namespace conetact::pairing
   bool
   NodeToFace::face_obstacle(ContactNode &node)
   {
-    const auto closest =
-      contact.obstacle->shape->closest(node.position, node.spacing);
-    node.gap = closest.gap;
-    node.n   = closest.normal;
+    if (on_obstacle)
+      on_obstacle->place(node);
+    else
+      {
+        const auto closest =
+          contact.obstacle->shape->closest(node.position, node.spacing);
+        node.gap = closest.gap;
+        node.n   = closest.normal;
+      }
     if (!contact.obstacle->shape->states_gaps())
       judge(node, node.spacing);
     return true;
@@ -300,7 +307,7 @@ namespace conetact::pairing
     PairedNodes found;
     for (const bodies::SurfaceNode &s : pairing.slave_surface().nodes)
       {
-        if (pairing.is_joined(s.node))
+        if (pairing.is_joined(s.node) || !pairing.stands(s.node))
           continue;
         ++found.n_nodes;
         bool meets = false;

@@ -24,7 +24,7 @@ namespace conetact::pairing
                                    const bodies::BoundaryIds &ids)
   {
     for (const bodies::SurfaceFace &face : body.surface(ids).faces)
-      for (const auto &corners : bodies::parts_of_first_degree(body, face))
+      for (const auto &corners : bodies::parts_of_contacts(body, face))
         {
           plane = corners.size() == 2;
           for (const unsigned int node : corners)

@@ -4,6 +4,7 @@
 #include "conetact/pairing/projected_face.h"
 
 #include "conetact/pairing/closest_point.h"
+#include "conetact/pairing/nodal_shapes.h"
 
 #include <Eigen/LU>
 
@@ -76,6 +77,20 @@ namespace conetact::pairing
     around = oriented(around);
   }
 
+  ProjectedFace::ProjectedFace(const FaceNet::Face   &face,
+                               const ProjectionPlane &plane)
+    : ProjectedFace(face.corners, plane)
+  {
+    if (face.middles.empty())
+      return;
+    for (const auto *const places : {&face.corners, &face.middles})
+      for (const Point<3> &p : *places)
+        {
+          const Point<2> q = plane.project(p);
+          bent.emplace_back(q[0], q[1], plane.height(p));
+        }
+  }
+
   Eigen::Matrix<double, 3, 2>
   ProjectedFace::slopes(const std::array<double, 2> &at) const
   {
@@ -137,6 +152,40 @@ namespace conetact::pairing
     seen.stretch = n_corners() == 2 ? std::hypot(1, g(2, 0) / g(0, 0)) :
                                       g.col(0).cross(g.col(1)).norm() /
                                         std::abs(g.topRows<2>().determinant());
+    if (!bent.empty())
+      bend(seen);
     return seen;
+  }
+
+  /** The height and the area of the bent face at the same local coordinates. */
+  void
+  ProjectedFace::bend(Seen &seen) const
+  {
+    const auto N     = nodal_shape_values(bent.size(), n_corners(), seen.local);
+    const auto slope = nodal_shape_slopes(bent.size(), n_corners(), seen.local);
+    Eigen::Vector3d x = Eigen::Vector3d::Zero(), a = x, b = x;
+    for (std::size_t i = 0; i < bent.size(); ++i)
+      {
+        x += N[i] * bent[i];
+        a += slope[0][i] * bent[i];
+        b += slope[1][i] * bent[i];
+      }
+    const auto flat = slopes(seen.local);
+    seen.height     = x[2];
+    seen.stretch =
+      n_corners() == 2 ?
+        std::hypot(a[0], a[2]) / std::abs(flat(0, 0)) :
+        a.cross(b).norm() / std::abs(flat.topRows<2>().determinant());
+  }
+
+  Eigen::VectorXd
+  nodal_shapes(const FaceNet::Face &face, const ProjectedFace::Seen &seen)
+  {
+    const std::size_t n    = face.nodes.size();
+    const auto        size = static_cast<Eigen::Index>(n);
+    if (n == face.corners.size())
+      return seen.shape.head(size);
+    const auto N = nodal_shape_values(n, face.corners.size(), seen.local);
+    return Eigen::Map<const Eigen::VectorXd>(N.data(), size);
   }
 } // namespace conetact::pairing

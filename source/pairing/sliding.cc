@@ -71,34 +71,60 @@ namespace conetact::pairing
       node.axis_2 = cross_product_3d(normal, node.axis_1);
     }
 
+    using Displacement = SlidingContacts::Displacement;
+    using Met          = FacesOnObstacle::Met;
+
+    Met
+    met_by_node(const ContactNode &node, const Tensor<1, 3> &own)
+    {
+      const auto closest =
+        node.obstacle->shape->closest_after(node.position, own, node.spacing);
+      return {closest.gap,
+              closest.normal,
+              node.position + own - closest.gap * closest.normal};
+    }
+
+    /** Of the node, or of what it is a mean over. */
+    Tensor<1, 3>
+    own_displacement(const ContactNode &node, const Displacement &at)
+    {
+      Tensor<1, 3> u;
+      for_each_slave(node, [&](const unsigned int i, const double weight) {
+        u += weight * at(node.body, i);
+      });
+      return u;
+    }
+
     /**
-     * Takes the gap and the normal where it is now, moved by u in space and by
-     * `last` relative to the point that it met last. Returns the point that it
-     * meets now, where that stood at the start.
+     * Takes the gap and the normal where it is now, moved by `last` relative to
+     * the point that it met last. Returns the point that it meets now, where
+     * that stood at the start. `faces`: what it is a mean over, if it is one.
      */
     Point<3>
-    meet_obstacle(const RigidMotion  &motion,
-                  const Tensor<1, 3> &u,
-                  const Tensor<1, 3> &last,
-                  ContactNode        &node)
+    meet_obstacle(const RigidMotion     &motion,
+                  const Displacement    &at,
+                  const Tensor<1, 3>    &last,
+                  const FacesOnObstacle *faces,
+                  ContactNode           &node)
     {
-      const ObstacleShape   &shape = *node.obstacle->shape;
-      const Tensor<1, 3>     own   = motion.relative(node.position, u);
-      ObstacleShape::Closest closest{node.gap + node.n * last,
-                                     motion.direction_to_own(node.n)};
+      const Tensor<1, 3> own =
+        motion.relative(node.position, own_displacement(node, at));
+      const double       gap = node.gap + node.n * last;
+      const Tensor<1, 3> n   = motion.direction_to_own(node.n);
+      Met                met{gap, n, node.position + own - gap * n};
       try
         {
-          if (shape.states_gaps()) // of the undeformed node
-            closest = {shape.gap_after(node.position, own, node.spacing),
-                       shape.closest(node.position, node.spacing).normal};
-          else
-            closest = shape.closest(node.position + own, node.spacing);
+          met = faces == nullptr ?
+                  met_by_node(node, own) :
+                  faces->meet(node, motion, [&](const unsigned int i) {
+                    return at(node.body, i);
+                  });
         }
       catch (const InputError &)
         {} // no normal there, as far away or deep inside: the last one
-      node.n   = motion.direction_to_space(closest.normal);
-      node.gap = std::min(closest.gap, far_away * node.spacing);
-      return node.position + own - closest.gap * closest.normal;
+      node.n   = motion.direction_to_space(met.normal);
+      node.gap = std::min(met.gap, far_away * node.spacing);
+      return met.foot;
     }
 
     /** Of the rigid body behind an obstacle that is free, from the motions of
@@ -133,14 +159,15 @@ namespace conetact::pairing
                      const SlidingContacts::Displacement          &at,
                      const double                                  t,
                      const unsigned int                            dim,
+                     const FacesOnObstacle                        *faces,
                      ContactNode                                  &node)
     {
-      const Tensor<1, 3> u = at(node.body, node.node);
+      const Tensor<1, 3> u = own_displacement(node, at);
       if (node.masters.empty())
         {
           const RigidMotion motion = node.obstacle->motion_at(t);
-          const Point<3>    met =
-            meet_obstacle(motion, u, u - obstacle_displacement(node, t), node);
+          const Point<3>    met    = meet_obstacle(
+            motion, at, u - obstacle_displacement(node, t), faces, node);
           node.moved = u - motion.displacement(met);
           return;
         }
@@ -153,7 +180,7 @@ namespace conetact::pairing
         return sum;
       };
       const RigidMotion motion = motion_of(body, node.master, dim, at);
-      const Point<3>    met    = meet_obstacle(motion, u, moved(), node);
+      const Point<3>    met = meet_obstacle(motion, at, moved(), faces, node);
       // The lever of forces has turned with it: so have the ways that the next
       // bit of a turn leads.
       node.masters = body.weights_of(motion.to_space(met) - motion.translation);
@@ -228,7 +255,17 @@ namespace conetact::pairing
     , start(at_start)
     , shared(contacts, structures, start)
     , dim(d)
-  {}
+  {
+    for (unsigned int i = 0; i < contacts.size(); ++i)
+      if (const Contact &contact = contacts[i];
+          contact.slides && contact.obstacle != nullptr)
+        if (const bodies::Structure &body = *structures[contact.body];
+            FacesOnObstacle::suits(body.surface(contact.ids)))
+          on_obstacles.emplace(
+            std::piecewise_construct,
+            std::forward_as_tuple(i),
+            std::forward_as_tuple(contact, body, body.surface(contact.ids)));
+  }
 
   bool
   SlidingContacts::empty() const
@@ -259,7 +296,16 @@ namespace conetact::pairing
                                     const Displacement &at,
                                     const double        t) const
   {
-    pairing::find_on_obstacle(structures, at, t, dim, node);
+    const auto faces = on_obstacles.find(node.contact);
+    pairing::find_on_obstacle(structures,
+                              at,
+                              t,
+                              dim,
+                              faces == on_obstacles.end() ||
+                                  node.slaves.empty() ?
+                                nullptr :
+                                &faces->second,
+                              node);
     return node;
   }
 

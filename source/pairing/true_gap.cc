@@ -33,7 +33,13 @@ namespace conetact::pairing
                                       moved.motion.relative(node.position,
                                                             moved.u),
                                       node.spacing);
-    return drawn + (node.growth ? node.growth(0) : 0); // as it is adjusted
+    // of a mean over faces: as at its own node, but for what they differ by
+    const double mean =
+      node.slaves.empty() ?
+        0. :
+        node.gap -
+          node.obstacle->shape->closest(node.position, node.spacing).gap;
+    return drawn + mean + (node.growth ? node.growth(0) : 0); // as adjusted
   }
 
   std::optional<GapError>

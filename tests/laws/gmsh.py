@@ -37,8 +37,9 @@ def formats(laws):
             laws.check(f"{what}: pressure", max(abs(row["r_n"] / row["area"] / PRESSURE - 1) for row in run.rows), 1e-11)
             tables.append([row["r_n"] for row in run.rows])
             file.write_bytes(gmsh_file(*of_second_order(*tower(dim, 2, (1.0, .5), ("rubber", "steel"))), version, binary))
-            run = laws.run(column(dim, file.name, **{"Material group": "rubber ; steel", "Young modulus": f"{SOFT} ; {STIFF}"}))
-            tables.append([row["r_n"] for row in run.rows])
+            scene = column(dim, file.name, **{"Material group": "rubber ; steel", "Young modulus": f"{SOFT} ; {STIFF}"})
+            scene["Body column"]["Element"] = "Q1"  # its nodes in the middle stand anywhere
+            tables.append([row["r_n"] for row in laws.run(scene).rows])
         laws.demand(f"{dim}D: reactions depend neither on the format nor on nodes of second order", all(table == tables[0] for table in tables))
 
 

@@ -114,7 +114,7 @@ def second_order(laws):
             elements += [(10, {10}, [a, a + 2, b + 2, b, a + 1, m + 2, b + 1, m, m + 1]), (8, {1}, [a, b, m]), (8, {2}, [a + 2, b + 2, m + 2])]
         elements += [(8, {3}, [0, 2, 1]), (8, {4}, [6 * n, 6 * n + 2, 6 * n + 1])]
         (laws.folder / "ring.msh").write_bytes(gmsh_file(points, elements, {(1, 1): "inner", (1, 2): "outer", (1, 3): "x", (1, 4): "y"}))
-        run = laws.run({"Dimension": 2, "Body ring": {"Mesh": {"File": "ring.msh", "Scale": 10}, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
+        run = laws.run({"Dimension": 2, "Body ring": {"Element": "Q1", "Mesh": {"File": "ring.msh", "Scale": 10}, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}},
                         "Support x": support("x", "y", body="ring"), "Support y": support("y", "x", body="ring"),
                         "Obstacle shaft": {"Shape": "sphere", "Radius": 10}, "Contact bore": contact("ring", "inner", "shaft"),
                         "Load press": load("pressure", "10*t", "outer", "ring"), "Output": {"VTU": 0}})

@@ -8,6 +8,8 @@ pressure through joints of all kinds of faces; quadratic-orders: how fast errors
 import itertools
 import math
 
+import numpy
+
 from laws.iterative import compare
 from laws.mortar import PRESSURE, check_patch, from_files, stacked, turned_on_wider
 from laws.patch import patch_scene
@@ -16,13 +18,12 @@ from laws.tie import bar, bars, both_sides, pulled, stress_error
 from support import half_space, manufactured
 from support.checks import orders
 from support.meshes import distorted
-from support.scenes import box, load, merge, press_and_shear, support, with_element
+from support.scenes import box, contact, joint, load, merge, press_and_shear, support, with_element
 
-Q1, Q2, P2 = ({"Element": element} for element in ("Q1", "Q2", "P2"))
+Q1, P1, Q2, P2 = ({"Element": element} for element in ("Q1", "P1", "Q2", "P2"))
 
 
-def kinds(dim):
-    return (Q2, P2) if dim == 2 else (Q2,)
+KINDS = (Q2, P2)
 
 
 def shape_integral(k, a, b, h):
@@ -48,7 +49,7 @@ def quadratic(laws):
         file = laws.folder / f"distorted{dim}.msh"
         distorted(file, dim)
         boxes = "0.4, 0 : 0.6, 0.3 : 2" if dim == 2 else "0.2, 0.2, 0 : 0.45, 0.6, 0.3 : 1"
-        for kind, refined, plane in itertools.product(kinds(dim), ("", boxes), ("strain", "stress")[:4 - dim]):
+        for kind, refined, plane in itertools.product(KINDS, ("", boxes), ("strain", "stress")[:4 - dim]):
             if refined and kind == P2:
                 continue
             body = merge({"Mesh": {"File": file.name, "Refinement boxes": refined},
@@ -86,7 +87,7 @@ def pairs(laws):
         check_patch(laws, f"{ratio[0]} {one['Element']} on {ratio[1]} {other['Element']}{', exchanged' * exchanged}",
                     laws.run(stacked(2, lower, upper, exchanged)))
     for (lower, upper), (one, other), exchanged in itertools.product((((2, 3, 1), (3, 2, 1)), ((2, 2, 1), (2, 2, 1))), (
-            (Q2, Q2), (Q2, Q1), (Q1, Q2)), (False, True)):
+            (Q2, Q2), (Q2, Q1), (Q1, Q2), (P2, P2), (P2, P1), (P2, Q1), (Q2, P2), (P1, P2)), (False, True)):
         blocks = (merge(box(n, (1.5, 1.0, 1.0), (0.0, 0.0, z)), kind) for n, z, kind in ((lower, 0.0, one), (upper, 1.0, other)))
         check_patch(laws, f"{lower} {one['Element']} on {upper} {other['Element']}{', exchanged' * exchanged}",
                     laws.run(stacked(3, *blocks, exchanged)))
@@ -119,7 +120,7 @@ def distorted_pairs(laws):
         files = [laws.folder / f"pair{dim}{n}.msh" for n in counts]
         for file, n in zip(files, counts):
             distorted(file, dim, n)
-        for kind, exchanged in itertools.product(kinds(dim), (False, True)):
+        for kind, exchanged in itertools.product(KINDS, (False, True)):
             blocks = (merge({"Mesh": {"File": file.name, "Translation": (0, z) if dim == 2 else (0, 0, z)},
                              "Material": {"Young modulus": 1000, "Poisson ratio": .3}}, kind) for z, file in enumerate(files))
             check_patch(laws, f"{dim}D: distorted cells, {kind['Element']}{', exchanged' * exchanged}",
@@ -154,16 +155,77 @@ def covered_in_plane(laws):
 
 def covered_in_space(laws):
     for angle, exchanged in itertools.product((0.0, 20.0, 45.0), (False, True)):
-        check_patch(laws, f"3D: turned by {angle:g} degrees on a wider one{', exchanged' * exchanged}",
-                    laws.run(turned_on_wider(angle, exchanged, degree=2, mu=1.0)))
+        scene = turned_on_wider(angle, exchanged, degree=2, mu=1.0)
+        for kind in KINDS:
+            check_patch(laws, f"3D: {kind['Element']}, turned by {angle:g} degrees on a wider one{', exchanged' * exchanged}",
+                        laws.run(merge(scene, {"Body upper": kind})))
 
 
 def tied(laws):
     for dim, left, right in ((2, (2, 3), (2, 5)), (3, (1, 2, 3), (1, 3, 2))):
-        for (one, other), exchanged in itertools.product(((Q2, Q2), (Q2, Q1)), (False, True)):
+        for (one, other), exchanged in itertools.product(((Q2, Q2), (Q2, Q1), (P2, P2), (P2, Q2)), (False, True)):
             run = laws.run(pulled(bars(dim, merge(bar(dim, left), one), merge(bar(dim, right, 1.0), other), exchanged), dim))
             laws.check(f"{dim}D: {one['Element']} tied to {other['Element']}{', exchanged' * exchanged}: stress", stress_error(run), 1e-10)
             laws.check("  both sides", both_sides(run), 1e-10)
+
+
+def tetrahedra(laws):
+    """Contacts stand at corners only; both backends, which have other unknowns, agree."""
+    scene = with_element(press_and_shear(3, cells=(4, 4, 4)), "P2")
+    run = compare(laws, "3D, P2", scene)
+    laws.demand(f"3D, P2: {len(run.last())} contact nodes are corners", len(run.last()) == 41)
+    compare(laws, "3D, P2, without friction", merge(scene, {"Contact bottom": {"Friction coefficient": 0}}))
+    compare(laws, "3D, P2, opened again", merge(scene, {
+        "Support top": {"Displacement": "0.002*t ; 0 ; -0.01*sin(t)"}, "Time": {"End": 6, "Increments": 6}}))
+    moved = "0.004*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)"
+    for kind in (P2, Q1, Q2):
+        compare(laws, f"3D, P2 hard on {kind['Element']}", {
+            "Dimension": 3, "Body lower": merge(box((3, 3, 2), (1.0, 1.0, .7)), P2),
+            "Body upper": merge(box((4, 4, 2), (1.0, 1.0, .7), (0.0, 0.0, .7), young=1e6), kind),
+            "Contact joint": joint("upper", 4, "lower", 5, **{"Friction coefficient": .3}),
+            "Support ground": support(4, "x, y, z", body="lower"), "Support top": support(5, "x, y, z", moved, body="upper"),
+            "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}})
+
+
+def bent(laws):
+    """Cells with bent edges: a ring on a shaft, volumes, a folded cell."""
+    shrunk_on_shaft(laws)
+    volumes(laws)
+
+
+def shrunk_on_shaft(laws):
+    """A part of a ring or a hollow ball, pressed from outside, on a rigid shaft or ball (Lame)."""
+    nu, radii, pressure = .3, (1.0, 2.0), 10.0
+    for dim, kind, finer in itertools.product((2, 3), (Q2, P2), (0, 1)):
+        finer += dim - 2
+        way = (2 if dim == 2 else 3) * (1 - nu)  # u = A (r - 1/r^(dim - 1))
+        exact = pressure * way / ((1 if dim == 2 else 1 + nu) + (dim - 1) * (1 - 2 * nu) * (radii[0] / radii[1])**dim)
+        run = laws.run({"Dimension": dim, "Body ring": merge(kind, {
+            "Mesh": {"Generator": "quarter_hyper_shell", "Arguments": ", ".join("0" * dim) + f" : 1 : 2 : {4 if dim == 2 else 3} : true",
+                     "Global refinements": finer},
+            "Material": {"Young modulus": 1000, "Poisson ratio": nu}}),
+            "Obstacle shaft": {"Shape": "sphere", "Radius": 1}, "Contact bore": contact(body="ring", ids=0, obstacle="shaft"),
+            **{f"Support {axis}": support(2 + i, axis, body="ring") for i, axis in enumerate("xyz"[:dim])},
+            "Load press": load("pressure", f"{pressure}*t", 1, "ring"), "Output": {"VTU": 0}})
+        what = f"{dim}D, {kind['Element']}, refined {finer} times: a ring on a shaft"
+        mean = sum(row["r_n"] for row in run.rows) / sum(row["area"] for row in run.rows)
+        laws.check(f"{what}: mean pressure", abs(mean / exact - 1), 2e-2 / 4**finer)
+        laws.check("  pressures", max(abs(row["pressure"] / exact - 1) for row in run.rows), (2e-2 if dim == 2 else 7e-2) / 2**finer)
+
+
+def volumes(laws):
+    """The force of a body force is the volume: of second order it is off by h^4."""
+    for dim, kind in itertools.product((2, 3), (Q2, P2)):
+        exact, errors = math.pi * (1 if dim == 2 else 4 / 3), []
+        for finer in (1, 2):
+            run = laws.run({"Dimension": dim, "Body ball": merge(kind, {
+                "Mesh": {"Generator": "hyper_ball", "Arguments": ", ".join("0" * dim) + " : 1 : false", "Global refinements": finer},
+                "Material": {"Young modulus": 1000, "Poisson ratio": .3}}),
+                "Support rim": support(0, ", ".join("xyz"[:dim]), body="ball"),
+                "Load weight": load("body force", " ; ".join(["1"] + ["0"] * (dim - 1)), body="ball"), "Output": {"VTU": 0}})
+            errors.append([abs(run.increments[-1]["loads_f_x"] / exact - 1)])
+        order = orders((1, 2), errors)[0]
+        laws.check(f"{dim}D, {kind['Element']}: volume of a ball: error {errors[-1][0]:.2g}, order {order:.2f}, missing", max(0, 3.7 - order), 0)
 
 
 def far(laws):
@@ -194,6 +256,7 @@ def converging(laws):
         for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (2.9, 1.9, 1.5) * 2):
             laws.check(f"{dim}D, Q2: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)
     triangles(laws)
+    tetrahedra_orders(laws)
     lines(laws)
 
 
@@ -207,6 +270,32 @@ def triangles(laws):
     names = [f"{what} at nodes, {state}" for state in ("slip", "stick") for what in ("displacement", "stresses")]
     for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (2.9, 1.8) * 2):
         laws.check(f"2D, P2: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)
+
+
+def pressure_error(rows, solution):
+    """Relative L2 error of the contact stresses of rows, normal and tangential."""
+    wrong = size = 0.0
+    for row in rows:
+        at = numpy.array([[row[c] for c in "xyz"[:solution.dim]]])
+        exact = [-solution.stress[i][solution.dim - 1].at_each(at).item() for i in range(solution.dim)]
+        found = [row[c] / row["area"] for c in ("r_t1", "r_t2", "r_n")]
+        wrong += row["area"] * math.dist(found, exact)**2
+        size += row["area"] * math.dist(exact, [0] * len(exact))**2
+    return math.sqrt(wrong / size)
+
+
+def tetrahedra_orders(laws):
+    sizes, errors = (3, 6), []
+    for n in sizes:
+        run = laws.run(merge(manufactured.scene(3, n), {"Body block": P2}))
+        errors.append([])
+        for time in (1, 2):
+            solution = manufactured.Solution(3, .3, time)
+            errors[-1] += manufactured.nodal_errors(run.folder / f"solution-block-{time:04}.vtu", solution)
+            errors[-1].append(pressure_error([row for row in run.rows if row["increment"] == time], solution))
+    names = [f"{what}, {state}" for state in ("slip", "stick") for what in ("displacement at nodes", "stresses at nodes", "pressures")]
+    for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (2.8, 1.7, 1.45) * 2):
+        laws.check(f"3D, P2: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)
 
 
 def lines(laws):

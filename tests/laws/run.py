@@ -41,7 +41,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
             "meshes": meshes.meshes, "mesh-kinds": mesh_kinds.mesh_kinds, "adjusted": meshes.adjusted, "facets": meshes.facets,
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,
-            "quadratic-far": quadratic.far}
+            "quadratic-far": quadratic.far, "quadratic-tetrahedra": quadratic.tetrahedra, "quadratic-bent": quadratic.bent}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:

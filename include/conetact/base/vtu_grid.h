@@ -43,15 +43,19 @@ namespace conetact
     std::vector<VtuField> cell_fields;
     std::vector<VtuIds>   cell_ids;
 
-    /** A vertex, line, triangle, quadrilateral, tetrahedron or hexahedron. */
+    /** VTK's numbers; those of second degree have bent edges. */
     enum class Shape : unsigned char
     {
-      vertex        = 1,
-      line          = 3,
-      triangle      = 5,
-      quadrilateral = 9,
-      tetrahedron   = 10,
-      hexahedron    = 12
+      vertex                    = 1,
+      line                      = 3,
+      triangle                  = 5,
+      quadrilateral             = 9,
+      tetrahedron               = 10,
+      hexahedron                = 12,
+      quadratic_triangle        = 22,
+      quadratic_tetrahedron     = 24,
+      biquadratic_quadrilateral = 28,
+      triquadratic_hexahedron   = 29
     };
     /** `nodes` in deal.II's order. */
     void

@@ -25,9 +25,27 @@ namespace conetact::bodies
     return face.nodes.size() > n_corners(body, face);
   }
 
+  /** A node of a face of second degree that is no corner, and the corners that
+   * it is in the middle of, by their places in the face. */
+  struct MiddleNode
+  {
+    std::size_t              node;
+    std::vector<std::size_t> corners;
+  };
+  /** Of faces with so many nodes, lines in the plane; none of first degree. */
+  const std::vector<MiddleNode> &
+  middle_nodes(const unsigned int dim, const std::size_t n_nodes);
+  /** Of a face, by their numbers. */
+  std::vector<HangingNode>
+  middle_nodes(const Structure &body, const SurfaceFace &face);
+
   /** Faces of first degree over all nodes: itself, or two or four. */
   std::vector<std::vector<unsigned int>>
   parts_of_first_degree(const Structure &body, const SurfaceFace &face);
+
+  /** Of these the ones between the nodes that contacts stand at. */
+  std::vector<std::vector<unsigned int>>
+  parts_of_contacts(const Structure &body, const SurfaceFace &face);
 } // namespace conetact::bodies
 
 #endif

@@ -29,7 +29,8 @@ namespace conetact::bodies
     unsigned int node; ///< its number in the body
     Point<3>     position;
     double       area; ///< integral of its shape function [length^2; 2D: times
-                       ///< thickness or circumference]
+                       ///< thickness or circumference]; on six-node triangles
+                       ///< of the linear one of a corner
     Tensor<1, 3> normal; ///< outward, unit length, mean over its faces
     /**
      * One outward normal of unit length for each smooth patch of faces that
@@ -43,6 +44,10 @@ namespace conetact::bodies
   {
     std::vector<unsigned int> nodes;
     Tensor<1, 3> normal; ///< outward, unit length, mean; two-sided: either
+    /** Whether contacts stand at its corners only, with linear functions: on
+     * six-node triangles forces of single nodes make no uniform pressure, on
+     * bent faces of second degree they zigzag. */
+    bool meets_at_corners = false;
   };
 
   /**

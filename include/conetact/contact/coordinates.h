@@ -5,6 +5,7 @@
 #define conetact_contact_coordinates_h
 
 #include "conetact/contact/contact_points.h"
+#include "conetact/contact/hierarchical_means.h"
 #include "conetact/contact/linear_map.h"
 #include "conetact/contact/node_rules.h"
 
@@ -12,6 +13,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,10 +26,12 @@ namespace conetact::contact
    * supports prescribe [length]. With contact points it turns their nodes into
    * their own frames, one at each node: the unknowns that carry cones come last
    * then, point by point. They are relative to the masters that a node faces,
-   * which must face no master themselves. Where they are bound (ties,
-   * bilateral contacts) they follow what they face, without unknowns; along
-   * what supports hold, they follow these. Unknowns of rotations are what they
-   * move at the end of an arm.
+   * which must face no master themselves. Where they are means over faces of
+   * second degree, the surface has the hierarchical basis
+   * (hierarchical_means.h). Where they are bound (ties, bilateral contacts)
+   * they follow what they face, without unknowns; along what supports hold,
+   * they follow these. Unknowns of rotations are what they move at the end of
+   * an arm.
    */
   class Coordinates : public LinearMap
   {
@@ -139,8 +143,26 @@ namespace conetact::contact
     }
 
   private:
+    /** What a node in the middle of corners has of its own; else null. */
+    const HierarchicalMeans::Weights *
+    corners(const unsigned int body, const unsigned int node) const
+    {
+      return means ? means->corners(body, node) : nullptr;
+    }
+    double
+    own_weight(const pairing::ContactNode &node) const
+    {
+      return means ? means->own_weight(node) : pairing::own_weight(node);
+    }
+    /** Displacement of a node beside that of its corners, if it has some. */
+    Tensor<1, 3>
+    own_displacement(const Eigen::VectorXd &u,
+                     const unsigned int     body,
+                     const unsigned int     node) const;
     void
     take(const ContactPoint &point);
+    void
+    bind_middles(const ContactPoint &point, const BoundDirection &own);
     void
     bind(const ContactPoint &point);
     void
@@ -163,6 +185,18 @@ namespace conetact::contact
     append_others(const ContactPoint &point,
                   const unsigned int  c,
                   const double        factor);
+    void
+    append_slaves(const pairing::ContactNode &own, const Tensor<1, 3> &along);
+    void
+    append_free(const unsigned int body,
+                const unsigned int node,
+                const unsigned int c,
+                const double       factor);
+    void
+    append_corners(const unsigned int body,
+                   const unsigned int node,
+                   const unsigned int c,
+                   const double       factor);
     /** What is along held directions, by their displacements and rotations. */
     using DisplacementOf =
       std::function<double(const NodeRule &, const HeldDirection &)>;
@@ -194,8 +228,9 @@ namespace conetact::contact
     std::vector<const ContactPoint *> point_of_node; ///< the same
     /** With directions in the frames of bodies, dual ones in space; those that
      * are bound but for what is held. */
-    std::deque<ContactPoint>    own_points;
-    std::vector<BoundDirection> all_bound_directions;
+    std::deque<ContactPoint>         own_points;
+    std::vector<BoundDirection>      all_bound_directions;
+    std::optional<HierarchicalMeans> means; ///< if contacts are such means
 
     Eigen::Index              n_free = 0;
     std::vector<int>          first_unknown; ///< of a node's free ones

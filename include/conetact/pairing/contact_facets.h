@@ -28,6 +28,10 @@ namespace conetact::pairing
     /** How far the facets of both sides stand off around it [length]. */
     double
     around(const ContactNode &node) const;
+    /** The same, or by how much the gap of a mean over bent faces may be below
+     * those that it is a mean of. */
+    double
+    allowance(const ContactNode &node) const;
     /** Of each side [length]. */
     double
     largest_of_slave() const

@@ -34,10 +34,13 @@ namespace conetact::pairing
     struct Face
     {
       std::vector<unsigned int> nodes;
-      std::vector<Point<3>>     corners;
-      std::vector<Edge>         edges;   ///< as many as corners
-      Tensor<1, 3>              outward; ///< mean unit normal
-      Point<3>                  centre;
+      std::size_t n_functions = 0; ///< its first nodes that contacts stand at
+      std::vector<Point<3>> corners;
+      /** Places of its other nodes, where faces may be bent; else none. */
+      std::vector<Point<3>> middles;
+      std::vector<Edge>     edges;   ///< as many as corners
+      Tensor<1, 3>          outward; ///< mean unit normal
+      Point<3>              centre;
       double radius = 0; ///< of a ball about the centre that holds it [length]
       double size   = 0; ///< longest edge [length]
       /** Sine of half the turn to its smooth neighbours. */

@@ -31,6 +31,10 @@ namespace conetact::pairing
     /** How far a node itself stands off, for it is no vertex of its facet. */
     double
     of_node(const unsigned int node) const;
+    /** The sagitta of faces around a node that are bent themselves: no point of
+     * them stands off the surface. */
+    double
+    bent_at(const unsigned int node) const;
     /** Of the facet with a face. */
     double
     of_face(const std::size_t face) const
@@ -41,7 +45,7 @@ namespace conetact::pairing
     largest() const;
 
   private:
-    std::map<unsigned int, double> around_node, below_node;
+    std::map<unsigned int, double> around_node, below_node, bent_node;
     std::vector<double>            around_face;
   };
 } // namespace conetact::pairing

@@ -13,6 +13,15 @@
 
 namespace conetact::pairing
 {
+  /**
+   * In 2D lengths are areas over the thickness of the slave; round an axis,
+   * lengths times radii are areas over 2 pi.
+   */
+  double
+  thickness_of(const bodies::Surface            &surface,
+               const std::vector<FaceNet::Face> &faces,
+               const bool                        axisymmetric);
+
   /** Integrals over the faces at a node of a slave surface, on one side of its
    * sharp edge if it has one. */
   struct MortarRow
@@ -53,6 +62,13 @@ namespace conetact::pairing
     all() const
     {
       return rows;
+    }
+
+    /** Whether it is a node that contacts stand at. */
+    bool
+    has(const unsigned int node) const
+    {
+      return rows_at.count(node) > 0;
     }
 
     /** Faces that have integrals make their rows neighbours. */

@@ -20,6 +20,11 @@ namespace conetact::pairing
   nodal_shape_values(const std::size_t            n_nodes,
                      const std::size_t            n_corners,
                      const std::array<double, 2> &at);
+  /** Their derivatives by the first and by the second coordinate. */
+  std::array<std::vector<double>, 2>
+  nodal_shape_slopes(const std::size_t            n_nodes,
+                     const std::size_t            n_corners,
+                     const std::array<double, 2> &at);
   /** Their integrals over a segment, triangle or parallelogram of size 1. */
   std::vector<double>
   nodal_shares(const std::size_t n_nodes, const std::size_t n_corners);

@@ -5,6 +5,7 @@
 #define conetact_pairing_node_to_face_h
 
 #include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/faces_on_obstacle.h"
 #include "conetact/pairing/master_surface.h"
 
 #include <map>
@@ -50,6 +51,13 @@ namespace conetact::pairing
     is_joined(const unsigned int node) const
     {
       return joined.count(node) > 0;
+    }
+
+    /** Whether it is one that contacts stand at: all, or corners only. */
+    bool
+    stands(const unsigned int node) const
+    {
+      return !on_obstacle || on_obstacle->has(node);
     }
 
     /** A node of the contact without its opponent. */
@@ -112,6 +120,7 @@ namespace conetact::pairing
     std::optional<Sides>
       edges; ///< those at sharp edges, when they are asked for
     std::optional<MasterSurface>     master;
+    std::optional<FacesOnObstacle>   on_obstacle; ///< met by means over faces
     std::optional<PairedNodes::Deep> deepest;
   };
 

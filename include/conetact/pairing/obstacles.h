@@ -59,6 +59,17 @@ namespace conetact::pairing
     {
       return false;
     }
+    /** What a node meets that stood at X and moved by u in the obstacle's own
+     * frame. Gaps that are stated are those of the undeformed node. */
+    Closest
+    closest_after(const Point<3>     &X,
+                  const Tensor<1, 3> &u,
+                  const double        spacing) const
+    {
+      if (states_gaps())
+        return {gap_after(X, u, spacing), closest(X, spacing).normal};
+      return closest(X + u, spacing);
+    }
   };
 
   /**

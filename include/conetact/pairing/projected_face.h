@@ -6,6 +6,7 @@
 
 #include "conetact/base/points.h"
 #include "conetact/pairing/clipping.h"
+#include "conetact/pairing/face_net.h"
 
 #include <Eigen/Core>
 
@@ -41,6 +42,8 @@ namespace conetact::pairing
   public:
     ProjectedFace(const std::vector<Point<3>> &corners,
                   const ProjectionPlane       &plane);
+    /** Where it may be bent, it is seen within the outline of its corners. */
+    ProjectedFace(const FaceNet::Face &face, const ProjectionPlane &plane);
 
     const Polygon &
     outline() const
@@ -75,15 +78,23 @@ namespace conetact::pairing
   private:
     std::array<double, 2>
     local(const Point<2> &p) const;
+    void
+    bend(Seen &seen) const;
     /** Rows: x, y and height differentiated by the local coordinates. */
     Eigen::Matrix<double, 3, 2>
     slopes(const std::array<double, 2> &at) const;
 
     std::vector<Point<2>> corners;
     std::vector<double>   heights;
-    Polygon               around;
-    double                skew = 0;
+    /** Of all nodes of one that may be bent: places in axes of the plane. */
+    std::vector<Eigen::Vector3d> bent;
+    Polygon                      around;
+    double                       skew = 0;
   };
+
+  /** Shape functions of all nodes of a face at a point of it that is seen. */
+  Eigen::VectorXd
+  nodal_shapes(const FaceNet::Face &face, const ProjectedFace::Seen &seen);
 } // namespace conetact::pairing
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "conetact/pairing/body_way.h"
 #include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/faces_on_obstacle.h"
 #include "conetact/pairing/passages.h"
 #include "conetact/pairing/shared_nodes.h"
 
@@ -123,11 +124,12 @@ namespace conetact::pairing
               const std::vector<ContactNode>          &nodes,
               std::vector<std::optional<ContactNode>> &found) const;
 
-    const std::vector<Contact> &contacts;
-    const Structures           &structures;
-    std::vector<ContactNode>    start;
-    SharedNodes                 shared;
-    unsigned int                dim;
+    const std::vector<Contact>             &contacts;
+    const Structures                       &structures;
+    std::vector<ContactNode>                start;
+    SharedNodes                             shared;
+    unsigned int                            dim;
+    std::map<unsigned int, FacesOnObstacle> on_obstacles; ///< of contacts
   };
 
   /** What is wrong with contacts that were found before they were solved. */

@@ -114,6 +114,8 @@ namespace conetact::bodies
   typename CellNodes<dim>::Nodes
   CellNodes<dim>::of_cell(const Cell &cell) const
   {
+    if (!active.empty())
+      return active[cell->active_cell_index()];
     const Cell top = coarse_cell<dim>(cell);
     AssertIndexRange(top->index(), coarse.size());
     const Nodes &given = coarse[top->index()];
@@ -138,9 +140,10 @@ namespace conetact::bodies
   CellNodes<dim>::transform(
     const std::function<Point<dim>(const Point<dim> &)> &move)
   {
-    for (Nodes &nodes : coarse)
-      for (Point<dim> &p : nodes)
-        p = move(p);
+    for (auto *const all : {&coarse, &active})
+      for (Nodes &nodes : *all)
+        for (Point<dim> &p : nodes)
+          p = move(p);
   }
 
   template <int dim>

@@ -5,12 +5,11 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/geometry_info.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
 
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 
 namespace conetact::bodies
 {
@@ -20,15 +19,9 @@ namespace conetact::bodies
   {
     /** How far outside its cell, in cell sizes, a point may be by round-off. */
     constexpr double point_tolerance = 1e-6;
-
-    template <int dim>
-    std::unique_ptr<FiniteElement<dim>>
-    element_of_map(const bool simplices)
-    {
-      if (simplices)
-        return std::make_unique<FE_SimplexP<dim>>(1);
-      return std::make_unique<FE_Q<dim>>(1);
-    }
+    /** How far bent edges reach beyond the box around the nodes, in its size.
+     */
+    constexpr double bulge = .25;
 
     /** How far a point of the unit cell's space is outside of the cell. */
     template <int dim>
@@ -51,35 +44,55 @@ namespace conetact::bodies
   template <int dim>
   CellQuadrature<dim>::CellQuadrature(const Discretization<dim> &body)
     : simplices(body.has_simplices())
-    , mapping(body.mapping)
-    , fe(body.fe.clone())
+    , straight(body.mapping)
+    , fe(body.fe.base_element(0).clone())
+    , n_vertices(body.fe.reference_cell().n_vertices())
+    , weights(body.quadrature.get_weights())
   {
-    const auto linear = element_of_map<dim>(simplices);
-    n_vertices        = linear->dofs_per_cell;
-    weights           = body.quadrature.get_weights();
     for (const Point<dim> &q : body.quadrature.get_points())
       {
         shapes.push_back(shapes_at(q));
-        map.emplace_back(n_vertices);
-        map_gradients.emplace_back(n_vertices, dim);
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          {
-            map.back()[v] = linear->shape_value(v, q);
-            for (unsigned int d = 0; d < dim; ++d)
-              map_gradients.back()(v, d) = linear->shape_grad(v, q)[d];
-          }
+        gradients.push_back(gradients_at(q));
       }
+    for (const Point<dim> &p : fe->get_unit_support_points())
+      at_nodes.push_back(gradients_at(p));
   }
 
   template <int dim>
   Eigen::VectorXd
   CellQuadrature<dim>::shapes_at(const Point<dim> &unit) const
   {
-    Eigen::VectorXd values(fe->dofs_per_cell / dim);
+    Eigen::VectorXd values(fe->dofs_per_cell);
     for (unsigned int v = 0; v < values.size(); ++v)
-      values[v] = fe->shape_value(fe->component_to_system_index(0, v), unit);
+      values[v] = fe->shape_value(v, unit);
     return values;
   }
+
+  template <int dim>
+  typename CellQuadrature<dim>::Gradients
+  CellQuadrature<dim>::gradients_at(const Point<dim> &unit) const
+  {
+    Gradients result(fe->dofs_per_cell, dim);
+    for (unsigned int v = 0; v < result.rows(); ++v)
+      for (unsigned int d = 0; d < dim; ++d)
+        result(v, d) = fe->shape_grad(v, unit)[d];
+    return result;
+  }
+
+  namespace
+  {
+    /** A column for each node. */
+    template <int dim>
+    Eigen::Matrix<double, dim, Eigen::Dynamic>
+    columns(const std::vector<Point<dim>> &nodes)
+    {
+      Eigen::Matrix<double, dim, Eigen::Dynamic> x(dim, nodes.size());
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          x(d, v) = nodes[v][d];
+      return x;
+    }
+  } // namespace
 
   template <int dim>
   void
@@ -87,15 +100,11 @@ namespace conetact::bodies
                                       const unsigned int        cell,
                                       const Visit              &visit) const
   {
-    const auto                                 nodes = mesh.cell(cell);
-    Eigen::Matrix<double, dim, Eigen::Dynamic> x(dim, n_vertices);
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      for (unsigned int d = 0; d < dim; ++d)
-        x(d, v) = mesh.nodes[nodes[v]][d];
+    const auto x = columns(mesh.vertices(cell));
     for (std::size_t q = 0; q < weights.size(); ++q)
       {
-        const Eigen::Matrix<double, dim, dim> J     = x * map_gradients[q];
-        const Eigen::Matrix<double, dim, 1>   place = x * map[q];
+        const Eigen::Matrix<double, dim, dim> J     = x * gradients[q];
+        const Eigen::Matrix<double, dim, 1>   place = x * shapes[q];
         Point<dim>                            p;
         for (unsigned int d = 0; d < dim; ++d)
           p[d] = place[d];
@@ -104,25 +113,80 @@ namespace conetact::bodies
   }
 
   template <int dim>
+  double
+  CellQuadrature<dim>::least_volume(const ContinuumMesh<dim> &mesh,
+                                    const unsigned int        cell) const
+  {
+    const auto x     = columns(mesh.vertices(cell));
+    double     least = std::numeric_limits<double>::max();
+    for (const auto *const all : {&gradients, &at_nodes})
+      for (const Gradients &g : *all)
+        least =
+          std::min(least, Eigen::Matrix<double, dim, dim>(x * g).determinant());
+    return least;
+  }
+
+  template <int dim>
+  Point<dim>
+  CellQuadrature<dim>::middle(const ContinuumMesh<dim> &mesh,
+                              const unsigned int        cell) const
+  {
+    const auto nodes = mesh.vertices(cell);
+    Point<dim> sum;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      sum += nodes[v] / n_vertices;
+    return sum;
+  }
+
+  template <int dim>
   std::optional<Point<dim>>
-  CellQuadrature<dim>::in_unit_cell(const std::vector<Point<dim>> &vertices,
-                                    const Point<dim>              &p) const
+  CellQuadrature<dim>::in_straight_cell(const std::vector<Point<dim>> &nodes,
+                                        const Point<dim>              &p) const
   {
     CellData<dim> data(n_vertices);
     for (unsigned int v = 0; v < n_vertices; ++v)
       data.vertices[v] = v;
     Triangulation<dim> cell;
-    cell.create_triangulation({vertices.begin(), vertices.begin() + n_vertices},
+    cell.create_triangulation({nodes.begin(), nodes.begin() + n_vertices},
                               {data},
                               SubCellData());
     try
       {
-        return mapping.transform_real_to_unit_cell(cell.begin(), p);
+        return straight.transform_real_to_unit_cell(cell.begin(), p);
       }
     catch (const typename Mapping<dim>::ExcTransformationFailed &)
       {
         return {}; // far outside a distorted cell
       }
+  }
+
+  /** Newton's method from where the point is in the cell of the vertices. */
+  template <int dim>
+  std::optional<Point<dim>>
+  CellQuadrature<dim>::in_unit_cell(const std::vector<Point<dim>> &nodes,
+                                    const Point<dim>              &p) const
+  {
+    constexpr unsigned int    n_steps   = 20;
+    constexpr double          round_off = 1e-12, far = 4; // in unit cells
+    std::optional<Point<dim>> at = in_straight_cell(nodes, p);
+    if (fe->degree == 1)
+      return at;
+    const auto x = columns(nodes);
+    for (unsigned int step = 0; at && step < n_steps; ++step)
+      {
+        Eigen::Matrix<double, dim, 1> miss = -x * shapes_at(*at);
+        for (unsigned int d = 0; d < dim; ++d)
+          miss[d] += p[d];
+        const Eigen::Matrix<double, dim, 1> move =
+          (x * gradients_at(*at)).eval().inverse() * miss;
+        for (unsigned int d = 0; d < dim; ++d)
+          (*at)[d] += move[d];
+        if (move.norm() < round_off)
+          return at;
+        if (!(at->norm() < far))
+          break;
+      }
+    return {};
   }
 
   /* A plain loop: trees of cells take longer to make than a point to find.
@@ -136,13 +200,11 @@ namespace conetact::bodies
     double               nearest = point_tolerance;
     for (unsigned int cell = 0; cell < mesh.n_cells(); ++cell)
       {
-        const std::vector<Point<dim>> vertices = mesh.vertices(cell);
-        if (!BoundingBox<dim>(
-               std::vector<Point<dim>>(vertices.begin(),
-                                       vertices.begin() + n_vertices))
-               .point_inside(p, point_tolerance))
+        const std::vector<Point<dim>> nodes = mesh.vertices(cell);
+        if (!BoundingBox<dim>(nodes).point_inside(
+              p, fe->degree == 1 ? point_tolerance : bulge))
           continue;
-        const auto unit = in_unit_cell(vertices, p);
+        const auto unit = in_unit_cell(nodes, p);
         if (!unit)
           continue;
         if (const double distance = distance_to_unit_cell(*unit, simplices);

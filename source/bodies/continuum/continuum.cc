@@ -20,6 +20,21 @@ namespace conetact::bodies
 
   namespace
   {
+    /** On bent edges of their coarser neighbours, or not even rigid motions
+     * would be free of strain. */
+    template <int dim>
+    void
+    follow_masters(ContinuumMesh<dim> &mesh)
+    {
+      for (const HangingNode &node : mesh.hanging)
+        {
+          Point<dim> place;
+          for (const auto &[master, weight] : node.masters)
+            place += weight * Tensor<1, dim>(mesh.nodes[master]);
+          mesh.nodes[node.node] = place;
+        }
+    }
+
     template <int dim>
     ContinuumMesh<dim>
     plain(const Discretization<dim> &body, const bool has_phases)
@@ -41,6 +56,8 @@ namespace conetact::bodies
           if (has_phases)
             mesh.phase_of_cell.push_back(cell->material_id());
         }
+      if (body.fe.degree > 1)
+        follow_masters(mesh);
       return mesh;
     }
 
@@ -63,6 +80,43 @@ namespace conetact::bodies
     {
       for (std::size_t i = 0; i < values.size(); ++i)
         values[i] += field(to_space(mesh.nodes[i]));
+    }
+
+    /** Corners of six-node triangles have no area by their shape functions. */
+    bool
+    has_corners_without_area(const std::vector<unsigned int> &nodes)
+    {
+      return nodes.size() == 6;
+    }
+
+    /** What stands for a node in the area of a face at a point: its shape
+     * function, or on a six-node triangle the linear one of a corner. */
+    template <int dim>
+    double
+    area_part(const FaceValues<dim>           &fe,
+              const std::vector<unsigned int> &nodes,
+              const unsigned int               v,
+              const unsigned int               q)
+    {
+      if (!has_corners_without_area(nodes))
+        return fe.shape_value(v, q);
+      return v >= 3 ?
+               0. :
+               fe.shape_value(v, q) + .5 * (fe.shape_value(3 + v, q) +
+                                            fe.shape_value(3 + (v + 2) % 3, q));
+    }
+
+    /** The weight of the normal there, of nodes in the middle of edges, too. */
+    template <int dim>
+    double
+    normal_part(const FaceValues<dim>           &fe,
+                const std::vector<unsigned int> &nodes,
+                const unsigned int               v,
+                const unsigned int               q)
+    {
+      if (has_corners_without_area(nodes) && v >= 3)
+        return fe.shape_value(v, q);
+      return area_part(fe, nodes, v, q);
     }
 
     /**
@@ -106,13 +160,18 @@ namespace conetact::bodies
     std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
     const std::vector<ElasticMaterial>              &materials,
     const ElementRow<dim>                           &row,
-    const MeshGroups                                &groups)
+    const MeshGroups                                &groups,
+    const CellNodes<dim>                            &nodes)
     : discretization(
         std::make_unique<Discretization<dim>>(std::move(finished_mesh),
-                                              row.degree))
+                                              row.degree,
+                                              nodes))
     , mesh(plain(*discretization, materials.size() > 1))
     , cells(std::make_unique<CellQuadrature<dim>>(*discretization))
     , faces(std::make_unique<BoundaryFaces<dim>>(*discretization))
+    , meets_at_corners(
+        faces->are_triangles_of_second_degree() ||
+        (faces->is_bent(mesh) && !faces->have_hanging_nodes(mesh)))
     , phases(make_phases(materials, row))
     , groups_of_faces(groups.faces)
     , of_file(groups.caution)
@@ -236,7 +295,7 @@ namespace conetact::bodies
   {
     Surface                             surface;
     std::map<unsigned int, SurfaceNode> nodes;
-    faces->for_each(ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(mesh, ids, [&](const auto &face, const auto &fe) {
       const auto               &numbers = face.nodes;
       std::vector<Tensor<1, 3>> shares(numbers.size());
       Tensor<1, 3>              mean;
@@ -248,13 +307,12 @@ namespace conetact::bodies
             {
               // The tributary area int N_v, times thickness or circumference in
               // 2D, and the same with the normal.
-              const double part = extent(fe.quadrature_point(q)) * fe.JxW(q) *
-                                  fe.shape_value(face.shapes[v], q);
-              nodes[numbers[v]].area += part;
-              shares[v] += part * normal;
+              const double dx = extent(fe.quadrature_point(q)) * fe.JxW(q);
+              nodes[numbers[v]].area += dx * area_part(fe, numbers, v, q);
+              shares[v] += dx * normal_part(fe, numbers, v, q) * normal;
             }
         }
-      surface.faces.push_back({numbers, mean / mean.norm()});
+      surface.faces.push_back({numbers, mean / mean.norm(), meets_at_corners});
       for (unsigned int v = 0; v < numbers.size(); ++v)
         nodes[numbers[v]].normals.push_back(shares[v]);
     });
@@ -283,13 +341,11 @@ namespace conetact::bodies
                                const SurfaceField &traction,
                                Eigen::VectorXd    &f) const
   {
-    faces->for_each(ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(mesh, ids, [&](const auto &face, const auto &fe) {
       for (const unsigned int q : fe.quadrature_point_indices())
         distribute(
           face.nodes,
-          [&](const unsigned int v) {
-            return fe.shape_value(face.shapes[v], q);
-          },
+          [&](const unsigned int v) { return fe.shape_value(v, q); },
           extent(fe.quadrature_point(q)) * fe.JxW(q) *
             traction(to_space(fe.quadrature_point(q)),
                      to_space(fe.normal_vector(q))),
@@ -349,7 +405,7 @@ namespace conetact::bodies
                                 const SurfaceTensorField &stiffness,
                                 const ElementVisitor     &visit) const
   {
-    faces->for_each(ids, [&](const auto &face, const auto &fe) {
+    faces->for_each(mesh, ids, [&](const auto &face, const auto &fe) {
       const auto      n = dim * static_cast<unsigned int>(face.nodes.size());
       Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
       for (const unsigned int q : fe.quadrature_point_indices())
@@ -358,7 +414,7 @@ namespace conetact::bodies
                                  stiffness(to_space(fe.quadrature_point(q)),
                                            to_space(fe.normal_vector(q)));
           const auto shape = [&](const unsigned int i) {
-            return fe.shape_value(face.shapes[i / dim], q);
+            return fe.shape_value(i / dim, q);
           };
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j <= i; ++j)
@@ -452,7 +508,7 @@ namespace conetact::bodies
       return of_file;
     const std::string kind = dim == 2 ? "triangles" : "tetrahedra";
     return "linear " + kind + " are too stiff in bending and lock near nu = " +
-           "0.5. Refine until results stay the same, or use " +
+           "0.5. Refine until results stay the same, or use P2 or " +
            (dim == 2 ? "quadrilaterals." : "hexahedra.") +
            (of_file.empty() ? "" : " Besides, " + of_file);
   }
@@ -479,6 +535,17 @@ namespace conetact::bodies
   {
     return {mesh.n_cells(),
             static_cast<unsigned int>(matrices.cell_shapes().all().size())};
+  }
+
+  template <int dim>
+  std::optional<Point<3>>
+  Continuum<dim>::folded_cell() const
+  {
+    if (cells->degree() > 1)
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        if (!(cells->least_volume(mesh, c) > 0))
+          return to_space(cells->middle(mesh, c));
+    return {};
   }
 
   template <int dim>

@@ -36,7 +36,8 @@ namespace conetact::bodies
   template <int dim>
   Discretization<dim>::Discretization(
     std::unique_ptr<Triangulation<dim>> finished_mesh,
-    const unsigned int                  degree)
+    const unsigned int                  degree,
+    const CellNodes<dim>               &nodes)
     : triangulation(std::move(finished_mesh))
     , mapping(kind_of_cells(*triangulation)
                 .template get_default_linear_mapping<dim>())
@@ -44,6 +45,7 @@ namespace conetact::bodies
     , dof_handler(*triangulation)
     , quadrature(kind_of_cells(*triangulation)
                    .template get_gauss_type_quadrature<dim>(degree + 1))
+    , given(degree > 1 ? nodes : CellNodes<dim>())
   {
     dof_handler.distribute_dofs(fe);
     if (triangulation->has_hanging_nodes())
@@ -70,6 +72,8 @@ namespace conetact::bodies
   std::vector<Point<dim>>
   Discretization<dim>::places_of(const CellIterator &cell) const
   {
+    if (!given.empty())
+      return given.of_cell({&*triangulation, cell->level(), cell->index()});
     std::vector<Point<dim>> places;
     for (const unsigned int v : cell->vertex_indices())
       places.push_back(cell->vertex(v));

@@ -189,8 +189,8 @@ namespace conetact::bodies
        &create<dim, LinearElement>},
       {"Q2",
        false,
-       "bi- or triquadratic displacements on cells with straight edges, nodes "
-       "in the middle of edges, faces and cells too; for bending and for "
+       "bi- or triquadratic displacements, nodes in the middle of edges, faces "
+       "and cells too, on the curve where edges are bent; for bending and for "
        "stresses, nu up to 0.499; not for bodies of revolution",
        &create_quadratic<dim, false>,
        // a node on the axis has no area: int r N dr = 0
@@ -198,8 +198,9 @@ namespace conetact::bodies
        2},
       {"P2",
        true,
-       "quadratic displacements on triangles with straight edges; neither for "
-       "tetrahedra nor for bodies of revolution",
+       "quadratic displacements on triangles or tetrahedra, nodes in the middle "
+       "of edges too, on the curve where these are bent; for bending and for "
+       "stresses, nu up to 0.499; not for bodies of revolution",
        &create_quadratic<dim, true>,
        false,
        2}};
@@ -208,18 +209,18 @@ namespace conetact::bodies
 
   template <int dim>
   const ElementRow<dim> &
-  default_element(const bool simplices)
+  default_element(const bool simplices, const unsigned int degree)
   {
     const auto &table = element_table<dim>();
     return *std::find_if(table.begin(), table.end(), [&](const auto &row) {
-      return row.is_simplex == simplices;
+      return row.is_simplex == simplices && row.degree == degree;
     });
   }
 
   template const ElementRow<2> &
-  default_element<2>(const bool);
+  default_element<2>(const bool, const unsigned int);
   template const ElementRow<3> &
-  default_element<3>(const bool);
+  default_element<3>(const bool, const unsigned int);
 
   template const std::vector<ElementRow<2>> &
   element_table<2>();

@@ -5,14 +5,11 @@
 
 #include "conetact/bodies/continuum/cell_stresses.h"
 
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/base/utilities.h>
-#include <deal.II/fe/fe_q.h>
+#include <deal.II/base/exceptions.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
-#include <map>
 #include <optional>
 
 namespace conetact::bodies
@@ -266,63 +263,29 @@ namespace conetact::bodies
       }
     };
 
-    using Parts = std::vector<std::vector<unsigned int>>;
-
-    /**
-     * Cells of first degree over the nodes of one of second, which fields are
-     * drawn on: programs that read the files cut such cells up as well.
-     */
-    template <int dim>
-    Parts
-    parts_of_quadratic_cube()
-    {
-      const auto places = dealii::FE_Q<dim>(2).get_unit_support_points();
-      std::map<unsigned int, unsigned int> node_at; // by thirds of the lattice
-      const auto key = [](const dealii::Point<dim> &p) {
-        unsigned int k = 0;
-        for (unsigned int d = dim; d-- > 0;)
-          k = 3 * k + static_cast<unsigned int>(std::lround(2 * p[d]));
-        return k;
-      };
-      for (unsigned int v = 0; v < places.size(); ++v)
-        node_at[key(places[v])] = v;
-      using dealii::GeometryInfo;
-      Parts parts;
-      for (unsigned int part = 0; part < GeometryInfo<dim>::vertices_per_cell;
-           ++part)
-        {
-          parts.emplace_back();
-          for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell;
-               ++v)
-            parts.back().push_back(node_at.at(key(
-              .5 * (GeometryInfo<dim>::unit_cell_vertex(part) +
-                    Tensor<1, dim>(GeometryInfo<dim>::unit_cell_vertex(v))))));
-        }
-      return parts;
-    }
-
-    template <int dim>
-    Parts
-    parts_of_cell(const unsigned int n_cell_nodes)
-    {
-      if (n_cell_nodes == dealii::Utilities::pow(3u, dim))
-        return parts_of_quadratic_cube<dim>();
-      if (dim == 2 && n_cell_nodes == 6) // a triangle of second degree
-        return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-      Parts whole(1);
-      for (unsigned int v = 0; v < n_cell_nodes; ++v)
-        whole[0].push_back(v);
-      return whole;
-    }
-
     template <int dim>
     VtuGrid::Shape
     shape_of(const std::size_t n_nodes)
     {
       using Shape = VtuGrid::Shape;
-      if (n_nodes == dim + 1)
-        return dim == 2 ? Shape::triangle : Shape::tetrahedron;
-      return dim == 2 ? Shape::quadrilateral : Shape::hexahedron;
+      switch (n_nodes)
+        {
+          case 3:
+            return Shape::triangle;
+          case 4:
+            return dim == 2 ? Shape::quadrilateral : Shape::tetrahedron;
+          case 6:
+            return Shape::quadratic_triangle;
+          case 8:
+            return Shape::hexahedron;
+          case 9:
+            return Shape::biquadratic_quadrilateral;
+          case 10:
+            return Shape::quadratic_tetrahedron;
+          default:
+            AssertDimension(n_nodes, 27);
+            return Shape::triquadratic_hexahedron;
+        }
     }
 
     template <int dim>
@@ -332,20 +295,14 @@ namespace conetact::bodies
       VtuGrid grid;
       for (const auto &place : points.places)
         grid.points.push_back(to_space(mesh.nodes[place.node]));
-      const unsigned int        n     = mesh.n_cell_nodes;
-      const Parts               parts = parts_of_cell<dim>(n);
-      VtuIds                    ids{"material_id", {}};
-      auto                      first = points.of_cells.begin();
-      std::vector<unsigned int> nodes;
+      const unsigned int n = mesh.n_cell_nodes;
+      VtuIds             ids{"material_id", {}};
+      auto               first = points.of_cells.begin();
       for (unsigned int c = 0; c < mesh.n_cells(); ++c, first += n)
-        for (const auto &part : parts)
-          {
-            nodes.clear();
-            for (const unsigned int v : part)
-              nodes.push_back(first[v]);
-            grid.add_cell(shape_of<dim>(nodes.size()), nodes);
-            ids.values.push_back(mesh.material_ids[c]);
-          }
+        {
+          grid.add_cell(shape_of<dim>(n), {first, first + n});
+          ids.values.push_back(mesh.material_ids[c]);
+        }
       grid.cell_ids = {std::move(ids)};
       return grid;
     }

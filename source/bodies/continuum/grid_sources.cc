@@ -7,6 +7,7 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/continuum/generator_arguments.h"
 #include "conetact/bodies/continuum/grid_messages.h"
+#include "conetact/bodies/continuum/manifold_nodes.h"
 #include "conetact/bodies/continuum/mesh_files.h"
 
 #include <deal.II/base/patterns.h>
@@ -190,6 +191,8 @@ namespace conetact::bodies
                       "Element");
       auto result = std::make_unique<Triangulation<dim>>();
       dealii::GridGenerator::convert_hypercube_to_simplex_mesh(mesh, *result);
+      if (parameters.second_order)
+        bend_divided_cells(mesh, *result);
       for (const auto id : mesh.get_manifold_ids())
         if (const auto &manifold = mesh.get_manifold(id);
             id != dealii::numbers::flat_manifold_id &&

@@ -9,6 +9,7 @@
 #include "conetact/bodies/continuum/generator_arguments.h"
 #include "conetact/bodies/continuum/grid_sources.h"
 #include "conetact/bodies/continuum/local_refinement.h"
+#include "conetact/bodies/continuum/manifold_nodes.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/manifold.h>
@@ -218,6 +219,8 @@ namespace conetact::bodies
     refine_elements(*mesh, parameters.refinements);
     if (!nodes.coarse.empty())
       bend_refined_cells(nodes, *mesh);
+    else if (parameters.second_order)
+      nodes = nodes_on_manifolds(*mesh);
     if (mesh->has_hanging_nodes())
       straighten_hanging_vertices(*mesh);
     place(*mesh, nodes, parameters);

@@ -47,9 +47,9 @@ namespace conetact::bodies
             if (option == "hinges" || option == "hinge end")
               hinges[1] = true;
             else if (option.rfind("group ", 0) == 0)
-              ids.merge(to_ids(value, entry));
+              ids.merge(conetact::to_ids(value, entry));
             else if (option.rfind("elements ", 0) == 0)
-              n_elements = *to_ids(value, entry).begin();
+              n_elements = *conetact::to_ids(value, entry).begin();
             else if (option != "hinge start")
               throw InputError(entry + ": '" + option +
                                "' is no option of a member. Give 'hinge "
@@ -158,7 +158,7 @@ namespace conetact::bodies
     node.position =
       Point<3>(to_vector(coordinates, model.dim, entry + ", node " + name));
     if (!ids.empty())
-      node.ids = to_ids(ids, entry + ", node " + name);
+      node.ids = conetact::to_ids(ids, entry + ", node " + name);
     model.nodes.push_back(node);
   }
 

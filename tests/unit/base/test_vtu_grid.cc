@@ -103,6 +103,21 @@ TEST(VtuGrid, CellsGoRound)
             (std::vector<unsigned char>{9, 12, 10}));
 }
 
+TEST(VtuGrid, CellsOfSecondDegreeAreWhole)
+{
+  VtuGrid grid;
+  grid.add_cell(VtuGrid::Shape::biquadratic_quadrilateral,
+                {0, 1, 2, 3, 4, 5, 6, 7, 8});
+  grid.add_cell(VtuGrid::Shape::quadratic_tetrahedron,
+                {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  const std::string text = grid.text(0, 0);
+  EXPECT_EQ(values<int>(text, "connectivity"),
+            (std::vector<int>{
+              0, 1, 3, 2, 6, 5, 7, 4, 8, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(values<unsigned char>(text, "types"),
+            (std::vector<unsigned char>{28, 24}));
+}
+
 TEST(VtuGrid, ComponentsMayHaveNames)
 {
   VtuGrid grid;

@@ -82,7 +82,7 @@ namespace
     const BoundaryFaces<dim> faces(body);
     EXPECT_EQ(faces.ids().size(), 2u * dim);
     double area = 0, outward = 0;
-    faces.for_each({1}, [&](const auto &, const auto &fe) {
+    faces.for_each(mesh, {1}, [&](const auto &, const auto &fe) {
       for (const unsigned int q : fe.quadrature_point_indices())
         {
           EXPECT_NEAR(fe.quadrature_point(q)[0], 1, 1e-14);

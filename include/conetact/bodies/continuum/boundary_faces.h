@@ -4,29 +4,78 @@
 #ifndef conetact_bodies_continuum_boundary_faces_h
 #define conetact_bodies_continuum_boundary_faces_h
 
+#include "conetact/bodies/continuum/continuum_mesh.h"
 #include "conetact/bodies/continuum/discretization.h"
 
-#include <deal.II/fe/fe_values.h>
+#include <deal.II/base/std_cxx20/iota_view.h>
 
-#include <memory>
+#include <vector>
 
 namespace conetact::bodies
 {
   /**
-   * The faces of a body's boundary, with the cells behind them and no others:
-   * what surfaces and their loads need of a mesh, which is a small part of it.
+   * A face at its quadrature points: positions, outward unit normals, shape
+   * functions of its nodes, and weights times area or length. Positions are
+   * interpolated as displacements are, from the nodes of the face alone.
    */
+  template <int dim>
+  class FaceValues
+  {
+  public:
+    explicit FaceValues(const Discretization<dim> &body);
+
+    /** Side: 1 where the normal of the nodes' order points out, else -1. */
+    void
+    reinit(const ContinuumMesh<dim>        &mesh,
+           const std::vector<unsigned int> &nodes,
+           const double                     side);
+
+    dealii::std_cxx20::ranges::iota_view<unsigned int, unsigned int>
+    quadrature_point_indices() const
+    {
+      return {0u, static_cast<unsigned int>(weights.size())};
+    }
+    const Point<dim> &
+    quadrature_point(const unsigned int q) const
+    {
+      return points[q];
+    }
+    const Tensor<1, dim> &
+    normal_vector(const unsigned int q) const
+    {
+      return normals[q];
+    }
+    double
+    JxW(const unsigned int q) const
+    {
+      return areas[q];
+    }
+    /** Of node v of the face, in its order. */
+    double
+    shape_value(const unsigned int v, const unsigned int q) const
+    {
+      return shapes[q][v];
+    }
+
+  private:
+    std::vector<double>                          weights;
+    std::vector<std::vector<double>>             shapes; ///< of points
+    std::vector<std::vector<Tensor<1, dim - 1>>> gradients;
+    std::vector<Point<dim>>                      points;
+    std::vector<Tensor<1, dim>>                  normals;
+    std::vector<double>                          areas;
+  };
+
+  /** The faces of a body's boundary. */
   template <int dim>
   class BoundaryFaces
   {
   public:
     struct Face
     {
-      unsigned int              cell;   ///< number among the cells kept here
-      unsigned int              number; ///< of the face in its cell
-      unsigned int              id;     ///< boundary id
-      std::vector<unsigned int> nodes;  ///< in deal.II's order
-      std::vector<unsigned int> shapes; ///< of the nodes, first component
+      unsigned int              id;    ///< boundary id
+      double                    side;  ///< of the normal, see FaceValues
+      std::vector<unsigned int> nodes; ///< in deal.II's order
     };
 
     explicit BoundaryFaces(const Discretization<dim> &body);
@@ -34,46 +83,37 @@ namespace conetact::bodies
     BoundaryIds
     ids() const;
 
-    /** Calls visit(face, FEFaceValues) for each face that has one of the ids.
-     */
+    bool
+    are_triangles_of_second_degree() const
+    {
+      return !faces.empty() && faces[0].nodes.size() == 6;
+    }
+    /** Whether some node of a face hangs. */
+    bool
+    have_hanging_nodes(const ContinuumMesh<dim> &mesh) const;
+    /** Whether nodes stand beside the middle of straight edges and faces. */
+    bool
+    is_bent(const ContinuumMesh<dim> &mesh) const;
+
+    /** Calls visit(face, FaceValues) for each face that has one of the ids. */
     template <class Visitor>
     void
-    for_each(const BoundaryIds &wanted, const Visitor &visit) const
+    for_each(const ContinuumMesh<dim> &mesh,
+             const BoundaryIds        &wanted,
+             const Visitor            &visit) const
     {
-      dealii::FEFaceValues<dim> values(mapping,
-                                       *fe,
-                                       quadrature,
-                                       dealii::update_values |
-                                         dealii::update_quadrature_points |
-                                         dealii::update_normal_vectors |
-                                         dealii::update_JxW_values);
+      FaceValues<dim> here = values;
       for (const Face &face : faces)
         if (wanted.count(face.id) > 0)
           {
-            values.reinit(cell(face), face.number);
-            visit(face, values);
+            here.reinit(mesh, face.nodes, face.side);
+            visit(face, here);
           }
     }
 
   private:
-    typename dealii::Triangulation<dim>::cell_iterator
-    cell(const Face &face) const
-    {
-      return {&cells, 0, static_cast<int>(face.cell)};
-    }
-    Face
-    make_face(const Discretization<dim>                        &body,
-              const typename Discretization<dim>::CellIterator &cell,
-              const unsigned int                                number) const;
-    void
-    keep_cells(
-      const std::vector<typename Discretization<dim>::CellIterator> &kept);
-
-    const dealii::Mapping<dim>                             &mapping;
-    const std::unique_ptr<const dealii::FiniteElement<dim>> fe;
-    dealii::Quadrature<dim - 1> quadrature; ///< 4th degree
-    dealii::Triangulation<dim>  cells;
-    std::vector<Face>           faces;
+    FaceValues<dim>   values; ///< of any face
+    std::vector<Face> faces;
   };
 } // namespace conetact::bodies
 

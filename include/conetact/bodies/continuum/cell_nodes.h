@@ -30,6 +30,15 @@ namespace conetact::bodies
      * cell. Empty: the file is of first order, or there is none.
      */
     std::vector<Nodes> coarse;
+    /** By the index of an active cell, of a generated mesh: on its curved
+     * geometry (manifold_nodes.h). Empty: the same. */
+    std::vector<Nodes> active;
+
+    bool
+    empty() const
+    {
+      return coarse.empty() && active.empty();
+    }
 
     /**
      * Of a cell, in that order. A refined cell has them on the curve of its

@@ -17,8 +17,8 @@ namespace conetact::bodies
 {
   /**
    * Integrals over cells, and shape functions at points of them, from the
-   * nodes of a ContinuumMesh alone. Vertices are the first nodes of a cell, and
-   * its edges are straight.
+   * nodes of a ContinuumMesh alone. Positions are interpolated as displacements
+   * are. Vertices are the first nodes of a cell.
    */
   template <int dim>
   class CellQuadrature
@@ -47,6 +47,14 @@ namespace conetact::bodies
                    const unsigned int        cell,
                    const Visit              &visit) const;
 
+    /** The least determinant of the map from the unit cell, at quadrature
+     * points and nodes [length^dim]. */
+    double
+    least_volume(const ContinuumMesh<dim> &mesh, const unsigned int cell) const;
+    /** Mean of its vertices. */
+    Point<dim>
+    middle(const ContinuumMesh<dim> &mesh, const unsigned int cell) const;
+
     /** A point of a body: its cell, and shape functions of the nodes there. */
     struct Place
     {
@@ -60,18 +68,24 @@ namespace conetact::bodies
   private:
     Eigen::VectorXd
     shapes_at(const Point<dim> &unit) const;
+    /** A row for each node. */
+    using Gradients = Eigen::Matrix<double, Eigen::Dynamic, dim>;
+    Gradients
+    gradients_at(const Point<dim> &unit) const;
     std::optional<Point<dim>>
-    in_unit_cell(const std::vector<Point<dim>> &vertices,
+    in_straight_cell(const std::vector<Point<dim>> &nodes,
+                     const Point<dim>              &p) const;
+    std::optional<Point<dim>>
+    in_unit_cell(const std::vector<Point<dim>> &nodes,
                  const Point<dim>              &p) const;
 
     const bool                                              simplices;
-    const dealii::Mapping<dim>                             &mapping;
+    const dealii::Mapping<dim>                             &straight;
     const std::unique_ptr<const dealii::FiniteElement<dim>> fe;
     unsigned int                                            n_vertices;
     std::vector<double>                                     weights;
-    /** At quadrature points: of the nodes; of the map, a row each vertex. */
-    std::vector<Eigen::VectorXd>                            shapes, map;
-    std::vector<Eigen::Matrix<double, Eigen::Dynamic, dim>> map_gradients;
+    std::vector<Eigen::VectorXd> shapes; ///< at quadrature points
+    std::vector<Gradients>       gradients, at_nodes;
   };
 } // namespace conetact::bodies
 

@@ -5,6 +5,7 @@
 #define conetact_bodies_continuum_continuum_h
 
 #include "conetact/bodies/continuum/cell_matrices.h"
+#include "conetact/bodies/continuum/cell_nodes.h"
 #include "conetact/bodies/continuum/continuum_mesh.h"
 #include "conetact/bodies/continuum/elements.h"
 #include "conetact/bodies/continuum/material.h"
@@ -12,14 +13,9 @@
 #include "conetact/bodies/structure.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
-
-namespace dealii
-{
-  template <int dim, int spacedim>
-  class Triangulation;
-}
 
 namespace conetact::bodies
 {
@@ -44,12 +40,14 @@ namespace conetact::bodies
               const ElementRow<dim>                           &row);
     /**
      * Of several materials: ids of cells are their places in the list. `groups`
-     * are the boundary ids that have names.
+     * are the boundary ids that have names, `nodes` bend cells of second
+     * degree.
      */
     Continuum(std::unique_ptr<dealii::Triangulation<dim, dim>> finished_mesh,
               const std::vector<ElasticMaterial>              &materials,
               const ElementRow<dim>                           &row,
-              const MeshGroups                                &groups);
+              const MeshGroups                                &groups,
+              const CellNodes<dim>                            &nodes = {});
     ~Continuum() override;
 
     unsigned int
@@ -129,6 +127,9 @@ namespace conetact::bodies
     /** Cells that are translated copies of each other are congruent. */
     MatrixCount
     matrix_count() const override;
+    /** The middle of a cell that is bent so much that it is folded, if any. */
+    std::optional<Point<3>>
+    folded_cell() const;
     std::vector<double>
     element_errors(const Eigen::VectorXd &u) const override;
     void
@@ -159,6 +160,7 @@ namespace conetact::bodies
     ContinuumMesh<dim>                         mesh;
     std::unique_ptr<const CellQuadrature<dim>> cells;
     std::unique_ptr<const BoundaryFaces<dim>>  faces;
+    bool                                       meets_at_corners; ///< its faces
     Phases<dim>                                phases;
     MeshGroups::Ids                            groups_of_faces;
     std::string                                of_file; ///< cautions

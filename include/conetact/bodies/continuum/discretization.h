@@ -4,6 +4,7 @@
 #ifndef conetact_bodies_continuum_discretization_h
 #define conetact_bodies_continuum_discretization_h
 
+#include "conetact/bodies/continuum/cell_nodes.h"
 #include "conetact/bodies/structure.h"
 
 #include <deal.II/base/quadrature.h>
@@ -20,9 +21,9 @@ namespace conetact::bodies
 {
   /**
    * Displacements of first or second degree on a mesh of quadrilaterals or
-   * hexahedra (FE_Q) or of triangles or tetrahedra (FE_SimplexP), whose edges
-   * are straight: each node (vertex, middle of an edge, face or cell) has all
-   * components, and dof `dim * i + c` is component c of node i.
+   * hexahedra (FE_Q) or of triangles or tetrahedra (FE_SimplexP): each node
+   * (vertex, middle of an edge, face or cell) has all components, and dof `dim
+   * * i + c` is component c of node i.
    */
   template <int dim>
   struct Discretization
@@ -32,7 +33,8 @@ namespace conetact::bodies
     /** Of a finished mesh, whose cells are all of one kind. */
     explicit Discretization(
       std::unique_ptr<dealii::Triangulation<dim>> finished_mesh,
-      const unsigned int                          degree = 1);
+      const unsigned int                          degree = 1,
+      const CellNodes<dim>                       &nodes  = {});
 
     bool
     has_simplices() const
@@ -42,7 +44,8 @@ namespace conetact::bodies
     /** Of a cell, in deal.II's order. */
     std::vector<unsigned int>
     nodes_of(const CellIterator &cell) const;
-    /** Where they stand. */
+    /** Where they stand; without nodes given of second degree, edges are
+     * straight. */
     std::vector<dealii::Point<dim>>
     places_of(const CellIterator &cell) const;
     /** Nodes that follow others; none of those hangs itself. */
@@ -50,11 +53,12 @@ namespace conetact::bodies
     hanging_nodes() const;
 
     std::unique_ptr<dealii::Triangulation<dim>> triangulation;
-    const dealii::Mapping<dim>                 &mapping;
+    const dealii::Mapping<dim>                 &mapping; ///< of straight cells
     dealii::FESystem<dim>                       fe;
     dealii::DoFHandler<dim>                     dof_handler;
     dealii::AffineConstraints<double>           constraints; ///< hanging nodes
     dealii::Quadrature<dim> quadrature; ///< degree + 1 points
+    CellNodes<dim>          given;      ///< places of nodes, if edges are bent
   };
 } // namespace conetact::bodies
 

@@ -35,10 +35,10 @@ namespace conetact::bodies
   template <int dim>
   const std::vector<ElementRow<dim>> &
   element_table();
-  /** The first row for such cells. */
+  /** The first row for such cells and displacements. */
   template <int dim>
   const ElementRow<dim> &
-  default_element(const bool simplices);
+  default_element(const bool simplices, const unsigned int degree);
 } // namespace conetact::bodies
 
 #endif

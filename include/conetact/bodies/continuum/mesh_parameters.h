@@ -57,9 +57,10 @@ namespace conetact::bodies
     std::vector<Box>         boxes;
     std::vector<Zone>        zones; ///< beside boundaries
     Placement                placement;
-    bool                     on_axis = false; ///< half a section, x >= 0
-    std::vector<BoundaryTag> tags;            ///< of faces, by their centres
-    Refinements              refinements;     ///< of tagged meshes
+    bool                     on_axis      = false; ///< half a section, x >= 0
+    bool                     second_order = false; ///< cells may be bent
+    std::vector<BoundaryTag> tags;        ///< of faces, by their centres
+    Refinements              refinements; ///< of tagged meshes
 
     /** A point of the mesh as generated or read, scaled, rotated, moved. */
     dealii::Point<3>

@@ -12,7 +12,8 @@ namespace conetact::bodies
 {
   /**
    * Of displacements of second degree: biquadratic and triquadratic on
-   * quadrilaterals and hexahedra (FE_Q), quadratic on triangles (FE_SimplexP).
+   * quadrilaterals and hexahedra (FE_Q), quadratic on triangles and tetrahedra
+   * (FE_SimplexP).
    * Positions are interpolated as displacements are, so that uniform strains
    * are exact however nodes stand. Not round an axis.
    */
