@@ -24,9 +24,9 @@ namespace conetact
   void
   work()
   {
-    SystemParts           parts;
-    condensed::MumpsParts solvers;
-    const auto            go_along = [&](const Order &o) { parts.go_along(o); };
+    iterative::SystemParts parts;
+    condensed::MumpsParts  solvers;
+    const auto go_along = [&](const Order &o) { parts.go_along(o); };
     wait_for_orders({
       {Command::make_plane, [&](const Order &o) { parts.make(o, 2); }},
       {Command::make_space, [&](const Order &o) { parts.make(o, 3); }},
