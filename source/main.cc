@@ -120,6 +120,11 @@ namespace
     if (!goes_on)
       std::filesystem::remove(folder / "checkpoint.bin", ignored);
     write_atomically(folder / "used.prm", scene.values());
+    for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
+      if (const std::string &mesh = scene.bodies.structures[b]->made_mesh();
+          !mesh.empty())
+        write_atomically(folder / ("mesh_" + scene.bodies.names[b] + ".msh"),
+                         mesh);
     return lock;
   }
 

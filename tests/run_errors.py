@@ -17,6 +17,8 @@ A table names a right scene beside it and changes it row by row:
 not there at the end of the scene; `without Section/Entry` and `without Section` remove one;
 `replace TEXT with TEXT` changes what stands in the scene once (\n is the end of a line); `arguments: ...` are given to
 the program behind the scene; `>` is the sentence, or a part of it, said with exit code 1.
+Tables of wrong files name right ones beside them, `files: block.inp, block.msh`; `in FILE replace TEXT with TEXT` changes one
+for a row, `in FILE keep N lines` cuts it off, `in FILE keep N bytes` too. Rows name the file by an entry of the scene.
 Changes between `base:` and the first row belong to all rows. Lines that are numbered in
 sentences are those of the changed scene. Each base must be right without the rows.
 """
@@ -37,6 +39,7 @@ class Row:
     title: str = ""
     changes: list = field(default_factory=list)
     arguments: list = field(default_factory=list)
+    files: list = field(default_factory=list)  # names and changes of them
     sentence: str = None
 
 
@@ -54,6 +57,10 @@ def read_table(file):
             rows.append(Row(*head.groups()))
         elif line.startswith("> ") and not row.sentence:
             row.sentence = line[2:]
+        elif line.startswith("files: "):
+            common.files = [(name.strip(), None) for name in line[7:].split(",")]
+        elif re.match(r"in \S+ (replace|keep) ", line):
+            row.files.append(tuple(line[3:].split(" ", 1)))
         elif line.startswith("arguments: "):
             row.arguments = shlex.split(line[11:])
         elif re.match(r"without |replace .+ with |[^=]+ =", line):
@@ -64,6 +71,9 @@ def read_table(file):
     wrong = [row.name for row in rows if not row.sentence] + [name for name in names if names.count(name) > 1]
     if base is None or wrong:
         raise SystemExit(f"{file}: no base, or rows without a sentence or twice: {wrong}")
+    for row in rows:
+        row.files = [(file.parent / name, None) for name, _ in common.files] + \
+                    [(file.parent / name, change) for name, change in row.files]
     return changed(base, common.changes), rows
 
 
@@ -134,7 +144,7 @@ def changed(text, changes):
         if swap:
             old, new = (part.replace("\\n", "\n") for part in swap.groups())
             if text.count(old) != 1:
-                raise ValueError(f"'{swap[1]}' stands in the scene {text.count(old)} times")
+                raise ValueError(f"'{swap[1]}' stands there {text.count(old)} times")
             text = text.replace(old, new)
             continue
         lines = text.splitlines()
@@ -144,6 +154,18 @@ def changed(text, changes):
             put(lines, *re.fullmatch(r"([^=]+?) = ?(.*)", change).groups())
         text = "\n".join(lines) + "\n"
     return text
+
+
+def write_files(folder, files):
+    """Files that a scene reads, the later ones with a change in place of the earlier ones."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for file, change in files:
+        data = (folder / file.name if change else file).read_bytes()
+        if change and (cut := re.fullmatch(r"keep (\d+) (lines|bytes)", change)):
+            data = data[:int(cut[1])] if cut[2] == "bytes" else b"".join(data.splitlines(True)[:int(cut[1])])
+        elif change:
+            data = changed(data.decode("latin-1"), [change]).encode("latin-1")
+        (folder / file.name).write_bytes(data)
 
 
 def scene_of(table, name):
@@ -162,13 +184,15 @@ def run_text(start, folder, name, text, arguments):
 def faults_of(start, folder, base, row):
     """What is wrong with how a row is refused."""
     text = changed(base, row.changes)
-    if text == base and not row.arguments:
+    if text == base and not row.arguments and not any(change for _, change in row.files):
         return ["it changes nothing"]
+    write_files(folder, row.files)
     run, result, faults = run_text(start, folder, row.name, text, row.arguments)
     return faults + check_error(run, result, 1, row.sentence)
 
 
 def faults_of_table(start, folder, base, rows):
+    write_files(folder, [(file, None) for row in rows[:1] for file, change in row.files if not change])
     run, _, failed = run_text(start, folder, "base", base, ["--dry-run"])
     if run.returncode != 0:
         failed.append(run.stderr.strip())

@@ -73,9 +73,9 @@ namespace conetact::analysis
                 "; nodes at " + to_text(body.position(doubled[0].first)) +
                 " coincide, " + std::to_string(doubled.size()) +
                 (doubled.size() == 1 ? " pair" : " pairs") +
-                " in all. Nothing passes between them. Join them in the "
-                "program that wrote the mesh (in Gmsh by BooleanFragments or "
-                "Coherence), or put a Contact there.");
+                " in all. Nothing passes between them. Join them by Merge = "
+                "1e-6 in Mesh or in the program that wrote the mesh (in Gmsh "
+                "by BooleanFragments or Coherence), or put a Contact there.");
       }
   }
 } // namespace conetact::analysis

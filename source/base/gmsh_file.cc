@@ -107,6 +107,15 @@ namespace conetact
                           " is not a finite number"};
         return p;
       }
+      /** "line 7: ", of what was read last. */
+      std::string
+      place() const
+      {
+        const auto end =
+          bytes.begin() + static_cast<std::ptrdiff_t>(at > 0 ? at - 1 : 0);
+        return "line " +
+               std::to_string(1 + std::count(bytes.begin(), end, '\n')) + ": ";
+      }
       [[noreturn]] void
       ends_early() const
       {
@@ -210,8 +219,25 @@ namespace conetact
         : source(contents)
       {}
 
+      /** Faults of text say on which line. */
       FileMesh
       read()
+      {
+        try
+          {
+            return read_sections();
+          }
+        catch (const FileFault &fault)
+          {
+            if (is_binary)
+              throw;
+            throw FileFault{source.place() + fault.why};
+          }
+      }
+
+    private:
+      FileMesh
+      read_sections()
       {
         for (std::string name = source.next_section(); !name.empty();
              name             = source.next_section())
@@ -226,7 +252,6 @@ namespace conetact
         return std::move(mesh);
       }
 
-    private:
       using Section = void (Reader::*)();
 
       static const std::map<std::string, Section> &
@@ -253,7 +278,7 @@ namespace conetact
           throw FileFault{"it is of version " + to_text(version) +
                           ". Save it as version 4.1 or 2.2"};
         source.line();
-        source.is_binary = binary;
+        source.is_binary = is_binary = binary;
         if (binary && (source.integer() != 1 || data_size != 8))
           throw FileFault{"it is a binary file of another kind of machine. "
                           "Save it as ASCII (in Gmsh 'Mesh.Binary = 0;')"};
@@ -487,8 +512,9 @@ namespace conetact
 
       Source                              source;
       FileMesh                            mesh;
-      double                              version = 0;
-      bool                                blocks  = false; ///< of version 4
+      double                              version   = 0;
+      bool                                blocks    = false; ///< of version 4
+      bool                                is_binary = false;
       std::map<std::size_t, unsigned int> numbers; ///< of nodes to points
       /** By dimension and number of a part of the geometry. */
       std::map<std::pair<unsigned int, long>, std::set<unsigned int>> groups_of;

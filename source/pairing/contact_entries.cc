@@ -21,6 +21,21 @@ namespace conetact::pairing
 
   namespace
   {
+    /** Diagonal of the box around two bodies. */
+    double
+    size_of(const bodies::Structure &one, const bodies::Structure &other)
+    {
+      Point<3> low = one.position(0), high = low;
+      for (const bodies::Structure *body : {&one, &other})
+        for (unsigned int node = 0; node < body->n_nodes(); ++node)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d]  = std::min(low[d], body->position(node)[d]);
+              high[d] = std::max(high[d], body->position(node)[d]);
+            }
+      return low.distance(high);
+    }
+
     /** The way of pairing that each kind of contact has by itself. */
     const std::string by_kind = "automatic";
 

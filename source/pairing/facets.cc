@@ -28,7 +28,7 @@ namespace conetact::pairing
     using Corners = std::map<unsigned int, std::vector<Corner>>;
 
     Corners
-    corners_at_nodes(const Faces &faces)
+    face_corners_at_nodes(const Faces &faces)
     {
       Corners corners;
       for (std::size_t f = 0; f < faces.size(); ++f)
@@ -202,7 +202,7 @@ namespace conetact::pairing
   Facets::Facets(const Faces &faces)
     : around_face(faces.size(), 0.)
   {
-    const Corners corners  = corners_at_nodes(faces);
+    const Corners corners  = face_corners_at_nodes(faces);
     const auto    facet_of = join_planes(faces, corners);
     auto          facets   = find_turns(faces, corners, facet_of);
     for (auto &[number, facet] : facets)

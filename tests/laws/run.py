@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling, redundant, kinematics, axisymmetric_sliding, meshes, rims,  # noqa: E402
+from laws import (axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, refinement, restart, rolling, redundant, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims,  # noqa: E402
                   round_pairs, sliding,
                   supports, threads, tie, transformations, vanishing)
 from support.checks import run_families  # noqa: E402
@@ -39,7 +39,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "redundant": redundant.redundant_family, "rims": rims.rims,
             "initial-strain": initial_strain.initial_strain, "preload": preload.preload, "vanishing": vanishing.vanishing,
             "examples-plane": examples.plane, "examples-space": examples.space, "energies": examples.energies,
-            "meshes": meshes.meshes, "adjusted": meshes.adjusted, "facets": meshes.facets,
+            "meshes": meshes.meshes, "mesh-kinds": mesh_kinds.mesh_kinds, "adjusted": meshes.adjusted, "facets": meshes.facets,
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,
             "quadratic-far": quadratic.far, "quadratic-tetrahedra": quadratic.tetrahedra, "quadratic-bent": quadratic.bent}
 

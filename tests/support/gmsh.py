@@ -5,7 +5,7 @@ import itertools
 import struct
 
 SECOND_ORDER = {1: (8, 1), 2: (9, 3), 3: (10, 5), 4: (11, 6), 5: (12, 19)}  # types, and nodes behind the corners
-DIMENSIONS = {1: 1, 2: 2, 3: 2, 4: 3, 5: 3, 8: 1, 9: 2, 10: 2, 11: 3, 12: 3, 15: 0}  # of Gmsh's types of elements
+DIMENSIONS = {1: 1, 2: 2, 3: 2, 4: 3, 5: 3, 6: 3, 7: 3, 8: 1, 9: 2, 10: 2, 11: 3, 12: 3, 15: 0}  # of Gmsh's types of elements
 FORMATS = tuple(itertools.product(("2.2", "4.1"), (False, True)))
 
 

@@ -37,6 +37,8 @@ namespace conetact
     std::vector<Element>  elements; ///< without points
     /** By dimension and number. */
     std::map<std::pair<unsigned int, unsigned int>, std::string> names;
+    /** What the log says of it, such as what was not read. */
+    std::vector<std::string> notes = {};
   };
 
   /** What is wrong with a file, without its name: "it ends in the middle". */

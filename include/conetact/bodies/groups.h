@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace conetact::bodies
 {
@@ -22,6 +23,10 @@ namespace conetact::bodies
     Ids faces, cells;
     /** What a user must know of the file, sentences; empty: nothing. */
     std::string caution = {};
+    /** What the log says of the file, each half a sentence. */
+    std::vector<std::string> notes = {};
+    /** A mesh that was made of a drawing, as a file of Gmsh. */
+    std::string made_mesh = {};
   };
 
   /**

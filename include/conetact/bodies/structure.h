@@ -364,6 +364,14 @@ namespace conetact::bodies
       return {};
     }
 
+    /** Its mesh as a file of Gmsh, if it was made of a drawing; else empty. */
+    virtual const std::string &
+    made_mesh() const
+    {
+      static const std::string none;
+      return none;
+    }
+
     /** For log and dry run: "2500 cells Q1, 2601 nodes". */
     virtual std::string
     description() const = 0;

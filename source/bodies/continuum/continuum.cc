@@ -3,6 +3,7 @@
 
 #include "conetact/bodies/continuum/continuum.h"
 
+#include "conetact/base/text.h"
 #include "conetact/bodies/continuum/boundary_faces.h"
 #include "conetact/bodies/continuum/cell_quadrature.h"
 #include "conetact/bodies/continuum/discretization.h"
@@ -174,6 +175,8 @@ namespace conetact::bodies
     , phases(make_phases(materials, row))
     , groups_of_faces(groups.faces)
     , of_file(groups.caution)
+    , notes_of_file(join(groups.notes, "; "))
+    , mesh_file(groups.made_mesh)
     , thickness(dim == 2 && !materials.front().is_axisymmetric() ?
                   materials.front().thickness :
                   1)
@@ -521,6 +524,8 @@ namespace conetact::bodies
       text += ", " + std::to_string(phases.size()) + " materials";
     if (!mesh.hanging.empty())
       text += " (" + std::to_string(mesh.hanging.size()) + " hanging)";
+    if (!notes_of_file.empty())
+      text += "; " + notes_of_file;
     return text;
   }
 

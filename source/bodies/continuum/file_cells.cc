@@ -4,9 +4,11 @@
 #include "conetact/bodies/continuum/file_cells.h"
 
 #include "conetact/base/bent_edges.h"
+#include "conetact/base/cell_splitting.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/middle_nodes.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/continuum/grid_messages.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/grid_tools.h>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace conetact::bodies
 {
@@ -22,7 +25,8 @@ namespace conetact::bodies
 
   namespace
   {
-    using Groups = std::set<unsigned int>;
+    using Groups   = std::set<unsigned int>;
+    using Elements = std::vector<const FileMesh::Element *>;
 
     /**
      * An id for each combination of groups: the number of a group that is
@@ -94,7 +98,7 @@ namespace conetact::bodies
                     parameters.where + "Group");
     }
 
-    std::vector<const FileMesh::Element *>
+    Elements
     cells_of(const FileMesh       &mesh,
              const unsigned int    dim,
              const MeshParameters &parameters)
@@ -102,8 +106,8 @@ namespace conetact::bodies
       Groups wanted;
       if (!parameters.group.empty())
         wanted = wanted_groups(mesh, dim, parameters);
-      Groups                                 seen;
-      std::vector<const FileMesh::Element *> cells;
+      Groups   seen;
+      Elements cells;
       for (const FileMesh::Element &element : mesh.elements)
         if (element.dim == dim)
           {
@@ -130,8 +134,7 @@ namespace conetact::bodies
     class Vertices
     {
     public:
-      Vertices(const FileMesh                               &mesh,
-               const std::vector<const FileMesh::Element *> &cells)
+      Vertices(const FileMesh &mesh, const Elements &cells)
         : number(mesh.points.size(), unused)
       {
         for (const FileMesh::Element *cell : cells)
@@ -179,9 +182,7 @@ namespace conetact::bodies
 
     template <int dim>
     std::vector<dealii::CellData<dim>>
-    cell_data(const std::vector<const FileMesh::Element *> &cells,
-              const Vertices                               &vertices,
-              GroupIds                                     &ids)
+    cell_data(const Elements &cells, const Vertices &vertices, GroupIds &ids)
     {
       std::vector<dealii::CellData<dim>> result;
       for (const FileMesh::Element *cell : cells)
@@ -204,19 +205,20 @@ namespace conetact::bodies
     template <int dim>
     MeshGroups::Ids
     set_boundary_ids(const FileMesh     &file,
+                     const Elements     &faces,
                      const Vertices     &vertices,
                      Triangulation<dim> &mesh)
     {
-      std::map<Corners, const Groups *> groups_of;
-      for (const FileMesh::Element &element : file.elements)
-        if (element.dim == dim - 1 && !element.groups.empty())
-          {
-            Corners corners;
-            for (const unsigned int node : element.nodes)
-              corners.push_back(vertices.number[node]);
-            std::sort(corners.begin(), corners.end());
-            groups_of.emplace(corners, &element.groups);
-          }
+      std::map<Corners, Groups> groups_of;
+      for (const FileMesh::Element *element : faces)
+        {
+          Corners corners;
+          for (const unsigned int node : element->nodes)
+            corners.push_back(vertices.number[node]);
+          std::sort(corners.begin(), corners.end());
+          groups_of[corners].insert(element->groups.begin(),
+                                    element->groups.end());
+        }
       GroupIds         ids(file, dim - 1);
       std::set<Groups> seen;
       for (const auto &face : mesh.active_face_iterators())
@@ -229,8 +231,8 @@ namespace conetact::bodies
             if (const auto found = groups_of.find(corners);
                 found != groups_of.end())
               {
-                face->set_boundary_id(ids(*found->second));
-                seen.insert(*found->second);
+                face->set_boundary_id(ids(found->second));
+                seen.insert(found->second);
               }
           }
       return ids.names(seen);
@@ -238,11 +240,11 @@ namespace conetact::bodies
 
     template <int dim>
     void
-    create_cells(const std::vector<const FileMesh::Element *> &cells,
-                 const Vertices                               &vertices,
-                 const std::string                            &where,
-                 GroupIds                                     &ids,
-                 Triangulation<dim>                           &mesh)
+    create_cells(const Elements     &cells,
+                 const Vertices     &vertices,
+                 const std::string  &where,
+                 GroupIds           &ids,
+                 Triangulation<dim> &mesh)
     {
       const auto places = in_plane<dim>(vertices.places, where);
       auto       data   = cell_data<dim>(cells, vertices, ids);
@@ -257,12 +259,10 @@ namespace conetact::bodies
 
     template <int dim>
     CellNodes<dim>
-    nodes_of(const FileMesh                               &file,
-             const std::vector<const FileMesh::Element *> &cells,
-             const Vertices                               &vertices,
-             const Triangulation<dim>                     &mesh)
+    nodes_of(const MiddleNodes        &middles,
+             const Vertices           &vertices,
+             const Triangulation<dim> &mesh)
     {
-      const MiddleNodes middles(file, cells);
       if (middles.empty())
         return {};
       return make_cell_nodes<dim>(
@@ -288,14 +288,70 @@ namespace conetact::bodies
     }
 
     MeshGroups::Ids
-    cell_groups(const std::vector<const FileMesh::Element *> &cells,
-                GroupIds                                     &ids)
+    cell_groups(const Elements &cells, GroupIds &ids)
     {
       std::set<Groups> seen;
       for (const FileMesh::Element *cell : cells)
         if (!cell->groups.empty())
           seen.insert(cell->groups);
       return ids.names(seen);
+    }
+
+    /** Those that have groups. */
+    Elements
+    faces_of(const FileMesh &file, const unsigned int dim)
+    {
+      Elements faces;
+      for (const FileMesh::Element &element : file.elements)
+        if (element.dim == dim - 1 && !element.groups.empty())
+          faces.push_back(&element);
+      return faces;
+    }
+
+    Elements
+    pointers(const std::vector<FileMesh::Element> &elements)
+    {
+      Elements result;
+      for (const FileMesh::Element &element : elements)
+        result.push_back(&element);
+      return result;
+    }
+
+    /** Cells and faces as they are taken, of one kind. */
+    struct Taken
+    {
+      Elements    cells, faces;
+      std::string note; ///< how they were split
+
+      /** Of split ones. */
+      std::vector<FileMesh::Element> own_cells = {}, own_faces = {};
+    };
+
+    std::unique_ptr<Taken>
+    take(const FileMesh       &file,
+         const Elements       &cells,
+         const unsigned int    dim,
+         const MeshParameters &parameters)
+    {
+      auto taken =
+        std::make_unique<Taken>(Taken{cells, faces_of(file, dim), ""});
+      if (!are_mixed(cells))
+        return taken;
+      const std::string kinds = count_of_kinds(cells);
+      if (!parameters.split_mixed)
+        throw InputError(parameters.where + "File: the mesh has " + kinds +
+                         ", which no element carries together. Use a mesh of " +
+                         cell_name(dim, false) + " only or of " +
+                         cell_name(dim, true) +
+                         " only, or set Mixed cells = split.");
+      taken->own_cells = split_into_simplices(file, cells);
+      taken->own_faces = split_into_simplices(file, taken->faces);
+      taken->cells     = pointers(taken->own_cells);
+      taken->faces     = pointers(taken->own_faces);
+      taken->note      = kinds + " split into " +
+                    std::to_string(taken->cells.size()) + " " +
+                    cell_name(dim, true);
+      return taken;
     }
   } // namespace
 
@@ -306,17 +362,22 @@ namespace conetact::bodies
              Triangulation<dim>   &mesh,
              CellNodes<dim>       &nodes)
   {
-    const auto cells = cells_of(file, dim, parameters);
+    const Elements cells = cells_of(file, dim, parameters);
     if (cells.empty())
       refuse_no_cells(dim, parameters);
-    const Vertices vertices(file, cells);
+    const auto     taken = take(file, cells, dim, parameters);
+    const Vertices vertices(file, taken->cells);
     GroupIds       ids(file, dim);
-    create_cells<dim>(cells, vertices, parameters.where + "File: ", ids, mesh);
-    nodes = nodes_of<dim>(file, cells, vertices, mesh);
+    create_cells<dim>(
+      taken->cells, vertices, parameters.where + "File: ", ids, mesh);
+    nodes = nodes_of<dim>(MiddleNodes(file, cells), vertices, mesh);
 
     MeshGroups groups;
-    groups.cells         = cell_groups(cells, ids);
-    groups.faces         = set_boundary_ids(file, vertices, mesh);
+    groups.cells = cell_groups(taken->cells, ids);
+    groups.faces = set_boundary_ids(file, taken->faces, vertices, mesh);
+    groups.notes = file.notes;
+    if (!taken->note.empty())
+      groups.notes.push_back(taken->note);
     const BentEdges bent = bent_edges(file, cells);
     groups.caution       = to_sentence(bent,
                                  parameters.file.filename().string(),

@@ -201,28 +201,6 @@ namespace conetact::bodies
       return result;
     }
 
-    /** "2 hexahedra, 1 wedges" */
-    template <int dim>
-    std::string
-    count_of_cells(const Triangulation<dim> &mesh)
-    {
-      namespace Cells = dealii::ReferenceCells;
-      std::string text;
-      for (const auto &[kind, name] :
-           {std::pair(Cells::get_hypercube<dim>(), cell_name(dim, false)),
-            std::pair(Cells::get_simplex<dim>(), cell_name(dim, true)),
-            std::pair(Cells::Wedge, std::string("wedges")),
-            std::pair(Cells::Pyramid, std::string("pyramids"))})
-        {
-          unsigned int n = 0;
-          for (const auto &cell : mesh.active_cell_iterators())
-            n += cell->reference_cell() == kind;
-          if (n > 0)
-            text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + name;
-        }
-      return text;
-    }
-
     /** The cells that elements ask for, all of one kind. */
     template <int dim>
     void
@@ -237,12 +215,8 @@ namespace conetact::bodies
         throw InputError(where + "the mesh has no cells. Check the arguments.");
       const bool simplices  = mesh->all_reference_cells_are_simplex();
       const bool hypercubes = mesh->all_reference_cells_are_hyper_cube();
-      if (!simplices && !hypercubes)
-        throw InputError(where + "the mesh has cells of several kinds, or " +
-                         "wedges or pyramids: " + count_of_cells(*mesh) +
-                         ". No element carries them together: use a mesh of " +
-                         cell_name(dim, false) + " only or of " +
-                         cell_name(dim, true) + " only.");
+      Assert(simplices || hypercubes,
+             dealii::ExcMessage("Readers make cells of one kind."));
       if (simplices && parameters.cells == Cells::hypercubes)
         throw InputError(
           where + "the mesh has " + cell_name(dim, true) +

@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/continuum/drawings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,24 +44,45 @@ namespace conetact::bodies
         "File",
         "",
         Patterns::Anything(),
-        "A file with a mesh of quadrilaterals or of triangles (2D), of "
-        "hexahedra or of tetrahedra (3D), relative to the scene's folder. Known by extension: Gmsh (.msh, "
-        "versions 2 and 4.1, text or binary, 1 and 4.0 as text; physical "
-        "groups of lines or surfaces become boundary ids, and their names "
-        "stand for them in all entries: 'Boundary ids = floor'), .vtk (legacy "
-        "text of versions 2.0 and 3.0, cells and their faces only), .unv (as "
-        "Salome writes it), .inp (of Abaqus as Cubit writes it, or of UCD), "
-        ".ucd, .xda (no boundary ids), Tecplot's .dat (2D, no boundary ids). "
-        "Gmsh's own .vtk, .unv and .inp are not read: write "
-        ".msh. [length]");
+        "A file with the body, relative to the scene's folder; its extension "
+        "says what it is. Meshes: Gmsh (.msh), decks of Abaqus and CalculiX "
+        "(.inp), I-DEAS (.unv), Nastran (.bdf, .nas), .vtk, .mesh, UCD (.ucd, "
+        ".inp), .xda, Tecplot's .dat (2D) and .med, if the Gmsh library was "
+        "built with it. Drawings, which Gmsh meshes in the run (see Size): "
+        ".step, .stp, .iges and .igs (in millimetres), .brep, .geo, closed "
+        "surfaces of triangles (.stl); the mesh is written beside the results "
+        "as mesh_BODY.msh. Groups (physical groups of Gmsh; sets, surfaces "
+        "and instances of decks) have names and numbers that stand for ids in "
+        "all entries: 'Boundary ids = floor'. What has no groups, as a .step "
+        "file, has the numbers of surfaces and volumes that Gmsh shows. Of "
+        "decks the mesh is read, not the analysis; a set of nodes is the "
+        "faces that have all their corners in it. Middle nodes of second "
+        "order are read. [length]");
       prm.declare_entry(
         "Group",
         "",
         Patterns::Anything(),
-        "Physical groups of a Gmsh file whose cells are this body, by name or "
-        "number, separated by commas; empty: all cells. So bodies may share "
-        "one file, each with a Group of its own; boundary groups that lie "
-        "between two of them belong to both. [-]");
+        "Groups of a file whose cells are this body (physical groups, element "
+        "sets, instances, volumes of a drawing), by name or number, separated "
+        "by commas; empty: all cells. So bodies may share one file, each with "
+        "a Group of its own; boundary groups that lie between two of them "
+        "belong to both. [-]");
+      prm.declare_entry(
+        "Mixed cells",
+        "split",
+        Patterns::Selection("split|refuse"),
+        "What becomes of wedges, pyramids and meshes that mix tetrahedra with "
+        "hexahedra, or triangles with quadrilaterals. split: all cells are "
+        "divided into tetrahedra (triangles), through the node that stands "
+        "first in the file, so that neighbours fit; refuse: such a mesh is an "
+        "error. Hexahedra alone stay. [-]");
+      prm.declare_entry(
+        "Merge",
+        "0",
+        Patterns::Double(0, .5),
+        "Nodes of a file nearer to each other than this part of the longest "
+        "edge of its smallest cell become one node, such as 1e-6 for bodies "
+        "of pieces that were not joined. 0: none. [-]");
     }
 
     void
@@ -205,10 +227,17 @@ namespace conetact::bodies
                          (mesh.file.empty() ?
                             "there is no mesh. Set Generator or File." :
                             "both Generator and File are set. Remove one."));
-      if (mesh.file.empty() && !mesh.group.empty())
-        throw InputError(mesh.where + "Group: a generated mesh has no groups. "
-                                      "Set File to a mesh of Gmsh, or remove "
-                                      "it.");
+      for (const auto &[is_set, entry] :
+           {std::pair(!mesh.group.empty(), "Group"),
+            std::pair(mesh.merge > 0, "Merge"),
+            std::pair(mesh.wishes.size.has_value(), "Size"),
+            std::pair(!mesh.wishes.near.empty(), "Size near"),
+            std::pair(mesh.wishes.order > 1, "Order"),
+            std::pair(!mesh.wishes.constants.empty(), "Parameters")})
+        if (mesh.file.empty() && is_set)
+          throw InputError(mesh.where + entry +
+                           ": it is for files, not for a generated mesh. Set "
+                           "File, or remove it.");
       if (!mesh.file.empty() && !mesh.arguments.empty())
         throw InputError(mesh.where + "Arguments: a file takes no arguments. " +
                          "Remove them.");
@@ -231,6 +260,7 @@ namespace conetact::bodies
   {
     prm.enter_subsection("Mesh");
     declare_source(prm);
+    declare_drawing(prm);
     declare_refinement(prm);
     declare_placement(prm);
     declare_boundary_ids(prm);
@@ -252,7 +282,11 @@ namespace conetact::bodies
     mesh.arguments = text("Arguments");
     if (!text("File").empty())
       mesh.file = folder / text("File");
-    mesh.group = text("Group");
+    mesh.group        = text("Group");
+    mesh.wishes       = parse_drawing(prm, mesh.where);
+    mesh.wishes.group = mesh.group;
+    mesh.split_mixed  = text("Mixed cells") == "split";
+    mesh.merge        = prm.get_double("Merge");
     check_source(mesh);
     mesh.global_refinements =
       static_cast<unsigned int>(prm.get_integer("Global refinements"));

@@ -119,6 +119,11 @@ namespace conetact::bodies
     caution() const override;
     std::string
     description() const override;
+    const std::string &
+    made_mesh() const override
+    {
+      return mesh_file;
+    }
     /** Cells that are translated copies of each other are congruent. */
     MatrixCount
     matrix_count() const override;
@@ -158,7 +163,8 @@ namespace conetact::bodies
     bool                                       meets_at_corners; ///< its faces
     Phases<dim>                                phases;
     MeshGroups::Ids                            groups_of_faces;
-    std::string                                of_file;   ///< cautions
+    std::string                                of_file; ///< cautions
+    std::string                                notes_of_file, mesh_file;
     double                                     thickness; ///< 1 in 3D, of rings
     const char                                *element_name;
     CellMatrices<dim>                          matrices;

@@ -4,6 +4,7 @@
 #ifndef conetact_bodies_continuum_mesh_parameters_h
 #define conetact_bodies_continuum_mesh_parameters_h
 
+#include "conetact/base/gmsh_program.h"
 #include "conetact/bodies/placement.h"
 #include "conetact/bodies/structure.h"
 
@@ -49,6 +50,9 @@ namespace conetact::bodies
     std::string              generator, arguments;
     std::filesystem::path    file;  ///< empty: generated
     std::string              group; ///< of cells in the file; empty: all
+    GmshWishes               wishes;
+    bool                     split_mixed = true; ///< else they are refused
+    double                   merge = 0; ///< of the size of the smallest cell
     unsigned int             global_refinements = 0;
     std::vector<Box>         boxes;
     std::vector<Zone>        zones; ///< beside boundaries

@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/gmsh_program.h"
+
+#include "conetact/base/child_process.h"
+#include "conetact/base/file_mesh.h"
+#include "conetact/base/text.h"
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace conetact
+{
+  namespace
+  {
+    using Entities = gmsh::vectorpair; ///< dimensions and numbers
+
+    std::string
+    extension_of(const std::filesystem::path &file)
+    {
+      std::string extension = file.extension().string();
+      for (char &c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      return extension.empty() ? extension : extension.substr(1);
+    }
+
+    void
+    start(const GmshWishes &wishes)
+    {
+      std::vector<std::string> words = {"conetact"};
+      for (const auto &[name, value] : wishes.constants)
+        {
+          std::ostringstream number;
+          number.precision(17);
+          number << value;
+          words.insert(words.end(), {"-setnumber", name, number.str()});
+        }
+      std::vector<char *> arguments;
+      for (std::string &word : words)
+        arguments.push_back(word.data());
+      gmsh::initialize(static_cast<int>(arguments.size()),
+                       arguments.data(),
+                       false);
+      gmsh::logger::start();
+      for (const auto &[option, value] :
+           {std::pair("General.Terminal", 0.),
+            std::pair("General.NumThreads", 1.),
+            std::pair("Geometry.OCCImportLabels", 1.)})
+        gmsh::option::setNumber(option, value);
+    }
+
+    Entities
+    entities(const unsigned int dim)
+    {
+      Entities all;
+      gmsh::model::getEntities(all, static_cast<int>(dim));
+      return all;
+    }
+
+    Entities
+    groups()
+    {
+      Entities all;
+      gmsh::model::getPhysicalGroups(all);
+      return all;
+    }
+
+    /** "Shapes/part/bolt": the last word. A translator's words are no name. */
+    std::string
+    name_of(const std::pair<int, int> &entity)
+    {
+      std::string name;
+      gmsh::model::getEntityName(entity.first, entity.second, name);
+      name = name.substr(name.rfind('/') + 1);
+      return name.find("Open CASCADE") == name.npos ? name : "";
+    }
+
+    /** What has no groups gets one for each volume and each surface. */
+    void
+    make_groups(const unsigned int dim)
+    {
+      if (!groups().empty())
+        return;
+      for (const unsigned int d : {dim - 1, dim})
+        for (const auto &entity : entities(d))
+          {
+            gmsh::model::addPhysicalGroup(entity.first,
+                                          {entity.second},
+                                          entity.second);
+            if (const std::string name = name_of(entity); !name.empty())
+              gmsh::model::setPhysicalName(entity.first, entity.second, name);
+          }
+    }
+
+    std::string
+    unquoted(const std::string &word)
+    {
+      const bool quoted = word.size() > 1 && word.front() == word.back() &&
+                          (word.front() == '"' || word.front() == '\'');
+      return quoted ? word.substr(1, word.size() - 2) : word;
+    }
+
+    /** The entities of the groups of a name or number in these dimensions. */
+    Entities
+    entities_of(const std::string &text, const std::set<int> &dimensions)
+    {
+      const std::string name = unquoted(text);
+      Entities          result;
+      for (const auto &[dim, tag] : groups())
+        {
+          std::string known;
+          gmsh::model::getPhysicalName(dim, tag, known);
+          if (dimensions.count(dim) == 0 ||
+              (known != name && std::to_string(tag) != name))
+            continue;
+          std::vector<int> tags;
+          gmsh::model::getEntitiesForPhysicalGroup(dim, tag, tags);
+          for (const int entity : tags)
+            result.emplace_back(dim, entity);
+        }
+      return result;
+    }
+
+    std::string
+    known_groups(const std::set<int> &dimensions)
+    {
+      std::vector<std::string> names;
+      for (const auto &[dim, tag] : groups())
+        if (dimensions.count(dim) > 0)
+          {
+            std::string name;
+            gmsh::model::getPhysicalName(dim, tag, name);
+            names.push_back(name.empty() ? std::to_string(tag) : name);
+          }
+      return names.empty() ? "none" : join(names);
+    }
+
+    /** Only these volumes and what bounds them is meshed. */
+    void
+    hide_others(const std::string &group, const int dim)
+    {
+      Entities wanted;
+      for (const std::string &word : split(group, ','))
+        for (const auto &entity : entities_of(word, {dim}))
+          wanted.push_back(entity);
+      if (wanted.empty())
+        return; // refused where groups of all files are
+      Entities all;
+      gmsh::model::getEntities(all);
+      gmsh::model::setVisibility(all, 0);
+      gmsh::model::setVisibility(wanted, 1, true);
+      gmsh::option::setNumber("Mesh.MeshOnlyVisible", 1);
+    }
+
+    /** The diagonal of the box around all. */
+    double
+    extent()
+    {
+      std::array<double, 6> x{};
+      gmsh::model::getBoundingBox(-1, -1, x[0], x[1], x[2], x[3], x[4], x[5]);
+      double sum = 0;
+      for (unsigned int d = 0; d < 3; ++d)
+        sum += (x.at(d + 3) - x.at(d)) * (x.at(d + 3) - x.at(d));
+      return std::sqrt(sum);
+    }
+
+    /** Sizes on entities and what bounds them; elsewhere it is the largest. */
+    void
+    set_sizes_near(const GmshWishes &wishes, const double largest)
+    {
+      std::map<std::pair<int, int>, double> sizes;
+      for (const auto &[name, size] : wishes.near)
+        {
+          const std::set<int> any = {0, 1, 2, 3};
+          const Entities      own = entities_of(name, any);
+          if (own.empty())
+            throw FileFault{"Size near: it has no group '" + name +
+                            "'. It has: " + known_groups(any)};
+          Entities bounds;
+          gmsh::model::getBoundary(own, bounds, false, false, true);
+          Entities curves;
+          gmsh::model::getBoundary(own, curves, false, false, false);
+          for (const Entities &list : {own, bounds, curves})
+            for (const auto &entity : list)
+              {
+                const auto [found, is_new] = sizes.emplace(entity, size);
+                found->second              = std::min(found->second, size);
+              }
+        }
+      gmsh::model::mesh::setSizeCallback(
+        [sizes, largest](int dim, int tag, double, double, double) {
+          const auto found = sizes.find({dim, tag});
+          return found == sizes.end() ? largest : found->second;
+        });
+    }
+
+    /** Triangles of a surface become smooth faces, and these a volume. */
+    void
+    fill_surface()
+    {
+      constexpr double edge = 40; // degrees between faces
+      gmsh::model::mesh::removeDuplicateNodes();
+      gmsh::model::mesh::classifySurfaces(edge * std::acos(-1.) / 180,
+                                          true,
+                                          true,
+                                          std::acos(-1.));
+      gmsh::model::mesh::createGeometry();
+      std::vector<int> surfaces;
+      for (const auto &surface : entities(2))
+        surfaces.push_back(surface.second);
+      const int loop = gmsh::model::geo::addSurfaceLoop(surfaces);
+      gmsh::model::geo::addVolume({loop});
+      gmsh::model::geo::synchronize();
+    }
+
+    bool
+    has_cells(const unsigned int dim)
+    {
+      std::vector<int>                      types;
+      std::vector<std::vector<std::size_t>> numbers, nodes;
+      gmsh::model::mesh::getElements(types,
+                                     numbers,
+                                     nodes,
+                                     static_cast<int>(dim));
+      return !types.empty();
+    }
+
+    std::string
+    last_error()
+    {
+      std::string error;
+      gmsh::logger::getLastError(error);
+      return one_line(error);
+    }
+
+    /** Says which size of cells it took itself, else 0. */
+    double
+    mesh_drawing(const std::string &extension,
+                 const unsigned int dim,
+                 const GmshWishes  &wishes)
+    {
+      constexpr double part        = 20; // of the diagonal
+      constexpr double cells_round = 12; // a circle
+      if (entities(dim).empty())
+        throw FileFault{
+          "it has no " + std::string(dim == 3 ? "volume" : "surface") +
+          " that could be meshed in " + std::to_string(dim) + "D"};
+      const bool   brings_sizes = extension == "geo";
+      const double own     = wishes.size || brings_sizes ? 0 : extent() / part;
+      const double largest = wishes.size ? *wishes.size : own > 0 ? own : 1e22;
+      gmsh::option::setNumber("Mesh.MeshSizeMax", largest);
+      if (!brings_sizes)
+        gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", cells_round);
+      if (!wishes.near.empty())
+        set_sizes_near(wishes, largest);
+      if (!wishes.group.empty())
+        hide_others(wishes.group, static_cast<int>(dim));
+      if (!has_cells(dim)) // a .geo may mesh by itself
+        gmsh::model::mesh::generate(static_cast<int>(dim));
+      if (wishes.order == 2)
+        {
+          gmsh::option::setNumber("Mesh.HighOrderOptimize", 1);
+          gmsh::model::mesh::setOrder(2);
+        }
+      if (!has_cells(dim))
+        throw FileFault{"Gmsh makes no cells of it. " + last_error()};
+      return own;
+    }
+
+    /** The mesh as a file of version 4.1. */
+    std::string
+    text_of_mesh(const unsigned int dim)
+    {
+      bool has_group = false;
+      for (const auto &group : groups())
+        has_group = has_group || group.first == static_cast<int>(dim);
+      for (const auto &[option, value] :
+           {std::pair("Mesh.MshFileVersion", 4.1),
+            std::pair("Mesh.Binary", 0.),
+            std::pair("Mesh.SaveParametric", 0.),
+            std::pair("Mesh.SaveAll", has_group ? 0. : 1.)})
+        gmsh::option::setNumber(option, value);
+      std::string folder =
+        (std::filesystem::temp_directory_path() / "conetact-XXXXXX").string();
+      if (mkdtemp(folder.data()) == nullptr)
+        throw FileFault{"there is no place for temporary files"};
+      const auto file = std::filesystem::path(folder) / "mesh.msh";
+      gmsh::write(file.string());
+      std::ostringstream text;
+      text << std::ifstream(file, std::ios::binary).rdbuf();
+      std::filesystem::remove_all(folder);
+      return text.str();
+    }
+
+    std::string
+    read_and_mesh(const std::filesystem::path &file,
+                  const unsigned int           dim,
+                  const GmshWishes            &wishes)
+    {
+      const std::string extension = extension_of(file);
+      start(wishes);
+      gmsh::open(file.string());
+      double size = 0;
+      if (extension == "stl")
+        fill_surface();
+      make_groups(dim);
+      if (is_drawing(extension))
+        size = mesh_drawing(extension, dim, wishes);
+      else if (!has_cells(dim))
+        throw FileFault{"Gmsh finds no cells of dimension " +
+                        std::to_string(dim) + " in it. " + last_error()};
+      std::ostringstream number;
+      number.precision(17);
+      number << size;
+      return number.str() + "\n" + text_of_mesh(dim);
+    }
+
+    constexpr char has_mesh = 'm', has_message = 'e';
+
+    /** In the process apart. */
+    std::string
+    mesh_or_message(const std::filesystem::path &file,
+                    const unsigned int           dim,
+                    const GmshWishes            &wishes)
+    {
+      try
+        {
+          return has_mesh + read_and_mesh(file, dim, wishes);
+        }
+      catch (const FileFault &fault)
+        {
+          return has_message + trim(fault.why);
+        }
+      catch (const std::bad_alloc &)
+        {
+          throw;
+        }
+      catch (...) // a string, a number, an exception: Gmsh throws them all
+        {
+          return has_message + ("Gmsh says: " + last_error());
+        }
+    }
+
+    std::string
+    without_stop(std::string sentence)
+    {
+      while (!sentence.empty() && sentence.back() == '.')
+        sentence.pop_back();
+      return sentence;
+    }
+  } // namespace
+
+  bool
+  is_drawing(const std::string &extension)
+  {
+    static const std::set<std::string> drawings = {
+      "step", "stp", "brep", "iges", "igs", "geo", "stl"};
+    return drawings.count(extension) > 0;
+  }
+
+  GmshResult
+  run_gmsh(const std::filesystem::path &file,
+           const unsigned int           dim,
+           const GmshWishes            &wishes)
+  {
+    // Meshing takes its time; what damaged files ask for has an end.
+    const bool        meshes = is_drawing(extension_of(file));
+    const ChildLimits limits = {meshes ? 3600. : 120., meshes ? 3e10 : 4e9};
+    const ChildResult result = in_child_process(limits, [&] {
+      return mesh_or_message(file, dim, wishes);
+    });
+    if (!result.why.empty())
+      throw FileFault{"Gmsh " + result.why};
+    if (result.bytes[0] == has_message)
+      throw FileFault{without_stop(result.bytes.substr(1))};
+    const auto end = result.bytes.find('\n');
+    return {result.bytes.substr(end + 1),
+            std::strtod(result.bytes.c_str() + 1, nullptr)};
+  }
+} // namespace conetact
