@@ -76,7 +76,9 @@ TEST(FacesOnObstacle, WeightsAreThoseOfDualFunctions)
         faces.place(node);
         for_each_slave(node, [&](const unsigned int i, const double weight) {
           if (i == s.node)
-            EXPECT_NEAR(weight, .4, 1e-14); // 2/5
+            {
+              EXPECT_NEAR(weight, .4, 1e-14); // 2/5
+            }
         });
       }
 }
