@@ -57,9 +57,9 @@ namespace conetact::contact
     , coordinates(bodies, rules)
     , elastic(bodies)
     , motions(bodies, rules, points, coordinates)
+    , frames(own_bodies, rules, points, motions)
     , times(at)
     , condenser(by)
-    , frames(own_bodies, rules, points, motions)
     , form(needs_compliance() ? solvers::Form::compliance :
                                 solvers::Form::stiffness)
   {}
