@@ -244,7 +244,8 @@ namespace conetact::analysis
     const auto n_contact  = static_cast<double>(model.points.n_unknowns());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
-    cost.factor = model.estimate_factor();
+    cost.factor    = model.estimate_factor();
+    cost.condenses = true;
     // ties are rows of it, but none of the increments
     const double n_rows =
       n_contact + static_cast<double>(model.points.n_bound_unknowns());

@@ -102,15 +102,18 @@ namespace conetact::analysis
 
     /** Of condensed bodies. */
     void
-    report_factor(const application::Scene &scene, const Cost &cost, Log &log)
+    report_factor(const application::Scene &scene,
+                  const Cost               &cost,
+                  const std::string        &memory,
+                  const std::string        &time,
+                  Log                      &log)
     {
-      if (cost.factor.flops == 0)
-        return;
       report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
       log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
               ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
-              ", " + to_text(cost.factor.flops) +
-              " floating-point operations to factorise");
+              ", memory of " + memory + " in all");
+      log.say("estimate: " + to_text(cost.factor.flops) +
+              " floating-point operations to factorise, " + time + " in all");
       if (scene.condenser != &condensed::default_condenser())
         log.say("estimate: at least, for " +
                 std::string(scene.condenser->name) +
@@ -239,11 +242,14 @@ namespace conetact::analysis
     const int  n = backend.useful_processes(scene, model);
     const Cost cost =
       backend.estimate(model, scene.times.size(), scene.n_drawings(), n);
-    const double all = memory_of_all(n, cost);
-    report_factor(scene, cost, log);
-    log.say("estimate: backend " + std::string(backend.elasticity->name) +
-            ", memory of " + megabytes(all) + ", " +
-            tenths(seconds_of_all(n, cost)) + " in all");
+    const double      all    = memory_of_all(n, cost);
+    const std::string memory = megabytes(all);
+    const std::string time   = tenths(seconds_of_all(n, cost));
+    if (cost.condenses)
+      report_factor(scene, cost, memory, time, log);
+    else
+      log.say("estimate: backend " + std::string(backend.elasticity->name) +
+              ", memory of " + memory + ", " + time + " in all");
     report_processes(n, cost, log);
     warn_of_memory(all, log);
   }

@@ -6,6 +6,7 @@
 
 #include "conetact/analysis/cost.h"
 #include "conetact/application/scene.h"
+#include "conetact/base/log.h"
 #include "conetact/solvers/contact_solver.h"
 
 #include <memory>

@@ -14,6 +14,7 @@ namespace conetact::analysis
   struct Cost
   {
     condensed::FactorEstimate factor;
+    bool                      condenses = false;   ///< else it has no factor
     double                    stiffness_bytes = 0; ///< condensed, dense
     double                    memory_bytes    = 0; ///< of the process
     double seconds = 0; ///< on this machine, within a factor 2
