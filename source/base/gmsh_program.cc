@@ -243,6 +243,31 @@ namespace conetact
       return one_line(error);
     }
 
+    /** By the drawing itself; a very large one by default. */
+    double
+    largest_size_given()
+    {
+      double size = 0;
+      gmsh::option::getNumber("Mesh.MeshSizeMax", size);
+      return size;
+    }
+
+    /** Of cells that would fill the box around all. */
+    void
+    refuse_too_many(const double size, const unsigned int dim)
+    {
+      constexpr double most = 1e8;
+      double           low[3], high[3], n = 1;
+      gmsh::model::getBoundingBox(
+        -1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
+      for (unsigned int d = 0; d < dim; ++d)
+        n *= std::max(1., (high[d] - low[d]) / size);
+      if (n > most)
+        throw FileFault{"Size: cells of " + to_text(size) + " would be some " +
+                        to_text(std::round(n)) +
+                        " in the box around it. Give a larger one"};
+    }
+
     /** Says which size of cells it took itself, else 0. */
     double
     mesh_drawing(const std::string &extension,
@@ -257,7 +282,10 @@ namespace conetact
           " that could be meshed in " + std::to_string(dim) + "D"};
       const bool   brings_sizes = extension == "geo";
       const double own     = wishes.size || brings_sizes ? 0 : extent() / part;
-      const double largest = wishes.size ? *wishes.size : own > 0 ? own : 1e22;
+      const double largest = wishes.size ? *wishes.size :
+                             own > 0     ? own :
+                                           largest_size_given();
+      refuse_too_many(largest, dim);
       gmsh::option::setNumber("Mesh.MeshSizeMax", largest);
       if (!brings_sizes)
         gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", cells_round);

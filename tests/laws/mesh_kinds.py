@@ -166,6 +166,20 @@ def drawings(laws):
         laws.demand(f"{name}: cells are as small as asked for", "near" not in str(entries) or len(run.rows) > 60)
 
 
+def own_sizes(laws):
+    """Without Size a .geo file has its own, also by a constant."""
+    counts = []
+    for size in (.2, .1):  # below what Gmsh takes by itself
+        (laws.folder / "sized.geo").write_text('SetFactory("OpenCASCADE"); DefineConstant[ h = 1 ]; Box(1) = {0, 0, 0, 2, 1, 1};\n'
+                                               'Mesh.MeshSizeMax = h; Physical Volume("box") = {1}; Physical Surface("sole") = {5};\n')
+        run = laws.run({"Dimension": 3, "Body box": {"Mesh": {"File": "sized.geo", "Parameters": f"h = {size}"},
+                                                     "Material": {"Young modulus": 100.0, "Poisson ratio": .3}, "Element": "P1"},
+                        "Obstacle floor": floor(3), "Contact sole": contact("box", "sole", mu=.3),
+                        "Load weight": load("body force", "0 ; 0 ; -1", body="box"), "Output": {"VTU": 0}})
+        counts.append(len(run.rows))
+    laws.demand(f"half the size has more nodes on the sole: {counts}", counts[1] > 2.5 * counts[0])
+
+
 def mesh_kinds(laws):
-    for law in (patch, deck, joined, drawings):
+    for law in (patch, deck, joined, drawings, own_sizes):
         law(laws)

@@ -55,10 +55,10 @@ namespace conetact::bodies
       "",
       Patterns::Anything(),
       "Length of cells that a drawing (File = .step, .geo, ...) is meshed "
-      "with, at most. Empty: that of the .geo file, else a twentieth of the "
-      "diagonal of the body's box; round faces have 12 cells a circle at "
-      "least. In the units of the file, before Scale. "
-      "[length]");
+      "with, at most. Empty: a .geo file has its own sizes; cells of other "
+      "drawings are a twentieth of the diagonal of the body's box, and round "
+      "faces have 12 cells a circle at least. In the units of the file, before "
+      "Scale. [length]");
     prm.declare_entry(
       "Size near",
       "",
