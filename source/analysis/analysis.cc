@@ -178,9 +178,9 @@ namespace conetact::analysis
     const double               bytes   = elastic.factor_bytes();
     log.time(elastic.description() +
              (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
-    if (const auto n = elastic.system()->matrix.size(); n > 0)
-      log.note("condensed stiffness: " +
-               megabytes(sizeof(double) * static_cast<double>(n)));
+    const auto n = static_cast<double>(model.points.n_all_unknowns());
+    if (elastic.system()->matrix.size() > 0)
+      log.note("condensed stiffness: " + megabytes(8 * n * n));
     report_shared_bodies(model.bodies, elastic.n_shared_bodies(), log);
   }
 

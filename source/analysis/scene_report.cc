@@ -270,8 +270,10 @@ namespace conetact::analysis
         log.note("skipped: " + std::to_string(n_all - n_done) + " of " +
                  std::to_string(n_all) + " " + what);
     };
-    if (const unsigned int n = model.work().condensations; n > 0)
-      note(n, n_increments, "factorisations, the stiffness stays the same");
+    if (!model.elasticity().system()->large)
+      note(std::max(model.work().factorizations, 1u), // of small bodies: none
+           n_increments,
+           "factorisations, the stiffness stays the same");
     note(model.elasticity().n_reductions(),
          n_increments,
          "load cases, combinations of others or bodies carried along");

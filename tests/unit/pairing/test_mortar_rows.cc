@@ -139,6 +139,7 @@ TEST(MortarRows, NeighboursOfNeighboursAreOnTheSameSide)
                       Point<3>(std::cos(b), std::sin(b), 0)};
       face.outward =
         Tensor<1, 3>({std::cos(middle), std::sin(middle), 1}) / std::sqrt(2.);
+      face.n_functions = 3;
       faces.push_back(face);
     }
   const MortarRows rows(faces, sharp);
