@@ -8,7 +8,6 @@
 #include "conetact/analysis/scene_report.h"
 #include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
-#include "conetact/base/process.h"
 #include "conetact/base/text.h"
 #include "conetact/output/closing.h"
 #include "conetact/output/output_table.h"

@@ -5,7 +5,6 @@
 #include "conetact/base/text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace conetact::analysis

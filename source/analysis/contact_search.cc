@@ -6,16 +6,12 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/face_nodes.h"
-#include "conetact/pairing/closest_point.h"
 #include "conetact/pairing/found_nodes.h"
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <set>
 
 namespace conetact::analysis
 {

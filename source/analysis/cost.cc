@@ -244,8 +244,8 @@ namespace conetact::analysis
     const auto n_contact  = static_cast<double>(model.points.n_unknowns());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
-    cost.factor    = model.estimate_factor();
-    cost.condenses = true;
+    const condensed::FactorEstimate factor = model.estimate_factor();
+    cost.factor                            = factor;
     // ties are rows of it, but none of the increments
     const double n_rows =
       n_contact + static_cast<double>(model.points.n_bound_unknowns());
@@ -253,11 +253,11 @@ namespace conetact::analysis
     // and at most as much again for Newton's matrix
     const bool   shares = n_processes > 1;
     const double factor_bytes =
-      cost.factor.working_bytes / n_processes * (shares ? larger_if_shared : 1);
+      factor.working_bytes / n_processes * (shares ? larger_if_shared : 1);
     cost.memory_bytes = peak_memory() + factor_bytes + 2 * cost.stiffness_bytes;
     const double rate = dense_rate();
     const double factorisation = sparse_over_dense[model.bodies.dim - 2] *
-                                 cost.factor.flops / rate / n_processes *
+                                 factor.flops / rate / n_processes *
                                  (shares ? longer_if_shared : 1);
     cost.seconds = cpu_seconds() + factorisation +
                    flops_of_contact(model, increments) / rate +
@@ -334,7 +334,7 @@ namespace conetact::analysis
     const Cost cost  = estimate_cost(model, n_increments, n_drawings);
     const Cost other = estimate_iterative_cost(model, n_increments, n_drawings);
     const double flops_condensed =
-      flops_of_condensing(model, cost.factor, n_increments);
+      flops_of_condensing(model, *cost.factor, n_increments);
     const auto text = [](const double flops, const double bytes) {
       char operations[40];
       std::snprintf(operations, sizeof(operations), "%.2g", flops);
@@ -391,7 +391,7 @@ namespace conetact::analysis
     if (!cost)
       return std::numeric_limits<double>::infinity();
     const double longer = 1 + (longer_if_unequal - 1) * unequal_part(model);
-    return flops_of_condensing(model, cost->factor, n_increments) /
+    return flops_of_condensing(model, *cost->factor, n_increments) /
            (iteration_of_unknown * longer *
             static_cast<double>(model.coordinates.n_unknowns()));
   }

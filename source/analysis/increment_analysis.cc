@@ -7,13 +7,11 @@
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
-#include "conetact/contact/refusal.h"
 #include "conetact/solvers/large_newton.h"
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace conetact::analysis
 {

@@ -108,11 +108,11 @@ namespace conetact::analysis
                   const std::string        &time,
                   Log                      &log)
     {
-      report_shared_bodies(scene.bodies, cost.factor.n_shared, log);
-      log.say("estimate: factor of " + megabytes(cost.factor.factor_bytes) +
+      report_shared_bodies(scene.bodies, cost.factor->n_shared, log);
+      log.say("estimate: factor of " + megabytes(cost.factor->factor_bytes) +
               ", condensed stiffness of " + megabytes(cost.stiffness_bytes) +
               ", memory of " + memory + " in all");
-      log.say("estimate: " + to_text(cost.factor.flops) +
+      log.say("estimate: " + to_text(cost.factor->flops) +
               " floating-point operations to factorise, " + time + " in all");
       if (scene.condenser != &condensed::default_condenser())
         log.say("estimate: at least, for " +
@@ -245,7 +245,7 @@ namespace conetact::analysis
     const double      all    = memory_of_all(n, cost);
     const std::string memory = megabytes(all);
     const std::string time   = tenths(seconds_of_all(n, cost));
-    if (cost.condenses)
+    if (cost.factor)
       report_factor(scene, cost, memory, time, log);
     else
       log.say("estimate: backend " + std::string(backend.elasticity->name) +

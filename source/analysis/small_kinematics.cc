@@ -140,13 +140,9 @@ namespace conetact::analysis
     double                                                  indentation = 0;
     const auto at = [&](const Eigen::VectorXd      &x,
                         const pairing::ContactNode &node) {
-      Tensor<1, 3> mean;
-      pairing::for_each_slave(node,
-                              [&](const unsigned int i, const double weight) {
-                                mean +=
-                                  weight * model.displacement(x, node.body, i);
-                              });
-      return mean;
+      return pairing::own_displacement(node, [&](const unsigned int i) {
+        return model.displacement(x, node.body, i);
+      });
     };
     const contact::ContactPoints &points = model.points;
     for (std::size_t i = 0; i < points.all().size(); ++i)

@@ -41,10 +41,7 @@ namespace conetact::application
                 const std::string &word,
                 std::string       &rest)
     {
-      std::string start = text.substr(0, word.size());
-      for (char &c : start)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      if (start != word ||
+      if (lower_case(text.substr(0, word.size())) != word ||
           (text.size() > word.size() && text[word.size()] != ' ' &&
            text[word.size()] != '\t'))
         return false;

@@ -97,6 +97,22 @@ namespace conetact
         }
     }
 
+    /** First letters of answers. */
+    constexpr char has_bytes = 'b', has_refusal = 'r';
+
+    std::string
+    answer_of(const std::function<std::string()> &work)
+    {
+      try
+        {
+          return has_bytes + work();
+        }
+      catch (const ChildRefusal &refusal)
+        {
+          return has_refusal + refusal.what;
+        }
+    }
+
     /** Its length first, so that a part is not taken for the whole. */
     [[noreturn]] void
     be_copy(const int                           to_parent,
@@ -109,7 +125,7 @@ namespace conetact
       limit_copy(limits);
       try
         {
-          const std::string result = work();
+          const std::string result = answer_of(work);
           const std::size_t size   = result.size();
           write_all(to_parent,
                     reinterpret_cast<const char *>(&size),
@@ -177,8 +193,11 @@ namespace conetact
     if (answer.size() >= sizeof(size))
       {
         std::memcpy(&size, answer.data(), sizeof(size));
-        if (size == answer.size() - sizeof(size))
-          return {answer.substr(sizeof(size)), ""};
+        const std::string content = answer.substr(sizeof(size));
+        if (size == content.size() && content[0] == has_refusal)
+          return {"", "", content.substr(1)};
+        if (size == content.size())
+          return {content.substr(1), ""};
       }
     return {"", reason(status)};
   }

@@ -100,6 +100,8 @@ namespace conetact
   void
   DeckGroups::find_faces_of_points()
   {
+    if (sets.empty())
+      return;
     std::vector<Names> sets_of(mesh.points.size());
     for (const auto &[name, points] : sets)
       for (const unsigned int point : points)
@@ -109,8 +111,7 @@ namespace conetact
       dim = std::max(dim, element.dim);
     std::map<Corners, std::size_t> first_cell;
     std::map<Corners, Names>       outer;
-    for (std::size_t e = 0, n = sets.empty() ? 0 : mesh.elements.size(); e < n;
-         ++e)
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
       if (mesh.elements[e].dim == dim)
         for (const Corners &corners : sides_of(mesh.elements[e]))
           {

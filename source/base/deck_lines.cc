@@ -4,12 +4,12 @@
 #include "conetact/base/deck_lines.h"
 
 #include "conetact/base/file_mesh.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -112,17 +112,12 @@ namespace conetact
   double
   DeckText::number(const std::string_view &field, const DeckLine &line) const
   {
-    std::string text(field);
-    for (char &c : text) // Fortran writes 1.D0
-      if (c == 'D' || c == 'd')
-        c = 'e';
-    char        *end   = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end != text.c_str() + text.size())
+    const auto value = fortran_number(std::string(field));
+    if (!value)
       fail(line, quoted(field) + " stands there instead of a number");
-    if (!std::isfinite(value))
+    if (!std::isfinite(*value))
       fail(line, quoted(field) + " is not a finite number");
-    return value;
+    return *value;
   }
 
   unsigned int

@@ -11,8 +11,6 @@ namespace conetact
 {
   namespace
   {
-    constexpr unsigned int no_cell = DeckScope::no_cell;
-
     /** In an instance a name is that of all instances, too. */
     std::vector<std::string>
     names_of(const std::string &name, const DeckScope &scope)
@@ -108,7 +106,7 @@ namespace conetact
                                  &DeckScope::elements,
                                  &DeckScope::element_sets,
                                  "element");
-    members.erase(no_cell);
+    members.erase(DeckScope::no_cell);
     refuse_empty(block, name, false);
     name_elements(name, members, scope);
   }
@@ -255,7 +253,7 @@ namespace conetact
                 &DeckScope::element_sets,
                 "element",
                 elements);
-    elements.erase(no_cell);
+    elements.erase(DeckScope::no_cell);
     const std::string side =
       fields.size() > 1 ? upper_case(fields[1]) : std::string();
     for (const unsigned int e : elements)

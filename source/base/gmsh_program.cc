@@ -10,8 +10,6 @@
 #include <gmsh.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -24,15 +22,6 @@ namespace conetact
   namespace
   {
     using Entities = gmsh::vectorpair; ///< dimensions and numbers
-
-    std::string
-    extension_of(const std::filesystem::path &file)
-    {
-      std::string extension = file.extension().string();
-      for (char &c : extension)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return extension.empty() ? extension : extension.substr(1);
-    }
 
     void
     start(const GmshWishes &wishes)
@@ -162,16 +151,14 @@ namespace conetact
       gmsh::option::setNumber("Mesh.MeshOnlyVisible", 1);
     }
 
-    /** The diagonal of the box around all. */
-    double
-    extent()
+    /** The sides of the box around all. */
+    Tensor<1, 3>
+    extents()
     {
-      std::array<double, 6> x{};
-      gmsh::model::getBoundingBox(-1, -1, x[0], x[1], x[2], x[3], x[4], x[5]);
-      double sum = 0;
-      for (unsigned int d = 0; d < 3; ++d)
-        sum += (x.at(d + 3) - x.at(d)) * (x.at(d + 3) - x.at(d));
-      return std::sqrt(sum);
+      Point<3> low, high;
+      gmsh::model::getBoundingBox(
+        -1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
+      return high - low;
     }
 
     /** Sizes on entities and what bounds them; elsewhere it is the largest. */
@@ -226,12 +213,8 @@ namespace conetact
     bool
     has_cells(const unsigned int dim)
     {
-      std::vector<int>                      types;
-      std::vector<std::vector<std::size_t>> numbers, nodes;
-      gmsh::model::mesh::getElements(types,
-                                     numbers,
-                                     nodes,
-                                     static_cast<int>(dim));
+      std::vector<int> types;
+      gmsh::model::mesh::getElementTypes(types, static_cast<int>(dim));
       return !types.empty();
     }
 
@@ -256,12 +239,11 @@ namespace conetact
     void
     refuse_too_many(const double size, const unsigned int dim)
     {
-      constexpr double most = 1e8;
-      double           low[3], high[3], n = 1;
-      gmsh::model::getBoundingBox(
-        -1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
+      constexpr double   most  = 1e8;
+      const Tensor<1, 3> sides = extents();
+      double             n     = 1;
       for (unsigned int d = 0; d < dim; ++d)
-        n *= std::max(1., (high[d] - low[d]) / size);
+        n *= std::max(1., sides[d] / size);
       if (n > most)
         throw FileFault{"Size: cells of " + to_text(size) + " would be some " +
                         to_text(std::round(n)) +
@@ -281,7 +263,8 @@ namespace conetact
           "it has no " + std::string(dim == 3 ? "volume" : "surface") +
           " that could be meshed in " + std::to_string(dim) + "D"};
       const bool   brings_sizes = extension == "geo";
-      const double own     = wishes.size || brings_sizes ? 0 : extent() / part;
+      const double own =
+        wishes.size || brings_sizes ? 0 : extents().norm() / part;
       const double largest = wishes.size ? *wishes.size :
                              own > 0     ? own :
                                            largest_size_given();
@@ -353,21 +336,19 @@ namespace conetact
       return number.str() + "\n" + text_of_mesh(dim);
     }
 
-    constexpr char has_mesh = 'm', has_message = 'e';
-
-    /** In the process apart. */
+    /** In the process apart. Throws ChildRefusal. */
     std::string
-    mesh_or_message(const std::filesystem::path &file,
+    mesh_or_refusal(const std::filesystem::path &file,
                     const unsigned int           dim,
                     const GmshWishes            &wishes)
     {
       try
         {
-          return has_mesh + read_and_mesh(file, dim, wishes);
+          return read_and_mesh(file, dim, wishes);
         }
       catch (const FileFault &fault)
         {
-          return has_message + trim(fault.why);
+          throw ChildRefusal{trim(fault.why)};
         }
       catch (const std::bad_alloc &)
         {
@@ -375,7 +356,7 @@ namespace conetact
         }
       catch (...) // a string, a number, an exception: Gmsh throws them all
         {
-          return has_message + ("Gmsh says: " + last_error());
+          throw ChildRefusal{"Gmsh says: " + last_error()};
         }
     }
 
@@ -405,14 +386,14 @@ namespace conetact
     const bool        meshes = is_drawing(extension_of(file));
     const ChildLimits limits = {meshes ? 3600. : 120., meshes ? 3e10 : 4e9};
     const ChildResult result = in_child_process(limits, [&] {
-      return mesh_or_message(file, dim, wishes);
+      return mesh_or_refusal(file, dim, wishes);
     });
     if (!result.why.empty())
       throw FileFault{"Gmsh " + result.why};
-    if (result.bytes[0] == has_message)
-      throw FileFault{without_stop(result.bytes.substr(1))};
+    if (result.refused)
+      throw FileFault{without_stop(*result.refused)};
     const auto end = result.bytes.find('\n');
     return {result.bytes.substr(end + 1),
-            std::strtod(result.bytes.c_str() + 1, nullptr)};
+            std::strtod(result.bytes.c_str(), nullptr)};
   }
 } // namespace conetact

@@ -3,21 +3,12 @@
 
 #include "conetact/base/nearest.h"
 
+#include "conetact/base/text.h"
+
 #include <algorithm>
-#include <cctype>
 
 namespace conetact
 {
-  std::string
-  lower_case(std::string text)
-  {
-    for (char &c : text)
-      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-  }
-
-
-
   std::size_t
   n_changes(const std::string &a, const std::string &b)
   {

@@ -69,6 +69,19 @@ namespace conetact
     return number;
   }
 
+  std::optional<double>
+  fortran_number(std::string word)
+  {
+    for (char &c : word)
+      if (c == 'D' || c == 'd')
+        c = 'e';
+    char        *end   = nullptr;
+    const double value = std::strtod(word.c_str(), &end);
+    if (end != word.c_str() + word.size())
+      return {};
+    return value;
+  }
+
   std::vector<double>
   to_numbers(const std::string &text, const std::string &entry)
   {

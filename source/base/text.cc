@@ -72,6 +72,21 @@ namespace conetact
   }
 
   std::string
+  lower_case(std::string text)
+  {
+    for (char &c : text)
+      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+  }
+
+  std::string
+  extension_of(const std::filesystem::path &file)
+  {
+    const std::string extension = lower_case(file.extension().string());
+    return extension.empty() ? extension : extension.substr(1);
+  }
+
+  std::string
   to_text(const double value)
   {
     std::ostringstream stream;

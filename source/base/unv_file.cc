@@ -5,6 +5,7 @@
 
 #include "conetact/base/deck_elements.h"
 #include "conetact/base/deck_groups.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
 #include <cmath>
@@ -276,17 +277,13 @@ namespace conetact
       }
 
       static double
-      real(std::string word)
+      real(const std::string &word)
       {
-        for (char &c : word) // 1.D0
-          if (c == 'D' || c == 'd')
-            c = 'e';
-        char        *end   = nullptr;
-        const double value = std::strtod(word.c_str(), &end);
-        if (*end != '\0' || !std::isfinite(value))
+        const auto value = fortran_number(word);
+        if (!value || !std::isfinite(*value))
           throw FileFault{"'" + word.substr(0, 20) +
                           "' stands there instead of a number"};
-        return value;
+        return *value;
       }
 
       std::istringstream                   stream;

@@ -49,31 +49,32 @@ namespace conetact::contact
       }
   }
 
-  CondensedBodies::Uncondensed
-  CondensedBodies::stiffness_of(const Part &part, const SparseMatrix &all) const
-  {
-    // All bodies of a part have the matrix of the first.
-    const unsigned int body  = part.bodies[0];
-    const Index        begin = own.begin(body), n = n_own(body);
-    Uncondensed        result{all.block(begin, begin, n, n), {}};
-    for (Index p = begin; p < begin + n; ++p)
-      result.node_of.push_back(own.node_of(p));
-    return result;
-  }
-
+  /* All bodies of a part have the matrix of the first. */
   void
-  CondensedBodies::for_each_part(
-    const std::function<void(Part &, const Uncondensed &)> &act)
+  CondensedBodies::for_each_matrix(
+    const std::function<void(std::size_t part, const Uncondensed &)> &act) const
   {
-    const SparseMatrix all = assemble(elastic, own);
-    for (Part &part : all_parts)
-      act(part, stiffness_of(part, all));
+    SparseMatrix all = assemble(elastic, own);
+    for (std::size_t i = 0; i < all_parts.size(); ++i)
+      {
+        const unsigned int body  = all_parts[i].bodies[0];
+        const Index        begin = own.begin(body), n = n_own(body);
+        Uncondensed        matrix;
+        if (n == all.cols()) // the usual one body, and a large matrix
+          matrix.upper.swap(all);
+        else
+          matrix.upper = all.block(begin, begin, n, n);
+        for (Index p = begin; p < begin + n; ++p)
+          matrix.node_of.push_back(own.node_of(p));
+        act(i, matrix);
+      }
   }
 
   void
   CondensedBodies::condense(const condensed::Condenser &condenser)
   {
-    for_each_part([&](Part &part, const Uncondensed &body) {
+    for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
+      Part &part   = all_parts[i];
       part.element = std::make_unique<condensed::SuperElement>(body.upper,
                                                                body.node_of,
                                                                part.retained,
@@ -86,7 +87,8 @@ namespace conetact::contact
     const condensed::Condenser                               &condenser,
     const std::function<const MatrixXd &(unsigned int body)> &motions)
   {
-    for_each_part([&](Part &part, const Uncondensed &body) {
+    for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
+      Part &part = all_parts[i];
       part.element =
         std::make_unique<condensed::SuperElement>(body.upper,
                                                   body.node_of,
@@ -99,17 +101,15 @@ namespace conetact::contact
   condensed::FactorEstimate
   CondensedBodies::estimate(const condensed::Condenser &condenser) const
   {
-    const SparseMatrix        all = assemble(elastic, own);
     condensed::FactorEstimate sum;
-    for (const Part &part : all_parts)
-      {
-        const Uncondensed body = stiffness_of(part, all);
-        sum += condensed::SuperElement::estimate(body.upper,
-                                                 body.node_of,
-                                                 part.retained,
-                                                 condenser);
-        sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
-      }
+    for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
+      const Part &part = all_parts[i];
+      sum += condensed::SuperElement::estimate(body.upper,
+                                               body.node_of,
+                                               part.retained,
+                                               condenser);
+      sum.n_shared += static_cast<unsigned int>(part.bodies.size() - 1);
+    });
     return sum;
   }
 
@@ -129,25 +129,23 @@ namespace conetact::contact
   CondensedBodies::compare(const condensed::Condenser &one,
                            const condensed::Condenser &other) const
   {
-    const SparseMatrix               all = assemble(elastic, own);
     std::vector<StiffnessDifference> result;
-    for (const Part &part : all_parts)
-      {
-        if (part.retained.empty())
-          continue;
-        const Uncondensed body      = stiffness_of(part, all);
-        const auto        stiffness = [&](const condensed::Condenser &by) {
-          return condensed::SuperElement(body.upper,
-                                         body.node_of,
-                                         part.retained,
-                                         by)
-            .take_stiffness();
-        };
-        const MatrixXd K = stiffness(one);
-        result.push_back({part.bodies,
-                          (K - stiffness(other)).cwiseAbs().maxCoeff() /
-                            K.cwiseAbs().maxCoeff()});
-      }
+    for_each_matrix([&](const std::size_t i, const Uncondensed &body) {
+      const Part &part = all_parts[i];
+      if (part.retained.empty())
+        return;
+      const auto stiffness = [&](const condensed::Condenser &by) {
+        return condensed::SuperElement(body.upper,
+                                       body.node_of,
+                                       part.retained,
+                                       by)
+          .take_stiffness();
+      };
+      const MatrixXd K = stiffness(one);
+      result.push_back({part.bodies,
+                        (K - stiffness(other)).cwiseAbs().maxCoeff() /
+                          K.cwiseAbs().maxCoeff()});
+    });
     return result;
   }
 
@@ -176,12 +174,5 @@ namespace conetact::contact
     for (const Part &part : all_parts)
       sum += part.element->solver().work();
     return sum;
-  }
-
-  std::string
-  condensation_by(const condensed::Condenser &condenser)
-  {
-    return "condensation by " + std::string(condenser.name) +
-           ": order, factor and Schur complement";
   }
 } // namespace conetact::contact

@@ -44,11 +44,11 @@ namespace conetact::contact
                                            const RigidMotions         &m,
                                            const condensed::Condenser &by,
                                            const Empty)
-    : elastic(e)
+    : CondensedElasticity(by)
+    , elastic(e)
     , points(p)
     , coordinates(c)
     , motions(m)
-    , condenser(by)
     , own(elastic.bodies, coordinates)
     , H(rows())
     , bodies(elastic,

@@ -70,9 +70,9 @@ namespace conetact::contact
                                          const RigidMotions  &m,
                                          const bool           find_mechanisms,
                                          const condensed::Condenser &by)
-    : elastic(e)
+    : CondensedElasticity(by)
+    , elastic(e)
     , motions(m)
-    , condenser(by)
     , own(elastic.bodies, coordinates, &points)
     , own_unknown(own_unknowns(points, own))
     , bodies(bodies_with(elastic, own, own_unknown))
@@ -306,11 +306,5 @@ namespace conetact::contact
     state.start += motions.seen() * state.motions;
     state.motions.setZero();
     state.base.setZero();
-  }
-
-  std::string
-  CondensedStiffness::description() const
-  {
-    return condensation_by(condenser);
   }
 } // namespace conetact::contact

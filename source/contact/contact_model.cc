@@ -8,8 +8,6 @@
 #include "conetact/bodies/doubled_nodes.h"
 #include "conetact/contact/equal_bodies.h"
 #include "conetact/contact/large_nodes.h"
-#include "conetact/contact/open_motions.h"
-#include "conetact/solvers/large_system.h"
 #include "conetact/solvers/null_space.h"
 
 #include <deal.II/base/exceptions.h>

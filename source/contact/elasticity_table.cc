@@ -52,14 +52,8 @@ namespace conetact::contact
   elasticity_table()
   {
     static const std::vector<ElasticityRow> table = {
-      {"condensed",
-       "each body is condensed to its contact nodes by a direct solver",
-       &nothing,
-       &condense},
-      {"iterative",
-       "all unknowns stay, linear systems are solved by multigrid",
-       &what_cannot_be_iterated,
-       &make_levels}};
+      {"condensed", &nothing, &condense},
+      {"iterative", &what_cannot_be_iterated, &make_levels}};
     return table;
   }
 

@@ -25,7 +25,8 @@ namespace conetact::contact
     for (const ContactPoint &point : points.all())
       {
         nodes.insert({point.node->body, point.node->node});
-        if (!point.node->slaves.empty())
+        if (!point.node->slaves.empty() &&
+            bodies.structures[point.node->body]->meets_at_corners())
           with_means.insert(point.node->body);
       }
     for (const unsigned int body : with_means)

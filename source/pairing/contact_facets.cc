@@ -64,9 +64,7 @@ namespace conetact::pairing
     if (node.slaves.empty())
       return result;
     if (node.obstacle != nullptr)
-      result += std::abs(
-        node.gap -
-        node.obstacle->shape->closest(node.position, node.spacing).gap);
+      result += std::abs(gap_beside_own(node));
     result += slave ? slave->bent_at(node.node) : 0.;
     for (const auto &[number, weight] : node.masters)
       if (master)

@@ -41,6 +41,17 @@ namespace conetact::pairing
     return distance;
   }
 
+  double
+  gap_beside_own(const ContactNode &node)
+  {
+    Assert(node.obstacle != nullptr,
+           dealii::ExcMessage("Only obstacles have shapes."));
+    if (node.slaves.empty())
+      return 0;
+    return node.gap -
+           node.obstacle->shape->closest(node.position, node.spacing).gap;
+  }
+
   std::pair<Tensor<1, 3>, Tensor<1, 3>>
   tangents(const Tensor<1, 3> &n, const unsigned int dim)
   {

@@ -177,17 +177,14 @@ namespace conetact::pairing
     {
       if (face.middles.empty())
         return false;
-      const auto &all = bodies::middle_nodes(face.corners.size() == 2 ? 2 : 3,
-                                             face.nodes.size());
-      return std::any_of(
-        all.begin(), all.end(), [&](const bodies::MiddleNode &middle) {
-          Tensor<1, 3> beside =
-            Tensor<1, 3>(face.middles[middle.node - face.corners.size()]);
-          for (const std::size_t corner : middle.corners)
-            beside -= Tensor<1, 3>(face.corners[corner]) /
-                      static_cast<double>(middle.corners.size());
-          return beside.norm() > one_plane * face.size;
-        });
+      const std::size_t n = face.corners.size();
+      return bodies::is_bent(
+        n == 2 ? 2 : 3,
+        face.nodes.size(),
+        [&](const std::size_t i) -> const Point<3> & {
+          return i < n ? face.corners[i] : face.middles[i - n];
+        },
+        one_plane *face.size);
     }
 
     double

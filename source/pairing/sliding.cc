@@ -84,41 +84,34 @@ namespace conetact::pairing
               node.position + own - closest.gap * closest.normal};
     }
 
-    /** Of the node, or of what it is a mean over. */
-    Tensor<1, 3>
-    own_displacement(const ContactNode &node, const Displacement &at)
+    /** What a node is a mean over, if it is one, and how that is displaced. */
+    struct FacesAt
     {
-      Tensor<1, 3> u;
-      for_each_slave(node, [&](const unsigned int i, const double weight) {
-        u += weight * at(node.body, i);
-      });
-      return u;
-    }
+      const FacesOnObstacle        *all;
+      FacesOnObstacle::Displacement displacement;
+    };
 
     /**
-     * Takes the gap and the normal where it is now, moved by `last` relative to
-     * the point that it met last. Returns the point that it meets now, where
-     * that stood at the start. `faces`: what it is a mean over, if it is one.
+     * Takes the gap and the normal where it is now, moved by u in space and by
+     * `last` relative to the point that it met last. Returns the point that it
+     * meets now, where that stood at the start.
      */
     Point<3>
-    meet_obstacle(const RigidMotion     &motion,
-                  const Displacement    &at,
-                  const Tensor<1, 3>    &last,
-                  const FacesOnObstacle *faces,
-                  ContactNode           &node)
+    meet_obstacle(const RigidMotion  &motion,
+                  const Tensor<1, 3> &u,
+                  const Tensor<1, 3> &last,
+                  const FacesAt      &faces,
+                  ContactNode        &node)
     {
-      const Tensor<1, 3> own =
-        motion.relative(node.position, own_displacement(node, at));
+      const Tensor<1, 3> own = motion.relative(node.position, u);
       const double       gap = node.gap + node.n * last;
       const Tensor<1, 3> n   = motion.direction_to_own(node.n);
       Met                met{gap, n, node.position + own - gap * n};
       try
         {
-          met = faces == nullptr ?
+          met = faces.all == nullptr ?
                   met_by_node(node, own) :
-                  faces->meet(node, motion, [&](const unsigned int i) {
-                    return at(node.body, i);
-                  });
+                  faces.all->meet(node, motion, faces.displacement);
         }
       catch (const InputError &)
         {} // no normal there, as far away or deep inside: the last one
@@ -159,15 +152,18 @@ namespace conetact::pairing
                      const SlidingContacts::Displacement          &at,
                      const double                                  t,
                      const unsigned int                            dim,
-                     const FacesOnObstacle                        *faces,
+                     const FacesOnObstacle                        *of_node,
                      ContactNode                                  &node)
     {
-      const Tensor<1, 3> u = own_displacement(node, at);
+      const FacesAt      faces{of_node, [&](const unsigned int i) {
+                            return at(node.body, i);
+                          }};
+      const Tensor<1, 3> u = own_displacement(node, faces.displacement);
       if (node.masters.empty())
         {
           const RigidMotion motion = node.obstacle->motion_at(t);
           const Point<3>    met    = meet_obstacle(
-            motion, at, u - obstacle_displacement(node, t), faces, node);
+            motion, u, u - obstacle_displacement(node, t), faces, node);
           node.moved = u - motion.displacement(met);
           return;
         }
@@ -180,7 +176,7 @@ namespace conetact::pairing
         return sum;
       };
       const RigidMotion motion = motion_of(body, node.master, dim, at);
-      const Point<3>    met = meet_obstacle(motion, at, moved(), faces, node);
+      const Point<3>    met    = meet_obstacle(motion, u, moved(), faces, node);
       // The lever of forces has turned with it: so have the ways that the next
       // bit of a turn leads.
       node.masters = body.weights_of(motion.to_space(met) - motion.translation);
@@ -257,14 +253,18 @@ namespace conetact::pairing
     , dim(d)
   {
     for (unsigned int i = 0; i < contacts.size(); ++i)
-      if (const Contact &contact = contacts[i];
-          contact.slides && contact.obstacle != nullptr)
-        if (const bodies::Structure &body = *structures[contact.body];
-            FacesOnObstacle::suits(body.surface(contact.ids)))
-          on_obstacles.emplace(
-            std::piecewise_construct,
-            std::forward_as_tuple(i),
-            std::forward_as_tuple(contact, body, body.surface(contact.ids)));
+      {
+        const Contact           &contact = contacts[i];
+        const bodies::Structure &body    = *structures[contact.body];
+        if (!contact.slides || contact.obstacle == nullptr ||
+            !body.meets_at_corners())
+          continue;
+        const bodies::Surface surface = body.surface(contact.ids);
+        if (FacesOnObstacle::suits(surface))
+          on_obstacles.emplace(std::piecewise_construct,
+                               std::forward_as_tuple(i),
+                               std::forward_as_tuple(contact, body, surface));
+      }
   }
 
   bool

@@ -8,7 +8,6 @@
 #include "conetact/pairing/joined_surface.h"
 #include "conetact/pairing/surface_words.h"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -155,13 +154,7 @@ namespace conetact::pairing
     SurfaceFaces
     read(const std::filesystem::path &file, const unsigned int dim)
     {
-      std::string extension = file.extension().string();
-      std::transform(extension.begin(),
-                     extension.end(),
-                     extension.begin(),
-                     [](const unsigned char c) {
-                       return static_cast<char>(std::tolower(c));
-                     });
+      const std::string extension = lower_case(file.extension().string());
       using Reader = SurfaceFaces (*)(const std::string &, const unsigned int);
       const std::map<std::string, Reader> readers = {{".stl", read_stl},
                                                      {".obj", read_obj},

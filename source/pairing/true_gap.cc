@@ -34,12 +34,8 @@ namespace conetact::pairing
                                                             moved.u),
                                       node.spacing);
     // of a mean over faces: as at its own node, but for what they differ by
-    const double mean =
-      node.slaves.empty() ?
-        0. :
-        node.gap -
-          node.obstacle->shape->closest(node.position, node.spacing).gap;
-    return drawn + mean + (node.growth ? node.growth(0) : 0); // as adjusted
+    return drawn + gap_beside_own(node) +
+           (node.growth ? node.growth(0) : 0); // as adjusted
   }
 
   std::optional<GapError>

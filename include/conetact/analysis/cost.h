@@ -6,6 +6,7 @@
 
 #include "conetact/contact/contact_model.h"
 
+#include <optional>
 #include <string>
 
 namespace conetact::analysis
@@ -13,11 +14,10 @@ namespace conetact::analysis
   /** What an analysis will take, at most but for rounding. */
   struct Cost
   {
-    condensed::FactorEstimate factor;
-    bool                      condenses = false;   ///< else it has no factor
-    double                    stiffness_bytes = 0; ///< condensed, dense
-    double                    memory_bytes    = 0; ///< of the process
-    double seconds = 0; ///< on this machine, within a factor 2
+    std::optional<condensed::FactorEstimate> factor; ///< of condensed bodies
+    double stiffness_bytes = 0;                      ///< condensed, dense
+    double memory_bytes    = 0;                      ///< of the process
+    double seconds         = 0; ///< on this machine, within a factor 2
     /** The same of each other one, where many share the work. */
     double memory_of_others = 0, seconds_of_others = 0;
   };

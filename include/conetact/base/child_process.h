@@ -5,6 +5,7 @@
 #define conetact_base_child_process_h
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace conetact
@@ -16,11 +17,18 @@ namespace conetact
     double bytes       = 0;
   };
 
+  /** Thrown by work that finds its input wrong, with what is wrong. */
+  struct ChildRefusal
+  {
+    std::string what;
+  };
+
   /** What a child process handed back, or the end of a sentence that says why
-   * it could not: "needs more memory than ...". */
+   * it could not: "needs more memory than ..."; or what it refused. */
   struct ChildResult
   {
-    std::string bytes, why;
+    std::string                bytes, why;
+    std::optional<std::string> refused = {};
   };
 
   /**
@@ -28,7 +36,8 @@ namespace conetact
    * a library that crashes, never ends or asks for any amount of memory on a
    * damaged file takes only the copy along. The copy prints nothing, leaves
    * nothing behind and ends with its parent. It has this thread alone and must
-   * not use MPI. `work` must not throw but what is out of memory.
+   * not use MPI. `work` must throw nothing but ChildRefusal and what is out of
+   * memory.
    */
   ChildResult
   in_child_process(const ChildLimits                  &limits,

@@ -9,9 +9,6 @@
 
 namespace conetact
 {
-  std::string
-  lower_case(std::string text);
-
   /** Levenshtein's distance: how many letters must be changed. */
   std::size_t
   n_changes(const std::string &a, const std::string &b);

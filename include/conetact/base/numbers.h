@@ -6,6 +6,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,6 +19,10 @@ namespace conetact
    */
   double
   to_number(const std::string &text, const std::string &entry);
+
+  /** A number as Fortran writes it, also 1.D0; nothing: it is none. */
+  std::optional<double>
+  fortran_number(std::string word);
 
   /** Numbers separated by commas. */
   std::vector<double>

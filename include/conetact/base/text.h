@@ -6,6 +6,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,6 +34,13 @@ namespace conetact
   /** Line breaks and runs of blanks become one blank. */
   std::string
   one_line(const std::string &text);
+
+  std::string
+  lower_case(std::string text);
+
+  /** Of a file, in lower case and without its dot. */
+  std::string
+  extension_of(const std::filesystem::path &file);
 
   /** Shortest text that reads well: 6 significant digits. */
   std::string

@@ -46,6 +46,11 @@ namespace conetact::bodies
       return body.hanging_nodes();
     }
     bool
+    meets_at_corners() const override
+    {
+      return body.meets_at_corners();
+    }
+    bool
     is_axisymmetric() const override
     {
       return body.is_axisymmetric();

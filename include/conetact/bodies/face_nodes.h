@@ -6,6 +6,8 @@
 
 #include "conetact/bodies/structure.h"
 
+#include <algorithm>
+#include <type_traits>
 #include <vector>
 
 namespace conetact::bodies
@@ -38,6 +40,28 @@ namespace conetact::bodies
   /** Of a face, by their numbers. */
   std::vector<HangingNode>
   middle_nodes(const Structure &body, const SurfaceFace &face);
+
+  /** Whether a node of a face stands beside the mean of the corners that it is
+   * in the middle of, by more than this; `at(i)` is the place of its i-th one.
+   */
+  template <typename PlaceOf>
+  bool
+  is_bent(const unsigned int dim,
+          const std::size_t  n_nodes,
+          const PlaceOf     &at,
+          const double       more)
+  {
+    const std::vector<MiddleNode> &middles = middle_nodes(dim, n_nodes);
+    return std::any_of(middles.begin(),
+                       middles.end(),
+                       [&](const MiddleNode &middle) {
+                         std::decay_t<decltype(at(0) - at(0))> beside;
+                         for (const std::size_t corner : middle.corners)
+                           beside += (at(middle.node) - at(corner)) /
+                                     static_cast<double>(middle.corners.size());
+                         return beside.norm() > more;
+                       });
+  }
 
   /** Faces of first degree over all nodes: itself, or two or four. */
   std::vector<std::vector<unsigned int>>

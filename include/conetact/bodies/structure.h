@@ -203,6 +203,13 @@ namespace conetact::bodies
     {
       return false;
     }
+    /** Whether contacts of its faces stand at their corners only, see
+     * SurfaceFace: no surface has to be made to know it. */
+    virtual bool
+    meets_at_corners() const
+    {
+      return false;
+    }
     /** Why a node may move freely, as a hint to the user; empty: no idea. */
     virtual std::string
     weakness(const unsigned int /*node*/) const

@@ -92,20 +92,15 @@ namespace conetact::contact
       Eigen::SparseMatrix<double> upper;
       std::vector<unsigned int>   node_of;
     };
-    Uncondensed
-    stiffness_of(const Part                        &part,
-                 const Eigen::SparseMatrix<double> &all) const;
+    /** Numbers of parts with their matrices, which are assembled for that. */
     void
-    for_each_part(const std::function<void(Part &, const Uncondensed &)> &act);
+    for_each_matrix(const std::function<void(std::size_t part,
+                                             const Uncondensed &)> &act) const;
 
     const ElasticSystem   &elastic;
     const BodyCoordinates &own;
     std::vector<Part>      all_parts;
   };
-
-  /** That, for the log. */
-  std::string
-  condensation_by(const condensed::Condenser &condenser);
 } // namespace conetact::contact
 
 #endif

@@ -5,6 +5,7 @@
 #define conetact_contact_condensed_compliance_h
 
 #include "conetact/contact/bound_unknowns.h"
+#include "conetact/contact/condensed_elasticity.h"
 #include "conetact/contact/free_motions.h"
 #include "conetact/contact/rigid_motions.h"
 
@@ -29,7 +30,7 @@ namespace conetact::contact
    * The form of FETI methods with friction (Dostal, Kozubek, Horyl, Brzobohaty,
    * Markopoulos, Comput. Struct. 2012).
    */
-  class CondensedCompliance : public Elasticity
+  class CondensedCompliance : public CondensedElasticity
   {
   public:
     /**
@@ -107,31 +108,6 @@ namespace conetact::contact
     relink() override;
     void
     see_motions() override;
-    std::string
-    description() const override
-    {
-      return condensation_by(condenser);
-    }
-    double
-    factor_bytes() const override
-    {
-      return bodies.factor_bytes();
-    }
-    unsigned int
-    n_shared_bodies() const override
-    {
-      return bodies.n_shared();
-    }
-    condensed::SchurWork
-    work() const override
-    {
-      return bodies.work();
-    }
-    std::vector<StiffnessDifference>
-    compare(const condensed::Condenser &other) const override
-    {
-      return bodies.compare(condenser, other);
-    }
 
     /** What the factorisations would take; nothing is factorised. */
     static condensed::FactorEstimate
@@ -148,6 +124,11 @@ namespace conetact::contact
                LoadCase              &load) override;
     LoadCase
     nothing() const override;
+    const CondensedBodies &
+    condensed_bodies() const override
+    {
+      return bodies;
+    }
 
   private:
     using Index    = Eigen::Index;
@@ -215,7 +196,6 @@ namespace conetact::contact
     const ContactPoints        &points;
     const Coordinates          &coordinates;
     const RigidMotions         &motions;
-    const condensed::Condenser &condenser;
     BodyCoordinates             own;
     Eigen::SparseMatrix<double> H; ///< of own unknowns
     CondensedBodies             bodies;

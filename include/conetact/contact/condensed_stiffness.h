@@ -4,7 +4,7 @@
 #ifndef conetact_contact_condensed_stiffness_h
 #define conetact_contact_condensed_stiffness_h
 
-#include "conetact/contact/condensed_bodies.h"
+#include "conetact/contact/condensed_elasticity.h"
 #include "conetact/contact/rigid_motions.h"
 
 namespace conetact::contact
@@ -15,7 +15,7 @@ namespace conetact::contact
    * unknowns, [K] section 4, @f$ K q_C = r + f @f$, without any inverse. It
    * serves all loads of all increments. Also bodies that nothing may touch.
    */
-  class CondensedStiffness : public Elasticity
+  class CondensedStiffness : public CondensedElasticity
   {
   public:
     /**
@@ -71,23 +71,6 @@ namespace conetact::contact
     Eigen::VectorXd
     correction(const LoadCase        &change,
                const Eigen::VectorXd &primal) const override;
-    std::string
-    description() const override;
-    double
-    factor_bytes() const override
-    {
-      return bodies.factor_bytes();
-    }
-    condensed::SchurWork
-    work() const override
-    {
-      return bodies.work();
-    }
-    std::vector<StiffnessDifference>
-    compare(const condensed::Condenser &other) const override
-    {
-      return bodies.compare(condenser, other);
-    }
 
   protected:
     void
@@ -96,6 +79,11 @@ namespace conetact::contact
                LoadCase              &load) override;
     LoadCase
     nothing() const override;
+    const CondensedBodies &
+    condensed_bodies() const override
+    {
+      return bodies;
+    }
 
   private:
     /** Whether nothing may touch: load cases are solved, not reduced. */
@@ -113,10 +101,9 @@ namespace conetact::contact
     Eigen::MatrixXd
     carry(const Eigen::MatrixXd &b, const Eigen::MatrixXd &contact) const;
 
-    const ElasticSystem        &elastic;
-    const RigidMotions         &motions;
-    const condensed::Condenser &condenser;
-    const BodyCoordinates       own;
+    const ElasticSystem  &elastic;
+    const RigidMotions   &motions;
+    const BodyCoordinates own;
     /** Of each contact unknown. */
     const std::vector<CondensedBodies::Index> own_unknown;
     CondensedBodies                           bodies;

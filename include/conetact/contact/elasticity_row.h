@@ -18,7 +18,6 @@ namespace conetact::contact
   struct ElasticityRow
   {
     const char *name;
-    const char *description;
     /** What it cannot do, as the end of a sentence; empty: it can. */
     std::string (*why_not)(const ContactModel &model);
     /** Throws SingularMatrix. The model must outlive the result. */

@@ -179,6 +179,19 @@ namespace conetact::pairing
       visit(slave, weight);
   }
 
+  /** What a contact node's own body does there: of displacements at(node) the
+   * mean that it stands for. */
+  template <typename DisplacementAt>
+  Tensor<1, 3>
+  own_displacement(const ContactNode &node, const DisplacementAt &at)
+  {
+    Tensor<1, 3> mean;
+    for_each_slave(node, [&](const unsigned int slave, const double weight) {
+      mean += weight * at(slave);
+    });
+    return mean;
+  }
+
   /** Of its own displacement in this mean. */
   inline double
   own_weight(const ContactNode &node)
@@ -250,6 +263,11 @@ namespace conetact::pairing
   /** Tangents of the convention above. */
   std::pair<Tensor<1, 3>, Tensor<1, 3>>
   tangents(const Tensor<1, 3> &n, const unsigned int dim);
+
+  /** By how much the mean gap of an undeformed node differs from that of its
+   * own place, to its obstacle [length]. */
+  double
+  gap_beside_own(const ContactNode &node);
 
   /** Sets the normal, the tangents and the axes of friction of a node. */
   void

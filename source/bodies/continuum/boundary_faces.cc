@@ -194,18 +194,10 @@ namespace conetact::bodies
       const auto at = [&](const std::size_t i) -> const Point<dim> & {
         return mesh.nodes[face.nodes[i]];
       };
-      const std::size_t n    = face.nodes.size();
-      const double      size = at(0).distance(at(1));
-      for (const MiddleNode &middle : middle_nodes(dim, n))
-        {
-          Tensor<1, dim> beside = Tensor<1, dim>(at(middle.node));
-          for (const std::size_t corner : middle.corners)
-            beside -= Tensor<1, dim>(at(corner)) /
-                      static_cast<double>(middle.corners.size());
-          if (beside.norm() > digits * size)
-            return true;
-        }
-      return false;
+      return bodies::is_bent(dim,
+                             face.nodes.size(),
+                             at,
+                             digits * at(0).distance(at(1)));
     });
   }
 

@@ -169,9 +169,8 @@ namespace conetact::bodies
     , mesh(plain(*discretization, materials.size() > 1))
     , cells(std::make_unique<CellQuadrature<dim>>(*discretization))
     , faces(std::make_unique<BoundaryFaces<dim>>(*discretization))
-    , meets_at_corners(
-        faces->are_triangles_of_second_degree() ||
-        (faces->is_bent(mesh) && !faces->have_hanging_nodes(mesh)))
+    , at_corners(faces->are_triangles_of_second_degree() ||
+                 (faces->is_bent(mesh) && !faces->have_hanging_nodes(mesh)))
     , phases(make_phases(materials, row))
     , groups_of_faces(groups.faces)
     , of_file(groups.caution)
@@ -312,7 +311,7 @@ namespace conetact::bodies
               shares[v] += dx * normal_part(fe, numbers, v, q) * normal;
             }
         }
-      surface.faces.push_back({numbers, mean / mean.norm(), meets_at_corners});
+      surface.faces.push_back({numbers, mean / mean.norm(), at_corners});
       for (unsigned int v = 0; v < numbers.size(); ++v)
         nodes[numbers[v]].normals.push_back(shares[v]);
     });

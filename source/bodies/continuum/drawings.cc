@@ -97,4 +97,16 @@ namespace conetact::bodies
       wishes.constants.emplace_back(name, to_number(value, entry));
     return wishes;
   }
+
+  std::string
+  first_entry_of(const GmshWishes &wishes)
+  {
+    if (wishes.size)
+      return "Size";
+    if (!wishes.near.empty())
+      return "Size near";
+    if (wishes.order > 1)
+      return "Order";
+    return wishes.constants.empty() ? "" : "Parameters";
+  }
 } // namespace conetact::bodies

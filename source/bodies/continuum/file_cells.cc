@@ -8,6 +8,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/middle_nodes.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/continuum/continuum_mesh.h"
 #include "conetact/bodies/continuum/grid_messages.h"
 
 #include <deal.II/base/geometry_info.h>
@@ -172,11 +173,7 @@ namespace conetact::bodies
                          ". Save it in the plane x, y.");
       std::vector<dealii::Point<dim>> result;
       for (const dealii::Point<3> &p : places)
-        {
-          result.emplace_back();
-          for (unsigned int d = 0; d < dim; ++d)
-            result.back()[d] = p[d];
-        }
+        result.push_back(from_space<dim>(p));
       return result;
     }
 
@@ -267,12 +264,8 @@ namespace conetact::bodies
         return {};
       return make_cell_nodes<dim>(
         mesh, [&](const unsigned int v, const unsigned int w) {
-          const Point<3> p =
-            middles.between(vertices.point[v], vertices.point[w]);
-          dealii::Point<dim> q;
-          for (unsigned int d = 0; d < dim; ++d)
-            q[d] = p[d];
-          return q;
+          return from_space<dim>(
+            middles.between(vertices.point[v], vertices.point[w]));
         });
     }
 

@@ -56,11 +56,7 @@ namespace conetact::bodies
           const MeshParameters &parameters)
     {
       const auto to_scene = [&](const Point<dim> &given) {
-        const Point<3> p = parameters.to_scene(to_space(given));
-        Point<dim>     q;
-        for (unsigned int d = 0; d < dim; ++d)
-          q[d] = p[d];
-        return q;
+        return from_space<dim>(parameters.to_scene(to_space(given)));
       };
       nodes.transform(to_scene);
       std::vector<bool> done(mesh.n_vertices(), false);

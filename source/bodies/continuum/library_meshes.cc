@@ -70,20 +70,18 @@ namespace conetact::bodies
       return coarse;
     }
 
-    constexpr char has_mesh = 'm', has_message = 'e';
-
-    /** In the process apart: a mesh, or what deal.II says against the file. */
+    /** In the process apart. Throws ChildRefusal with what deal.II says against
+     * the file. */
     template <int dim>
     std::string
-    mesh_or_message(const LibraryFile &file)
+    bytes_of_mesh(const LibraryFile &file)
     {
       // This process has no other thread.
       dealii::MultithreadInfo::set_thread_limit(1);
       try
         {
-          CoarseMesh<dim>    mesh = read_coarse_mesh<dim>(file);
-          std::ostringstream bytes;
-          bytes << has_mesh;
+          CoarseMesh<dim>                 mesh = read_coarse_mesh<dim>(file);
+          std::ostringstream              bytes;
           boost::archive::binary_oarchive stream(bytes);
           mesh.pass(stream);
           return bytes.str();
@@ -94,7 +92,7 @@ namespace conetact::bodies
         }
       catch (const std::exception &error)
         {
-          return has_message + message_of(error);
+          throw ChildRefusal{message_of(error)};
         }
     }
 
@@ -203,13 +201,13 @@ namespace conetact::bodies
   read_by_library(const LibraryFile &file)
   {
     const ChildResult result = in_child_process(limits_for(file), [&file] {
-      return mesh_or_message<dim>(file);
+      return bytes_of_mesh<dim>(file);
     });
     if (!result.why.empty())
       refuse<dim>(file, "the reader of this format " + result.why);
-    if (result.bytes[0] == has_message)
-      refuse<dim>(file, result.bytes.substr(1));
-    std::istringstream              bytes(result.bytes.substr(1));
+    if (result.refused)
+      refuse<dim>(file, *result.refused);
+    std::istringstream              bytes(result.bytes);
     boost::archive::binary_iarchive stream(bytes);
     CoarseMesh<dim>                 coarse;
     coarse.pass(stream);

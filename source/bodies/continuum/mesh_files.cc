@@ -7,9 +7,9 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/gmsh_file.h"
 #include "conetact/base/joined_points.h"
-#include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
 #include "conetact/base/unv_file.h"
+#include "conetact/bodies/continuum/drawings.h"
 #include "conetact/bodies/continuum/file_cells.h"
 #include "conetact/bodies/continuum/library_meshes.h"
 
@@ -39,27 +39,20 @@ namespace conetact::bodies
       std::string made = {};
     };
 
-    template <int dim>
     using Reader = Reading (*)(const MeshFile &, const MeshParameters &);
-
-    Reading
-    read_gmsh_made(const GmshResult &result, const bool is_made)
-    {
-      Reading reading{read_gmsh(result.contents)};
-      if (is_made)
-        reading.made = result.contents;
-      if (result.size > 0)
-        reading.mesh.notes.push_back("meshed with Size = " +
-                                     to_text(result.size));
-      return reading;
-    }
 
     template <int dim>
     Reading
     read_with_gmsh(const MeshFile &file, const MeshParameters &parameters)
     {
-      return read_gmsh_made(run_gmsh(parameters.file, dim, parameters.wishes),
-                            is_drawing(file.extension));
+      GmshResult result = run_gmsh(parameters.file, dim, parameters.wishes);
+      Reading    reading{read_gmsh(result.contents)};
+      if (is_drawing(file.extension))
+        reading.made = std::move(result.contents);
+      if (result.size > 0)
+        reading.mesh.notes.push_back("meshed with Size = " +
+                                     to_text(result.size));
+      return reading;
     }
 
     /** Versions of today have a reader of their own. */
@@ -121,17 +114,16 @@ namespace conetact::bodies
     }
 
     /** What is offered. Each row is tested: check_program.py, formats. */
-    template <int dim>
     struct Format
     {
       const char *extension;
-      Reader<dim> read;
+      Reader      read;
     };
     template <int dim>
-    const std::vector<Format<dim>> &
+    const std::vector<Format> &
     formats()
     {
-      static const std::vector<Format<dim>> all = {
+      static const std::vector<Format> all = {
         {"msh", read_msh<dim>},
         {"inp", read_inp<dim>},
         {"step", read_with_gmsh<dim>},
@@ -154,11 +146,11 @@ namespace conetact::bodies
     }
 
     template <int dim>
-    Reader<dim>
+    Reader
     reader_of(const MeshFile &file)
     {
       std::vector<std::string> known;
-      for (const Format<dim> &format : formats<dim>())
+      for (const Format &format : formats<dim>())
         if (file.extension == format.extension)
           return format.read;
         else
@@ -190,8 +182,7 @@ namespace conetact::bodies
       std::ostringstream contents;
       contents << stream.rdbuf();
       file.contents  = contents.str();
-      file.extension = lower_case(path.extension().string());
-      file.extension.erase(0, 1);
+      file.extension = extension_of(path);
       return file;
     }
 
@@ -212,21 +203,16 @@ namespace conetact::bodies
     void
     check_wishes(const MeshFile &file, const MeshParameters &parameters)
     {
-      const GmshWishes &wishes = parameters.wishes;
       if (is_drawing(file.extension))
         {
           check_constants(file, parameters);
           return;
         }
-      for (const auto &[is_set, entry] :
-           {std::pair(wishes.size.has_value(), "Size"),
-            std::pair(!wishes.near.empty(), "Size near"),
-            std::pair(wishes.order != 1, "Order"),
-            std::pair(!wishes.constants.empty(), "Parameters")})
-        if (is_set)
-          throw InputError(parameters.where + entry + ": '" + file.name +
-                           "' is a mesh already. Remove it, or give a drawing "
-                           "(.step, .geo).");
+      if (const std::string entry = first_entry_of(parameters.wishes);
+          !entry.empty())
+        throw InputError(parameters.where + entry + ": '" + file.name +
+                         "' is a mesh already. Remove it, or give a drawing "
+                         "(.step, .geo).");
     }
 
     void

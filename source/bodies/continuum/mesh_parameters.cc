@@ -227,17 +227,13 @@ namespace conetact::bodies
                          (mesh.file.empty() ?
                             "there is no mesh. Set Generator or File." :
                             "both Generator and File are set. Remove one."));
-      for (const auto &[is_set, entry] :
-           {std::pair(!mesh.group.empty(), "Group"),
-            std::pair(mesh.merge > 0, "Merge"),
-            std::pair(mesh.wishes.size.has_value(), "Size"),
-            std::pair(!mesh.wishes.near.empty(), "Size near"),
-            std::pair(mesh.wishes.order > 1, "Order"),
-            std::pair(!mesh.wishes.constants.empty(), "Parameters")})
-        if (mesh.file.empty() && is_set)
-          throw InputError(mesh.where + entry +
-                           ": it is for files, not for a generated mesh. Set "
-                           "File, or remove it.");
+      const std::string of_file = !mesh.group.empty() ? "Group" :
+                                  mesh.merge > 0      ? "Merge" :
+                                                   first_entry_of(mesh.wishes);
+      if (mesh.file.empty() && !of_file.empty())
+        throw InputError(mesh.where + of_file +
+                         ": it is for files, not for a generated mesh. Set "
+                         "File, or remove it.");
       if (!mesh.file.empty() && !mesh.arguments.empty())
         throw InputError(mesh.where + "Arguments: a file takes no arguments. " +
                          "Remove them.");

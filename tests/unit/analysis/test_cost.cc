@@ -17,7 +17,7 @@ TEST(Cost, OfASmallScene)
   const Cost         one = estimate_cost(model, 1, 0);
   EXPECT_EQ(one.stiffness_bytes, 8 * 4 * 4); // two feet of two unknowns
   EXPECT_GE(one.memory_bytes,
-            2 * one.stiffness_bytes + one.factor.working_bytes);
+            2 * one.stiffness_bytes + one.factor->working_bytes);
   EXPECT_GT(one.seconds, 0);
   // six dofs, 1e6 increments at a microsecond each
   const Cost many = estimate_cost(model, 1000001, 0);

@@ -127,6 +127,11 @@ namespace conetact::bodies
     /** Cells that are translated copies of each other are congruent. */
     MatrixCount
     matrix_count() const override;
+    bool
+    meets_at_corners() const override
+    {
+      return at_corners;
+    }
     /** The middle of a cell that is bent so much that it is folded, if any. */
     std::optional<Point<3>>
     folded_cell() const;
@@ -160,7 +165,7 @@ namespace conetact::bodies
     ContinuumMesh<dim>                         mesh;
     std::unique_ptr<const CellQuadrature<dim>> cells;
     std::unique_ptr<const BoundaryFaces<dim>>  faces;
-    bool                                       meets_at_corners; ///< its faces
+    bool                                       at_corners; ///< contacts stand
     Phases<dim>                                phases;
     MeshGroups::Ids                            groups_of_faces;
     std::string                                of_file; ///< cautions

@@ -64,6 +64,16 @@ namespace conetact::bodies
       q[d] = p[d];
     return q;
   }
+  /** The inverse: in the plane without z. */
+  template <int dim>
+  Point<dim>
+  from_space(const Point<3> &p)
+  {
+    Point<dim> q;
+    for (unsigned int d = 0; d < dim; ++d)
+      q[d] = p[d];
+    return q;
+  }
   template <int dim>
   Tensor<1, 3>
   to_space(const Tensor<1, dim> &v)

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <string>
+
 namespace conetact::bodies
 {
   /** Entries of `subsection Mesh` for files that are drawings, not meshes. */
@@ -16,6 +18,10 @@ namespace conetact::bodies
   /** `where` is for messages: "Body 'block', Mesh/". Throws InputError. */
   GmshWishes
   parse_drawing(dealii::ParameterHandler &prm, const std::string &where);
+  /** The name of the first of these entries that says something; empty: none
+   * does. */
+  std::string
+  first_entry_of(const GmshWishes &wishes);
 } // namespace conetact::bodies
 
 #endif
