@@ -391,7 +391,6 @@ namespace
   int
   run_process(int argc, char *const argv[])
   {
-    const ProcessSession process;
     take_size_limits_as_errors();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
     dealii::deal_II_exceptions::disable_abort_on_exception();
@@ -431,7 +430,10 @@ namespace
         if (ranks_of_mpirun().size > 1)
           throw InputError("A batch is no run of several processes. Leave "
                            "mpirun out, and write --processes into its lines.");
-        return application::run_batch(line, run_process);
+        return application::run_batch(line, [](int argc, char *const argv[]) {
+          static const ProcessSession process; // for the runs that follow, too
+          return run_process(argc, argv);
+        });
       }
     catch (const InputError &error)
       {
@@ -450,5 +452,8 @@ int
 main(int argc, char *argv[])
 {
   const application::CommandLine line = batch_of(argc, argv);
-  return line.batch.empty() ? run_process(argc, argv) : run_batch(line);
+  if (!line.batch.empty())
+    return run_batch(line);
+  const ProcessSession process;
+  return run_process(argc, argv);
 }

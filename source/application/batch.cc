@@ -6,10 +6,7 @@
 #include "conetact/application/batch_file.h"
 #include "conetact/base/errors.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,14 +14,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <iomanip>
 #include <iostream>
+#include <list>
 #include <map>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 namespace conetact::application
 {
@@ -40,75 +38,6 @@ namespace conetact::application
       return WIFSIGNALED(status) ? of_signal + WTERMSIG(status) :
                                    WEXITSTATUS(status);
     }
-
-    /** The last line of a file, without the name of the program. */
-    std::string
-    last_line(const int file)
-    {
-      std::string text;
-      char        part[4096];
-      lseek(file, 0, SEEK_SET);
-      for (ssize_t n; (n = ::read(file, part, sizeof(part))) > 0;)
-        text.append(part, static_cast<std::size_t>(n));
-      text.erase(text.find_last_not_of(" \n") + 1);
-      text.erase(0, text.rfind('\n') + 1);
-      constexpr char name[] = "conetact: ";
-      return text.rfind(name, 0) == 0 ? text.substr(sizeof(name) - 1) : text;
-    }
-
-    /**
-     * Where a run prints to. What it says on standard error is read again, for
-     * the table.
-     */
-    class Streams
-    {
-    public:
-      explicit Streams(const BatchRun &run)
-        : out(open_file(run.out.empty() ? "/dev/null" : run.out, O_WRONLY))
-        , err(run.err.empty() ? memfd_create("stderr", MFD_CLOEXEC) :
-                                open_file(run.err, O_RDWR))
-      {}
-
-      ~Streams()
-      {
-        ::close(out);
-        ::close(err);
-      }
-
-      Streams(const Streams &) = delete;
-      Streams &
-      operator=(const Streams &) = delete;
-
-      /** Makes them those of this process. */
-      void
-      take() const
-      {
-        const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
-        dup2(nothing, STDIN_FILENO);
-        dup2(out, STDOUT_FILENO);
-        dup2(err, STDERR_FILENO);
-      }
-
-      std::string
-      said() const
-      {
-        return last_line(err);
-      }
-
-    private:
-      static int
-      open_file(const std::string &file, const int flags)
-      {
-        const int opened =
-          open(file.c_str(), flags | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        if (opened < 0)
-          throw WriteError("The file " + file +
-                           " cannot be written: " + std::strerror(errno) + ".");
-        return opened;
-      }
-
-      int out, err;
-    };
 
     /**
      * Signals that are waited for together with lines, while an object lives.
@@ -283,40 +212,44 @@ namespace conetact::application
       unsigned int                        n_good = 0, n_bad = 0;
     };
 
+    /** A process, with the run that it is at if there is one. */
+    struct Worker
+    {
+      Worker(const MainOfRun &program, const std::function<void()> &begin)
+        : process(program, begin)
+      {}
+
+      bool
+      is_idle() const
+      {
+        return streams == nullptr;
+      }
+
+      BatchProcess                  process;
+      BatchRun                      run;
+      std::unique_ptr<BatchStreams> streams; ///< none: it waits
+    };
+
     class Batch
     {
     public:
-      Batch(const CommandLine                            &line,
-            const std::function<int(int, char *const[])> &main_of_run)
+      Batch(const CommandLine &line, const MainOfRun &main_of_run)
         : lines(line.batch.string())
         , n_jobs(std::max(1U, line.jobs))
         , program(main_of_run)
       {}
 
-      /** None of the runs goes on alone. */
-      ~Batch()
-      {
-        for (const auto &[child, run] : running)
-          kill(child, SIGTERM);
-        for (const auto &[child, run] : running)
-          waitpid(child, nullptr, 0);
-      }
-
-      Batch(const Batch &) = delete;
-      Batch &
-      operator=(const Batch &) = delete;
-
       int
       run()
       {
-        while (lines.is_open || !lines.runs.empty() || !running.empty())
+        while (lines.is_open || !lines.runs.empty() || n_running() > 0)
           {
-            while (!lines.runs.empty() && running.size() < n_jobs)
+            while (!lines.runs.empty() && n_running() < n_jobs)
               {
                 start(lines.runs.front());
                 lines.runs.pop_front();
               }
-            if (lines.is_open || !running.empty())
+            if (lines.is_open || n_running() > 0)
               wait();
             if (ended_by != 0)
               return of_signal + ended_by;
@@ -328,11 +261,16 @@ namespace conetact::application
       int ended_by = 0;
 
     private:
-      struct Running
+      using Workers = std::list<Worker>;
+
+      std::size_t
+      n_running() const
       {
-        BatchRun                 run;
-        std::unique_ptr<Streams> streams;
-      };
+        return static_cast<std::size_t>(std::count_if(
+          workers.begin(), workers.end(), [](const Worker &worker) {
+            return !worker.is_idle();
+          }));
+      }
 
       void
       start(const BatchRun &run)
@@ -340,14 +278,7 @@ namespace conetact::application
         table.begin(run.number);
         try
           {
-            auto        streams = std::make_unique<Streams>(run);
-            const pid_t child   = fork();
-            if (child == 0)
-              be_run(run, *streams);
-            if (child < 0)
-              throw WriteError("No process can be started: " +
-                               std::string(std::strerror(errno)) + ".");
-            running.emplace(child, Running{run, std::move(streams)});
+            hand_over(run, std::make_unique<BatchStreams>(run));
           }
         catch (const WriteError &error)
           {
@@ -355,38 +286,53 @@ namespace conetact::application
           }
       }
 
-      /* To leave without the destructors of two hundred libraries saves a third
-         of what a copy costs. */
-      [[noreturn]] void
-      be_run(const BatchRun &run, const Streams &streams) const
+      /** To a process that waits, or to a new one. */
+      void
+      hand_over(const BatchRun &run, std::unique_ptr<BatchStreams> streams)
       {
-        prctl(PR_SET_PDEATHSIG, SIGTERM);
-        signals.give_back();
-        streams.take();
-        std::vector<std::string> words = {"conetact"};
-        words.insert(words.end(), run.words.begin(), run.words.end());
-        std::vector<char *> arguments;
-        for (std::string &word : words)
-          arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        const int code =
-          program(static_cast<int>(words.size()), arguments.data());
-        std::cout << std::flush;
-        std::fflush(nullptr);
-        _exit(code);
+        auto worker = std::find_if(workers.begin(),
+                                   workers.end(),
+                                   [&run](const Worker &waiting) {
+                                     return waiting.is_idle() && !run.alone;
+                                   });
+        if (worker == workers.end() || !worker->process.start(run, *streams))
+          {
+            worker = workers.emplace(workers.end(), program, [this] {
+              signals.give_back();
+            });
+            if (!worker->process.start(run, *streams))
+              {
+                workers.erase(worker);
+                throw WriteError("The words of the line are too long for a "
+                                 "process.");
+              }
+          }
+        worker->run     = run;
+        worker->streams = std::move(streams);
       }
 
       void
       wait()
       {
-        const bool listens = lines.is_open && lines.runs.empty();
-        pollfd events[] = {{signals.fd, POLLIN, 0}, {STDIN_FILENO, POLLIN, 0}};
-        const int n     = poll(events, listens ? 2 : 1, -1);
-        if (n < 0)
+        const bool          listens = lines.is_open && lines.runs.empty();
+        std::vector<pollfd> events  = {{signals.fd, POLLIN, 0},
+                                       {listens ? STDIN_FILENO : -1, POLLIN, 0}};
+        std::vector<Workers::iterator> asked;
+        for (auto worker = workers.begin(); worker != workers.end(); ++worker)
+          if (!worker->is_idle())
+            {
+              events.push_back({worker->process.channel(), POLLIN, 0});
+              asked.push_back(worker);
+            }
+        if (poll(events.data(), events.size(), -1) < 0)
           return; // interrupted
+        for (std::size_t i = 0; i < asked.size(); ++i)
+          if ((events[i + 2].revents & POLLIN) != 0 &&
+              asked[i]->process.is_ready())
+            end(asked[i], 0, asked[i]->streams->said());
         if (events[0].revents != 0)
           take_signal();
-        if (listens && events[1].revents != 0)
+        if (events[1].revents != 0)
           lines.read([this](const BatchRun &run, const std::string &why) {
             table.begin(run.number);
             table.end(run, wrong_line, why);
@@ -404,38 +350,57 @@ namespace conetact::application
           }
         int status = 0;
         for (pid_t child; (child = waitpid(-1, &status, WNOHANG)) > 0;)
-          end(child, status);
+          see_end(child, status);
       }
 
+      /** Of a process. MPI, which catches signals, has said much, but nothing
+       * of the scene. */
       void
-      end(const pid_t child, const int status)
+      see_end(const pid_t child, const int status)
       {
-        const auto    found = running.find(child);
-        const Running ended = std::move(found->second);
-        running.erase(found);
-        // MPI, which catches signals, has said much, but nothing of the scene
-        const std::string said = WIFSIGNALED(status) ?
-                                   "The run was ended by signal " +
-                                     std::to_string(WTERMSIG(status)) + " (" +
-                                     strsignal(WTERMSIG(status)) + ")." :
-                                   ended.streams->said();
-        table.end(ended.run, code_of(status), said);
+        const auto ended = std::find_if(workers.begin(),
+                                        workers.end(),
+                                        [child](const Worker &worker) {
+                                          return worker.process.id() == child;
+                                        });
+        if (ended == workers.end())
+          return;
+        ended->process.see_end();
+        if (!ended->is_idle())
+          end(ended,
+              code_of(status),
+              WIFSIGNALED(status) ? "The run was ended by signal " +
+                                      std::to_string(WTERMSIG(status)) + " (" +
+                                      strsignal(WTERMSIG(status)) + ")." :
+                                    ended->streams->said());
+        workers.erase(ended);
       }
 
-      Lines                                         lines;
-      const Signals                                 signals;
-      Table                                         table;
-      const unsigned int                            n_jobs;
-      const std::function<int(int, char *const[])> &program;
-      std::map<pid_t, Running>                      running;
+      /** Of a run. */
+      void
+      end(const Workers::iterator worker,
+          const int               code,
+          const std::string      &said)
+      {
+        table.end(worker->run, code, said);
+        worker->streams.reset();
+        if (worker->run.alone && code == 0)
+          workers.erase(worker);
+      }
+
+      Lines              lines;
+      const Signals      signals;
+      Table              table;
+      const unsigned int n_jobs;
+      const MainOfRun   &program;
+      Workers            workers;
     };
   } // namespace
 
 
 
   int
-  run_batch(const CommandLine                            &line,
-            const std::function<int(int, char *const[])> &program)
+  run_batch(const CommandLine &line, const MainOfRun &program)
   {
     int ended_by = 0, code = 0;
     {

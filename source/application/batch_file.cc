@@ -162,6 +162,7 @@ namespace conetact::application
     for (std::string &word : run.words)
       argv.push_back(word.data());
     argv.push_back(nullptr);
+    std::error_code   ignored;
     const CommandLine line =
       parse_command_line(static_cast<int>(argv.size()) - 1, argv.data());
     if (!line.answer.empty() || !line.batch.empty() || line.print_parameters ||
@@ -169,7 +170,9 @@ namespace conetact::application
       throw InputError("A line of a batch runs a scene. Leave --batch, "
                        "--parameters, --new, --version and --help out.");
     run.writes = !line.dry_run;
-    run.name   = (run.writes ? results_folder(line) : line.scene).string();
+    run.alone  = line.dry_run || line.processes > 0 ||
+                !std::filesystem::is_regular_file(line.scene, ignored);
+    run.name = (run.writes ? results_folder(line) : line.scene).string();
   }
 
 

@@ -4,9 +4,8 @@
 #ifndef conetact_application_batch_h
 #define conetact_application_batch_h
 
+#include "conetact/application/batch_process.h"
 #include "conetact/application/command_line.h"
-
-#include <functional>
 
 namespace conetact::application
 {
@@ -23,8 +22,7 @@ namespace conetact::application
    * InputError before anything runs, WriteError.
    */
   int
-  run_batch(const CommandLine                            &line,
-            const std::function<int(int, char *const[])> &program);
+  run_batch(const CommandLine &line, const MainOfRun &program);
 } // namespace conetact::application
 
 #endif

@@ -18,6 +18,10 @@ namespace conetact::application
     std::string              out, err;      ///< files; empty: none
     std::string              name;          ///< its folder, or its scene
     bool                     writes = true; ///< results, into the folder
+    /** It needs a process in which there was no run before: estimates count
+     * what the process has used, mpirun wants its environment, and what has
+     * come through a pipe is kept. */
+    bool alone = false;
   };
 
   /**
