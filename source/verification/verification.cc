@@ -33,35 +33,9 @@ namespace conetact::verification
                         "must be the same), or add a Support";
     }
 
-    /** An error over its scale; where nothing acts, none is allowed, and what
-     * is not a number never is. */
-    double
-    relative(const double error, const double scale)
-    {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      if (error <= 0)
-        return 0;
-      return scale > 0 && error < infinity ? error / scale : infinity;
-    }
-
-    std::string
-    place(const contact::Bodies &bodies, const contact::ContactPoint &point)
-    {
-      return "the contact node at " + to_text(point.node->position) +
-             " of body '" + bodies.names[point.node->body] + "' ";
-    }
   } // namespace
 
-  /** What errors of this increment are compared with. */
-  struct Verification::Scales
-  {
-    std::vector<double> nodal;     ///< F_b with thermal forces
-    std::vector<double> force;     ///< F_b
-    std::vector<double> history;   ///< largest F_b so far
-    double              noise = 0; ///< rounding of the largest force so far
-    std::vector<double> rounding;  ///< of bodies on which nothing acts
-    std::vector<double> reach;     ///< largest coordinate + displacement
-  };
+
 
   Verification::Verification(const contact::Bodies        &b,
                              const contact::ElasticSystem &e,
@@ -75,9 +49,12 @@ namespace conetact::verification
     , motions(m)
     , points(contacts)
     , tolerance(tol)
-    , past(bodies.structures.size())
-    , stiffness(VectorXd::Zero(static_cast<Index>(points.size())))
+    , budget(bodies, elastic, plain, points, tolerance)
+    , law(bodies, elastic, points, tolerance)
+    , largest_force(bodies.structures.size(), 0.)
   {}
+
+
 
   template <typename Points>
   VectorXd
@@ -112,63 +89,13 @@ namespace conetact::verification
     return v;
   }
 
-  /* What springs carry along is where it is to the rounding of how far that
-     is, or was: what one increment leaves is the start of the next. What
-     strains it is known to no less. Of what is prescribed only: a body that
-     floats away gains nothing by it. */
-  VectorXd
-  Verification::rounding_of_springs(const Finding &out) const
-  {
-    std::vector<double> ways = past.on_springs;
-    for (const contact::Foundation &foundation : out.foundations)
-      lengthen(ways, foundation.ground);
-    return *std::max_element(ways.begin(), ways.end()) > 0 ?
-             rounding_of_ways(ways) :
-             VectorXd();
-  }
 
-  /* What supports carry along is strained by the rounding of how far that is,
-     or was. Of what is prescribed only, as above. */
-  VectorXd
-  Verification::rounding_of_supports(const double t) const
-  {
-    std::vector<double> ways = past.on_supports;
-    lengthen(ways, plain.prescribed(t));
-    return rounding_of_ways(ways);
-  }
 
-  void
-  Verification::lengthen(std::vector<double> &ways, const VectorXd &u) const
-  {
-    for (unsigned int body = 0; body < ways.size() && u.size() > 0; ++body)
-      {
-        const Index first = plain.offset(body);
-        ways[body] =
-          std::max(ways[body],
-                   solvers::largest(
-                     u.segment(first, plain.offset(body + 1) - first)));
-      }
-  }
-
-  /* All of a body goes as far as what goes furthest. */
-  VectorXd
-  Verification::rounding_of_ways(const std::vector<double> &ways) const
-  {
-    VectorXd way(plain.n_dofs());
-    for (unsigned int body = 0; body < ways.size(); ++body)
-      {
-        const Index first = plain.offset(body);
-        way.segment(first, plain.offset(body + 1) - first)
-          .setConstant(ways[body]);
-      }
-    return 16 * eps * elastic.terms(way);
-  }
-
-  Verification::Scales
+  Scales
   Verification::scales(const Claim &claim, const Finding &out) const
   {
     Scales scales;
-    scales.history  = past.force;
+    scales.history  = largest_force;
     scales.rounding = out.rounding;
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       {
@@ -199,6 +126,8 @@ namespace conetact::verification
       noise * *std::max_element(scales.history.begin(), scales.history.end());
     return scales;
   }
+
+
 
   void
   Verification::check_nodes(const Claim  &claim,
@@ -248,6 +177,8 @@ namespace conetact::verification
       }
   }
 
+
+
   void
   Verification::check_bodies(const Scales &scales, Finding &out) const
   {
@@ -276,186 +207,7 @@ namespace conetact::verification
       }
   }
 
-  /** How a contact node breaks the law; all errors become forces over F. */
-  struct Verification::LawErrors
-  {
-    double F;        ///< largest force on a node of its bodies
-    double past;     ///< rounding of the forces so far
-    double position; ///< rounding of positions [length]
-    double k;        ///< what turns a length into the force that closes it
 
-    double      worst = 0;
-    const char *what  = "";
-
-    void
-    take(const double e, const char *name)
-    {
-      if (e > worst)
-        what = name;
-      worst = std::max(worst, e);
-    }
-    void
-    force(const double error, const char *name)
-    {
-      take(relative(error - past, F), name);
-    }
-    void
-    length(const double error, const char *name)
-    {
-      if (!(error <= position))
-        take(k > 0 ? relative((error - position) * k - past, F) :
-                     std::numeric_limits<double>::infinity(),
-             name);
-    }
-  };
-
-  Verification::LawErrors
-  Verification::errors_of(const pairing::ContactNode &node,
-                          const double                k,
-                          const Scales               &scales) const
-  {
-    const unsigned int other = node.masters.empty() ? node.body : node.master;
-    return {// A light body on a heavily loaded one is judged by its own forces.
-            std::min(scales.force[node.body], scales.force[other]),
-            std::max({scales.noise,
-                      scales.rounding[node.body],
-                      scales.rounding[other]}),
-            // v is a difference of positions.
-            16 * eps * std::max(scales.reach[node.body], scales.reach[other]),
-            k};
-  }
-
-  /* Any reaction will do: only places are judged. */
-  Verification::LawErrors
-  Verification::bound_errors(const contact::ContactPoint &point,
-                             const Scales                &scales,
-                             const Finding               &out) const
-  {
-    const Index  first  = point.first - points.n_unknowns();
-    const auto   n      = static_cast<Index>(point.dual.size());
-    const double k      = bound_stiffness.size() > 0 ?
-                            bound_stiffness.segment(first, n).minCoeff() :
-                            0.;
-    LawErrors    errors = errors_of(*point.node, k, scales);
-    errors.length(
-      out.missed_by_bound.segment(first, n).norm(),
-      point.node->kind == pairing::ContactKind::tie ?
-        "is tied and moves against what it is tied to (supports or a "
-        "Gap may contradict the tie)" :
-        "is bound and leaves what it is bound to (supports or a "
-        "Gap may contradict that)");
-    return errors;
-  }
-
-  Verification::LawErrors
-  Verification::law_errors(const std::size_t i,
-                           const Claim      &claim,
-                           const Scales     &scales,
-                           const Finding    &out) const
-  {
-    const contact::ContactPoint &point = points[i];
-    const pairing::ContactNode  &node  = *point.node;
-    LawErrors                    errors =
-      errors_of(node, stiffness[static_cast<Index>(i)], scales);
-
-    const auto     nt   = static_cast<Index>(point.dual.size()) - 1;
-    const Index    n    = point.first + nt;
-    const double   r_n  = claim.r[n];
-    const double   gap  = node.gap + out.displacements[n];
-    const VectorXd r_t  = claim.r.segment(point.first, nt);
-    const VectorXd slip = (claim.incremental ? out.change : out.displacements)
-                            .segment(point.first, nt);
-    // Radius of the cone; cohesion holds at open nodes, too.
-    const double limit = point.mu * r_n + node.cohesion;
-
-    errors.force(-r_n, "is pulled by its contact");
-    errors.force(r_t.norm() - std::max(limit, 0.),
-                 "carries more than friction");
-    if (claim.states[i] == solvers::NodeState::open)
-      {
-        // The zeros of open nodes are exact: all of what exceeds rounding
-        // counts.
-        errors.force(std::abs(r_n) > errors.past ? std::abs(r_n) + errors.past :
-                                                   0.,
-                     "is open and carries a force");
-        errors.length(-gap, "penetrates");
-      }
-    else
-      errors.length(std::abs(gap), "is closed and has a gap");
-    // Each part of an increment slips its own way; their sum obeys nothing
-    // but the cone.
-    if (claim.whole && nt > 0 && point.mu > 0 &&
-        claim.states[i] == solvers::NodeState::stick)
-      errors.length(slip.norm(), "sticks and slips");
-    if (claim.whole && nt > 0 && claim.states[i] == solvers::NodeState::slip)
-      {
-        errors.force(limit - r_t.norm(), "slips below the limit of friction");
-        const double shortest =
-          errors.position +
-          (errors.k > 0 ? tolerance * errors.F / errors.k : 0.);
-        // A slip that is rounding has no direction, and a longer one has it
-        // up to position / |slip|.
-        if (slip.norm() > shortest)
-          errors.force((r_t + limit * slip / slip.norm()).norm() -
-                         limit * errors.position / slip.norm(),
-                       "does not slip against its friction");
-      }
-    return errors;
-  }
-
-  void
-  Verification::check_law(const Claim  &claim,
-                          const Scales &scales,
-                          Finding      &out) const
-  {
-    for (std::size_t i = 0; i < points.all().size(); ++i)
-      {
-        const LawErrors errors = i < points.size() ?
-                                   law_errors(i, claim, scales, out) :
-                                   bound_errors(points.all()[i], scales, out);
-        if (!(errors.worst <= out.residual))
-          out.residual = errors.worst;
-        if (!(errors.worst <= tolerance) && out.why.empty())
-          out.why = place(bodies, points.all()[i]) + errors.what + ", by " +
-                    to_text(errors.worst) +
-                    " of the largest force on a node of its body";
-      }
-  }
-
-  /* Supports take whatever a tie carries that they make redundant, at no
-     displacement, and as a scale this force would excuse any error. */
-  void
-  Verification::check_bound_forces(const Claim &claim, Finding &out) const
-  {
-    constexpr double largest_lever = 1e4; // of what acts, and what is strained
-    if (bound_stiffness.size() == 0)
-      return;
-    double cause = solvers::largest(claim.loads) +
-                   bound_stiffness.maxCoeff() * solvers::largest(claim.w);
-    for (const contact::Foundation &foundation : out.foundations)
-      cause = std::max(cause, solvers::largest(foundation.forces));
-    bool strained = false;
-    for (std::size_t i = points.size(); i < points.all().size(); ++i)
-      {
-        const contact::ContactPoint &point = points.all()[i];
-        const double force = contact::force_of(point, claim.r).norm();
-        if (force <= largest_lever * cause)
-          continue;
-        if (!strained) // only where it matters: bound nodes of thin bodies
-                       // give way more than what is pressed there is strained
-          cause += solvers::largest(elastic.terms(claim.w));
-        strained = true;
-        if (force <= largest_lever * cause)
-          continue;
-        out.residual = std::numeric_limits<double>::infinity();
-        if (out.why.empty())
-          out.why = place(bodies, point) +
-                    "is bound where supports hold it already, and what it "
-                    "carries is not determined. Take it out of the support or "
-                    "of the contact";
-        return;
-      }
-  }
 
   void
   Verification::find_changes(const double t, Finding &out) const
@@ -472,82 +224,27 @@ namespace conetact::verification
         relative_displacements(last.points, last.u, last.t);
   }
 
-  /* Supports and contacts that hold a body which only strains itself take up
-     what its forces leave when they cancel, at all of its nodes together. */
-  double
-  Verification::rounding_of(const unsigned int body,
-                            const Claim       &claim,
-                            const Balance     &balance,
-                            const VectorXd    &carried,
-                            VectorXd          &rounding) const
-  {
-    const Index first = plain.offset(body);
-    const Index n     = plain.offset(body + 1) - first;
-    if (balance.forces + balance.largest_moment == 0 ||
-        (claim.mechanical.segment(first, n).array() != 0).any())
-      return 0;
-    const auto is_turn = [&](const unsigned int b, const Index dof) {
-      return (dof - plain.offset(b)) % bodies.structures[b]->n_components() >=
-             bodies.dim;
-    };
-    double largest[2] = {0, 0}; // of forces and of moments
-    for (Index i = first; i < first + n; ++i)
-      largest[is_turn(body, i)] =
-        std::max(largest[is_turn(body, i)], std::abs(claim.loads[i]));
-    if (balance.largest <= noise * largest[0] &&
-        balance.largest_moment <= noise * largest[1])
-      return noise * largest[0];
-    if (balance.error() <= tolerance)
-      return 0;
-    if (rounding.size() == 0) // only where it may matter
-      rounding =
-        8 * eps * elastic.terms(claim.w) + rounding_of_supports(claim.t);
-    double sum[2] = {0, 0};
-    for (Index i = first; i < first + n; ++i)
-      sum[is_turn(body, i)] += rounding[i];
-    // Contacts hand on what the springs of other bodies have.
-    for (unsigned int b = 0; b < bodies.structures.size(); ++b)
-      for (Index i = plain.offset(b);
-           carried.size() > 0 && i < plain.offset(b + 1);
-           ++i)
-        sum[is_turn(b, i)] += carried[i];
-    return balance.forces <= sum[0] && balance.largest_moment <= sum[1] ?
-             sum[0] :
-             0;
-  }
 
-  bool
-  Verification::find_rounding(const Claim &claim, Finding &out) const
-  {
-    VectorXd rounding; // of all dofs
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      out.rounding.push_back(rounding_of(
-        body, claim, out.external.bodies[body], out.carried, rounding));
-    return *std::max_element(out.rounding.begin(), out.rounding.end()) > 0;
-  }
 
   void
-  Verification::forget_rounding(VectorXd &rest, Finding &out) const
+  Verification::subtract_reactions(const VectorXd &r, VectorXd &forces) const
   {
-    const auto is_idle = [&](const unsigned int body) {
-      return out.rounding[body] > 0;
-    };
-    for (unsigned int body = 0; body < out.rounding.size(); ++body)
-      if (is_idle(body))
-        {
-          const Index first = plain.offset(body);
-          const Index n     = plain.offset(body + 1) - first;
-          rest.segment(first, n).setZero();
-          for (contact::Foundation &foundation : out.foundations)
-            if (foundation.forces.size() > 0)
-              foundation.forces.segment(first, n).setZero();
-        }
     for (const contact::ContactPoint &point : points.all())
-      if (is_idle(point.node->body) && !point.node->opening &&
-          (point.node->masters.empty() || is_idle(point.node->master)))
-        out.r.segment(point.first, static_cast<Index>(point.dual.size()))
-          .setZero();
+      {
+        const Tensor<1, 3> force = contact::force_of(point, r);
+        pairing::for_each_side(*point.node,
+                               [&](const unsigned int body,
+                                   const unsigned int node,
+                                   const double       weight) {
+                                 const Tensor<1, 3> f =
+                                   bodies.in_frame(body, weight * force);
+                                 for (unsigned int c = 0; c < bodies.dim; ++c)
+                                   forces[plain.dof(body, node) + c] -= f[c];
+                               });
+      }
   }
+
+
 
   Finding
   Verification::judge(const Claim &claim) const
@@ -571,24 +268,12 @@ namespace conetact::verification
     for (const contact::Foundation &foundation : out.foundations)
       if (foundation.forces.size() > 0)
         rest -= foundation.forces;
-    for (const contact::ContactPoint &point : points.all())
-      {
-        const Tensor<1, 3> force = contact::force_of(point, claim.r);
-        pairing::for_each_side(*point.node,
-                               [&](const unsigned int body,
-                                   const unsigned int node,
-                                   const double       weight) {
-                                 const Tensor<1, 3> f =
-                                   bodies.in_frame(body, weight * force);
-                                 for (unsigned int c = 0; c < bodies.dim; ++c)
-                                   rest[plain.dof(body, node) + c] -= f[c];
-                               });
-      }
+    subtract_reactions(claim.r, rest);
     out.unbalanced = rest;
     // Reactions of supports are read at the nodes that carry them.
     plain.unhang(rest);
     out.r              = claim.r;
-    out.carried        = rounding_of_springs(out);
+    out.carried        = budget.of_springs(out);
     const auto collect = [&] {
       out.external = external_forces(bodies,
                                      plain,
@@ -599,9 +284,9 @@ namespace conetact::verification
                                      out.r);
     };
     collect();
-    if (find_rounding(claim, out))
+    if (budget.find(claim, out))
       {
-        forget_rounding(rest, out);
+        budget.forget(rest, out);
         collect();
         for (std::size_t body = 0; body < out.rounding.size(); ++body)
           if (out.rounding[body] > 0)
@@ -617,20 +302,22 @@ namespace conetact::verification
     out.largest_force   = limits.nodal;
     check_nodes(claim, limits, out);
     check_bodies(limits, out);
-    check_law(claim, limits, out);
-    check_bound_forces(claim, out);
+    law.check(claim, limits, out);
     return out;
   }
+
+
 
   void
   Verification::save(Archive &archive) const
   {
     archive.put("verification/u", last.u);
     archive.put("verification/t", last.t);
-    archive.put("verification/history", past.force);
-    archive.put("verification/springs", past.on_springs);
-    archive.put("verification/supports", past.on_supports);
+    archive.put("verification/history", largest_force);
+    budget.save(archive);
   }
+
+
 
   void
   Verification::restore(const Archive &archive)
@@ -638,11 +325,12 @@ namespace conetact::verification
     last.u.setZero(plain.n_dofs());
     archive.fill("verification/u", last.u);
     archive.fill("verification/t", last.t);
-    archive.fill("verification/history", past.force);
-    archive.fill("verification/springs", past.on_springs);
-    archive.fill("verification/supports", past.on_supports);
+    archive.fill("verification/history", largest_force);
+    budget.restore(archive);
     remember_contacts();
   }
+
+
 
   void
   Verification::remember_contacts()
@@ -655,6 +343,8 @@ namespace conetact::verification
       point.node = last.nodes.data() + (point.node - points.nodes().data());
   }
 
+
+
   void
   Verification::accept(const double t, const Finding &finding)
   {
@@ -664,11 +354,9 @@ namespace conetact::verification
     // The slip of the next increment starts here.
     last = {finding.u, t, {}, {}};
     remember_contacts();
-    for (std::size_t body = 0; body < past.force.size(); ++body)
-      past.force[body] =
-        std::max(past.force[body], finding.largest_force[body]);
-    for (const contact::Foundation &foundation : finding.foundations)
-      lengthen(past.on_springs, foundation.ground);
-    lengthen(past.on_supports, plain.prescribed(t));
+    for (std::size_t body = 0; body < largest_force.size(); ++body)
+      largest_force[body] =
+        std::max(largest_force[body], finding.largest_force[body]);
+    budget.accept(t, finding);
   }
 } // namespace conetact::verification

@@ -8,62 +8,14 @@
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/rigid_motions.h"
-#include "conetact/verification/external_forces.h"
+#include "conetact/verification/claim.h"
+#include "conetact/verification/contact_law.h"
+#include "conetact/verification/rounding_budget.h"
 
-#include <string>
 #include <vector>
 
 namespace conetact::verification
 {
-  /**
-   * What an increment claims: displacements R a + w and reactions. Loads and
-   * displacements are components in the frames of bodies (contact::Bodies).
-   */
-  struct Claim
-  {
-    Eigen::VectorXd                 amounts; ///< of all rigid motions
-    Eigen::VectorXd                 w;       ///< deformation, all dofs [length]
-    Eigen::VectorXd                 r; ///< reactions of all contact unknowns
-    std::vector<solvers::NodeState> states;     ///< of the candidates
-    Eigen::VectorXd                 loads;      ///< nodal, all dofs [force]
-    Eigen::VectorXd                 mechanical; ///< those without thermal ones
-    double                          t     = 0;
-    bool                            whole = true; ///< not solved in parts
-    bool incremental                      = true; ///< law of the slip since
-                                                  ///< before; else of all slip
-  };
-
-  /** What the verification finds of a claim. */
-  struct Finding
-  {
-    double      residual    = 0; ///< worst error of the contact law, relative
-    double      equilibrium = 0; ///< worst unbalanced force, relative
-    std::string why; ///< it is not accepted, a sentence; empty: it is
-    /** Of w alone: a rigid motion has none [force x length]. */
-    double strain_energy = 0;
-
-    Eigen::VectorXd u;      ///< displacements of all dofs, in space [length]
-    Eigen::VectorXd acting; ///< loads and supports, in space [force]
-    Eigen::VectorXd unbalanced;    ///< forces on all dofs [force]
-    Eigen::VectorXd displacements; ///< of all contact unknowns, relative
-    Eigen::VectorXd change;        ///< of them in this increment
-    /** The same as contacts were at the end of the increment before. */
-    Eigen::VectorXd     change_as_before;
-    Eigen::VectorXd     missed_by_bound; ///< what is bound moved by [length]
-    std::vector<double> largest_force;   ///< external, on a node, of each body
-    /**
-     * Of each body on which nothing acts from outside: the rounding of forces
-     * on its nodes, which are no more than that and count as 0; of others 0.
-     */
-    std::vector<double> rounding;
-    /** Rounding of forces where springs of supports carry bodies along, at all
-     * dofs; empty where none does. */
-    Eigen::VectorXd carried;
-    Eigen::VectorXd r; ///< reactions, 0 where they are this rounding
-    ExternalForces  external;
-    std::vector<contact::Foundation> foundations; ///< by support
-  };
-
   /**
    * The judge of increments and points of load paths, which shares nothing
    * with solvers but the definitions. External forces are the only scales: F_b
@@ -103,8 +55,7 @@ namespace conetact::verification
     set_stiffness(const Eigen::VectorXd &of_candidates,
                   const Eigen::VectorXd &of_bound = {})
     {
-      stiffness       = of_candidates;
-      bound_stiffness = of_bound;
+      law.set_stiffness(of_candidates, of_bound);
     }
     /** Judges against the state that was accepted last. */
     Finding
@@ -133,51 +84,15 @@ namespace conetact::verification
     restore(const Archive &archive);
 
   private:
-    struct Scales;
-    Eigen::VectorXd
-    rounding_of_springs(const Finding &out) const;
-    Eigen::VectorXd
-    rounding_of_supports(const double t) const;
-    /** Ways of bodies that are no less than such displacements of all dofs. */
-    void
-    lengthen(std::vector<double> &ways, const Eigen::VectorXd &u) const;
-    /** Forces that it takes to round such ways of bodies, of all dofs. */
-    Eigen::VectorXd
-    rounding_of_ways(const std::vector<double> &ways) const;
     Scales
     scales(const Claim &claim, const Finding &out) const;
-    double
-    rounding_of(const unsigned int     body,
-                const Claim           &claim,
-                const Balance         &balance,
-                const Eigen::VectorXd &carried,
-                Eigen::VectorXd       &rounding) const;
-    bool
-    find_rounding(const Claim &claim, Finding &out) const;
+    /** Forces of contacts at all dofs. */
     void
-    forget_rounding(Eigen::VectorXd &rest, Finding &out) const;
+    subtract_reactions(const Eigen::VectorXd &r, Eigen::VectorXd &forces) const;
     void
     check_nodes(const Claim &claim, const Scales &scales, Finding &out) const;
     void
     check_bodies(const Scales &scales, Finding &out) const;
-    struct LawErrors;
-    LawErrors
-    law_errors(const std::size_t point,
-               const Claim      &claim,
-               const Scales     &scales,
-               const Finding    &out) const;
-    LawErrors
-    errors_of(const pairing::ContactNode &node,
-              const double                k,
-              const Scales               &scales) const;
-    LawErrors
-    bound_errors(const contact::ContactPoint &point,
-                 const Scales                &scales,
-                 const Finding               &out) const;
-    void
-    check_bound_forces(const Claim &claim, Finding &out) const;
-    void
-    check_law(const Claim &claim, const Scales &scales, Finding &out) const;
     template <typename Points>
     Eigen::VectorXd
     relative_displacements(const Points          &of,
@@ -194,20 +109,9 @@ namespace conetact::verification
     const contact::RigidMotions  &motions;
     const contact::ContactPoints &points;
     double                        tolerance;
-    /** The largest so far, of each body. */
-    struct Past
-    {
-      std::vector<double> force;
-      std::vector<double> on_springs, on_supports; ///< prescribed ways
-
-      explicit Past(const std::size_t n_bodies)
-        : force(n_bodies, 0.)
-        , on_springs(force)
-        , on_supports(force)
-      {}
-    };
-    Past            past;
-    Eigen::VectorXd stiffness, bound_stiffness;
+    RoundingBudget                budget;
+    ContactLaw                    law;
+    std::vector<double>           largest_force; ///< so far, of each body
 
     /** What was accepted last; empty: nothing yet. */
     struct Last

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_verification_rounding_budget_h
+#define conetact_verification_rounding_budget_h
+
+#include "conetact/base/archive.h"
+#include "conetact/contact/coordinates.h"
+#include "conetact/contact/elastic_system.h"
+#include "conetact/verification/claim.h"
+
+#include <vector>
+
+namespace conetact::verification
+{
+  /**
+   * Forces that are no more than rounding. Springs and supports carry bodies
+   * along, and what is carried is where it is to the rounding of how far that
+   * is, or was: what one increment leaves is the start of the next. Only what
+   * is prescribed counts, so that a body that floats away gains nothing by it.
+   */
+  class RoundingBudget
+  {
+  public:
+    /** What is given must outlive the object. */
+    RoundingBudget(const contact::Bodies        &bodies,
+                   const contact::ElasticSystem &elastic,
+                   const contact::Coordinates   &plain,
+                   const contact::ContactPoints &points,
+                   const double                  tolerance);
+
+    /** At all dofs, of forces where springs carry bodies along; empty where
+     * none does. */
+    Eigen::VectorXd
+    of_springs(const Finding &out) const;
+    /** Finds bodies on which nothing acts but rounding; false if there are
+     * none. */
+    bool
+    find(const Claim &claim, Finding &out) const;
+    /** Sets forces of those bodies to zero, of all dofs and of contacts. */
+    void
+    forget(Eigen::VectorXd &rest, Finding &out) const;
+
+    /** The ways of an increment at time t that was accepted. */
+    void
+    accept(const double t, const Finding &finding);
+    void
+    save(Archive &archive) const;
+    void
+    restore(const Archive &archive);
+
+  private:
+    /** Of what supports carry along, at all dofs. */
+    Eigen::VectorXd
+    of_supports(const double t) const;
+    /** Forces that it takes to round such ways of bodies, of all dofs. */
+    Eigen::VectorXd
+    of_ways(const std::vector<double> &ways) const;
+    /** Ways of bodies that are no less than such displacements of all dofs. */
+    void
+    lengthen(std::vector<double> &ways, const Eigen::VectorXd &u) const;
+    double
+    of_body(const unsigned int     body,
+            const Claim           &claim,
+            const Balance         &balance,
+            const Eigen::VectorXd &carried,
+            Eigen::VectorXd       &rounding) const;
+
+    const contact::Bodies        &bodies;
+    const contact::ElasticSystem &elastic;
+    const contact::Coordinates   &plain;
+    const contact::ContactPoints &points;
+    double                        tolerance;
+    /** Prescribed, the largest so far of each body [length]. */
+    std::vector<double> on_springs, on_supports;
+  };
+} // namespace conetact::verification
+
+#endif

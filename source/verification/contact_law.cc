@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/verification/contact_law.h"
+
+#include "conetact/base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace conetact::verification
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    /** Of what positions are sums of. */
+    constexpr double rounding_of_positions =
+      16 * std::numeric_limits<double>::epsilon();
+
+    std::string
+    place(const contact::Bodies &bodies, const contact::ContactPoint &point)
+    {
+      return "the contact node at " + to_text(point.node->position) +
+             " of body '" + bodies.names[point.node->body] + "' ";
+    }
+  } // namespace
+
+
+
+  double
+  relative(const double error, const double scale)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (error <= 0)
+      return 0;
+    return scale > 0 && error < infinity ? error / scale : infinity;
+  }
+
+
+
+  ContactLaw::ContactLaw(const contact::Bodies        &b,
+                         const contact::ElasticSystem &e,
+                         const contact::ContactPoints &contacts,
+                         const double                  tol)
+    : bodies(b)
+    , elastic(e)
+    , points(contacts)
+    , tolerance(tol)
+    , stiffness(VectorXd::Zero(static_cast<Index>(points.size())))
+  {}
+
+
+
+  void
+  ContactLaw::set_stiffness(const VectorXd &of_candidates,
+                            const VectorXd &of_bound)
+  {
+    stiffness       = of_candidates;
+    bound_stiffness = of_bound;
+  }
+
+
+
+  /** How a contact node breaks the law; all errors become forces over F. */
+  struct ContactLaw::Errors
+  {
+    double F;        ///< largest force on a node of its bodies
+    double past;     ///< rounding of the forces so far
+    double position; ///< rounding of positions [length]
+    double k;        ///< what turns a length into the force that closes it
+
+    double      worst = 0;
+    const char *what  = "";
+
+    void
+    take(const double e, const char *name)
+    {
+      if (e > worst)
+        what = name;
+      worst = std::max(worst, e);
+    }
+    void
+    force(const double error, const char *name)
+    {
+      take(relative(error - past, F), name);
+    }
+    void
+    length(const double error, const char *name)
+    {
+      if (!(error <= position))
+        take(k > 0 ? relative((error - position) * k - past, F) :
+                     std::numeric_limits<double>::infinity(),
+             name);
+    }
+  };
+
+
+
+  ContactLaw::Errors
+  ContactLaw::errors_of(const pairing::ContactNode &node,
+                        const double                k,
+                        const Scales               &scales) const
+  {
+    const unsigned int other = node.masters.empty() ? node.body : node.master;
+    return {// A light body on a heavily loaded one is judged by its own forces.
+            std::min(scales.force[node.body], scales.force[other]),
+            std::max({scales.noise,
+                      scales.rounding[node.body],
+                      scales.rounding[other]}),
+            // v is a difference of positions.
+            rounding_of_positions *
+              std::max(scales.reach[node.body], scales.reach[other]),
+            k};
+  }
+
+
+
+  /* Any reaction will do: only places are judged. */
+  ContactLaw::Errors
+  ContactLaw::errors_of_bound(const contact::ContactPoint &point,
+                              const Scales                &scales,
+                              const Finding               &out) const
+  {
+    const Index  first  = point.first - points.n_unknowns();
+    const auto   n      = static_cast<Index>(point.dual.size());
+    const double k      = bound_stiffness.size() > 0 ?
+                            bound_stiffness.segment(first, n).minCoeff() :
+                            0.;
+    Errors       errors = errors_of(*point.node, k, scales);
+    errors.length(
+      out.missed_by_bound.segment(first, n).norm(),
+      point.node->kind == pairing::ContactKind::tie ?
+        "is tied and moves against what it is tied to (supports or a "
+        "Gap may contradict the tie)" :
+        "is bound and leaves what it is bound to (supports or a "
+        "Gap may contradict that)");
+    return errors;
+  }
+
+
+
+  ContactLaw::Errors
+  ContactLaw::errors_of_candidate(const std::size_t i,
+                                  const Claim      &claim,
+                                  const Scales     &scales,
+                                  const Finding    &out) const
+  {
+    const contact::ContactPoint &point = points[i];
+    const pairing::ContactNode  &node  = *point.node;
+    Errors errors = errors_of(node, stiffness[static_cast<Index>(i)], scales);
+
+    const auto     nt   = static_cast<Index>(point.dual.size()) - 1;
+    const Index    n    = point.first + nt;
+    const double   r_n  = claim.r[n];
+    const double   gap  = node.gap + out.displacements[n];
+    const VectorXd r_t  = claim.r.segment(point.first, nt);
+    const VectorXd slip = (claim.incremental ? out.change : out.displacements)
+                            .segment(point.first, nt);
+    // Radius of the cone; cohesion holds at open nodes, too.
+    const double limit = point.mu * r_n + node.cohesion;
+
+    errors.force(-r_n, "is pulled by its contact");
+    errors.force(r_t.norm() - std::max(limit, 0.),
+                 "carries more than friction");
+    if (claim.states[i] == solvers::NodeState::open)
+      {
+        // The zeros of open nodes are exact: all of what exceeds rounding
+        // counts.
+        errors.force(std::abs(r_n) > errors.past ? std::abs(r_n) + errors.past :
+                                                   0.,
+                     "is open and carries a force");
+        errors.length(-gap, "penetrates");
+      }
+    else
+      errors.length(std::abs(gap), "is closed and has a gap");
+    // Each part of an increment slips its own way; their sum obeys nothing
+    // but the cone.
+    if (claim.whole && nt > 0 && point.mu > 0 &&
+        claim.states[i] == solvers::NodeState::stick)
+      errors.length(slip.norm(), "sticks and slips");
+    if (claim.whole && nt > 0 && claim.states[i] == solvers::NodeState::slip)
+      {
+        errors.force(limit - r_t.norm(), "slips below the limit of friction");
+        const double shortest =
+          errors.position +
+          (errors.k > 0 ? tolerance * errors.F / errors.k : 0.);
+        // A slip that is rounding has no direction, and a longer one has it
+        // up to position / |slip|.
+        if (slip.norm() > shortest)
+          errors.force((r_t + limit * slip / slip.norm()).norm() -
+                         limit * errors.position / slip.norm(),
+                       "does not slip against its friction");
+      }
+    return errors;
+  }
+
+
+
+  void
+  ContactLaw::check(const Claim  &claim,
+                    const Scales &scales,
+                    Finding      &out) const
+  {
+    for (std::size_t i = 0; i < points.all().size(); ++i)
+      {
+        const Errors errors = i < points.size() ?
+                                errors_of_candidate(i, claim, scales, out) :
+                                errors_of_bound(points.all()[i], scales, out);
+        if (!(errors.worst <= out.residual))
+          out.residual = errors.worst;
+        if (!(errors.worst <= tolerance) && out.why.empty())
+          out.why = place(bodies, points.all()[i]) + errors.what + ", by " +
+                    to_text(errors.worst) +
+                    " of the largest force on a node of its body";
+      }
+    check_bound_forces(claim, out);
+  }
+
+
+
+  /* Supports take whatever a tie carries that they make redundant, at no
+     displacement, and as a scale this force would excuse any error. */
+  void
+  ContactLaw::check_bound_forces(const Claim &claim, Finding &out) const
+  {
+    constexpr double largest_lever = 1e4; // of what acts, and what is strained
+    if (bound_stiffness.size() == 0)
+      return;
+    double cause = solvers::largest(claim.loads) +
+                   bound_stiffness.maxCoeff() * solvers::largest(claim.w);
+    for (const contact::Foundation &foundation : out.foundations)
+      cause = std::max(cause, solvers::largest(foundation.forces));
+    bool strained = false;
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      {
+        const contact::ContactPoint &point = points.all()[i];
+        const double force = contact::force_of(point, claim.r).norm();
+        if (force <= largest_lever * cause)
+          continue;
+        if (!strained) // only where it matters: bound nodes of thin bodies
+                       // give way more than what is pressed there is strained
+          cause += solvers::largest(elastic.terms(claim.w));
+        strained = true;
+        if (force <= largest_lever * cause)
+          continue;
+        out.residual = std::numeric_limits<double>::infinity();
+        if (out.why.empty())
+          out.why = place(bodies, point) +
+                    "is bound where supports hold it already, and what it "
+                    "carries is not determined. Take it out of the support or "
+                    "of the contact";
+        return;
+      }
+  }
+} // namespace conetact::verification

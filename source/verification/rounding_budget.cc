@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/verification/rounding_budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace conetact::verification
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    /** Of the largest thermal force on a node of a body. */
+    constexpr double noise_of_thermal = 64 * epsilon;
+  } // namespace
+
+
+
+  RoundingBudget::RoundingBudget(const contact::Bodies        &b,
+                                 const contact::ElasticSystem &e,
+                                 const contact::Coordinates   &p,
+                                 const contact::ContactPoints &contacts,
+                                 const double                  tol)
+    : bodies(b)
+    , elastic(e)
+    , plain(p)
+    , points(contacts)
+    , tolerance(tol)
+    , on_springs(bodies.structures.size(), 0.)
+    , on_supports(on_springs)
+  {}
+
+
+
+  /* What strains what springs carry along is known to no less. */
+  VectorXd
+  RoundingBudget::of_springs(const Finding &out) const
+  {
+    std::vector<double> ways = on_springs;
+    for (const contact::Foundation &foundation : out.foundations)
+      lengthen(ways, foundation.ground);
+    return *std::max_element(ways.begin(), ways.end()) > 0 ? of_ways(ways) :
+                                                             VectorXd();
+  }
+
+
+
+  VectorXd
+  RoundingBudget::of_supports(const double t) const
+  {
+    std::vector<double> ways = on_supports;
+    lengthen(ways, plain.prescribed(t));
+    return of_ways(ways);
+  }
+
+
+
+  void
+  RoundingBudget::lengthen(std::vector<double> &ways, const VectorXd &u) const
+  {
+    for (unsigned int body = 0; body < ways.size() && u.size() > 0; ++body)
+      {
+        const Index first = plain.offset(body);
+        ways[body] =
+          std::max(ways[body],
+                   solvers::largest(
+                     u.segment(first, plain.offset(body + 1) - first)));
+      }
+  }
+
+
+
+  /* All of a body goes as far as what goes furthest. */
+  VectorXd
+  RoundingBudget::of_ways(const std::vector<double> &ways) const
+  {
+    VectorXd way(plain.n_dofs());
+    for (unsigned int body = 0; body < ways.size(); ++body)
+      {
+        const Index first = plain.offset(body);
+        way.segment(first, plain.offset(body + 1) - first)
+          .setConstant(ways[body]);
+      }
+    return 16 * epsilon * elastic.terms(way);
+  }
+
+
+
+  /* Supports and contacts that hold a body which only strains itself take up
+     what its forces leave when they cancel, at all of its nodes together. */
+  double
+  RoundingBudget::of_body(const unsigned int body,
+                          const Claim       &claim,
+                          const Balance     &balance,
+                          const VectorXd    &carried,
+                          VectorXd          &rounding) const
+  {
+    const Index first = plain.offset(body);
+    const Index n     = plain.offset(body + 1) - first;
+    if (balance.forces + balance.largest_moment == 0 ||
+        (claim.mechanical.segment(first, n).array() != 0).any())
+      return 0;
+    const auto is_turn = [&](const unsigned int b, const Index dof) {
+      return (dof - plain.offset(b)) % bodies.structures[b]->n_components() >=
+             bodies.dim;
+    };
+    double largest[2] = {0, 0}; // of forces and of moments
+    for (Index i = first; i < first + n; ++i)
+      largest[is_turn(body, i)] =
+        std::max(largest[is_turn(body, i)], std::abs(claim.loads[i]));
+    if (balance.largest <= noise_of_thermal * largest[0] &&
+        balance.largest_moment <= noise_of_thermal * largest[1])
+      return noise_of_thermal * largest[0];
+    if (balance.error() <= tolerance)
+      return 0;
+    if (rounding.size() == 0) // only where it may matter
+      rounding = 8 * epsilon * elastic.terms(claim.w) + of_supports(claim.t);
+    double sum[2] = {0, 0};
+    for (Index i = first; i < first + n; ++i)
+      sum[is_turn(body, i)] += rounding[i];
+    // Contacts hand on what the springs of other bodies have.
+    for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+      for (Index i = plain.offset(b);
+           carried.size() > 0 && i < plain.offset(b + 1);
+           ++i)
+        sum[is_turn(b, i)] += carried[i];
+    return balance.forces <= sum[0] && balance.largest_moment <= sum[1] ?
+             sum[0] :
+             0;
+  }
+
+
+
+  bool
+  RoundingBudget::find(const Claim &claim, Finding &out) const
+  {
+    VectorXd rounding; // of all dofs
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      out.rounding.push_back(
+        of_body(body, claim, out.external.bodies[body], out.carried, rounding));
+    return *std::max_element(out.rounding.begin(), out.rounding.end()) > 0;
+  }
+
+
+
+  void
+  RoundingBudget::forget(VectorXd &rest, Finding &out) const
+  {
+    const auto is_idle = [&](const unsigned int body) {
+      return out.rounding[body] > 0;
+    };
+    for (unsigned int body = 0; body < out.rounding.size(); ++body)
+      if (is_idle(body))
+        {
+          const Index first = plain.offset(body);
+          const Index n     = plain.offset(body + 1) - first;
+          rest.segment(first, n).setZero();
+          for (contact::Foundation &foundation : out.foundations)
+            if (foundation.forces.size() > 0)
+              foundation.forces.segment(first, n).setZero();
+        }
+    for (const contact::ContactPoint &point : points.all())
+      if (is_idle(point.node->body) && !point.node->opening &&
+          (point.node->masters.empty() || is_idle(point.node->master)))
+        out.r.segment(point.first, static_cast<Index>(point.dual.size()))
+          .setZero();
+  }
+
+
+
+  void
+  RoundingBudget::accept(const double t, const Finding &finding)
+  {
+    for (const contact::Foundation &foundation : finding.foundations)
+      lengthen(on_springs, foundation.ground);
+    lengthen(on_supports, plain.prescribed(t));
+  }
+
+
+
+  void
+  RoundingBudget::save(Archive &archive) const
+  {
+    archive.put("verification/springs", on_springs);
+    archive.put("verification/supports", on_supports);
+  }
+
+
+
+  void
+  RoundingBudget::restore(const Archive &archive)
+  {
+    archive.fill("verification/springs", on_springs);
+    archive.fill("verification/supports", on_supports);
+  }
+} // namespace conetact::verification
