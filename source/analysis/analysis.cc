@@ -146,7 +146,7 @@ namespace conetact::analysis
     if (driven.norm() <= round_off * forces.lpNorm<1>())
       return;
     const contact::RigidMotions::Motion motion =
-      model.motions.motion_of_free(unseen * driven);
+      model.motions.largest(model.motions.of_free(unseen * driven));
     throw InputError("Nothing holds " + scene.bodies.called(motion.body) +
                      " against moving " + describe(motion) +
                      ": no support, and no friction on anything that is held, "

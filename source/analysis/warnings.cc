@@ -47,7 +47,7 @@ namespace conetact::analysis
     if (elsewhere.size() == 0)
       return true;
     const contact::RigidMotions::Motion motion =
-      model.motions.motion_of_free(elsewhere);
+      model.motions.largest(model.motions.of_free(elsewhere));
     const contact::ContactPoints &points = model.points;
     const bool                    is_pressed =
       std::any_of(points.begin(),

@@ -54,7 +54,7 @@ namespace conetact::contact
     , points(bodies, rules, at)
     , coordinates(bodies, rules)
     , elastic(bodies)
-    , motions(bodies, rules, points, coordinates)
+    , motions(bodies, rules, points)
     , frames(own_bodies, rules, points, motions)
     , times(at)
     , condenser(by)

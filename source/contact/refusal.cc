@@ -52,8 +52,10 @@ namespace conetact::contact
     RigidMotions::Motion
     rigid_motion(const solvers::Existence &refusal, const ContactModel &model)
     {
-      return model.motions.motion(
-        model.motions.null_space().colPivHouseholderQr().solve(refusal.v));
+      const RigidMotions   &motions = model.motions;
+      const Eigen::VectorXd loose =
+        motions.null_space().colPivHouseholderQr().solve(refusal.v);
+      return motions.largest(motions.of_free(motions.unresisted() * loose));
     }
 
     bool

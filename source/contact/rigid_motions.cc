@@ -4,12 +4,10 @@
 #include "conetact/contact/rigid_motions.h"
 
 #include "conetact/base/errors.h"
-#include "conetact/base/text.h"
+#include "conetact/contact/null_and_range.h"
 #include "conetact/contact/unseen_motions.h"
 
 #include <deal.II/base/exceptions.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -18,127 +16,25 @@ namespace conetact::contact
 {
   namespace
   {
-    /** Translations and rotations of a body: 3 in the plane, 6 in space. */
-    constexpr Eigen::Index
-    n_modes(const unsigned int dim)
-    {
-      return dim == 2 ? 3 : 6;
-    }
-
-    Tensor<1, 3>
-    axis(const unsigned int k)
-    {
-      Tensor<1, 3> e;
-      e[k] = 1;
-      return e;
-    }
-
-    /** Whether mode k is one of a body of revolution round y. */
-    bool
-    is_axial(const unsigned int k)
-    {
-      return k == 1;
-    }
-
-    /**
-     * Mode k of a body at p; rotations move its rim by about 1. What strains a
-     * body of revolution is no motion: nothing.
-     */
-    Tensor<1, 3>
-    mode(const unsigned int          k,
-         const unsigned int          dim,
-         const RigidMotions::Motion &frame,
-         const Point<3>             &p)
-    {
-      if (frame.axisymmetric && !is_axial(k))
-        return Tensor<1, 3>();
-      if (k < dim)
-        return axis(k);
-      const Tensor<1, 3> about = axis(dim == 2 ? 2 : k - dim);
-      return cross_product_3d(about, p - frame.centre) / frame.size;
-    }
-
-    Tensor<1, 3>
-    displacement(const RigidMotions::Motion &motion, const Point<3> &p)
-    {
-      return motion.translation +
-             cross_product_3d(motion.rotation, p - motion.centre);
-    }
-
-    RigidMotions::Motion
-    frame_of(const Bodies &bodies, const unsigned int body)
-    {
-      const bodies::Structure &structure = *bodies.structures[body];
-      RigidMotions::Motion     frame{
-        body, structure.is_axisymmetric(), {}, {}, {}, 0};
-      const unsigned int n = structure.n_nodes();
-      if (bodies.is_rigid(body))
-        frame.centre = structure.position(0); // its reference point
-      for (unsigned int i = 0; i < n && !bodies.is_rigid(body); ++i)
-        // Any point near the middle of the nodes will do.
-        frame.centre += Tensor<1, 3>(structure.position(i)) / n;
-      for (unsigned int i = 0; i < n; ++i)
-        frame.size =
-          std::max(frame.size, structure.position(i).distance(frame.centre));
-      if (frame.size == 0)
-        frame.size = 1; // an obstacle without extent: any lever will do
-      return frame;
-    }
-
-    /** Eigenvalues of a sum of squares below this part of the largest are 0. */
-    constexpr double rank_limit = 1e-12;
-
-    struct Split
-    {
-      Eigen::MatrixXd null, range, pseudo_inverse;
-    };
-
-    /** The null space of a symmetric positive semidefinite matrix, and more. */
-    Split
-    split(const Eigen::MatrixXd &gram)
-    {
-      Split result{gram, gram, gram};
-      if (gram.rows() == 0)
-        return result;
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-      // At least over 1, the square of a direction: where nothing is held the
-      // largest eigenvalue is 0.
-      const double limit =
-        rank_limit * std::max(1., eigen.eigenvalues().maxCoeff());
-      Eigen::Index n_null = 0;
-      while (n_null < gram.rows() && eigen.eigenvalues()[n_null] < limit)
-        ++n_null;
-      const Eigen::Index    rank = gram.rows() - n_null;
-      const Eigen::MatrixXd V    = eigen.eigenvectors().rightCols(rank);
-      result.null                = eigen.eigenvectors().leftCols(n_null);
-      result.range               = V;
-      // Without the free motions: of all placements that fit the supports the
-      // smallest.
-      result.pseudo_inverse =
-        V * eigen.eigenvalues().tail(rank).cwiseInverse().asDiagonal() *
-        V.transpose();
-      return result;
-    }
-
     /** Modes that move no node are no motions, such as the spin of a bar. */
     Eigen::MatrixXd
-    moving_nothing(const Bodies &bodies, const RigidMotions::Motion &frame)
+    moving_nothing(const Bodies      &bodies,
+                   const RigidModes  &motions,
+                   const unsigned int body)
     {
-      const bodies::Structure &structure = *bodies.structures[frame.body];
-      const Eigen::Index       n         = n_modes(bodies.dim);
+      const bodies::Structure &structure = *bodies.structures[body];
+      const Eigen::Index       n         = bodies.dim == 2 ? 3 : 6;
       if (!structure.may_be_mechanism()) // nor is it a bar
         return {n, 0};
       Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(n, n);
       for (unsigned int i = 0; i < structure.n_nodes(); ++i)
         {
           Eigen::MatrixXd modes(3, n);
-          for (Eigen::Index k = 0; k < n; ++k)
+          for (unsigned int d = 0; d < 3; ++d)
             {
-              const Tensor<1, 3> u = mode(static_cast<unsigned int>(k),
-                                          bodies.dim,
-                                          frame,
-                                          structure.position(i));
-              modes.col(k) << u[0], u[1], u[2];
+              Tensor<1, 3> along;
+              along[d]     = 1;
+              modes.row(d) = motions.row(body, structure.position(i), along);
             }
           moved += modes.transpose() * modes;
           for (unsigned int c = bodies.dim; c < structure.n_components(); ++c)
@@ -148,36 +44,119 @@ namespace conetact::contact
       return split(moved).null;
     }
 
-    std::string
-    direction_text(Tensor<1, 3> v)
+    /* Rows e . R of all held directions: their squares summed make a small
+       matrix whose null space are the motions that no support resists.
+       Rotations count in lengths, so that its eigenvalues compare. */
+    Eigen::MatrixXd
+    squares_of_supports(const Bodies      &bodies,
+                        const NodeRules   &rules,
+                        const RigidModes  &modes,
+                        const Eigen::Index n_one)
     {
-      v /= v.norm();
-      for (unsigned int d = 0; d < 3; ++d)
-        v[d] = std::round(1e4 * v[d]) / 1e4;
-      for (unsigned int d = 3; d-- > 0;)
-        if (v[d] != 0)
-          return to_text(v);
-      return to_text(v);
+      const Eigen::Index n   = modes.none().size();
+      Eigen::MatrixXd    sum = Eigen::MatrixXd::Zero(n, n);
+      for (const NodeRule &rule : rules.rules())
+        {
+          const Eigen::Index first = rule.body * n_one;
+          for (const HeldDirection &h : rule.held)
+            {
+              const Eigen::RowVectorXd e =
+                modes.row(rule.body,
+                          bodies.structures[rule.body]->position(rule.node),
+                          h.direction);
+              sum.block(first, first, n_one, n_one) += e.transpose() * e;
+            }
+          for (const NodeRule::HeldRotation &h : rule.rotations)
+            // A rotation moves the rim by 1.
+            sum(first + h.component, first + h.component) += 1;
+        }
+      return sum;
+    }
+
+    Eigen::RowVectorXd
+    row_of(const Cut &cut, const RigidModes &modes)
+    {
+      return modes.row(cut.body, modes.centre(cut.body), cut.axis);
+    }
+
+    void
+    add_squares_of_cuts(const Bodies     &bodies,
+                        const RigidModes &modes,
+                        Eigen::MatrixXd  &sum)
+    {
+      for (const Cut &cut : bodies.cuts)
+        if (cut.opening)
+          {
+            const Eigen::RowVectorXd e     = row_of(cut, modes);
+            const Eigen::Index       first = cut.body * e.size();
+            sum.block(first, first, e.size(), e.size()) += e.transpose() * e;
+          }
+    }
+
+    /** Amounts of cuts that are locked, and of nothing else. */
+    RigidModes::Amounts
+    locked(const Bodies &bodies, const RigidModes &modes)
+    {
+      RigidModes::Amounts amounts = modes.none();
+      for (const Cut &cut : bodies.cuts)
+        if (cut.opening)
+          {
+            const Eigen::RowVectorXd e = row_of(cut, modes);
+            amounts.segment(cut.body * e.size(), e.size()) =
+              *cut.opening * e.transpose();
+          }
+      return amounts;
+    }
+
+    /** Bodies that are tied reach each other only. */
+    std::vector<bool>
+    reached_bodies(const Bodies &bodies, const RigidMotions &motions)
+    {
+      std::vector<bool> reached(bodies.structures.size(), false);
+      for (const pairing::ContactNode &node : bodies.contact_nodes)
+        {
+          const unsigned int one = motions.first_tied(node.body);
+          const unsigned int other =
+            node.masters.empty() ? one : motions.first_tied(node.master);
+          if (node.kind != pairing::ContactKind::tie || node.masters.empty() ||
+              other != one)
+            reached[one] = reached[other] = true;
+        }
+      return reached;
+    }
+
+    void
+    refuse_loose_bodies(const Bodies &bodies, const RigidMotions &motions)
+    {
+      const std::vector<bool> reached = reached_bodies(bodies, motions);
+      const Eigen::MatrixXd   loose   = motions.free() * motions.unresisted();
+      for (Eigen::Index j = 0; j < loose.cols(); ++j)
+        if (const RigidModes::Motion m = motions.largest(loose.col(j));
+            !reached[motions.first_tied(m.body)])
+          throw InputError(
+            "Nothing holds " + bodies.called(m.body) + " against moving " +
+            describe(m) +
+            ": no support, and no node of it faces anything in a Contact. " +
+            (bodies.is_rigid(m.body) ? "Let it be less Free" :
+                                       "Add a Support") +
+            ", or a Contact; check Boundary ids, Reach and the bodies' "
+            "places.");
     }
   } // namespace
 
+
+
   RigidMotions::RigidMotions(const Bodies        &b,
                              const NodeRules     &r,
-                             const ContactPoints &points,
-                             const Coordinates   &coordinates)
-    : bodies(b)
+                             const ContactPoints &points)
+    : RigidModes(b)
     , rules(r)
-    , n_one(n_modes(b.dim))
   {
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      {
-        frames.push_back(frame_of(bodies, body));
-        offset.push_back(coordinates.offset(body));
-      }
-    offset.push_back(coordinates.n_dofs());
     find_again(points);
-    refuse_loose_bodies();
+    refuse_loose_bodies(bodies, *this);
   }
+
+
 
   void
   RigidMotions::find_again(const ContactPoints &points)
@@ -189,101 +168,35 @@ namespace conetact::contact
     see_contacts(points);
   }
 
-  /* What each mode moves the point p by, along a direction. */
-  Eigen::RowVectorXd
-  RigidMotions::row(const unsigned int  body,
-                    const Point<3>     &p,
-                    const Tensor<1, 3> &direction) const
-  {
-    AssertIndexRange(body, frames.size());
-    Eigen::RowVectorXd result(n_one);
-    for (unsigned int k = 0; k < n_one; ++k)
-      result[k] = direction * mode(k, bodies.dim, frames[body], p);
-    return result;
-  }
 
-  RigidMotions::Tie
-  RigidMotions::make_tie(const pairing::ContactNode &node,
-                         const Tensor<1, 3>         &direction) const
-  {
-    Tie tied{&node, direction, {}};
-    pairing::for_each_side(node,
-                           [&](const unsigned int body,
-                               const unsigned int number,
-                               const double       weight) {
-                             tied.rows
-                               .emplace(body, Eigen::RowVectorXd::Zero(n_one))
-                               .first->second +=
-                               row(body,
-                                   bodies.structures[body]->position(number),
-                                   weight * direction);
-                           });
-    return tied;
-  }
 
-  double
-  RigidMotions::relative(const Tie &tied, const Amounts &amounts) const
-  {
-    AssertDimension(amounts.size(), held.rows());
-    double sum = 0;
-    for (const auto &[body, r] : tied.rows)
-      sum += r.dot(amounts.segment(body * n_one, n_one));
-    return sum;
-  }
-
-  void
-  RigidMotions::add(const double factor, const Tie &tied, Amounts &sum) const
-  {
-    AssertDimension(sum.size(), held.rows());
-    for (const auto &[body, r] : tied.rows)
-      sum.segment(body * n_one, n_one) += factor * r.transpose();
-  }
-
-  /* Rows e . R of all held directions: their squares summed make a small matrix
-     whose null space are the motions that no support resists. Rotations count
-     in lengths, so that its eigenvalues compare. */
   void
   RigidMotions::find_held_and_free()
   {
     const auto  n_bodies = static_cast<Index>(frames.size());
     const Index n        = n_one * n_bodies;
-    held                 = Eigen::MatrixXd::Zero(n, n);
-    held_inverse         = held;
-    for (const NodeRule &rule : rules.rules())
-      {
-        const Index first = rule.body * n_one;
-        for (const HeldDirection &h : rule.held)
-          {
-            const Eigen::RowVectorXd e =
-              row(rule.body,
-                  bodies.structures[rule.body]->position(rule.node),
-                  h.direction);
-            held.block(first, first, n_one, n_one) += e.transpose() * e;
-          }
-        for (const NodeRule::HeldRotation &h : rule.rotations)
-          // A rotation moves the rim by 1.
-          held(first + h.component, first + h.component) += 1;
-      }
+    held                 = squares_of_supports(bodies, rules, *this, n_one);
     for (Index body = 0; body < n_bodies; ++body)
-      if (frames[static_cast<std::size_t>(body)].axisymmetric)
-        for (unsigned int k = 0; k < n_one; ++k)
-          if (!is_axial(k)) // neither free nor ever moved
-            held(body * n_one + k, body * n_one + k) = 1;
-    hold_locked();
+      for (unsigned int k = 0; k < n_one; ++k)
+        if (strains(static_cast<unsigned int>(body), k)) // is never moved
+          held(body * n_one + k, body * n_one + k) = 1;
+    add_squares_of_cuts(bodies, *this, held);
     for (Index body = 0; body < n_bodies; ++body)
       {
         const Eigen::MatrixXd none =
-          moving_nothing(bodies, frames[static_cast<std::size_t>(body)]);
+          moving_nothing(bodies, *this, static_cast<unsigned int>(body));
         held.block(body * n_one, body * n_one, n_one, n_one) +=
           none * none.transpose();
       }
+    held_inverse.setZero(n, n);
     own_modes = Eigen::MatrixXd(n, 0);
     own_body.clear();
     for (Index body = 0; body < n_bodies; ++body)
       {
         const Index first = body * n_one;
         // Rank is a matter of each body alone.
-        const Split parts = split(held.block(first, first, n_one, n_one));
+        const NullAndRange parts =
+          split(held.block(first, first, n_one, n_one));
         held_inverse.block(first, first, n_one, n_one) = parts.pseudo_inverse;
         const Index k                                  = own_modes.cols();
         own_modes.conservativeResize(n, k + parts.null.cols());
@@ -295,36 +208,13 @@ namespace conetact::contact
       }
   }
 
-  void
-  RigidMotions::hold_locked()
-  {
-    for (const Cut &cut : bodies.cuts)
-      if (cut.opening)
-        {
-          const Index              first = cut.body * n_one;
-          const Eigen::RowVectorXd e =
-            row(cut.body, frames[cut.body].centre, cut.axis);
-          held.block(first, first, n_one, n_one) += e.transpose() * e;
-        }
-  }
+
 
   /* Where nothing is tied all own motions are free, as they are. */
   void
   RigidMotions::tie(const ContactPoints &points)
   {
-    ties.clear();
-    free_body.clear();
-    for (std::size_t i = points.size(); i < points.all().size(); ++i)
-      {
-        const contact::ContactPoint &point = points.all()[i];
-        // as it was at the start: those that are found again are replaced
-        const pairing::ContactNode &node =
-          bodies.contact_nodes[static_cast<std::size_t>(point.node -
-                                                        points.nodes().data())];
-        for (const Tensor<1, 3> &direction : point.dual)
-          ties.push_back(make_tie(node, direction));
-      }
-    find_assemblies();
+    ties          = RigidTies(bodies, *this, points);
     const Index k = own_modes.cols();
     if (ties.empty())
       {
@@ -334,34 +224,14 @@ namespace conetact::contact
         tied_parts = Eigen::MatrixXd(k, 0);
         return;
       }
+    free_body.clear();
     free_parts = tied_parts = Eigen::MatrixXd(k, 0);
-    std::vector<std::vector<unsigned int>> assemblies(frames.size());
-    for (unsigned int body = 0; body < frames.size(); ++body)
-      assemblies[tied_with[body]].push_back(body);
-    for (const auto &assembly : assemblies)
-      if (!assembly.empty())
-        find_tied(assembly);
+    for (const auto &assembly : ties.assemblies())
+      find_tied(assembly);
     free_modes = own_modes * free_parts;
   }
 
-  /* Each body counts for the first of those it is joined with. */
-  void
-  RigidMotions::find_assemblies()
-  {
-    tied_with.clear();
-    for (unsigned int body = 0; body < frames.size(); ++body)
-      tied_with.push_back(body);
-    for (const Tie &tied : ties)
-      for (const auto &[body, r] : tied.rows)
-        {
-          const unsigned int one   = tied_with[tied.node->body];
-          const unsigned int other = tied_with[body];
-          std::replace(tied_with.begin(),
-                       tied_with.end(),
-                       std::max(one, other),
-                       std::min(one, other));
-        }
-  }
+
 
   /* Placements fit supports and ties; what both leave open is free. */
   void
@@ -379,22 +249,13 @@ namespace conetact::contact
       for (Index k = 0; k < n_one && !is_locked(body); ++k)
         modes.push_back(body * n_one + k);
     for (Index j = 0; j < own_modes.cols(); ++j)
-      if (tied_with[own_body[static_cast<std::size_t>(j)]] == assembly.front())
+      if (first_tied(own_body[static_cast<std::size_t>(j)]) == assembly.front())
         own.push_back(j);
-    const auto      n    = static_cast<Index>(modes.size());
-    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
-    for (const Tie &tied : ties)
-      if (tied_with[tied.node->body] == assembly.front())
-        {
-          Amounts all = Amounts::Zero(held.rows());
-          add(1, tied, all);
-          const Eigen::VectorXd r = all(modes);
-          gram += r * r.transpose();
-        }
+    const Eigen::MatrixXd gram = ties.squares(assembly.front(), modes);
     held_inverse(modes, modes) =
       split(Eigen::MatrixXd(held(modes, modes)) + gram).pseudo_inverse;
     const Eigen::MatrixXd R     = own_modes(modes, own);
-    const Split           parts = split(R.transpose() * gram * R);
+    const NullAndRange    parts = split(R.transpose() * gram * R);
     const auto append = [&](Eigen::MatrixXd &to, const Eigen::MatrixXd &what) {
       to.conservativeResize(own_modes.cols(), to.cols() + what.cols());
       to.rightCols(what.cols()).setZero();
@@ -406,6 +267,8 @@ namespace conetact::contact
                      static_cast<std::size_t>(parts.null.cols()),
                      assembly.front());
   }
+
+
 
   /* The same with springs: free motions are turned so that foundations resist
      some and do not see the others, which are told apart once for all: later
@@ -439,7 +302,7 @@ namespace conetact::contact
                          [&](const unsigned int b) { return b != *body; }) -
             body;
         const Eigen::MatrixXd one   = free_modes.middleCols(begin, n);
-        const Split           parts = split(one.transpose() * springs * one);
+        const NullAndRange    parts = split(one.transpose() * springs * one);
         const Index           none  = parts.null.cols();
         if (none > 0 && none < n)
           turned.block(begin, begin, n, n) << parts.null, parts.range;
@@ -454,6 +317,8 @@ namespace conetact::contact
     without_springs =
       Eigen::MatrixXd::Identity(k, k)(Eigen::all, loose_motions);
   }
+
+
 
   /* One motion of all bodies at a time: they do not see each other. */
   void
@@ -477,6 +342,8 @@ namespace conetact::contact
         gram.block(first, first, n_one, n_one).setIdentity();
     free_products = free_modes.transpose() * gram * free_modes;
   }
+
+
 
   /* G = H R, with masters as the other side. */
   void
@@ -504,6 +371,8 @@ namespace conetact::contact
     forget_unseen(seen_by_contacts);
   }
 
+
+
   Eigen::MatrixXd
   RigidMotions::null_space() const
   {
@@ -512,6 +381,8 @@ namespace conetact::contact
     return result;
   }
 
+
+
   Eigen::MatrixXd
   RigidMotions::unseen() const
   {
@@ -519,31 +390,7 @@ namespace conetact::contact
     return without_springs * split(G.transpose() * G).null;
   }
 
-  void
-  RigidMotions::refuse_loose_bodies() const
-  {
-    std::vector<bool> reached(bodies.structures.size(), false);
-    for (const pairing::ContactNode &node : bodies.contact_nodes)
-      {
-        const unsigned int one = tied_with[node.body];
-        const unsigned int other =
-          node.masters.empty() ? one : tied_with[node.master];
-        // bodies that are tied reach each other only
-        if (node.kind != pairing::ContactKind::tie || node.masters.empty() ||
-            other != one)
-          reached[one] = reached[other] = true;
-      }
-    const Eigen::MatrixXd loose = free_modes * without_springs;
-    for (Index j = 0; j < loose.cols(); ++j)
-      if (const Motion m = largest(loose.col(j)); !reached[tied_with[m.body]])
-        throw InputError(
-          "Nothing holds " + bodies.called(m.body) + " against moving " +
-          describe(m) +
-          ": no support, and no node of it faces anything in a Contact. " +
-          (bodies.is_rigid(m.body) ? "Let it be less Free" : "Add a Support") +
-          ", or a Contact; check Boundary ids, Reach and the bodies' "
-          "places.");
-  }
+
 
   /* Least squares: a rigid motion fits what supports prescribe only if they
      move as one. What is left is deformation. */
@@ -551,7 +398,7 @@ namespace conetact::contact
   RigidMotions::placement(const double t) const
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
-    Amounts amounts = locked();
+    Amounts amounts = locked(bodies, *this);
     // the second time takes out the rounding of long sums
     for (unsigned int pass = 0; pass < 2; ++pass)
       {
@@ -574,12 +421,7 @@ namespace conetact::contact
                 rules.angle(h, p, t) * frames[rule.body].size -
                 amounts[first + h.component];
           }
-        for (const Tie &tied : ties)
-          {
-            const double moved =
-              pairing::obstacle_displacement(*tied.node, t) * tied.direction;
-            add(moved - relative(tied, amounts), tied, right);
-          }
+        ties.add_missing(t, amounts, right);
         // What is locked does not give way to the others.
         for (const Cut &cut : bodies.cuts)
           if (cut.opening)
@@ -587,151 +429,5 @@ namespace conetact::contact
         amounts += held_inverse * right;
       }
     return amounts;
-  }
-
-  RigidMotions::Amounts
-  RigidMotions::locked() const
-  {
-    Amounts amounts = none();
-    for (const Cut &cut : bodies.cuts)
-      if (cut.opening)
-        amounts.segment(cut.body * n_one, n_one) =
-          *cut.opening *
-          row(cut.body, frames[cut.body].centre, cut.axis).transpose();
-    return amounts;
-  }
-
-  Tensor<1, 3>
-  RigidMotions::at(const Amounts     &amounts,
-                   const unsigned int body,
-                   const unsigned int node) const
-  {
-    AssertDimension(amounts.size(), held.rows());
-    AssertIndexRange(body, frames.size());
-    return displacement(of_body(amounts, body),
-                        bodies.structures[body]->position(node));
-  }
-
-  RigidMotions::Motion
-  RigidMotions::of_body(const Amounts &amounts, const unsigned int body) const
-  {
-    AssertDimension(amounts.size(), held.rows());
-    AssertIndexRange(body, frames.size());
-    Motion motion = frames[body];
-    for (unsigned int k = 0; k < n_one; ++k)
-      if (const double amount = amounts[body * n_one + k];
-          motion.axisymmetric && !is_axial(k))
-        continue;
-      else if (k < bodies.dim)
-        motion.translation[k] = amount;
-      else
-        motion.rotation[bodies.dim == 2 ? 2 : k - bodies.dim] =
-          amount / motion.size;
-    return motion;
-  }
-
-  double
-  RigidMotions::largest_size() const
-  {
-    double largest = 0;
-    for (const Motion &frame : frames)
-      largest = std::max(largest, frame.size);
-    return largest;
-  }
-
-  Eigen::VectorXd
-  RigidMotions::field(const Amounts &amounts) const
-  {
-    AssertDimension(amounts.size(), held.rows());
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(offset.back());
-    for (unsigned int body = 0; body < frames.size(); ++body)
-      {
-        if (amounts.segment(body * n_one, n_one).isZero(0))
-          continue;
-        const bodies::Structure &structure = *bodies.structures[body];
-        const unsigned int       n_c       = structure.n_components();
-        const Motion             motion    = of_body(amounts, body);
-        Index                    dof       = offset[body];
-        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
-          {
-            const Tensor<1, 3> moved =
-              displacement(motion, structure.position(i));
-            for (unsigned int c = 0; c < bodies.dim; ++c)
-              u[dof + c] = moved[c];
-            for (unsigned int c = bodies.dim; c < n_c; ++c)
-              if (structure.has_dof(i, c))
-                // An amount is the way of the rim, a dof of rotation an angle.
-                u[dof + c] = amounts[body * n_one + c] / frames[body].size;
-          }
-      }
-    return u;
-  }
-
-  /* R^T f: forces along the translations, moments over the size along the
-     rotations. */
-  RigidMotions::Amounts
-  RigidMotions::resultants(const Eigen::VectorXd &forces) const
-  {
-    AssertDimension(forces.size(), offset.back());
-    Amounts sum = Amounts::Zero(held.rows());
-    for (unsigned int body = 0; body < frames.size(); ++body)
-      {
-        const bodies::Structure &structure = *bodies.structures[body];
-        const unsigned int       n_c       = structure.n_components();
-        Index                    dof       = offset[body];
-        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
-          {
-            Tensor<1, 3> force;
-            for (unsigned int c = 0; c < bodies.dim; ++c)
-              force[c] = forces[dof + c];
-            if (force.norm_square() > 0)
-              sum.segment(body * n_one, n_one) +=
-                row(body, structure.position(i), force).transpose();
-            for (unsigned int c = bodies.dim; c < n_c; ++c)
-              sum[body * n_one + c] += forces[dof + c] / frames[body].size;
-          }
-      }
-    return sum;
-  }
-
-  RigidMotions::Motion
-  RigidMotions::motion(const Eigen::VectorXd &combination) const
-  {
-    AssertDimension(combination.size(), without_springs.cols());
-    return largest(free_modes * (without_springs * combination));
-  }
-
-  RigidMotions::Motion
-  RigidMotions::largest(const Amounts &modes) const
-  {
-    AssertDimension(modes.size(), held.rows());
-    // Amounts are lengths, so that turns and translations compare.
-    std::size_t best = 0;
-    for (std::size_t body = 1; body < frames.size(); ++body)
-      if (modes.segment(static_cast<Eigen::Index>(body) * n_one, n_one).norm() >
-          // Of bodies that move alike the first is named, not one by rounding.
-          1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)
-                    .norm())
-        best = body;
-    const auto body    = static_cast<unsigned int>(best);
-    Motion     motion  = of_body(modes, body);
-    motion.translation = bodies.in_space(body, motion.translation);
-    motion.rotation    = bodies.in_space(body, motion.rotation);
-    return motion;
-  }
-
-  std::string
-  describe(const RigidMotions::Motion &motion)
-  {
-    const double translation = motion.translation.norm();
-    const double rotation    = motion.size * motion.rotation.norm();
-    const double small       = 1e-6 * std::max(translation, rotation);
-    std::string  text;
-    if (translation > small)
-      text = "along " + direction_text(motion.translation);
-    if (rotation > small)
-      text += std::string(text.empty() ? "" : " and ") + "about " +
-              direction_text(motion.rotation);
-    return text;
   }
 } // namespace conetact::contact

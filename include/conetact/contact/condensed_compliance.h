@@ -6,6 +6,7 @@
 
 #include "conetact/contact/bound_unknowns.h"
 #include "conetact/contact/condensed_elasticity.h"
+#include "conetact/contact/coordinates.h"
 #include "conetact/contact/free_motions.h"
 #include "conetact/contact/rigid_motions.h"
 

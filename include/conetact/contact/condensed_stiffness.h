@@ -5,6 +5,7 @@
 #define conetact_contact_condensed_stiffness_h
 
 #include "conetact/contact/condensed_elasticity.h"
+#include "conetact/contact/coordinates.h"
 #include "conetact/contact/rigid_motions.h"
 
 namespace conetact::contact

@@ -4,6 +4,7 @@
 #ifndef conetact_contact_redundant_rows_h
 #define conetact_contact_redundant_rows_h
 
+#include "conetact/contact/coordinates.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include <Eigen/SparseCore>

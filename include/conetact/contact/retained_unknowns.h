@@ -5,6 +5,7 @@
 #define conetact_contact_retained_unknowns_h
 
 #include "conetact/contact/body_coordinates.h"
+#include "conetact/contact/coordinates.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include <Eigen/SparseCore>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/contact/free_obstacles.h"
+#include "conetact/contact/coordinates.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include "scene_fixture.h"
@@ -79,7 +80,7 @@ TEST(FreeObstacles, MoveWhereTheyAreFreeAndAsPrescribed)
   const NodeRules     rules(scene->bodies, {1, 2});
   const ContactPoints points(scene->bodies, rules, {1, 2});
   const Coordinates   coordinates(scene->bodies, rules);
-  const RigidMotions  motions(scene->bodies, rules, points, coordinates);
+  const RigidMotions  motions(scene->bodies, rules, points);
   EXPECT_EQ(coordinates.n_unknowns(), 4); // two feet; the top is held
   // the frame may turn about its top
   ASSERT_EQ(motions.n_free(), 3);

@@ -22,8 +22,7 @@ namespace
       : scene(test::make_scene(test::triangle_on_floor("", "", friction)))
       , rules(scene->bodies, {1})
       , points(scene->bodies, rules, {1})
-      , coordinates(scene->bodies, rules)
-      , motions(scene->bodies, rules, points, coordinates)
+      , motions(scene->bodies, rules, points)
       , state{Eigen::VectorXd::Zero(points.n_unknowns()),
               Eigen::VectorXd::Zero(points.n_unknowns()),
               std::vector<NodeState>(points.size(), NodeState::open)}
@@ -65,7 +64,6 @@ namespace
     std::unique_ptr<Scene> scene;
     NodeRules              rules;
     ContactPoints          points;
-    Coordinates            coordinates;
     RigidMotions           motions;
     ContactState           state;
   };

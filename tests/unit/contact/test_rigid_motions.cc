@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/contact/coordinates.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include "scene_fixture.h"
@@ -23,7 +24,7 @@ namespace
       , rules(scene->bodies, {1, 2})
       , points(scene->bodies, rules, {1, 2})
       , coordinates(scene->bodies, rules)
-      , motions(scene->bodies, rules, points, coordinates)
+      , motions(scene->bodies, rules, points)
     {}
 
     std::unique_ptr<Scene> scene;
@@ -126,7 +127,8 @@ TEST(RigidMotions, SlidingOnASmoothFloorIsNotSeen)
   const Motions         all(test::triangle_on_floor("", ""));
   const Eigen::MatrixXd unseen = all.motions.unseen();
   ASSERT_EQ(unseen.cols(), 1);
-  const RigidMotions::Motion motion = all.motions.motion_of_free(unseen.col(0));
+  const RigidMotions::Motion motion =
+    all.motions.largest(all.motions.of_free(unseen.col(0)));
   EXPECT_EQ(motion.body, 0);
   EXPECT_EQ(describe(motion), "along (1, 0, 0)");
 }

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/rigid_modes.h"
+
+#include "conetact/base/text.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    /** Translations and rotations of a body: 3 in the plane, 6 in space. */
+    constexpr Eigen::Index
+    n_modes(const unsigned int dim)
+    {
+      return dim == 2 ? 3 : 6;
+    }
+
+    Tensor<1, 3>
+    axis(const unsigned int k)
+    {
+      Tensor<1, 3> e;
+      e[k] = 1;
+      return e;
+    }
+
+    /** Whether mode k is one of a body of revolution round y. */
+    bool
+    is_axial(const unsigned int k)
+    {
+      return k == 1;
+    }
+
+    /**
+     * Mode k of a body at p; rotations move its rim by about 1. What strains a
+     * body of revolution is no motion: nothing.
+     */
+    Tensor<1, 3>
+    mode(const unsigned int        k,
+         const unsigned int        dim,
+         const RigidModes::Motion &frame,
+         const Point<3>           &p)
+    {
+      if (frame.axisymmetric && !is_axial(k))
+        return Tensor<1, 3>();
+      if (k < dim)
+        return axis(k);
+      const Tensor<1, 3> about = axis(dim == 2 ? 2 : k - dim);
+      return cross_product_3d(about, p - frame.centre) / frame.size;
+    }
+
+    Tensor<1, 3>
+    displacement(const RigidModes::Motion &motion, const Point<3> &p)
+    {
+      return motion.translation +
+             cross_product_3d(motion.rotation, p - motion.centre);
+    }
+
+    RigidModes::Motion
+    frame_of(const Bodies &bodies, const unsigned int body)
+    {
+      const bodies::Structure &structure = *bodies.structures[body];
+      RigidModes::Motion       frame{
+        body, structure.is_axisymmetric(), {}, {}, {}, 0};
+      const unsigned int n = structure.n_nodes();
+      if (bodies.is_rigid(body))
+        frame.centre = structure.position(0); // its reference point
+      for (unsigned int i = 0; i < n && !bodies.is_rigid(body); ++i)
+        // Any point near the middle of the nodes will do.
+        frame.centre += Tensor<1, 3>(structure.position(i)) / n;
+      for (unsigned int i = 0; i < n; ++i)
+        frame.size =
+          std::max(frame.size, structure.position(i).distance(frame.centre));
+      if (frame.size == 0)
+        frame.size = 1; // an obstacle without extent: any lever will do
+      return frame;
+    }
+
+    std::string
+    direction_text(Tensor<1, 3> v)
+    {
+      v /= v.norm();
+      for (unsigned int d = 0; d < 3; ++d)
+        v[d] = std::round(1e4 * v[d]) / 1e4;
+      for (unsigned int d = 3; d-- > 0;)
+        if (v[d] != 0)
+          return to_text(v);
+      return to_text(v);
+    }
+  } // namespace
+
+
+
+  RigidModes::RigidModes(const Bodies &b)
+    : bodies(b)
+    , n_one(n_modes(b.dim))
+    , offset(1, 0)
+  {
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      {
+        frames.push_back(frame_of(bodies, body));
+        offset.push_back(offset.back() + bodies.structures[body]->n_dofs());
+      }
+  }
+
+  bool
+  RigidModes::strains(const unsigned int body, const unsigned int k) const
+  {
+    return frames[body].axisymmetric && !is_axial(k);
+  }
+
+
+
+  /* What each mode moves the point p by, along a direction. */
+  Eigen::RowVectorXd
+  RigidModes::row(const unsigned int  body,
+                  const Point<3>     &p,
+                  const Tensor<1, 3> &direction) const
+  {
+    AssertIndexRange(body, frames.size());
+    Eigen::RowVectorXd result(n_one);
+    for (unsigned int k = 0; k < n_one; ++k)
+      result[k] = direction * mode(k, bodies.dim, frames[body], p);
+    return result;
+  }
+
+  Tensor<1, 3>
+  RigidModes::at(const Amounts     &amounts,
+                 const unsigned int body,
+                 const unsigned int node) const
+  {
+    AssertDimension(amounts.size(), none().size());
+    AssertIndexRange(body, frames.size());
+    return displacement(of_body(amounts, body),
+                        bodies.structures[body]->position(node));
+  }
+
+  RigidModes::Motion
+  RigidModes::of_body(const Amounts &amounts, const unsigned int body) const
+  {
+    AssertDimension(amounts.size(), none().size());
+    AssertIndexRange(body, frames.size());
+    Motion motion = frames[body];
+    for (unsigned int k = 0; k < n_one; ++k)
+      if (const double amount = amounts[body * n_one + k]; strains(body, k))
+        continue;
+      else if (k < bodies.dim)
+        motion.translation[k] = amount;
+      else
+        motion.rotation[bodies.dim == 2 ? 2 : k - bodies.dim] =
+          amount / motion.size;
+    return motion;
+  }
+
+  double
+  RigidModes::largest_size() const
+  {
+    double largest = 0;
+    for (const Motion &frame : frames)
+      largest = std::max(largest, frame.size);
+    return largest;
+  }
+
+  Eigen::VectorXd
+  RigidModes::field(const Amounts &amounts) const
+  {
+    AssertDimension(amounts.size(), none().size());
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(offset.back());
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      {
+        if (amounts.segment(body * n_one, n_one).isZero(0))
+          continue;
+        const bodies::Structure &structure = *bodies.structures[body];
+        const unsigned int       n_c       = structure.n_components();
+        const Motion             motion    = of_body(amounts, body);
+        Eigen::Index             dof       = offset[body];
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
+          {
+            const Tensor<1, 3> moved =
+              displacement(motion, structure.position(i));
+            for (unsigned int c = 0; c < bodies.dim; ++c)
+              u[dof + c] = moved[c];
+            for (unsigned int c = bodies.dim; c < n_c; ++c)
+              if (structure.has_dof(i, c))
+                // An amount is the way of the rim, a dof of rotation an angle.
+                u[dof + c] = amounts[body * n_one + c] / frames[body].size;
+          }
+      }
+    return u;
+  }
+
+  /* R^T f: forces along the translations, moments over the size along the
+     rotations. */
+  RigidModes::Amounts
+  RigidModes::resultants(const Eigen::VectorXd &forces) const
+  {
+    AssertDimension(forces.size(), offset.back());
+    Amounts sum = none();
+    for (unsigned int body = 0; body < frames.size(); ++body)
+      {
+        const bodies::Structure &structure = *bodies.structures[body];
+        const unsigned int       n_c       = structure.n_components();
+        Eigen::Index             dof       = offset[body];
+        for (unsigned int i = 0; i < structure.n_nodes(); ++i, dof += n_c)
+          {
+            Tensor<1, 3> force;
+            for (unsigned int c = 0; c < bodies.dim; ++c)
+              force[c] = forces[dof + c];
+            if (force.norm_square() > 0)
+              sum.segment(body * n_one, n_one) +=
+                row(body, structure.position(i), force).transpose();
+            for (unsigned int c = bodies.dim; c < n_c; ++c)
+              sum[body * n_one + c] += forces[dof + c] / frames[body].size;
+          }
+      }
+    return sum;
+  }
+
+  RigidModes::Motion
+  RigidModes::largest(const Amounts &modes) const
+  {
+    AssertDimension(modes.size(), none().size());
+    // Amounts are lengths, so that turns and translations compare.
+    std::size_t best = 0;
+    for (std::size_t body = 1; body < frames.size(); ++body)
+      if (modes.segment(static_cast<Eigen::Index>(body) * n_one, n_one).norm() >
+          // Of bodies that move alike the first is named, not one by rounding.
+          1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)
+                    .norm())
+        best = body;
+    const auto body    = static_cast<unsigned int>(best);
+    Motion     motion  = of_body(modes, body);
+    motion.translation = bodies.in_space(body, motion.translation);
+    motion.rotation    = bodies.in_space(body, motion.rotation);
+    return motion;
+  }
+
+  std::string
+  describe(const RigidModes::Motion &motion)
+  {
+    const double translation = motion.translation.norm();
+    const double rotation    = motion.size * motion.rotation.norm();
+    const double small       = 1e-6 * std::max(translation, rotation);
+    std::string  text;
+    if (translation > small)
+      text = "along " + direction_text(motion.translation);
+    if (rotation > small)
+      text += std::string(text.empty() ? "" : " and ") + "about " +
+              direction_text(motion.rotation);
+    return text;
+  }
+} // namespace conetact::contact

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/rigid_ties.h"
+
+#include <algorithm>
+
+namespace conetact::contact
+{
+  RigidTies::RigidTies(const Bodies        &bodies,
+                       const RigidModes    &modes,
+                       const ContactPoints &points)
+  {
+    const auto make = [&](const pairing::ContactNode &node,
+                          const Tensor<1, 3>         &direction) {
+      Tie tied{&node, direction, {}};
+      pairing::for_each_side(node,
+                             [&](const unsigned int body,
+                                 const unsigned int number,
+                                 const double       weight) {
+                               const Eigen::RowVectorXd row =
+                                 modes.row(body,
+                                           bodies.structures[body]->position(
+                                             number),
+                                           weight * direction);
+                               const auto [found, is_new] =
+                                 tied.rows.emplace(body, row);
+                               if (!is_new)
+                                 found->second += row;
+                             });
+      return tied;
+    };
+    for (std::size_t i = points.size(); i < points.all().size(); ++i)
+      {
+        const ContactPoint         &point = points.all()[i];
+        const pairing::ContactNode &node =
+          bodies.contact_nodes[static_cast<std::size_t>(point.node -
+                                                        points.nodes().data())];
+        for (const Tensor<1, 3> &direction : point.dual)
+          ties.push_back(make(node, direction));
+      }
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      first.push_back(body);
+    join_bodies();
+  }
+
+
+
+  void
+  RigidTies::join_bodies()
+  {
+    for (const Tie &tied : ties)
+      for (const auto &[body, r] : tied.rows)
+        {
+          const unsigned int one   = first[tied.node->body];
+          const unsigned int other = first[body];
+          std::replace(first.begin(),
+                       first.end(),
+                       std::max(one, other),
+                       std::min(one, other));
+        }
+  }
+
+
+
+  std::vector<std::vector<unsigned int>>
+  RigidTies::assemblies() const
+  {
+    std::vector<std::vector<unsigned int>> of_first(first.size()), found;
+    for (unsigned int body = 0; body < first.size(); ++body)
+      of_first[first[body]].push_back(body);
+    for (const auto &assembly : of_first)
+      if (!assembly.empty())
+        found.push_back(assembly);
+    return found;
+  }
+
+
+
+  Eigen::MatrixXd
+  RigidTies::squares(const unsigned int               first_body,
+                     const std::vector<Eigen::Index> &among) const
+  {
+    const auto      n   = static_cast<Eigen::Index>(among.size());
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+    for (const Tie &tied : ties)
+      if (first[tied.node->body] == first_body)
+        {
+          const Eigen::Index  n_one = tied.rows.begin()->second.size();
+          RigidModes::Amounts all   = RigidModes::Amounts::Zero(
+            n_one * static_cast<Eigen::Index>(first.size()));
+          add(1, tied, all);
+          const Eigen::VectorXd r = all(among);
+          sum += r * r.transpose();
+        }
+    return sum;
+  }
+
+
+
+  void
+  RigidTies::add_missing(const double               t,
+                         const RigidModes::Amounts &amounts,
+                         RigidModes::Amounts       &sum) const
+  {
+    for (const Tie &tied : ties)
+      {
+        const double moved =
+          pairing::obstacle_displacement(*tied.node, t) * tied.direction;
+        add(moved - relative(tied, amounts), tied, sum);
+      }
+  }
+
+
+
+  void
+  RigidTies::add(const double factor, const Tie &tied, RigidModes::Amounts &sum)
+  {
+    for (const auto &[body, r] : tied.rows)
+      sum.segment(body * r.size(), r.size()) += factor * r.transpose();
+  }
+
+
+
+  double
+  RigidTies::relative(const Tie &tied, const RigidModes::Amounts &amounts)
+  {
+    double sum = 0;
+    for (const auto &[body, r] : tied.rows)
+      sum += r.dot(amounts.segment(body * r.size(), r.size()));
+    return sum;
+  }
+} // namespace conetact::contact
