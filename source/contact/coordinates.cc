@@ -17,24 +17,17 @@ namespace conetact::contact
                            const NodeRules     &r,
                            const ContactPoints *p,
                            const double         a)
-    : bodies(b)
+    : NodalVectors(b)
     , node_rules(r)
     , points(p)
     , arm(a)
-    , dof_offset(1, 0)
-    , node_offset(1, 0)
   {
-    for (const bodies::Structure *structure : bodies.structures)
-      {
-        dof_offset.push_back(dof_offset.back() + structure->n_dofs());
-        node_offset.push_back(node_offset.back() + structure->n_nodes());
-      }
     // Few nodes have a rule or a point: null is the usual answer, and costs one
     // look.
-    rule_of_node.resize(node_offset.back(), nullptr);
+    rule_of_node.resize(n_nodes(), nullptr);
     for (const NodeRule &rule : node_rules.rules())
       rule_of_node[number(rule.body, rule.node)] = &rule;
-    point_of_node.resize(node_offset.back(), nullptr);
+    point_of_node.resize(n_nodes(), nullptr);
     if (points != nullptr)
       {
         if (std::any_of(points->all().begin(),
@@ -49,7 +42,15 @@ namespace conetact::contact
           bind(points->all()[i]);
       }
     number_unknowns();
-    write_rows();
+    reserve(static_cast<std::size_t>(n_dofs()));
+    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+        for (unsigned int c = 0; c < bodies.structures[body]->n_components();
+             ++c)
+          {
+            append_row(body, i, c, 1.);
+            end_row();
+          }
   }
 
   void
@@ -120,31 +121,13 @@ namespace conetact::contact
       }
   }
 
-  Eigen::Index
-  Coordinates::dof(const unsigned int body, const unsigned int node) const
-  {
-    AssertIndexRange(body, bodies.structures.size());
-    AssertIndexRange(node, bodies.structures[body]->n_nodes());
-    return dof_offset[body] + node * static_cast<Eigen::Index>(
-                                       bodies.structures[body]->n_components());
-  }
-
-  std::pair<unsigned int, unsigned int>
-  Coordinates::locate(const unsigned int node) const
-  {
-    unsigned int body = 0;
-    while (node_offset[body + 1] <= node)
-      ++body;
-    return {body, node - node_offset[body]};
-  }
-
   /* Contact unknowns behind all others: direct solvers condense to the last
      ones. */
   void
   Coordinates::number_unknowns()
   {
-    first_unknown.resize(node_offset.back());
-    first_contact.resize(node_offset.back(), -1);
+    first_unknown.resize(n_nodes());
+    first_contact.resize(n_nodes(), -1);
     own_unknown.assign(static_cast<std::size_t>(n_dofs()), -1);
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
@@ -164,7 +147,7 @@ namespace conetact::contact
   Coordinates::number_node(const unsigned int body, const unsigned int node)
   {
     const bodies::Structure &structure = *bodies.structures[body];
-    const std::size_t        n         = node_offset[body] + node;
+    const std::size_t        n         = number(body, node);
     const NodeRule          *rule      = rule_of_node[n];
     const Eigen::Index       before    = n_free;
     first_unknown[n]                   = static_cast<int>(n_free);
@@ -190,20 +173,6 @@ namespace conetact::contact
     node_of_unknown.insert(node_of_unknown.end(),
                            static_cast<std::size_t>(n_free - before),
                            static_cast<unsigned int>(n));
-  }
-
-  void
-  Coordinates::write_rows()
-  {
-    reserve(static_cast<std::size_t>(n_dofs()));
-    for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-      for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
-        for (unsigned int c = 0; c < bodies.structures[body]->n_components();
-             ++c)
-          {
-            append_row(body, i, c, 1.);
-            end_row();
-          }
   }
 
   /* Null where a node has the scene's axes; hanging nodes have none. */
@@ -233,7 +202,9 @@ namespace conetact::contact
     add(*free_directions(n), first_unknown[n], factor);
     if (const ContactPoint *const point = point_of_node[n]; point != nullptr)
       {
-        const double part = factor / own_weight(*point->node);
+        const double part =
+          factor / (means ? means->own_weight(*point->node) :
+                            pairing::own_weight(*point->node));
         if (first_contact[n] >= 0) // else it is bound
           add(point->directions, first_contact[n], part);
         append_others(*point, c, part);
@@ -462,7 +433,7 @@ namespace conetact::contact
                           const DisplacementOf &displacement) const
   {
     Tensor<1, 3>    u;
-    const NodeRule *rule = rule_of_node[node_offset[body] + node];
+    const NodeRule *rule = rule_of_node[number(body, node)];
     if (rule == nullptr)
       return u;
     // What hangs on a held node is moved with it.
@@ -486,87 +457,6 @@ namespace conetact::contact
     return result;
   }
 
-  Tensor<1, 3>
-  Coordinates::at_node(const Eigen::VectorXd &u,
-                       const unsigned int     body,
-                       const unsigned int     node) const
-  {
-    AssertDimension(u.size(), n_dofs());
-    AssertIndexRange(body, bodies.structures.size());
-    Tensor<1, 3>       result;
-    const Eigen::Index first = dof(body, node);
-    for (unsigned int c = 0; c < bodies.dim; ++c)
-      result[c] = u[first + c];
-    return result;
-  }
-
-  Eigen::VectorXd
-  Coordinates::map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const
-  {
-    Eigen::VectorXd result = x;
-    if (!bodies.frames.empty() && x.size() > 0)
-      for (unsigned int body = 0; body < bodies.structures.size(); ++body)
-        for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
-          {
-            const Tensor<1, 3> v = map(body, i, at_node(x, body, i));
-            for (unsigned int c = 0; c < bodies.dim; ++c)
-              result[dof(body, i) + c] = v[c];
-          }
-    return result;
-  }
-
-  Eigen::VectorXd
-  Coordinates::displacements(const Eigen::VectorXd &u) const
-  {
-    Assert(u.size() == n_dofs() || u.size() == 0,
-           dealii::ExcMessage("Displacements are those of all dofs, or none."));
-    return map_nodes(u,
-                     [&](const unsigned int  body,
-                         const unsigned int  node,
-                         const Tensor<1, 3> &v) {
-                       return bodies.displacement(body, node, v);
-                     });
-  }
-
-  Eigen::VectorXd
-  Coordinates::in_frames(const Eigen::VectorXd &u) const
-  {
-    Assert(u.size() == n_dofs() || u.size() == 0,
-           dealii::ExcMessage("Displacements are those of all dofs, or none."));
-    return map_nodes(u,
-                     [&](const unsigned int  body,
-                         const unsigned int  node,
-                         const Tensor<1, 3> &v) {
-                       return bodies.in_frame(body, node, v);
-                     });
-  }
-
-  Eigen::VectorXd
-  Coordinates::forces_in_space(const Eigen::VectorXd &f) const
-  {
-    Assert(f.size() == n_dofs() || f.size() == 0,
-           dealii::ExcMessage("Forces are those on all dofs, or none."));
-    return map_nodes(f,
-                     [&](const unsigned int body,
-                         const unsigned int,
-                         const Tensor<1, 3> &v) {
-                       return bodies.in_space(body, v);
-                     });
-  }
-
-  Eigen::VectorXd
-  Coordinates::forces_in_frames(const Eigen::VectorXd &f) const
-  {
-    Assert(f.size() == n_dofs() || f.size() == 0,
-           dealii::ExcMessage("Forces are those on all dofs, or none."));
-    return map_nodes(f,
-                     [&](const unsigned int body,
-                         const unsigned int,
-                         const Tensor<1, 3> &v) {
-                       return bodies.in_frame(body, v);
-                     });
-  }
-
   /* Forces do on the masters the work that they would do on the hanging
      node. */
   void
@@ -586,28 +476,5 @@ namespace conetact::contact
          body < bodies.structures.size();
          ++body)
       gather_rigid(body, f);
-  }
-
-  /* Forces of a rigid body have one resultant at its first node. */
-  void
-  Coordinates::gather_rigid(const unsigned int body, Eigen::VectorXd &f) const
-  {
-    AssertDimension(f.size(), n_dofs());
-    AssertIndexRange(body, bodies.structures.size());
-    const bodies::Structure &structure = *bodies.structures[body];
-    const unsigned int       dim       = bodies.dim;
-    const Eigen::Index       first     = dof(body, 0);
-    for (unsigned int i = 1; i < structure.n_nodes(); ++i)
-      {
-        const Tensor<1, 3> force = at_node(f, body, i);
-        const Tensor<1, 3> moment =
-          cross_product_3d(structure.position(i) - structure.position(0),
-                           force);
-        for (unsigned int c = 0; c < dim; ++c)
-          f[first + c] += force[c];
-        for (unsigned int c = dim; c < structure.n_components(); ++c)
-          f[first + c] += moment[dim == 2 ? 2 : c - dim];
-        f.segment(dof(body, i), dim).setZero();
-      }
   }
 } // namespace conetact::contact

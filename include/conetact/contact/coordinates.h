@@ -7,6 +7,7 @@
 #include "conetact/contact/contact_points.h"
 #include "conetact/contact/hierarchical_means.h"
 #include "conetact/contact/linear_map.h"
+#include "conetact/contact/nodal_vectors.h"
 #include "conetact/contact/node_rules.h"
 
 #include <Eigen/Core>
@@ -14,7 +15,6 @@
 #include <deque>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace conetact::contact
@@ -33,7 +33,7 @@ namespace conetact::contact
    * they follow these. Unknowns of rotations are what they move at the end of
    * an arm.
    */
-  class Coordinates : public LinearMap
+  class Coordinates : public LinearMap, public NodalVectors
   {
   public:
     /** All arguments must outlive the object. */
@@ -43,42 +43,19 @@ namespace conetact::contact
                 const double         arm    = 1);
 
     Eigen::Index
-    n_dofs() const
-    {
-      return dof_offset.back();
-    }
-    Eigen::Index
     n_contact_unknowns() const
     {
       return points != nullptr ? points->n_unknowns() : 0;
     }
-    /** First dof of a body in u. */
-    Eigen::Index
-    offset(const std::size_t body) const
-    {
-      return dof_offset[body];
-    }
-    /** First dof of a node in u. */
-    Eigen::Index
-    dof(const unsigned int body, const unsigned int node) const;
-
-    /** The number of a node in node_of_unknowns(). */
-    unsigned int
-    number(const unsigned int body, const unsigned int node) const
-    {
-      return node_offset[body] + node;
-    }
-    /** How its displacement comes about; null: by its own unknowns. */
+    /** How the displacement of a node comes about; null: by its own unknowns.
+     */
     const NodeRule *
     rule(const unsigned int body, const unsigned int node) const
     {
       return rule_of_node[number(body, node)];
     }
-    /** Body and node of a number of node_of_unknowns(). */
-    std::pair<unsigned int, unsigned int>
-    locate(const unsigned int node) const;
-
-    /** The node of each unknown, for the order of elimination. */
+    /** The number of the node of each unknown, for the order of elimination.
+     */
     const std::vector<unsigned int> &
     node_of_unknowns() const
     {
@@ -119,23 +96,6 @@ namespace conetact::contact
     void
     unhang(Eigen::VectorXd &f) const;
 
-    /** The displacement of a node, from u of all dofs. */
-    Tensor<1, 3>
-    at_node(const Eigen::VectorXd &u,
-            const unsigned int     body,
-            const unsigned int     node) const;
-
-    /** Of all dofs, in space, from those in the frames of bodies; the inverse;
-     * and the same of forces. */
-    Eigen::VectorXd
-    displacements(const Eigen::VectorXd &u) const;
-    Eigen::VectorXd
-    in_frames(const Eigen::VectorXd &u) const;
-    Eigen::VectorXd
-    forces_in_space(const Eigen::VectorXd &f) const;
-    Eigen::VectorXd
-    forces_in_frames(const Eigen::VectorXd &f) const;
-
     const NodeRules &
     rules() const
     {
@@ -148,11 +108,6 @@ namespace conetact::contact
     corners(const unsigned int body, const unsigned int node) const
     {
       return means ? means->corners(body, node) : nullptr;
-    }
-    double
-    own_weight(const pairing::ContactNode &node) const
-    {
-      return means ? means->own_weight(node) : pairing::own_weight(node);
     }
     /** Displacement of a node beside that of its corners, if it has some. */
     Tensor<1, 3>
@@ -169,8 +124,6 @@ namespace conetact::contact
     number_unknowns();
     void
     number_node(const unsigned int body, const unsigned int node);
-    void
-    write_rows();
     void
     append_row(const unsigned int body,
                const unsigned int node,
@@ -206,24 +159,12 @@ namespace conetact::contact
     along_held(const DisplacementOf &displacement,
                const RotationOf     &rotation) const;
     Tensor<1, 3>
-    along_held(const unsigned int    body,
-               const unsigned int    node,
-               const DisplacementOf &displacement) const;
-    using NodeMap = std::function<Tensor<1, 3>(const unsigned int body,
-                                               const unsigned int node,
-                                               const Tensor<1, 3> &)>;
-    /** Empty vectors stay empty; without frames nothing happens. */
-    Eigen::VectorXd
-    map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const;
-    void
-    gather_rigid(const unsigned int body, Eigen::VectorXd &f) const;
-
-    const Bodies                     &bodies;
+                                      along_held(const unsigned int    body,
+                                                 const unsigned int    node,
+                                                 const DisplacementOf &displacement) const;
     const NodeRules                  &node_rules;
     const ContactPoints              *points;
-    const double                      arm; ///< of rotations [length]
-    std::vector<Eigen::Index>         dof_offset;
-    std::vector<unsigned int>         node_offset;
+    const double                      arm;           ///< of rotations [length]
     std::vector<const NodeRule *>     rule_of_node;  ///< of all bodies, or null
     std::vector<const ContactPoint *> point_of_node; ///< the same
     /** With directions in the frames of bodies, dual ones in space; those that

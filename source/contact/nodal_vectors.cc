@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/nodal_vectors.h"
+
+#include <deal.II/base/exceptions.h>
+
+namespace conetact::contact
+{
+  NodalVectors::NodalVectors(const Bodies &b)
+    : bodies(b)
+    , dof_offset(1, 0)
+    , node_offset(1, 0)
+  {
+    for (const bodies::Structure *structure : bodies.structures)
+      {
+        dof_offset.push_back(dof_offset.back() + structure->n_dofs());
+        node_offset.push_back(node_offset.back() + structure->n_nodes());
+      }
+  }
+
+
+
+  Eigen::Index
+  NodalVectors::dof(const unsigned int body, const unsigned int node) const
+  {
+    AssertIndexRange(body, bodies.structures.size());
+    AssertIndexRange(node, bodies.structures[body]->n_nodes());
+    return dof_offset[body] + node * static_cast<Eigen::Index>(
+                                       bodies.structures[body]->n_components());
+  }
+
+
+
+  std::pair<unsigned int, unsigned int>
+  NodalVectors::locate(const unsigned int node) const
+  {
+    unsigned int body = 0;
+    while (node_offset[body + 1] <= node)
+      ++body;
+    return {body, node - node_offset[body]};
+  }
+
+
+
+  Tensor<1, 3>
+  NodalVectors::at_node(const Eigen::VectorXd &u,
+                        const unsigned int     body,
+                        const unsigned int     node) const
+  {
+    AssertDimension(u.size(), n_dofs());
+    AssertIndexRange(body, bodies.structures.size());
+    Tensor<1, 3>       result;
+    const Eigen::Index first = dof(body, node);
+    for (unsigned int c = 0; c < bodies.dim; ++c)
+      result[c] = u[first + c];
+    return result;
+  }
+
+
+
+  Eigen::VectorXd
+  NodalVectors::map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const
+  {
+    Eigen::VectorXd result = x;
+    if (!bodies.frames.empty() && x.size() > 0)
+      for (unsigned int body = 0; body < bodies.structures.size(); ++body)
+        for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
+          {
+            const Tensor<1, 3> v = map(body, i, at_node(x, body, i));
+            for (unsigned int c = 0; c < bodies.dim; ++c)
+              result[dof(body, i) + c] = v[c];
+          }
+    return result;
+  }
+
+
+
+  Eigen::VectorXd
+  NodalVectors::displacements(const Eigen::VectorXd &u) const
+  {
+    Assert(u.size() == n_dofs() || u.size() == 0,
+           dealii::ExcMessage("Displacements are those of all dofs, or none."));
+    return map_nodes(u,
+                     [&](const unsigned int  body,
+                         const unsigned int  node,
+                         const Tensor<1, 3> &v) {
+                       return bodies.displacement(body, node, v);
+                     });
+  }
+
+
+
+  Eigen::VectorXd
+  NodalVectors::in_frames(const Eigen::VectorXd &u) const
+  {
+    Assert(u.size() == n_dofs() || u.size() == 0,
+           dealii::ExcMessage("Displacements are those of all dofs, or none."));
+    return map_nodes(u,
+                     [&](const unsigned int  body,
+                         const unsigned int  node,
+                         const Tensor<1, 3> &v) {
+                       return bodies.in_frame(body, node, v);
+                     });
+  }
+
+
+
+  Eigen::VectorXd
+  NodalVectors::forces_in_space(const Eigen::VectorXd &f) const
+  {
+    Assert(f.size() == n_dofs() || f.size() == 0,
+           dealii::ExcMessage("Forces are those on all dofs, or none."));
+    return map_nodes(f,
+                     [&](const unsigned int body,
+                         const unsigned int,
+                         const Tensor<1, 3> &v) {
+                       return bodies.in_space(body, v);
+                     });
+  }
+
+
+
+  Eigen::VectorXd
+  NodalVectors::forces_in_frames(const Eigen::VectorXd &f) const
+  {
+    Assert(f.size() == n_dofs() || f.size() == 0,
+           dealii::ExcMessage("Forces are those on all dofs, or none."));
+    return map_nodes(f,
+                     [&](const unsigned int body,
+                         const unsigned int,
+                         const Tensor<1, 3> &v) {
+                       return bodies.in_frame(body, v);
+                     });
+  }
+
+
+
+  /* Forces of a rigid body have one resultant at its first node. */
+  void
+  NodalVectors::gather_rigid(const unsigned int body, Eigen::VectorXd &f) const
+  {
+    AssertDimension(f.size(), n_dofs());
+    AssertIndexRange(body, bodies.structures.size());
+    const bodies::Structure &structure = *bodies.structures[body];
+    const unsigned int       dim       = bodies.dim;
+    const Eigen::Index       first     = dof(body, 0);
+    for (unsigned int i = 1; i < structure.n_nodes(); ++i)
+      {
+        const Tensor<1, 3> force = at_node(f, body, i);
+        const Tensor<1, 3> moment =
+          cross_product_3d(structure.position(i) - structure.position(0),
+                           force);
+        for (unsigned int c = 0; c < dim; ++c)
+          f[first + c] += force[c];
+        for (unsigned int c = dim; c < structure.n_components(); ++c)
+          f[first + c] += moment[dim == 2 ? 2 : c - dim];
+        f.segment(dof(body, i), dim).setZero();
+      }
+  }
+} // namespace conetact::contact
