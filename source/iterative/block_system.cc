@@ -17,31 +17,13 @@ namespace conetact::iterative
   namespace
   {
     using Eigen::Index;
-    using Eigen::VectorXd;
     using solvers::NodeLaw;
     using solvers::SmallMatrix;
     using solvers::SmallVector;
 
-    // Of GMRES. Vectors of a cycle are kept twice, before and after the
-    // preconditioner; in single precision it gains so much at a time.
-    constexpr auto   cycle_length    = 40u;
+    // A cycle in single precision gains so much at a time.
     constexpr auto   most_iterations = 400u;
     constexpr double digits          = 1e-4;
-
-    /** w -= c v, and (w, next) of what is left. */
-    double
-    subtract_and_project(const double       c,
-                         const FloatVector &v,
-                         const FloatVector &next,
-                         FloatVector       &w)
-    {
-      double sum = 0;
-      for_pieces(w, [&](const Index i, const Index n) {
-        w.segment(i, n) -= static_cast<float>(c) * v.segment(i, n);
-        sum += static_cast<double>(w.segment(i, n).dot(next.segment(i, n)));
-      });
-      return sum;
-    }
   } // namespace
 
 
@@ -54,6 +36,7 @@ namespace conetact::iterative
     , n_nodes(n / block)
     , exists(given.exists)
     , contact(std::move(given.contact))
+    , gmres(processes)
   {
     for (const int i : first)
       first_node.push_back(i / block);
@@ -420,15 +403,6 @@ namespace conetact::iterative
   }
 
   template <int block>
-  typename BlockSystem<block>::Array
-  BlockSystem<block>::multiply(const System &system, const Array &x) const
-  {
-    Array y = multiply(x);
-    add_laws(system, 1., x, y);
-    return y;
-  }
-
-  template <int block>
   void
   BlockSystem<block>::precondition(const System      &system,
                                    const FloatVector &b,
@@ -473,106 +447,15 @@ namespace conetact::iterative
     smoother.smooth_last(b, r, result);
   }
 
-  /* One after the other, as Gram and Schmidt do it in the modified way; or all
-     at once, and once more for the sake of rounding: two messages. */
-  template <int block>
-  double
-  BlockSystem<block>::orthogonalize(const std::vector<FloatVector> &V,
-                                    FloatVector                    &w,
-                                    Eigen::Ref<Array>               along) const
-  {
-    if (processes.size() == 1)
-      {
-        along(0) = subtract_and_project(0, V.front(), V.front(), w);
-        for (Index i = 1; i < along.size(); ++i)
-          along(i) =
-            subtract_and_project(along(i - 1), V[at(i - 1)], V[at(i)], w);
-        const Index last = along.size() - 1;
-        return std::sqrt(subtract_and_project(along(last), V[at(last)], w, w));
-      }
-    const Index n_along = along.size();
-    Array       parts(n_along + 1);
-    along.setZero();
-    for (int pass = 0; pass < 2; ++pass)
-      {
-        parts.setZero();
-        for_pieces(w, [&](const Index begin, const Index size) {
-          const auto part = w.segment(begin, size);
-          for (Index i = 0; i < n_along; ++i)
-            parts(i) +=
-              static_cast<double>(part.dot(V[at(i)].segment(begin, size)));
-          parts(n_along) += static_cast<double>(part.squaredNorm());
-        });
-        processes.sum(parts.data(), parts.size());
-        along += parts.head(n_along);
-        for_pieces(w, [&](const Index begin, const Index size) {
-          for (Index i = 0; i < n_along; ++i)
-            w.segment(begin, size) -=
-              static_cast<float>(parts(i)) * V[at(i)].segment(begin, size);
-        });
-      }
-    return std::sqrt(
-      std::max(parts(n_along) - parts.head(n_along).squaredNorm(), 0.));
-  }
-
-
-
-  /* For |b| = 1 and K over its scale: what is left of b is at most `goal`,
-     or what a cycle leaves. */
-  template <int block>
-  FloatVector
-  BlockSystem<block>::gmres(const System      &system,
-                            const FloatVector &b,
-                            const double       goal,
-                            unsigned int      &iterations) const
-  {
-    std::vector<FloatVector> &V = vectors.V, &Z = vectors.Z;
-    FloatVector              &w    = vectors.w;
-    const auto                next = [](auto &list, const Index i) -> auto &
-    {
-      if (list.size() <= at(i))
-        list.emplace_back();
-      return list[at(i)];
-    };
-    next(V, 0) = b;
-    w.resize(n);
-    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(cycle_length + 1, cycle_length);
-    VectorXd        g = VectorXd::Zero(cycle_length + 1);
-    g(0)              = 1;
-    std::vector<Eigen::JacobiRotation<double>> turns(cycle_length);
-    Index                                      k = 0;
-    for (; k < cycle_length && std::abs(g(k)) > goal; ++k, ++iterations)
-      {
-        FloatVector &z = next(Z, k);
-        precondition(system, V[at(k)], z);
-        A.multiply(z.data(), w.data(), runs_of_A);
-        add_laws(system, scale, z, w);
-        H(k + 1, k) = orthogonalize(V, w, H.col(k).head(k + 1));
-        if (!std::isfinite(H(k + 1, k)))
-          break;
-        next(V, k + 1) = w / static_cast<float>(std::max(H(k + 1, k), 1e-30));
-        for (Index i = 0; i < k; ++i)
-          H.col(k).applyOnTheLeft(i, i + 1, turns[at(i)].adjoint());
-        turns[at(k)].makeGivens(H(k, k), H(k + 1, k));
-        H.col(k).applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
-        g.applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
-      }
-    const VectorXd y =
-      H.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(
-        g.head(k));
-    FloatVector x = FloatVector::Zero(n);
-    for (Index i = 0; i < k; ++i)
-      x += static_cast<float>(y(i)) * Z[at(i)];
-    return x;
-  }
-
   /* Single precision gains some digits at a time, of what double precision
      finds to be left. */
   template <int block>
   typename BlockSystem<block>::Step
-  BlockSystem<block>::refine(const System    &system,
-                             const Precision &precision) const
+  BlockSystem<block>::solve(const std::vector<NodeLaw> &laws,
+                            const Array                &f,
+                            const Precision            &precision) const
   {
+    const System system = system_of(laws, f);
     Step         result{system.known};
     Array        x     = Array::Zero(n);
     Array        r     = system.right_hand_side;
@@ -580,35 +463,37 @@ namespace conetact::iterative
     const double goal =
       precision.relative *
       (precision.forces > 0 ? std::min(start, precision.forces) : start);
+    const auto multiplied = [&](const FloatVector &z, FloatVector &w) {
+      A.multiply(z.data(), w.data(), runs_of_A);
+      add_laws(system, scale, z, w);
+    };
+    const auto preconditioned = [&](const FloatVector &v, FloatVector &z) {
+      precondition(system, v, z);
+    };
     double left = start, before = left;
     while (left > goal && result.iterations < most_iterations)
       {
         const FloatVector b = (r / left).template cast<float>();
-        x += (left / scale) *
-             gmres(system, b, std::max(goal / left, digits), result.iterations)
-               .template cast<double>();
+        x += (left / scale) * gmres
+                                .solve(b,
+                                       std::max(goal / left, digits),
+                                       multiplied,
+                                       preconditioned,
+                                       result.iterations)
+                                .template cast<double>();
         before = left;
-        r      = system.right_hand_side - multiply(system, x);
-        left   = norm(r);
+        r      = multiply(x);
+        add_laws(system, 1., x, r);
+        r    = system.right_hand_side - r;
+        left = norm(r);
         if (!(left < .5 * before)) // all there is to gain
           break;
       }
     result.du += x;
     result.error = start > 0 ? left / start : 0.;
-    is_hard      = result.iterations > cycle_length;
+    is_hard      = result.iterations > FlexibleGmres::cycle_length;
     return result;
   }
-
-
-  template <int block>
-  typename BlockSystem<block>::Step
-  BlockSystem<block>::solve(const std::vector<NodeLaw> &laws,
-                            const Array                &f,
-                            const Precision            &precision) const
-  {
-    return refine(system_of(laws, f), precision);
-  }
-
   template class BlockSystem<2>;
   template class BlockSystem<3>;
 } // namespace conetact::iterative

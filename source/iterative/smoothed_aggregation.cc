@@ -5,11 +5,11 @@
 
 #include "conetact/base/index.h"
 #include "conetact/base/partition.h"
+#include "conetact/iterative/aggregates.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <numeric>
 
 namespace conetact::iterative
@@ -18,88 +18,6 @@ namespace conetact::iterative
   {
     /** Modes of an aggregate that are so much the same count as one. */
     constexpr double same = 1e-7;
-
-    /** Over the geometric mean of the diagonal blocks of two nodes: below it
-     * they are not neighbours, such as those of a hard and a soft body. */
-    constexpr double weak = .02;
-
-    /**
-     * The aggregate of each own node: nodes all of whose neighbours are free
-     * yet begin one with these, others join one of their neighbours', and those
-     * that are left make what they can.
-     */
-    template <int size>
-    std::vector<int>
-    group(const DistributedMatrix<size, size, double> &A, int &n_aggregates)
-    {
-      const auto      &own  = A.own_part();
-      const int        n    = static_cast<int>(own.n_block_rows());
-      constexpr int    none = -1;
-      std::vector<int> of(at(n), none);
-      Eigen::VectorXd  least = Eigen::VectorXd::Zero(n);
-      for (int i = 0; i < n; ++i)
-        A.for_row(at(i), [&](const int j, const auto &block) {
-          if (j == i)
-            least[i] = weak * block.norm();
-        });
-      const auto neighbours = [&](const int i, const auto &f) {
-        for (std::size_t k = own.start[at(i)]; k < own.start[at(i) + 1]; ++k)
-          if (const int j = own.column[k];
-              own.block(at(i), k).squaredNorm() >= least[i] * least[j])
-            f(j);
-      };
-      const auto begin_with = [&](const int i) {
-        of[at(i)] = n_aggregates;
-        neighbours(i, [&](const int j) {
-          if (of[at(j)] == none)
-            of[at(j)] = n_aggregates;
-        });
-        ++n_aggregates;
-      };
-      n_aggregates = 0;
-      for (int i = 0; i < n; ++i)
-        {
-          bool free = of[at(i)] == none;
-          neighbours(i, [&](const int j) { free &= of[at(j)] == none; });
-          if (free)
-            begin_with(i);
-        }
-      std::vector<int>   joined = of;
-      std::map<int, int> votes;
-      for (int i = 0; i < n; ++i)
-        if (of[at(i)] == none)
-          {
-            votes.clear();
-            neighbours(i, [&](const int j) {
-              if (of[at(j)] != none)
-                ++votes[of[at(j)]];
-            });
-            const auto most =
-              std::max_element(votes.begin(),
-                               votes.end(),
-                               [](const auto &a, const auto &b) {
-                                 return a.second < b.second;
-                               });
-            if (most != votes.end())
-              joined[at(i)] = most->first;
-          }
-      of.swap(joined);
-      for (int i = 0; i < n; ++i)
-        if (of[at(i)] == none)
-          begin_with(i);
-      return of;
-    }
-
-    /** Nodes of all processes, from the number of each. */
-    std::vector<int>
-    number(const int n_own, const Communicator &processes)
-    {
-      const Eigen::VectorXi n = processes.gather_all(
-        Eigen::VectorXi(Eigen::VectorXi::Constant(1, n_own)));
-      std::vector<int> first(at(static_cast<int>(n.size())) + 1, 0);
-      std::partial_sum(n.begin(), n.end(), first.begin() + 1);
-      return first;
-    }
 
     /** As ints, which processes exchange. */
     template <typename Number>
@@ -550,8 +468,8 @@ namespace conetact::iterative
   {
     CoarseLevel<size, coarse> level;
     int                       n_own        = 0;
-    const std::vector<int>    aggregate_of = group(above.A, n_own);
-    level.rows.first                       = number(n_own, processes);
+    const std::vector<int>    aggregate_of = aggregates(above.A, n_own);
+    level.rows.first                       = first_numbers(n_own, processes);
     level.P                                = smoothed(
       above,
       orthogonal_modes<size, coarse>(aggregate_of,

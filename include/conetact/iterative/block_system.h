@@ -4,6 +4,7 @@
 #ifndef conetact_iterative_block_system_h
 #define conetact_iterative_block_system_h
 
+#include "conetact/iterative/flexible_gmres.h"
 #include "conetact/iterative/multigrid.h"
 #include "conetact/iterative/row_runs.h"
 #include "conetact/iterative/surface_smoother.h"
@@ -133,27 +134,10 @@ namespace conetact::iterative
              const double  unit,
              const Vector &x,
              Vector       &y) const;
-    Array
-    multiply(const System &system, const Array &x) const;
     void
     precondition(const System      &system,
                  const FloatVector &b,
                  FloatVector       &result) const;
-    /**
-     * Takes away from w what is along the first vectors of V, whose parts are
-     * `along`. Returns the norm of what is left.
-     */
-    double
-    orthogonalize(const std::vector<FloatVector> &V,
-                  FloatVector                    &w,
-                  Eigen::Ref<Array>               along) const;
-    FloatVector
-    gmres(const System      &system,
-          const FloatVector &b,
-          const double       goal,
-          unsigned int      &iterations) const;
-    Step
-    refine(const System &system, const Precision &precision) const;
 
     const Communicator                      processes;
     const std::vector<int>                  first;      ///< places of processes
@@ -177,11 +161,11 @@ namespace conetact::iterative
     /** Memory for solve(): to ask for it each time takes longer than sums. */
     struct Vectors
     {
-      ChebyshevVectors         smoothing;
-      FloatVector              r, scaled, coarse, w;
-      std::vector<FloatVector> V, Z; ///< of GMRES
+      ChebyshevVectors smoothing;
+      FloatVector      r, scaled, coarse;
     };
-    mutable Vectors vectors;
+    mutable Vectors       vectors;
+    mutable FlexibleGmres gmres;
     /** The last system took many iterations. */
     mutable bool is_hard = false;
   };

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/iterative/aggregates.h"
+
+#include "conetact/base/index.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace conetact::iterative
+{
+  namespace
+  {
+    /** Over the geometric mean of the diagonal blocks of two nodes: below it
+     * they are not neighbours, such as those of a hard and a soft body. */
+    constexpr double weak = .02;
+  } // namespace
+
+
+
+  template <int size>
+  std::vector<int>
+  aggregates(const DistributedMatrix<size, size, double> &A, int &n_aggregates)
+  {
+    const auto      &own  = A.own_part();
+    const int        n    = static_cast<int>(own.n_block_rows());
+    constexpr int    none = -1;
+    std::vector<int> of(at(n), none);
+    Eigen::VectorXd  least = Eigen::VectorXd::Zero(n);
+    for (int i = 0; i < n; ++i)
+      A.for_row(at(i), [&](const int j, const auto &block) {
+        if (j == i)
+          least[i] = weak * block.norm();
+      });
+    const auto neighbours = [&](const int i, const auto &f) {
+      for (std::size_t k = own.start[at(i)]; k < own.start[at(i) + 1]; ++k)
+        if (const int j = own.column[k];
+            own.block(at(i), k).squaredNorm() >= least[i] * least[j])
+          f(j);
+    };
+    const auto begin_with = [&](const int i) {
+      of[at(i)] = n_aggregates;
+      neighbours(i, [&](const int j) {
+        if (of[at(j)] == none)
+          of[at(j)] = n_aggregates;
+      });
+      ++n_aggregates;
+    };
+    n_aggregates = 0;
+    for (int i = 0; i < n; ++i)
+      {
+        bool free = of[at(i)] == none;
+        neighbours(i, [&](const int j) { free &= of[at(j)] == none; });
+        if (free)
+          begin_with(i);
+      }
+    std::vector<int>   joined = of;
+    std::map<int, int> votes;
+    for (int i = 0; i < n; ++i)
+      if (of[at(i)] == none)
+        {
+          votes.clear();
+          neighbours(i, [&](const int j) {
+            if (of[at(j)] != none)
+              ++votes[of[at(j)]];
+          });
+          const auto most = std::max_element(votes.begin(),
+                                             votes.end(),
+                                             [](const auto &a, const auto &b) {
+                                               return a.second < b.second;
+                                             });
+          if (most != votes.end())
+            joined[at(i)] = most->first;
+        }
+    of.swap(joined);
+    for (int i = 0; i < n; ++i)
+      if (of[at(i)] == none)
+        begin_with(i);
+    return of;
+  }
+
+
+
+  std::vector<int>
+  first_numbers(const int n_own, const Communicator &processes)
+  {
+    const Eigen::VectorXi n = processes.gather_all(
+      Eigen::VectorXi(Eigen::VectorXi::Constant(1, n_own)));
+    std::vector<int> first(at(static_cast<int>(n.size())) + 1, 0);
+    std::partial_sum(n.begin(), n.end(), first.begin() + 1);
+    return first;
+  }
+
+  template std::vector<int>
+  aggregates(const DistributedMatrix<2, 2, double> &, int &);
+  template std::vector<int>
+  aggregates(const DistributedMatrix<3, 3, double> &, int &);
+  template std::vector<int>
+  aggregates(const DistributedMatrix<6, 6, double> &, int &);
+} // namespace conetact::iterative

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/iterative/flexible_gmres.h"
+
+#include "conetact/base/index.h"
+#include "conetact/iterative/multigrid.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::iterative
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::VectorXd;
+
+    /** w -= c v, and (w, next) of what is left. */
+    double
+    subtract_and_project(const double       c,
+                         const FloatVector &v,
+                         const FloatVector &next,
+                         FloatVector       &w)
+    {
+      double sum = 0;
+      for_pieces(w, [&](const Index i, const Index n) {
+        w.segment(i, n) -= static_cast<float>(c) * v.segment(i, n);
+        sum += static_cast<double>(w.segment(i, n).dot(next.segment(i, n)));
+      });
+      return sum;
+    }
+  } // namespace
+
+
+
+  FlexibleGmres::FlexibleGmres(const Communicator &all)
+    : processes(all)
+  {}
+
+
+
+  /* One after the other, as Gram and Schmidt do it in the modified way; or all
+     at once, and once more for the sake of rounding: two messages. */
+  double
+  FlexibleGmres::orthogonalize(Eigen::Ref<VectorXd> along)
+  {
+    if (processes.size() == 1)
+      {
+        along(0) = subtract_and_project(0, V.front(), V.front(), w);
+        for (Index i = 1; i < along.size(); ++i)
+          along(i) =
+            subtract_and_project(along(i - 1), V[at(i - 1)], V[at(i)], w);
+        const Index last = along.size() - 1;
+        return std::sqrt(subtract_and_project(along(last), V[at(last)], w, w));
+      }
+    const Index n_along = along.size();
+    VectorXd    parts(n_along + 1);
+    along.setZero();
+    for (int pass = 0; pass < 2; ++pass)
+      {
+        parts.setZero();
+        for_pieces(w, [&](const Index begin, const Index size) {
+          const auto part = w.segment(begin, size);
+          for (Index i = 0; i < n_along; ++i)
+            parts(i) +=
+              static_cast<double>(part.dot(V[at(i)].segment(begin, size)));
+          parts(n_along) += static_cast<double>(part.squaredNorm());
+        });
+        processes.sum(parts.data(), parts.size());
+        along += parts.head(n_along);
+        for_pieces(w, [&](const Index begin, const Index size) {
+          for (Index i = 0; i < n_along; ++i)
+            w.segment(begin, size) -=
+              static_cast<float>(parts(i)) * V[at(i)].segment(begin, size);
+        });
+      }
+    return std::sqrt(
+      std::max(parts(n_along) - parts.head(n_along).squaredNorm(), 0.));
+  }
+
+
+
+  FloatVector
+  FlexibleGmres::solve(const FloatVector &b,
+                       const double       goal,
+                       const Product     &multiply,
+                       const Product     &precondition,
+                       unsigned int      &iterations)
+  {
+    const auto next = [](auto &list, const Index i) -> auto &
+    {
+      if (list.size() <= at(i))
+        list.emplace_back();
+      return list[at(i)];
+    };
+    next(V, 0) = b;
+    w.resize(b.size());
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(cycle_length + 1, cycle_length);
+    VectorXd        g = VectorXd::Zero(cycle_length + 1);
+    g(0)              = 1;
+    std::vector<Eigen::JacobiRotation<double>> turns(cycle_length);
+    Index                                      k = 0;
+    for (; k < cycle_length && std::abs(g(k)) > goal; ++k, ++iterations)
+      {
+        FloatVector &z = next(Z, k);
+        precondition(V[at(k)], z);
+        multiply(z, w);
+        H(k + 1, k) = orthogonalize(H.col(k).head(k + 1));
+        if (!std::isfinite(H(k + 1, k)))
+          break;
+        next(V, k + 1) = w / static_cast<float>(std::max(H(k + 1, k), 1e-30));
+        for (Index i = 0; i < k; ++i)
+          H.col(k).applyOnTheLeft(i, i + 1, turns[at(i)].adjoint());
+        turns[at(k)].makeGivens(H(k, k), H(k + 1, k));
+        H.col(k).applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
+        g.applyOnTheLeft(k, k + 1, turns[at(k)].adjoint());
+      }
+    const VectorXd y =
+      H.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
+    FloatVector x = FloatVector::Zero(b.size());
+    for (Index i = 0; i < k; ++i)
+      x += static_cast<float>(y(i)) * Z[at(i)];
+    return x;
+  }
+} // namespace conetact::iterative
