@@ -4,8 +4,6 @@
 #include "conetact/analysis/acceptance.h"
 
 #include "conetact/base/text.h"
-#include "conetact/bodies/frame/frame.h"
-#include "conetact/output/extremes.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -20,49 +18,11 @@ namespace conetact::analysis
      * rounding. */
     constexpr double least_depth = 1e-6;
 
-    /** Of the largest force so far: what is left of it is rounding. */
-    constexpr double noise = 64 * 2.2e-16;
-
     /** Of coordinates: what they are known to. */
     constexpr double known_to = 16 * 2.2e-16;
 
     /** A kind of warning: one is enough. */
     const std::string small_is_off = "small kinematics";
-
-    /**
-     * The sum of all resultants over the largest of them; nothing where they
-     * are rounding of the largest `so far`. Round an axis radial forces cancel
-     * by themselves.
-     */
-    double
-    balance_of(const output::IncrementRecord &record,
-               const bool                     axisymmetric,
-               const double                   reach,
-               double                        &so_far)
-    {
-      output::Resultant sum;
-      double            largest = 0;
-      const auto        add     = [&](const output::Resultant &resultant) {
-        sum.force += resultant.force;
-        sum.moment += resultant.moment;
-        largest = std::max(largest, resultant.force.norm());
-      };
-      for (const output::Resultant &contact : record.contacts)
-        add(contact);
-      for (const output::Resultant &support : record.each_support)
-        add(support);
-      add(record.loads);
-      for (const output::ObstacleRecord &obstacle : record.obstacles)
-        add(obstacle.contacts);
-      so_far = std::max(so_far, largest);
-      if (axisymmetric)
-        sum.force[0] = 0;
-      return largest > noise * so_far ?
-               // Moments about the origin, compared with the largest lever.
-               std::max(sum.force.norm() / largest,
-                        sum.moment.norm() / (largest * reach)) :
-               0.;
-    }
 
     /**
      * States in which nodes touch whose gaps are rounding of positions, and
@@ -111,10 +71,8 @@ namespace conetact::analysis
     , contact_rows(model, scene.master_side)
     , warnings(model, log)
     , small(scene, model)
-  {
-    for (const bodies::Structure *structure : model.bodies.structures)
-      reach = std::max(reach, bodies::reach(*structure));
-  }
+    , records(scene, model)
+  {}
 
   void
   Acceptance::set_stiffness(const contact::Elasticity &elastic)
@@ -332,7 +290,7 @@ namespace conetact::analysis
                        const bool                   drawn)
   {
     output::IncrementRecord &record = increment.record;
-    add_resultants(record, finding);
+    records.add_resultants(record, finding);
     if (!finding.why.empty())
       return finding.why;
     // The law holds for the contacts as they were linearised. What follows asks
@@ -365,95 +323,18 @@ namespace conetact::analysis
                                                        finding),
                                       increment.state.r);
     warnings.check_size(amounts(increment), w);
-    observe(record, finding.u);
+    records.observe(record, finding.u);
     if (drawn)
-      add_displacements(record, finding.u, w);
+      records.add_displacements(record, finding.u, w);
     return "";
   }
 
-  void
-  Acceptance::add_resultants(output::IncrementRecord     &record,
-                             const verification::Finding &finding)
+  output::IncrementRecord
+  Acceptance::undeformed() const
   {
-    const verification::ExternalForces &external = finding.external;
-    record.equilibrium                           = finding.equilibrium;
-    record.report.residual                       = finding.residual;
-    record.contacts.assign(scene.contact_sides.size(), {});
-    for (std::size_t c = 0; c < external.contacts.size(); ++c)
-      {
-        record.contacts[c] = external.contacts[c];
-        if (scene.master_side[c] != c)
-          // A contact of two bodies has one column for each side.
-          record.contacts[scene.master_side[c]] = external.masters[c];
-      }
-    record.each_support = external.supports;
-    record.supports     = {};
-    for (const output::Resultant &support : external.supports)
-      {
-        record.supports.force += support.force;
-        record.supports.moment += support.moment;
-      }
-    record.loads = external.loads;
-    add_obstacles(record, finding);
-    add_preloads(record, finding);
-    record.body_balance.clear();
-    // resultants may vanish where forces do not: a ring shrunk onto another
-    for (const verification::Balance &body : external.bodies)
-      largest_force = std::max(largest_force, body.forces);
-    for (const verification::Balance &body : external.bodies)
-      record.body_balance.push_back(
-        body.forces > noise * largest_force ? body.error() : 0.);
-    record.balance =
-      balance_of(record, model.bodies.are_axisymmetric(), reach, largest_force);
-    if (record.body_balance.size() == 1)
-      record.body_balance.clear();
-  }
-
-  /* What contacts do to each obstacle that is free, and how it moves. */
-  void
-  Acceptance::add_obstacles(output::IncrementRecord     &record,
-                            const verification::Finding &finding) const
-  {
-    const contact::Bodies &bodies = model.bodies;
-    record.obstacles.assign(bodies.n_free_obstacles(), {});
-    std::vector<bool> taken(finding.external.masters.size(), false);
-    for (const contact::ContactPoint &point : model.points.all())
-      {
-        const pairing::ContactNode &node = *point.node;
-        if (node.obstacle == nullptr || node.masters.empty() ||
-            taken[node.contact])
-          continue;
-        taken[node.contact] = true;
-        output::Resultant &sum =
-          record.obstacles[node.master - bodies.n_elastic()].contacts;
-        sum.force += finding.external.masters[node.contact].force;
-        sum.moment += finding.external.masters[node.contact].moment;
-      }
-    for (std::size_t k = 0; k < record.obstacles.size(); ++k)
-      {
-        // The first node of a rigid body rotates, too.
-        const auto         body  = bodies.n_elastic() + k;
-        const Eigen::Index first = model.coordinates.offset(body);
-        for (unsigned int c = 0; c < bodies.structures[body]->n_components() &&
-                                 finding.u.size() > 0;
-             ++c)
-          if (c < bodies.dim)
-            record.obstacles[k].displacement[c] = finding.u[first + c];
-          else
-            record.obstacles[k].rotation[bodies.dim == 2 ? 2 : c - 3] =
-              finding.u[first + c];
-      }
-  }
-
-  void
-  Acceptance::add_preloads(output::IncrementRecord     &record,
-                           const verification::Finding &finding) const
-  {
-    record.preloads.clear();
-    for (const contact::Cut &cut : model.bodies.cuts)
-      record.preloads.push_back(
-        {-(finding.external.contacts[cut.contact].force * cut.axis),
-         finding.u.size() > 0 ? -model.opening(cut, finding.u) : 0.});
+    output::IncrementRecord record = records.undeformed();
+    record.rows                    = contact_rows.undeformed();
+    return record;
   }
 
   void
@@ -462,7 +343,7 @@ namespace conetact::analysis
     verification.save(archive);
     contact_rows.save(archive);
     energies.save(archive, scene.support_names);
-    archive.put("acceptance/largest_force", largest_force);
+    records.save(archive);
   }
 
   void
@@ -473,62 +354,6 @@ namespace conetact::analysis
                          verification.accepted_displacements(),
                          verification.accepted_time());
     energies.restore(archive, scene.support_names, model.points);
-    archive.fill("acceptance/largest_force", largest_force);
-  }
-
-  output::IncrementRecord
-  Acceptance::undeformed() const
-  {
-    output::IncrementRecord record;
-    record.rows = contact_rows.undeformed();
-    for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
-      {
-        record.displacements.push_back(
-          Eigen::VectorXd::Zero(scene.bodies.structures[b]->n_dofs()));
-        record.actions.emplace_back();
-      }
-    return record;
-  }
-
-  /* What history.csv tells of displacements. */
-  void
-  Acceptance::observe(output::IncrementRecord &record,
-                      const Eigen::VectorXd   &u) const
-  {
-    const contact::Bodies &bodies = model.bodies;
-    const auto size = [&](const unsigned int b, const unsigned int i) {
-      return model.displacement(u, b, i).norm();
-    };
-    record.largest_displacement =
-      output::largest_displacement(bodies.structures, bodies.n_elastic(), size);
-    record.probes.clear();
-    if (scene.probes.empty())
-      return;
-    const auto actions = scene.actions(record.time);
-    for (const bodies::Probe &probe : scene.probes)
-      {
-        const bodies::Structure &body = *bodies.structures[probe.body];
-        record.probes.push_back(probe.displacement(
-          u.segment(model.coordinates.offset(probe.body), body.n_dofs())));
-        if (const auto *frame = dynamic_cast<const bodies::Frame *>(&body))
-          record.probes.back() +=
-            frame->deflection_between_nodes(probe.point, actions[probe.body]);
-      }
-  }
-
-  void
-  Acceptance::add_displacements(output::IncrementRecord &record,
-                                const Eigen::VectorXd   &u,
-                                const Eigen::VectorXd   &w) const
-  {
-    record.actions = scene.actions(record.time);
-    for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
-      {
-        const Eigen::Index n = scene.bodies.structures[b]->n_dofs();
-        record.displacements.push_back(
-          u.segment(model.coordinates.offset(b), n));
-        record.deformations.push_back(
-          w.segment(model.coordinates.offset(b), n));
-      }
+    records.restore(archive);
   }
 } // namespace conetact::analysis

@@ -3,11 +3,11 @@
 
 #include "conetact/analysis/path_analysis.h"
 
+#include "conetact/analysis/mechanism_files.h"
 #include "conetact/analysis/path_outcome.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/output/csv.h"
-#include "conetact/output/graphics.h"
 #include "conetact/output/problem_texts.h"
 
 #include <deal.II/base/exceptions.h>
@@ -187,29 +187,22 @@ namespace conetact::analysis
 
 
 
-  std::unique_ptr<load_path::PathFollower>
-  PathAnalysis::make_follower(
-    std::shared_ptr<const solvers::ContactSystem> system,
-    const Eigen::VectorXd                        &gap) const
-  {
-    return scene.bodies.dim == 2 ?
-             load_path::make_event_follower(system, gap, options) :
-             load_path::make_bracketing_follower(system, gap, options);
-  }
-
-
-
   void
   PathAnalysis::run(const std::filesystem::path &f, const bool quiet)
   {
     folder = f;
-    remove_mechanism();
+    MechanismFiles(model, folder).remove();
     create_outputs(folder, 0, quiet);
     events.emplace(folder);
     system();
     write_problem_texts();
-    Eigen::VectorXd       gap      = initial_gap.cwiseMax(0.);
-    const auto            follower = make_follower(stiffness->system(), gap);
+    Eigen::VectorXd gap = initial_gap.cwiseMax(0.);
+    const auto      follower =
+      (scene.bodies.dim == 2 ?
+         load_path::make_event_follower :
+         load_path::make_bracketing_follower)(stiffness->system(),
+                                              gap,
+                                              options);
     load_path::PathResult result;
     try
       {
@@ -475,75 +468,13 @@ namespace conetact::analysis
                              last.state[i] != load_path::PathState::open);
         end.mechanism =
           contact::name_mechanism(model, result.mechanism, touching);
-        write_mechanism(result.mechanism, end.parameter());
+        MechanismFiles(model, folder).write(result.mechanism, end.parameter());
       }
     const std::string sentence = outcome_sentence(end, model, scene);
     events->finish(end.parameter(), outcome_words(end));
     if (result.outcome == load_path::PathOutcome::not_converged)
       throw AnalysisError(sentence);
     log.say(sentence);
-  }
-
-
-
-  /* A mechanism moves bodies without force: by their free motions where these
-     are known by themselves, and strains them nowhere. */
-  Eigen::VectorXd
-  PathAnalysis::mechanism_displacements(const Eigen::VectorXd &velocity)
-  {
-    if (model.condensed_form() == solvers::Form::stiffness)
-      return model.elasticity().correction(model.elasticity().reduce_unbalanced(
-                                             Eigen::VectorXd::Zero(
-                                               model.coordinates.n_dofs())),
-                                           velocity);
-    const Eigen::VectorXd a =
-      model.motions.seen().completeOrthogonalDecomposition().solve(velocity);
-    return model.motions.field(model.motions.of_free(a));
-  }
-
-
-
-  void
-  PathAnalysis::write_mechanism(const Eigen::VectorXd &velocity, const double t)
-  {
-    Eigen::VectorXd u = mechanism_displacements(velocity);
-    if (const double size = solvers::largest(u); size > 0)
-      u /= size;
-    std::vector<std::pair<std::string, std::string>> blocks;
-    for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
-      {
-        blocks.emplace_back(output::safe_names(scene.bodies.names)[b],
-                            mechanism_file(b));
-        scene.bodies.structures[b]->write_graphics(
-          u.segment(model.coordinates.offset(b),
-                    scene.bodies.structures[b]->n_dofs()),
-          t,
-          folder / blocks.back().second);
-      }
-    output::PvdFile(folder / "mechanism.pvd").add(t, blocks);
-  }
-
-
-
-  /* Files of an earlier run must not pass for those of this one. */
-  void
-  PathAnalysis::remove_mechanism() const
-  {
-    std::error_code ignored;
-    std::filesystem::remove(folder / "mechanism.pvd", ignored);
-    for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
-      std::filesystem::remove(folder / mechanism_file(b), ignored);
-  }
-
-
-
-  std::string
-  PathAnalysis::mechanism_file(const std::size_t body) const
-  {
-    return scene.bodies.names.size() == 1 ?
-             "mechanism.vtu" :
-             "mechanism-" + output::safe_names(scene.bodies.names)[body] +
-               ".vtu";
   }
 
 

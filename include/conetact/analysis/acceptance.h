@@ -4,6 +4,7 @@
 #ifndef conetact_analysis_acceptance_h
 #define conetact_analysis_acceptance_h
 
+#include "conetact/analysis/record_maker.h"
 #include "conetact/analysis/small_kinematics.h"
 #include "conetact/analysis/warnings.h"
 #include "conetact/application/scene.h"
@@ -108,21 +109,6 @@ namespace conetact::analysis
     std::string
     wrong_at_supports(const PendingIncrement      &increment,
                       const verification::Finding &finding) const;
-    void
-    add_resultants(output::IncrementRecord     &record,
-                   const verification::Finding &finding);
-    void
-    add_obstacles(output::IncrementRecord     &record,
-                  const verification::Finding &finding) const;
-    void
-    add_preloads(output::IncrementRecord     &record,
-                 const verification::Finding &finding) const;
-    void
-    observe(output::IncrementRecord &record, const Eigen::VectorXd &u) const;
-    void
-    add_displacements(output::IncrementRecord &record,
-                      const Eigen::VectorXd   &u,
-                      const Eigen::VectorXd   &w) const;
 
     const application::Scene           &scene;
     const contact::ContactModel        &model;
@@ -131,9 +117,8 @@ namespace conetact::analysis
     verification::Energies              energies;
     Warnings                            warnings;
     SmallKinematics                     small;
+    RecordMaker                         records;
     std::map<unsigned int, std::string> leaves;
-    double                              reach = 0; ///< of the bodies [length]
-    double largest_force                      = 0; ///< sum on a body so far
   };
 } // namespace conetact::analysis
 

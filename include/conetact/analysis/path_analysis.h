@@ -57,9 +57,6 @@ namespace conetact::analysis
     /** In stiffness form, made when first asked for. */
     const solvers::ContactSystem &
     system();
-    std::unique_ptr<load_path::PathFollower>
-    make_follower(std::shared_ptr<const solvers::ContactSystem> system,
-                  const Eigen::VectorXd                        &gap) const;
     /** What Output/Text increments asks for. */
     void
     write_problem_texts();
@@ -86,20 +83,12 @@ namespace conetact::analysis
                 PendingIncrement           &pending);
     verification::Finding
     judge(PendingIncrement &pending, Eigen::VectorXd &w);
-    Eigen::VectorXd
-    mechanism_displacements(const Eigen::VectorXd &velocity);
     void
     flush();
     void
     add_events(const load_path::PathPoint &point);
     void
     report_outcome(const load_path::PathResult &result);
-    void
-    write_mechanism(const Eigen::VectorXd &velocity, const double t);
-    void
-    remove_mechanism() const;
-    std::string
-    mechanism_file(const std::size_t body) const;
     std::string
     node_name(const Eigen::Index i) const;
     std::string
