@@ -13,8 +13,8 @@ namespace conetact
 {
   namespace
   {
-    using Lists = std::vector<std::vector<unsigned int>>;
-    using Kind  = std::pair<unsigned int, std::size_t>;
+    using Lists       = std::vector<std::vector<unsigned int>>;
+    using ElementKind = std::pair<unsigned int, std::size_t>;
 
     /** Beginnings of names. The dimension; the number of nodes follows. */
     struct Family
@@ -58,31 +58,31 @@ namespace conetact
                                         "U"};
 
     /** Numbers of nodes that elements have, and of corners. */
-    const std::map<Kind, std::size_t> &
+    const std::map<ElementKind, std::size_t> &
     corners()
     {
-      static const std::map<Kind, std::size_t> all = {{{1, 2}, 2},
-                                                      {{1, 3}, 2},
-                                                      {{2, 3}, 3},
-                                                      {{2, 4}, 4},
-                                                      {{2, 6}, 3},
-                                                      {{2, 8}, 4},
-                                                      {{3, 4}, 4},
-                                                      {{3, 5}, 5},
-                                                      {{3, 6}, 6},
-                                                      {{3, 8}, 8},
-                                                      {{3, 10}, 4},
-                                                      {{3, 13}, 5},
-                                                      {{3, 15}, 6},
-                                                      {{3, 20}, 8}};
+      static const std::map<ElementKind, std::size_t> all = {{{1, 2}, 2},
+                                                             {{1, 3}, 2},
+                                                             {{2, 3}, 3},
+                                                             {{2, 4}, 4},
+                                                             {{2, 6}, 3},
+                                                             {{2, 8}, 4},
+                                                             {{3, 4}, 4},
+                                                             {{3, 5}, 5},
+                                                             {{3, 6}, 6},
+                                                             {{3, 8}, 8},
+                                                             {{3, 10}, 4},
+                                                             {{3, 13}, 5},
+                                                             {{3, 15}, 6},
+                                                             {{3, 20}, 8}};
       return all;
     }
 
     /** Ends of edges in the order of middle nodes. */
     const Lists &
-    edges(const Kind &kind)
+    edges(const ElementKind &kind)
     {
-      static const std::map<Kind, Lists> all = {
+      static const std::map<ElementKind, Lists> all = {
         {{2, 3}, {{0, 1}, {1, 2}, {2, 0}}},
         {{2, 4}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
         {{3, 4}, {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}},
@@ -115,9 +115,9 @@ namespace conetact
     }
 
     const Lists &
-    faces(const Kind &kind)
+    faces(const ElementKind &kind)
     {
-      static const std::map<Kind, Lists> all = {
+      static const std::map<ElementKind, Lists> all = {
         {{2, 3}, {{0, 1}, {1, 2}, {2, 0}}},
         {{2, 4}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
         {{3, 4}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}},

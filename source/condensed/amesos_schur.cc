@@ -16,7 +16,7 @@ namespace conetact::condensed
   {
     // Right-hand sides that are treated together: they are as long as A_FF is
     // large, and dense.
-    constexpr Eigen::Index columns_at_once = 64;
+    constexpr Eigen::Index columns_a_solve = 64;
 
     // Of the diagonal: makes any singular stiffness regular, and is so small
     // that one step of inverse iteration still finds what moves freely.
@@ -123,9 +123,9 @@ namespace conetact::condensed
   {
     if (n_schur == 0)
       return;
-    for (Index first = 0; first < n_schur; first += columns_at_once)
+    for (Index first = 0; first < n_schur; first += columns_a_solve)
       {
-        const Index count = std::min(columns_at_once, n_schur - first);
+        const Index count = std::min(columns_a_solve, n_schur - first);
         S.middleCols(first, count) -=
           A_FC.transpose() * solve(MatrixXd(A_FC.middleCols(first, count)));
       }
@@ -152,9 +152,9 @@ namespace conetact::condensed
     MatrixXd reduced = b.bottomRows(n_schur);
     if (reduced.size() == 0 || b.topRows(n_eliminated).isZero(0.))
       return reduced;
-    for (Index first = 0; first < b.cols(); first += columns_at_once)
+    for (Index first = 0; first < b.cols(); first += columns_a_solve)
       {
-        const Index count = std::min(columns_at_once, b.cols() - first);
+        const Index count = std::min(columns_a_solve, b.cols() - first);
         reduced.middleCols(first, count) -=
           A_FC.transpose() *
           solve(b.topRows(n_eliminated).middleCols(first, count));
@@ -175,9 +175,9 @@ namespace conetact::condensed
     u.bottomRows(n_schur) = u_C;
     if (n_eliminated == 0)
       return u;
-    for (Index first = 0; first < b.cols(); first += columns_at_once)
+    for (Index first = 0; first < b.cols(); first += columns_a_solve)
       {
-        const Index count = std::min(columns_at_once, b.cols() - first);
+        const Index count = std::min(columns_a_solve, b.cols() - first);
         MatrixXd    load  = b.topRows(n_eliminated).middleCols(first, count);
         load -= A_FC * u_C.middleCols(first, count);
         u.topRows(n_eliminated).middleCols(first, count) = solve(load);

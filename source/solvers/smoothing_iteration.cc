@@ -15,7 +15,7 @@ namespace conetact::solvers
     using Eigen::VectorXd;
 
     std::size_t
-    at(const Index i)
+    number(const Index i)
     {
       return static_cast<std::size_t>(i);
     }
@@ -306,7 +306,7 @@ namespace conetact::solvers
       {
         if (!has_cone(i))
           continue;
-        const Cone  &cone  = cones[at(i)];
+        const Cone  &cone  = cones[number(i)];
         const Index  first = system.first[i], nt = system.n_tangents(i);
         const double y = system.mu(i) * r(first + nt) -
                          normal_shift(i) * v(first + nt) + residual.y(i);
@@ -326,14 +326,14 @@ namespace conetact::solvers
   SmoothingIteration::direction(const Defect &residual, Point &delta)
   {
     const Index          n = relation.system().n_nodes();
-    std::vector<NodeLaw> laws(at(n));
-    std::vector<Cone>    cones(at(n));
+    std::vector<NodeLaw> laws(number(n));
+    std::vector<Cone>    cones(number(n));
     for (Index i = 0; i < n; ++i)
       {
         if (has_cone(i))
-          cones[at(i)] = linearize_cone(i);
-        const Law law = law_of(i, cones[at(i)], residual.y(i));
-        NodeLaw  &out = laws[at(i)];
+          cones[number(i)] = linearize_cone(i);
+        const Law law = law_of(i, cones[number(i)], residual.y(i));
+        NodeLaw  &out = laws[number(i)];
         out.p         = relation.stiffness() ? law.A : law.B;
         out.d         = relation.stiffness() ? law.B : law.A;
         out.h         = law.h;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include "conetact/contact/free_obstacles.h"
 #include "conetact/contact/coordinates.h"
+#include "conetact/contact/free_obstacles.h"
 #include "conetact/contact/rigid_motions.h"
 
 #include "scene_fixture.h"
