@@ -119,6 +119,65 @@ namespace conetact::analysis
                 std::string(scene.condenser->name) +
                 " tells nothing before it is done");
     }
+
+    void
+    report_bodies(const application::Scene &scene, Log &log)
+    {
+      const contact::Bodies &bodies = scene.bodies;
+      for (std::size_t b = 0; b < bodies.names.size(); ++b)
+        if (b < bodies.n_elastic() + bodies.n_free_obstacles())
+          log.say((bodies.is_rigid(b) ? "Obstacle " : "Body ") +
+                  bodies.names[b] + ": " + bodies.structures[b]->description());
+      for (const contact::Cut &cut : bodies.cuts)
+        log.say("Preload of contact " + scene.contact_names[cut.contact] +
+                ": along " + to_text(cut.axis) +
+                (cut.locked_from ?
+                   ", locked from t = " + to_text(*cut.locked_from) :
+                   ""));
+      for (const std::string &caution : scene.cautions())
+        log.say("warning: " + caution);
+      for (std::size_t b = 0; b < bodies.names.size(); ++b)
+        if (bodies.is_at_rest(b))
+          log.note(
+            "skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +
+            " dofs of body " + bodies.names[b] +
+            ", which no load, support motion or contact reaches");
+      for (std::size_t b = 0; b < bodies.names.size(); ++b)
+        if (const std::string caution = bodies.structures[b]->caution();
+            !caution.empty())
+          log.say("warning: body '" + bodies.names[b] + "': " + caution);
+      for (std::size_t b = 0; b < bodies.names.size(); ++b)
+        if (const auto [elements, matrices] =
+              bodies.structures[b]->matrix_count();
+            matrices < elements)
+          log.note("skipped: " + std::to_string(elements - matrices) + " of " +
+                   std::to_string(elements) + " cell matrices of body " +
+                   bodies.names[b] + ", congruent to others");
+    }
+
+    void
+    report_skipped(const application::Scene    &scene,
+                   const contact::ContactModel &model,
+                   Log                         &log)
+    {
+      const solvers::ContactSystem &layout    = model.points.layout();
+      Eigen::Index                  n_no_cone = 0;
+      for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+        n_no_cone += layout.n_tangents(i) == 0;
+      if (n_no_cone > 0)
+        log.note("skipped: friction cones of " + std::to_string(n_no_cone) +
+                 " contact nodes without friction or with held tangents");
+      if (model.points.n_held() > 0)
+        log.note("skipped: " + std::to_string(model.points.n_held()) +
+                 " contact nodes whose normal is held by a support");
+      if (!scene.path.follows && scene.n_drawings() < scene.times.size())
+        log.note("skipped: drawings of " +
+                 std::to_string(scene.times.size() - scene.n_drawings()) +
+                 " of " + std::to_string(scene.times.size()) + " increments");
+      if (model.motions.null_space().cols() > 0)
+        log.note(std::to_string(model.motions.null_space().cols()) +
+                 " rigid motions are held by contact alone");
+    }
   } // namespace
 
   void
@@ -140,35 +199,7 @@ namespace conetact::analysis
                const contact::ContactModel &model,
                Log                         &log)
   {
-    const contact::Bodies &bodies = scene.bodies;
-    for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      if (b < bodies.n_elastic() + bodies.n_free_obstacles())
-        log.say((bodies.is_rigid(b) ? "Obstacle " : "Body ") + bodies.names[b] +
-                ": " + bodies.structures[b]->description());
-    for (const contact::Cut &cut : bodies.cuts)
-      log.say("Preload of contact " + scene.contact_names[cut.contact] +
-              ": along " + to_text(cut.axis) +
-              (cut.locked_from ?
-                 ", locked from t = " + to_text(*cut.locked_from) :
-                 ""));
-    for (const std::string &caution : scene.cautions())
-      log.say("warning: " + caution);
-    for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      if (bodies.is_at_rest(b))
-        log.note("skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +
-                 " dofs of body " + bodies.names[b] +
-                 ", which no load, support motion or contact reaches");
-    for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      if (const std::string caution = bodies.structures[b]->caution();
-          !caution.empty())
-        log.say("warning: body '" + bodies.names[b] + "': " + caution);
-    for (std::size_t b = 0; b < bodies.names.size(); ++b)
-      if (const auto [elements, matrices] =
-            bodies.structures[b]->matrix_count();
-          matrices < elements)
-        log.note("skipped: " + std::to_string(elements - matrices) + " of " +
-                 std::to_string(elements) + " cell matrices of body " +
-                 bodies.names[b] + ", congruent to others");
+    report_bodies(scene, log);
     const solvers::ContactSystem &layout = model.points.layout();
     log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
             std::to_string(layout.n_unknowns()) + " unknowns of " +
@@ -190,22 +221,7 @@ namespace conetact::analysis
                        log);
         report_kinematics(scene.contact(c), scene.kinematics[c], log);
       }
-    Eigen::Index n_no_cone = 0;
-    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      n_no_cone += layout.n_tangents(i) == 0;
-    if (n_no_cone > 0)
-      log.note("skipped: friction cones of " + std::to_string(n_no_cone) +
-               " contact nodes without friction or with held tangents");
-    if (model.points.n_held() > 0)
-      log.note("skipped: " + std::to_string(model.points.n_held()) +
-               " contact nodes whose normal is held by a support");
-    if (!scene.path.follows && scene.n_drawings() < scene.times.size())
-      log.note("skipped: drawings of " +
-               std::to_string(scene.times.size() - scene.n_drawings()) +
-               " of " + std::to_string(scene.times.size()) + " increments");
-    if (model.motions.null_space().cols() > 0)
-      log.note(std::to_string(model.motions.null_space().cols()) +
-               " rigid motions are held by contact alone");
+    report_skipped(scene, model, log);
   }
 
 

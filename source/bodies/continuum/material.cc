@@ -200,6 +200,37 @@ namespace conetact::bodies
         }
       return result;
     }
+
+    void
+    declare_orthotropic(ParameterHandler &prm)
+    {
+      prm.declare_entry(
+        "Young moduli",
+        "",
+        Patterns::Anything(),
+        "Of an orthotropic material (wood, plies), instead of Young modulus and "
+        "Poisson ratio: E_1, E_2, E_3 along its axes 1, 2, 3. "
+        "[force/length^2]");
+      prm.declare_entry(
+        "Poisson ratios",
+        "",
+        Patterns::Anything(),
+        "Of an orthotropic material: nu_12, nu_13, nu_23, where nu_ij is the "
+        "contraction along j over the strain along i by a stress along i; "
+        "nu_ij / E_i = nu_ji / E_j. [-]");
+      prm.declare_entry("Shear moduli",
+                        "",
+                        Patterns::Anything(),
+                        "Of an orthotropic material: G_12, G_13, G_23. "
+                        "[force/length^2]");
+      prm.declare_entry(
+        "Axes",
+        "0",
+        Patterns::Anything(),
+        "How the axes 1, 2, 3 of an orthotropic material are turned from x, y, z "
+        "of the scene: an angle about z, or in 3D an axis and an angle, 'x, y, "
+        "z, angle'. Rotation of the mesh does not turn them. [degrees]");
+    }
   } // namespace
 
   Eigen::MatrixXd
@@ -301,32 +332,7 @@ namespace conetact::bodies
       "moduli are. "
       "Near 0.5 the elements Q1 become too stiff (locking); see "
       "Element. [-]");
-    prm.declare_entry(
-      "Young moduli",
-      "",
-      Patterns::Anything(),
-      "Of an orthotropic material (wood, plies), instead of Young modulus and "
-      "Poisson ratio: E_1, E_2, E_3 along its axes 1, 2, 3. "
-      "[force/length^2]");
-    prm.declare_entry(
-      "Poisson ratios",
-      "",
-      Patterns::Anything(),
-      "Of an orthotropic material: nu_12, nu_13, nu_23, where nu_ij is the "
-      "contraction along j over the strain along i by a stress along i; "
-      "nu_ij / E_i = nu_ji / E_j. [-]");
-    prm.declare_entry("Shear moduli",
-                      "",
-                      Patterns::Anything(),
-                      "Of an orthotropic material: G_12, G_13, G_23. "
-                      "[force/length^2]");
-    prm.declare_entry(
-      "Axes",
-      "0",
-      Patterns::Anything(),
-      "How the axes 1, 2, 3 of an orthotropic material are turned from x, y, z "
-      "of the scene: an angle about z, or in 3D an axis and an angle, 'x, y, "
-      "z, angle'. Rotation of the mesh does not turn them. [degrees]");
+    declare_orthotropic(prm);
     prm.declare_entry("Plane",
                       "strain",
                       Patterns::Selection("strain|stress|axisymmetric"),
