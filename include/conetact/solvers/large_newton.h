@@ -38,6 +38,11 @@ namespace conetact::solvers
     using Array = Eigen::VectorXd;
     using Kept  = LargeSystem::Kept;
 
+    /** Of the tolerance: what the iteration aims at. */
+    static constexpr double aim = 1e-2;
+    /** Of a linear system that is solved to the end. */
+    static constexpr double exact = 1e-9;
+
     /** Where the iteration stands; p and d as in LinearRelation. */
     struct Point
     {
@@ -84,13 +89,13 @@ namespace conetact::solvers
     std::string
     iterate(Point        &point,
             SolverReport &report,
-            const bool    exact,
+            const bool    exactly,
             const double  goal);
     SolverReport
     run(const ContactProblem &problem,
         Point                 point,
         ContactState         &state,
-        const bool            exact);
+        const bool            exactly);
     std::optional<Point>
     predict(const ContactProblem &problem,
             const ContactState   &state,
