@@ -431,8 +431,8 @@ namespace conetact::pairing
       return preload;
     }
 
-    /** Forces of single nodes reach no face of second degree as a pressure
-     * does. */
+    /** Forces of single nodes of first degree reach no face of second degree as
+     * a pressure does. */
     void
     refuse_single_nodes(
       const Contact                                &contact,
@@ -441,16 +441,18 @@ namespace conetact::pairing
     {
       if (contact.obstacle != nullptr || contact.pairing != "node to face")
         return;
-      for (const auto &[body, ids] :
-           {std::tie(contact.body, contact.ids),
-            std::tie(contact.master, contact.master_ids)})
-        for (const bodies::SurfaceFace &face :
-             structures[body]->surface(ids).faces)
-          if (bodies::is_of_second_degree(*structures[body], face))
-            throw InputError(in + "Pairing: node to face does not pass a "
-                                  "uniform pressure between faces of second "
-                                  "degree (Element = Q2 or P2). Choose "
-                                  "mortar.");
+      const auto is_of_second_degree = [&](const unsigned int         body,
+                                           const bodies::BoundaryIds &ids) {
+        const auto faces = structures[body]->surface(ids).faces;
+        return !faces.empty() &&
+               bodies::is_of_second_degree(*structures[body], faces.front());
+      };
+      if (is_of_second_degree(contact.master, contact.master_ids) &&
+          !is_of_second_degree(contact.body, contact.ids))
+        throw InputError(in + "Pairing: node to face does not pass a uniform "
+                              "pressure from nodes of first degree to faces of "
+                              "second degree (Element = Q2 or P2). Exchange "
+                              "Body and Master body, or choose mortar.");
     }
   } // namespace
 

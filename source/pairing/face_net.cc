@@ -91,6 +91,24 @@ namespace conetact::pairing
       return face.corners[c[0]].distance(face.corners[c[1]]);
     }
 
+    /** Of a face that contacts meet at corners only. */
+    double
+    sagitta_of(const bodies::Structure &body, const bodies::SurfaceFace &face)
+    {
+      double largest = 0;
+      if (face.meets_at_corners)
+        for (const bodies::HangingNode &middle :
+             bodies::middle_nodes(body, face))
+          {
+            Tensor<1, 3> off;
+            for (const auto &[corner, part] : middle.masters)
+              off +=
+                part * (body.position(middle.node) - body.position(corner));
+            largest = std::max(largest, off.norm());
+          }
+      return largest;
+    }
+
     FaceNet::Face
     make_face(const bodies::Structure &body, const bodies::SurfaceFace &from)
     {
@@ -108,6 +126,7 @@ namespace conetact::pairing
       if (from.meets_at_corners)
         for (std::size_t i = n; i < from.nodes.size(); ++i)
           face.middles.push_back(body.position(from.nodes[i]));
+      face.sagitta = sagitta_of(body, from);
       for (const Point<3> &corner : face.corners)
         face.radius = std::max(face.radius, face.centre.distance(corner));
       for (std::size_t e = 0; e < n; ++e)

@@ -3,23 +3,18 @@
 
 #include "conetact/pairing/faces_on_obstacle.h"
 
-#include "conetact/pairing/dual_functions.h"
+#include "conetact/pairing/corner_parts.h"
 #include "conetact/pairing/mortar_rows.h"
-#include "conetact/pairing/nodal_shapes.h"
-#include "conetact/pairing/projected_face.h"
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace conetact::pairing
 {
   namespace
   {
-    using Eigen::Index;
-
     /** Of each node the row of its side that looks at the obstacle. */
     std::map<unsigned int, const MortarRow *>
     facing_sides(const Contact           &contact,
@@ -43,49 +38,6 @@ namespace conetact::pairing
             }
         }
       return result;
-    }
-
-    /** A point of a face: all shape functions, and the linear ones. */
-    struct FacePoint
-    {
-      Eigen::VectorXd shapes, linear;
-      double          area;
-    };
-
-    std::vector<FacePoint>
-    points_of(const FaceNet::Face &face)
-    {
-      const ProjectionPlane  plane(face.centre,
-                                  face.outward,
-                                  face.corners.size() == 2);
-      const ProjectedFace    own(face, plane);
-      std::vector<FacePoint> points;
-      for (const PlanePoint &q :
-           gauss_points(own.outline(), own.skewness() == 0 ? 0 : 1))
-        {
-          const ProjectedFace::Seen seen = own.at(q.position);
-          points.push_back(
-            {nodal_shapes(face, seen),
-             seen.shape.head(static_cast<Index>(face.n_functions)),
-             q.weight * seen.stretch});
-        }
-      return points;
-    }
-
-    /** The factors of the linear functions in the dual ones. */
-    Eigen::MatrixXd
-    dual_factors(const std::vector<FacePoint> &points, const Index n)
-    {
-      Eigen::MatrixXd mass  = Eigen::MatrixXd::Zero(n, n);
-      Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
-      for (const FacePoint &p : points)
-        {
-          mass += p.area * p.linear * p.linear.transpose();
-          areas += p.area * p.linear;
-        }
-      std::vector<Index> all(static_cast<std::size_t>(n));
-      std::iota(all.begin(), all.end(), Index{0});
-      return dual_functions(mass, areas, all);
     }
   } // namespace
 
@@ -150,22 +102,17 @@ namespace conetact::pairing
   void
   FacesOnObstacle::add(const std::size_t f, const std::vector<bool> &of_row)
   {
-    const FaceNet::Face &face   = net.all()[f];
-    const auto           points = points_of(face);
-    const auto           n      = static_cast<Index>(face.n_functions);
-    const auto           dual   = dual_factors(points, n);
-    for (Index j = 0; j < n; ++j)
-      if (of_row[static_cast<std::size_t>(j)])
+    const FaceNet::Face &face  = net.all()[f];
+    const CornerParts    parts = corner_parts(face);
+    for (std::size_t j = 0; j < face.n_functions; ++j)
+      if (of_row[j])
         {
-          Row &row = rows[face.nodes[static_cast<std::size_t>(j)]];
-          for (const FacePoint &p : points)
-            {
-              const double weight = p.area * dual.row(j).dot(p.linear);
-              row.area += weight;
-              for (std::size_t k = 0; k < face.nodes.size(); ++k)
-                row.slaves[face.nodes[k]] +=
-                  weight * p.shapes[static_cast<Index>(k)];
-            }
+          Row       &row = rows[face.nodes[j]];
+          const auto i   = static_cast<Eigen::Index>(j);
+          row.area += parts.areas[i];
+          for (std::size_t k = 0; k < face.nodes.size(); ++k)
+            row.slaves[face.nodes[k]] +=
+              parts.slaves(i, static_cast<Eigen::Index>(k));
         }
   }
 

@@ -50,7 +50,7 @@ namespace conetact::pairing
                            centre[1] * plane.axes[1];
         if (std::abs(gap) <= limits.reach &&
             master.may_be_behind(
-              p, gap, std::max(slave.size, face.size), limits))
+              p, gap, face, std::max(slave.size, face.size), limits))
           found.push_back({{f, other, std::move(where)}, std::abs(gap)});
       }
     return found;

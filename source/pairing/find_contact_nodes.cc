@@ -39,12 +39,13 @@ namespace conetact::pairing
         places.emplace_back(structures[node.body]->position(slave), weight);
       if (places.empty())
         places.emplace_back(node.position, 1.);
-      const Expression &gap = *contact.gap;
-      return [places, &gap](const double t) {
+      const Expression &gap  = *contact.gap;
+      const double      seen = node.mean_cosine;
+      return [places, &gap, seen](const double t) {
         double sum = 0;
         for (const auto &[p, weight] : places)
           sum += weight * (gap(p, t) - gap(p));
-        return sum;
+        return seen * sum;
       };
     }
 

@@ -5,6 +5,17 @@
 
 namespace conetact::pairing
 {
+  Tensor<1, 3>
+  normal_between(const Tensor<1, 3> &outward, const Tensor<1, 3> &of_master)
+  {
+    constexpr double opposite = .5; // cosine: beyond, they do not face
+    if (of_master * outward > -opposite * of_master.norm() ||
+        of_master.norm() == 0)
+      return -outward;
+    const Tensor<1, 3> n = of_master / of_master.norm() - outward;
+    return n / n.norm();
+  }
+
   MasterNormals::MasterNormals(const bodies::Surface &master)
   {
     for (const bodies::SurfaceNode &node : master.nodes)
@@ -16,8 +27,7 @@ namespace conetact::pairing
     const Tensor<1, 3>                                 &outward,
     const std::vector<std::pair<unsigned int, double>> &masters) const
   {
-    constexpr double opposite = .5; // cosine: beyond, they do not face
-    Tensor<1, 3>     sum;
+    Tensor<1, 3> sum;
     for (const auto &[node, weight] : masters)
       if (const auto found = normals.find(node); found != normals.end())
         {
@@ -28,9 +38,6 @@ namespace conetact::pairing
           if (nearest != nullptr)
             sum += weight * *nearest;
         }
-    if (sum * outward > -opposite * sum.norm() || sum.norm() == 0)
-      return -outward;
-    const Tensor<1, 3> n = sum / sum.norm() - outward;
-    return n / n.norm();
+    return normal_between(outward, sum);
   }
 } // namespace conetact::pairing

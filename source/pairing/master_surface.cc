@@ -3,6 +3,7 @@
 
 #include "conetact/pairing/master_surface.h"
 
+#include "conetact/pairing/bent_face.h"
 #include "conetact/pairing/nodal_shapes.h"
 
 #include <algorithm>
@@ -126,6 +127,21 @@ namespace conetact::pairing
       const bool is_triangle = face.corners.size() == 3;
       return is_triangle && !is_near((*along)[0] + (*along)[1]) ? closest :
                                                                   *along;
+    }
+
+    using Masters = std::vector<std::pair<unsigned int, double>>;
+
+    Masters
+    masters_at(const FaceNet::Face &face, const std::array<double, 2> &at)
+    {
+      constexpr double rounding = 1e-14;
+      const auto       weights =
+        nodal_shape_values(face.nodes.size(), face.corners.size(), at);
+      Masters masters;
+      for (std::size_t i = 0; i < face.nodes.size(); ++i)
+        if (std::abs(weights[i]) > rounding)
+          masters.emplace_back(face.nodes[i], weights[i]);
+      return masters;
     }
 
     bool
@@ -271,12 +287,13 @@ namespace conetact::pairing
   }
 
   bool
-  MasterSurface::may_be_behind(const Point<3> &p,
-                               const double    gap,
-                               const double    size,
-                               const Limits   &limits) const
+  MasterSurface::may_be_behind(const Point<3>      &p,
+                               const double         gap,
+                               const FaceNet::Face &face,
+                               const double         size,
+                               const Limits        &limits) const
   {
-    if (gap >= -1e-6 * size)
+    if (gap >= -1e-6 * size - face.sagitta)
       return true;
     if (!whole)
       return gap >= -limits.interference;
@@ -306,6 +323,30 @@ namespace conetact::pairing
     return nearest_foot(p, slave_normals, limits, every_face);
   }
 
+  /* A bent face is met where it is, unless that is its sharp edge: there the
+     foot of its chords is no end of a normal of it. */
+  MasterSurface::Foot
+  MasterSurface::foot_on(const FaceNet::Face         &face,
+                         const Point<3>              &p,
+                         const Meeting               &meeting,
+                         const std::array<double, 2> &at) const
+  {
+    constexpr double same_side = .8; // as a cosine
+    if (!face.middles.empty())
+      if (auto bent = foot_on_bent(face, p, at))
+        {
+          if (bent->normal * meeting.normal > same_side)
+            return {(p - bent->point) * bent->normal,
+                    bent->normal,
+                    face.size,
+                    masters_at(face, bent->at)};
+        }
+    return {meeting.gap,
+            meeting.normal,
+            face.size,
+            masters_at(face, acting_at(face, p, meeting.normal, at))};
+  }
+
   std::optional<MasterSurface::Foot>
   MasterSurface::nearest_foot(const Point<3>                  &p,
                               const std::vector<Tensor<1, 3>> &slave_normals,
@@ -329,22 +370,15 @@ namespace conetact::pairing
           continue;
         const auto meeting =
           meet(faces.feature(at, p), p, slave_normals, limits);
-        if (!meeting || !may_be_behind(p, meeting->gap, all[f].size, limits))
+        if (!meeting ||
+            !may_be_behind(p, meeting->gap, all[f], all[f].size, limits))
           continue;
         const double cosine = largest_cosine(meeting->normal, slave_normals);
         if (at.distance == nearest && cosine <= opposes)
           continue;
-        Foot       foot{meeting->gap, meeting->normal, all[f].size, {}};
-        const auto weights =
-          nodal_shape_values(all[f].nodes.size(),
-                             all[f].corners.size(),
-                             acting_at(all[f], p, meeting->normal, at.at));
-        for (std::size_t i = 0; i < all[f].nodes.size(); ++i)
-          if (std::abs(weights[i]) > 1e-14)
-            foot.masters.emplace_back(all[f].nodes[i], weights[i]);
         nearest = at.distance;
         opposes = cosine;
-        best    = std::move(foot);
+        best    = foot_on(all[f], p, *meeting, at.at);
       }
     return best;
   }

@@ -48,6 +48,8 @@ namespace conetact::pairing
       Eigen::VectorXd                         areas;   ///< M_j
       Eigen::MatrixXd                         slaves;  ///< M_j N_k
       std::map<unsigned int, Eigen::VectorXd> masters; ///< M_j N_l
+      /** M_j times outward normals of either side, where it is bent. */
+      Eigen::MatrixX3d  slave_normals, master_normals;
       std::vector<bool> facing; ///< whether its nodes are over the master
       double            size = 0;
       double lowest = std::numeric_limits<double>::max(); ///< gap [length]
@@ -90,10 +92,37 @@ namespace conetact::pairing
       return level + second_degree;
     }
 
+    Eigen::RowVector3d
+    in_space(const ProjectionPlane &plane, const Eigen::RowVector3d &v)
+    {
+      const Tensor<1, 3> there = plane.in_space(v.transpose());
+      return {there[0], there[1], there[2]};
+    }
+
+    Tensor<1, 3>
+    to_tensor(const Eigen::RowVector3d &v)
+    {
+      return Tensor<1, 3>({v[0], v[1], v[2]});
+    }
+
     bool
     is_of_second_degree(const FaceNet::Face &face)
     {
       return face.nodes.size() > face.corners.size();
+    }
+
+    /**
+     * Of the normals of a bent slave with that of the row. A uniform pressure p
+     * does the work p area w in a way w along all of them, of which the row
+     * sees mean_cosine w: its reaction is that of the area over mean_cosine.
+     */
+    double
+    mean_cosine(const MortarRow &row, const Tensor<1, 3> &n)
+    {
+      constexpr double least = .5; // at rims that are hardly covered
+      if (row.slave_normals.norm() == 0)
+        return 1;
+      return std::clamp(-(row.slave_normals * n) / row.area, least, 1 / least);
     }
 
     class Mortar
@@ -186,6 +215,8 @@ namespace conetact::pairing
           Eigen::VectorXd::Zero(n),
           Eigen::MatrixXd::Zero(n, static_cast<Index>(face.nodes.size())),
           {},
+          Eigen::MatrixX3d::Zero(n, 3),
+          Eigen::MatrixX3d::Zero(n, 3),
           std::vector<bool>(face.n_functions, false)};
         for (const auto &part :
              facing.seen_from(face, plane, own, limits(face.size)))
@@ -213,6 +244,8 @@ namespace conetact::pairing
                 sums.slaves += weighted * N.transpose();
                 const auto            opposite = part.projected.at(q.position);
                 const Eigen::VectorXd there    = nodal_shapes(other, opposite);
+                sums.slave_normals += weighted * here.normal.transpose();
+                sums.master_normals -= weighted * opposite.normal.transpose();
                 sums.lowest =
                   std::min(sums.lowest, opposite.height - here.height);
                 for (std::size_t l = 0; l < other.nodes.size(); ++l)
@@ -221,6 +254,10 @@ namespace conetact::pairing
                     .first->second += there[static_cast<Index>(l)] * weighted;
               }
           }
+        for (Eigen::MatrixX3d *const of_side :
+             {&sums.slave_normals, &sums.master_normals})
+          for (Index j = 0; j < n; ++j)
+            of_side->row(j) = in_space(plane, of_side->row(j));
         return sums;
       }
 
@@ -310,6 +347,8 @@ namespace conetact::pairing
               row.slaves[face.nodes[k]] += slaves(j, static_cast<Index>(k));
             for (const auto &[node, integrals] : sums.masters)
               row.masters[node] += dual.row(j) * integrals;
+            row.slave_normals += to_tensor(dual.row(j) * sums.slave_normals);
+            row.master_normals += to_tensor(dual.row(j) * sums.master_normals);
           }
       }
 
@@ -346,11 +385,12 @@ namespace conetact::pairing
       {
         ContactNode node = one_by_one.free_node(s);
         node.is_mean     = true;
-        node.area        = thickness * row.area;
         node.master      = contact.master;
         node.masters     = weights(row.masters, row.area);
-        node.n = normals.between(row.normal / row.normal.norm(), node.masters);
-        node.slaves = weights(row.slaves, row.area);
+        node.n           = normal(row, node.masters);
+        node.mean_cosine = mean_cosine(row, node.n);
+        node.area        = thickness * row.area / node.mean_cosine;
+        node.slaves      = weights(row.slaves, row.area);
         // biorthogonal: a node meets the master by itself unless it took over
         if (node.slaves.size() == 1)
           node.slaves.clear();
@@ -362,6 +402,25 @@ namespace conetact::pairing
         return node;
       }
 
+      /** Where faces are bent, of their normals the means over the row's own
+       * functions: at rims, too, they are those of the node. */
+      Tensor<1, 3>
+      normal(const MortarRow                                    &row,
+             const std::vector<std::pair<unsigned int, double>> &masters) const
+      {
+        const Tensor<1, 3> &own =
+          is_bent(row.slave_normals) ? row.slave_normals : row.normal;
+        return is_bent(row.master_normals) ?
+                 normal_between(own / own.norm(), row.master_normals) :
+                 normals.between(own / own.norm(), masters);
+      }
+
+      static bool
+      is_bent(const Tensor<1, 3> &normals)
+      {
+        return normals.norm() > 0;
+      }
+
       double
       gap(const ContactNode &node) const
       {
@@ -371,7 +430,7 @@ namespace conetact::pairing
         for_each_slave(node, [&](const unsigned int i, const double weight) {
           sum += weight * (*contact.gap)(structures[node.body]->position(i));
         });
-        return sum;
+        return node.mean_cosine * sum;
       }
 
       const Contact                                &contact;

@@ -249,6 +249,8 @@ namespace conetact::pairing
       taker.slaves[node] += part * integral;
     for (const auto &[node, integral] : giver.masters)
       taker.masters[node] += part * integral;
+    taker.slave_normals += part * giver.slave_normals;
+    taker.master_normals += part * giver.master_normals;
     // Who takes over meets the giver's faces: their rows are its neighbours
     // now.
     for (const std::size_t other : giver.neighbours)

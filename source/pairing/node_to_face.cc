@@ -4,6 +4,7 @@
 #include "conetact/pairing/node_to_face.h"
 
 #include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/corners_to_faces.h"
 #include "conetact/pairing/face_net.h"
 #include "conetact/pairing/mortar_rows.h"
 
@@ -142,27 +143,34 @@ namespace conetact::pairing
     if (surface.two_sided)
       // Members of frames have no outside.
       normals.push_back(-s.normal);
-    auto foot = master->foot(s.position, normals, limits(node));
-    if (!foot)
+    auto found = foot(s, normals);
+    if (!found)
       return false;
     // A gap that is written down replaces the distance, not the direction.
-    node.gap     = contact.gap ? (*contact.gap)(s.position) : foot->gap;
-    node.n       = foot->normal;
+    node.gap     = contact.gap ? (*contact.gap)(s.position) : found->gap;
+    node.n       = found->normal;
     node.master  = contact.master;
-    node.masters = std::move(foot->masters);
+    node.masters = std::move(found->masters);
     if (!contact.gap)
       // Facets of either side may stand inside the other by a part of their
       // size.
-      judge(node, std::max(node.spacing, foot->size));
+      judge(node, std::max(node.spacing, found->size));
     return true;
   }
 
+  std::optional<MasterSurface::Foot>
+  NodeToFace::foot(const bodies::SurfaceNode       &s,
+                   const std::vector<Tensor<1, 3>> &normals) const
+  {
+    return master->foot(s.position, normals, limits(spacing.at(s.node)));
+  }
+
   MasterSurface::Limits
-  NodeToFace::limits(const ContactNode &node) const
+  NodeToFace::limits(const double face_size) const
   {
     return {contact.reach,
             std::cos(contact.largest_angle),
-            interference_allowed(contact, node.spacing),
+            interference_allowed(contact, face_size),
             contact.body != contact.master};
   }
 
@@ -228,7 +236,8 @@ namespace conetact::pairing
                          const ContactNode         &first) const
   {
     constexpr double rounding = 1e-6, off = .02; // of a cell
-    const auto foot = master->foot(s.position, {side.outward}, limits(first));
+    const auto       foot =
+      master->foot(s.position, {side.outward}, limits(first.spacing));
     if (!foot || foot->normal * first.n > std::cos(contact.sharp_edge))
       return {};
     if (foot->gap < -rounding * first.spacing)
@@ -238,7 +247,8 @@ namespace conetact::pairing
         const Point<3> beyond =
           s.position +
           (off * first.spacing - std::min(first.gap, 0.)) * first.n;
-        const auto still = master->foot(beyond, {side.outward}, limits(first));
+        const auto still =
+          master->foot(beyond, {side.outward}, limits(first.spacing));
         if (foot->gap < -interference_allowed(contact, first.spacing) ||
             !still || still->gap > -.5 * rounding * first.spacing)
           return {};
@@ -303,6 +313,10 @@ namespace conetact::pairing
     const Contact                                &contact,
     const std::vector<const bodies::Structure *> &structures)
   {
+    const bodies::Structure &body = *structures[contact.body];
+    if (contact.obstacle == nullptr && body.meets_at_corners() &&
+        FacesOnObstacle::suits(body.surface(contact.ids)))
+      return pair_corners_with_faces(contact, structures);
     NodeToFace  pairing(contact, structures);
     PairedNodes found;
     for (const bodies::SurfaceNode &s : pairing.slave_surface().nodes)

@@ -44,6 +44,11 @@ namespace conetact::pairing
     return (p - origin) * normal;
   }
 
+  Tensor<1, 3>
+  ProjectionPlane::in_space(const Eigen::Vector3d &v) const
+  {
+    return v[0] * axes[0] + v[1] * axes[1] + v[2] * normal;
+  }
 
 
   ProjectedFace::ProjectedFace(const std::vector<Point<3>> &x,
@@ -140,10 +145,15 @@ namespace conetact::pairing
   ProjectedFace::Seen
   ProjectedFace::at(const Point<2> &p) const
   {
-    const auto where = local(p);
+    const auto where = bent.empty() ? local(p) : bent_local(p, local(p));
     Seen       seen;
     seen.local = where;
     seen.shape = Eigen::Vector4d(shape_values(n_corners(), where).data());
+    if (!bent.empty())
+      {
+        see_bent(seen);
+        return seen;
+      }
     for (std::size_t i = 0; i < n_corners(); ++i)
       seen.height += seen.shape[static_cast<Eigen::Index>(i)] * heights[i];
     // Area of the face over that of its shadow, |dx/da x dx/db| over its part
@@ -152,30 +162,59 @@ namespace conetact::pairing
     seen.stretch = n_corners() == 2 ? std::hypot(1, g(2, 0) / g(0, 0)) :
                                       g.col(0).cross(g.col(1)).norm() /
                                         std::abs(g.topRows<2>().determinant());
-    if (!bent.empty())
-      bend(seen);
     return seen;
   }
 
-  /** The height and the area of the bent face at the same local coordinates. */
-  void
-  ProjectedFace::bend(Seen &seen) const
+  ProjectedFace::BentPlace
+  ProjectedFace::bent_place(const std::array<double, 2> &at) const
   {
-    const auto N     = nodal_shape_values(bent.size(), n_corners(), seen.local);
-    const auto slope = nodal_shape_slopes(bent.size(), n_corners(), seen.local);
-    Eigen::Vector3d x = Eigen::Vector3d::Zero(), a = x, b = x;
+    const auto N     = nodal_shape_values(bent.size(), n_corners(), at);
+    const auto slope = nodal_shape_slopes(bent.size(), n_corners(), at);
+    BentPlace  place;
     for (std::size_t i = 0; i < bent.size(); ++i)
       {
-        x += N[i] * bent[i];
-        a += slope[0][i] * bent[i];
-        b += slope[1][i] * bent[i];
+        place.x += N[i] * bent[i];
+        place.slopes.col(0) += slope[0][i] * bent[i];
+        place.slopes.col(1) += slope[1][i] * bent[i];
       }
-    const auto flat = slopes(seen.local);
-    seen.height     = x[2];
-    seen.stretch =
-      n_corners() == 2 ?
-        std::hypot(a[0], a[2]) / std::abs(flat(0, 0)) :
-        a.cross(b).norm() / std::abs(flat.topRows<2>().determinant());
+    if (n_corners() == 2)
+      place.slopes.col(1) = Eigen::Vector3d::UnitY();
+    return place;
+  }
+
+  /** Newton's method, as edges of a face that stands askew bend in the plane,
+   * too; what is far off, or has no end, stays what it is between chords. */
+  std::array<double, 2>
+  ProjectedFace::bent_local(const Point<2>              &p,
+                            const std::array<double, 2> &near) const
+  {
+    constexpr double found = 1e-13, far = .2;
+    auto             at = near;
+    for (unsigned int step = 0; step < 10; ++step)
+      {
+        const BentPlace       there = bent_place(at);
+        const Eigen::Vector2d miss(p[0] - there.x[0],
+                                   n_corners() == 2 ? 0 : p[1] - there.x[1]);
+        const Eigen::Vector2d d = there.slopes.topRows<2>().inverse() * miss;
+        at                      = {{at[0] + d[0], at[1] + d[1]}};
+        if (!(std::hypot(at[0] - near[0], at[1] - near[1]) < far))
+          return near;
+        if (d.norm() < found)
+          return at;
+      }
+    return near;
+  }
+
+  /** The height, the area and the normal of the bent face. */
+  void
+  ProjectedFace::see_bent(Seen &seen) const
+  {
+    const BentPlace       there = bent_place(seen.local);
+    const Eigen::Vector3d across =
+      there.slopes.col(0).cross(there.slopes.col(1));
+    seen.height  = there.x[2];
+    seen.normal  = (across[2] < 0 ? -1 : 1) / across.norm() * across;
+    seen.stretch = across.norm() / std::abs(across[2]);
   }
 
   Eigen::VectorXd

@@ -40,7 +40,8 @@ namespace conetact::pairing
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if ((nodes[i].slides || !only_sliding) &&
             nodes[i].obstacle == nullptr && !nodes[i].is_mean &&
-            !nodes[i].masters.empty() && !nodes[i].outward.empty())
+            !nodes[i].masters.empty() && nodes[i].slaves.empty() &&
+            !nodes[i].outward.empty())
           rows[{nodes[i].body, nodes[i].node}].push_back(i);
       std::vector<std::vector<std::size_t>> groups;
       for (auto &[node, left] : rows)

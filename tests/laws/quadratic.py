@@ -11,7 +11,7 @@ import math
 import numpy
 
 from laws.iterative import compare
-from laws.mortar import PRESSURE, check_patch, from_files, stacked, turned_on_wider
+from laws.mortar import PRESSURE, balances, check_patch, from_files, stacked, swing, turned_on_wider
 from laws.patch import patch_scene
 from laws.sliding import energy_error, of_body, slab
 from laws.tie import bar, bars, both_sides, pulled, stress_error
@@ -97,6 +97,31 @@ def pairs(laws):
     covered_in_space(laws)
     symmetric_rims(laws)
     tied(laws)
+
+
+def one_by_one(laws):
+    """Node to face: exact where meshes match or the slave's divides the master's; on others the force is right, pressures are not."""
+    def boxes(dim, cells, kinds):
+        size = (2.0, 1.0) if dim == 2 else (1.5, 1.0, 1.0)
+        return (merge(box(n, size, (0.0,) * (dim - 1) + (z,)), kind) for n, z, kind in zip(cells, (0.0, 1.0), kinds))
+
+    for dim, coarse, fine in ((2, (4, 3), (8, 2)), (3, (2, 2, 1), (4, 4, 1))):
+        for slave, (one, other) in itertools.product((coarse, fine), ((Q2, Q2), (Q2, Q1), (P2, P2), (P2, P1))):
+            check_patch(laws, f"{dim}D, node to face: {other['Element']} {coarse} below {one['Element']} {slave}",
+                        laws.run(stacked(dim, *boxes(dim, (coarse, slave), (other, one)), False, Pairing="node to face")))
+    for dim, lower, upper in ((2, (5, 3), (7, 3)), (3, (2, 3, 1), (3, 2, 1))):
+        run = laws.run(stacked(dim, *boxes(dim, (lower, upper), (P2, P2)), False, Pairing="node to face"))
+        laws.demand(f"{dim}D, node to face: meshes that do not match: pressures swing by {swing(run):.2g}", swing(run) > .01)
+        force, moment = balances(run)
+        laws.check("  forces of both sides", force, 1e-12)
+        laws.check("  moments of both sides", moment, 1e-11)
+    compare(laws, "3D, node to face: both backends", {
+        "Dimension": 3, "Body lower": merge(box((3, 3, 2), (1.0, 1.0, .7)), P2),
+        "Body upper": merge(box((3, 3, 2), (1.0, 1.0, .7), (0.0, 0.0, .7), young=1e6), P2),
+        "Contact joint": joint("upper", 4, "lower", 5, **{"Friction coefficient": .3, "Pairing": "node to face"}),
+        "Support ground": support(4, "x, y, z", body="lower"),
+        "Support top": support(5, "x, y, z", "0.004*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)", body="upper"),
+        "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}})
 
 
 def symmetric_rims(laws):
@@ -260,16 +285,33 @@ def converging(laws):
     lines(laws)
 
 
+def simplex_fields(laws, dim, n, element):
+    """Both times of the manufactured solution on n cells a side: unknowns, and for each time errors."""
+    body = {"Element": element} if dim == 3 else {
+        "Element": element, "Mesh": {"Generator": "subdivided_hyper_cube_with_simplices"}}
+    run = laws.run(merge(manufactured.scene(dim, n), {"Body block": body}))
+    found = []
+    for time in (1, 2):
+        solution = manufactured.Solution(dim, .3, time)
+        file = run.folder / f"solution-block-{time:04}.vtu"
+        found.append({**dict(zip(("displacement at nodes", "stresses at nodes"), manufactured.nodal_errors(file, solution))),
+                      **dict(zip(("displacement in L2", "energy"), manufactured.simplex_errors(file, solution))),
+                      "pressures": pressure_error([row for row in run.rows if row["increment"] == time], solution)})
+    return found
+
+
+def simplex_orders(laws, dim, sizes, least):
+    found = [simplex_fields(laws, dim, n, "P2") for n in sizes]
+    for i, state in enumerate(("slip", "stick")):
+        for what, order in least.items():
+            coarse, fine = (errors[i][what] for errors in found)
+            seen, = orders(sizes, [[coarse], [fine]])
+            laws.check(f"{dim}D, P2: {what}, {state}: error {fine:.2g}, order {seen:.2f}, missing", max(0, order - seen), 0)
+    return found[-1]
+
+
 def triangles(laws):
-    sizes, errors = (4, 8), []
-    for n in sizes:
-        body = merge(P2, {"Mesh": {"Generator": "subdivided_hyper_cube_with_simplices"}})
-        run = laws.run(merge(manufactured.scene(2, n), {"Body block": body}))
-        errors.append([error for time in (1, 2) for error in manufactured.nodal_errors(
-            run.folder / f"solution-block-{time:04}.vtu", manufactured.Solution(2, .3, time))])
-    names = [f"{what} at nodes, {state}" for state in ("slip", "stick") for what in ("displacement", "stresses")]
-    for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (2.9, 1.8) * 2):
-        laws.check(f"2D, P2: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)
+    simplex_orders(laws, 2, (4, 8), {"displacement at nodes": 2.9, "stresses at nodes": 1.8, "displacement in L2": 2.9, "energy": 1.9})
 
 
 def pressure_error(rows, solution):
@@ -278,24 +320,20 @@ def pressure_error(rows, solution):
     for row in rows:
         at = numpy.array([[row[c] for c in "xyz"[:solution.dim]]])
         exact = [-solution.stress[i][solution.dim - 1].at_each(at).item() for i in range(solution.dim)]
-        found = [row[c] / row["area"] for c in ("r_t1", "r_t2", "r_n")]
+        found = [row[c] / row["area"] for c in ("r_t1", "r_t2")[:solution.dim - 1] + ("r_n",)]
         wrong += row["area"] * math.dist(found, exact)**2
         size += row["area"] * math.dist(exact, [0] * len(exact))**2
     return math.sqrt(wrong / size)
 
 
 def tetrahedra_orders(laws):
-    sizes, errors = (3, 6), []
-    for n in sizes:
-        run = laws.run(merge(manufactured.scene(3, n), {"Body block": P2}))
-        errors.append([])
-        for time in (1, 2):
-            solution = manufactured.Solution(3, .3, time)
-            errors[-1] += manufactured.nodal_errors(run.folder / f"solution-block-{time:04}.vtu", solution)
-            errors[-1].append(pressure_error([row for row in run.rows if row["increment"] == time], solution))
-    names = [f"{what}, {state}" for state in ("slip", "stick") for what in ("displacement at nodes", "stresses at nodes", "pressures")]
-    for name, size, order, least in zip(names, errors[-1], orders(sizes, errors), (2.8, 1.7, 1.45) * 2):
-        laws.check(f"3D, P2: {name}: error {size:.2g}, order {order:.2f}, missing", max(0, least - order), 0)
+    fine = simplex_orders(laws, 3, (3, 6), {"displacement at nodes": 2.8, "stresses at nodes": 1.7, "displacement in L2": 2.7,
+                                            "energy": 1.8, "pressures": 1.45})
+    # P1 on the same places of nodes
+    for state, of_p2, of_p1 in zip(("slip", "stick"), fine, simplex_fields(laws, 3, 12, "P1")):
+        for what in ("displacement in L2", "energy", "pressures"):
+            laws.check(f"3D, {state}: {what}, {of_p2[what]:.2g} of P2 over {of_p1[what]:.2g} of P1 with as many unknowns",
+                       of_p2[what] / of_p1[what], 1 / 3)
 
 
 def lines(laws):

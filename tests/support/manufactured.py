@@ -151,6 +151,63 @@ def nodal_errors(file, solution):
     return [np.linalg.norm(a - b) / np.linalg.norm(b) for a, b in ((u, exact), (stress, exact_stress))]
 
 
+def gauss_of_simplex(dim, n=5):
+    """Points in barycentric coordinates and weights of a sum of 1: those of a cube whose sides run together."""
+    x, w = np.polynomial.legendre.leggauss(n)
+    x, w = (x + 1) / 2, w / 2
+    cube = np.stack(np.meshgrid(*[x] * dim, indexing="ij"), axis=-1).reshape(-1, dim)
+    weights = np.prod(np.stack(np.meshgrid(*[w] * dim, indexing="ij"), axis=-1).reshape(-1, dim), axis=1)
+    points, left = [], np.ones(len(cube))
+    for d in range(dim):
+        weights = weights * (1 - cube[:, d])**(dim - 1 - d)
+        points.append(left * cube[:, d])
+        left = left * (1 - cube[:, d])
+    return np.stack([left, *points], axis=-1), weights * math.factorial(dim)
+
+
+def simplex_shapes(barycentric, n_nodes):
+    """Of VTK's triangles and tetrahedra: values, and derivatives by barycentric coordinates."""
+    n = barycentric.shape[-1]
+    identity = np.eye(n)
+    if n_nodes == n:
+        return barycentric, np.broadcast_to(identity, (len(barycentric), n, n))
+    edges = ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))[:n_nodes - n]
+    L = barycentric
+    values = [L[:, i] * (2 * L[:, i] - 1) for i in range(n)] + [4 * L[:, i] * L[:, j] for i, j in edges]
+    slopes = [np.outer(4 * L[:, i] - 1, identity[i]) for i in range(n)]
+    slopes += [4 * (np.outer(L[:, i], identity[j]) + np.outer(L[:, j], identity[i])) for i, j in edges]
+    return np.stack(values, axis=-1), np.stack(slopes, axis=1)
+
+
+def simplex_errors(file, solution):
+    """Relative errors of a VTU file with straight triangles or tetrahedra: L2 norm of displacements, energy norm."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    grid, dim = reader.GetOutput(), solution.dim
+    nodes = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(grid.GetNumberOfCells(), -1)
+    places = vtk_to_numpy(grid.GetPoints().GetData())[:, :dim][nodes]
+    u = vtk_to_numpy(grid.GetPointData().GetArray("displacement"))[:, :dim][nodes]
+    corners = places[:, :dim + 1]
+    edges = np.swapaxes(corners[:, 1:] - corners[:, :1], 1, 2)
+    inverse = np.linalg.inv(edges)  # derivatives of all barycentric coordinates but the first one
+    of_place = np.concatenate([-inverse.sum(axis=1, keepdims=True), inverse], axis=1)
+    points, weights = gauss_of_simplex(dim)
+    values, slopes = simplex_shapes(points, nodes.shape[1])
+    weights = np.abs(np.linalg.det(edges))[:, None] * weights / math.factorial(dim)
+    at = np.einsum("qv,cvd->cqd", points, corners).reshape(-1, dim)
+    found = np.einsum("qn,cni->cqi", values, u), np.einsum("qnv,cvj,cni->cqij", slopes, of_place, u, optimize=True)
+    exact = [np.stack([f.at_each(at) for f in row], axis=-1) for row in (solution.u, *solution.gradient)]
+    exact = exact[0].reshape(found[0].shape), np.stack(exact[1:], axis=1).reshape(found[1].shape)
+
+    def norms(of_u, of_gradient):
+        trace = np.trace(of_gradient, axis1=2, axis2=3)
+        both = of_gradient + np.swapaxes(of_gradient, 2, 3)
+        energy = solution.shear / 2 * (both**2).sum(axis=(2, 3)) + solution.lame * trace**2
+        return np.sqrt([(weights * (of_u**2).sum(axis=2)).sum(), (weights * energy).sum()])
+    return norms(*(a - b for a, b in zip(found, exact))) / norms(*exact)
+
+
 def errors(u, solution, degree=1):
     """
     Relative errors of a field of this degree in each coordinate: L2 norm of displacements, energy norm, and

@@ -135,6 +135,12 @@ namespace conetact::pairing
     std::optional<unsigned int> opening;
     /** Whether the nodes of its contact are means over faces (mortar). */
     bool is_mean = false;
+    /**
+     * Of the normals of bent faces with its own one, the mean that the node
+     * is: of a way along all these normals it sees so much. Of dual functions
+     * it is above 1.
+     */
+    double mean_cosine = 1;
 
     /** Finite sliding: it is found again where its bodies are. */
     bool slides = false;

@@ -43,6 +43,8 @@ namespace conetact::pairing
       Point<3>              centre;
       double radius = 0; ///< of a ball about the centre that holds it [length]
       double size   = 0; ///< longest edge [length]
+      /** How far its middles stand off its chords, at most [length]. */
+      double sagitta = 0;
       /** Sine of half the turn to its smooth neighbours. */
       double bend = 0;
       /** Sine of the largest turn to any neighbour, 1 from 90 degrees on. */

@@ -12,6 +12,11 @@
 
 namespace conetact::pairing
 {
+  /** From the master to the slave: the mean of the normals of both. `outward`:
+   * unit normal of the slave; `of_master`: any length. */
+  Tensor<1, 3>
+  normal_between(const Tensor<1, 3> &outward, const Tensor<1, 3> &of_master);
+
   /**
    * Normals between two surfaces that close a gap. Where they touch they become
    * one, which lies between them if both deform: of two equal bodies it is
@@ -22,8 +27,7 @@ namespace conetact::pairing
   public:
     explicit MasterNormals(const bodies::Surface &master);
 
-    /** From the master to the slave: the mean of the normals of both at a node
-     * that meets these masters. `outward`: unit normal of the slave. */
+    /** The same at a node that meets these masters. */
     Tensor<1, 3>
     between(const Tensor<1, 3>                                 &outward,
             const std::vector<std::pair<unsigned int, double>> &masters) const;

@@ -42,14 +42,17 @@ namespace conetact::pairing
     }
 
     /**
-     * Whether a point may meet a face of this size although it is behind it:
-     * inside the body, or beside an interference that ends at its side.
+     * Whether a point may meet a face although it is behind it: inside the
+     * body, or beside an interference that ends at its side. Chords tell that:
+     * behind a bent face all is inside that is less behind than its sagitta.
+     * `size`: of the face or of that of the point, whichever is larger.
      */
     bool
-    may_be_behind(const Point<3> &p,
-                  const double    gap,
-                  const double    size,
-                  const Limits   &limits) const;
+    may_be_behind(const Point<3>      &p,
+                  const double         gap,
+                  const FaceNet::Face &face,
+                  const double         size,
+                  const Limits        &limits) const;
 
     struct Foot
     {
@@ -76,6 +79,11 @@ namespace conetact::pairing
       double       gap;
       Tensor<1, 3> normal;
     };
+    Foot
+    foot_on(const FaceNet::Face         &face,
+            const Point<3>              &p,
+            const Meeting               &meeting,
+            const std::array<double, 2> &at) const;
     std::optional<Foot>
     nearest_foot(const Point<3>                  &p,
                  const std::vector<Tensor<1, 3>> &slave_normals,

@@ -40,7 +40,10 @@ namespace conetact::pairing
     double covered = 0; ///< integral of its shape function [length^2]
     /** @f$\int \psi_j N_k@f$ of slave and of master nodes [length^2]. */
     std::map<unsigned int, double> slaves, masters;
-    std::set<std::size_t>          neighbours; ///< rows of the same faces
+    /** @f$\int \psi_j n@f$ of the outward normals of either side where its
+     * faces are bent, else 0 [length^2]. */
+    Tensor<1, 3>          slave_normals, master_normals;
+    std::set<std::size_t> neighbours; ///< rows of the same faces
   };
 
   /** The rows of a slave surface. */

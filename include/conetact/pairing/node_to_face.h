@@ -77,6 +77,11 @@ namespace conetact::pairing
      */
     std::vector<ContactNode>
     find_sides(const bodies::SurfaceNode &s);
+    /** The point of the master that a node meets whose faces have these normals
+     * there; none: it stays free. */
+    std::optional<MasterSurface::Foot>
+    foot(const bodies::SurfaceNode       &s,
+         const std::vector<Tensor<1, 3>> &normals) const;
     /** Takes down a node that starts too deep. */
     void
     judge(const ContactNode &node, const double face_size);
@@ -105,7 +110,7 @@ namespace conetact::pairing
     bool
     face_master(ContactNode &node, const bodies::SurfaceNode &s);
     MasterSurface::Limits
-    limits(const ContactNode &node) const;
+    limits(const double face_size) const;
     std::optional<ContactNode>
     find_other(const bodies::SurfaceNode &s,
                const Side                &side,
@@ -124,7 +129,8 @@ namespace conetact::pairing
     std::optional<PairedNodes::Deep> deepest;
   };
 
-  /** All nodes of a contact. */
+  /** All nodes of a contact; where they stand at corners, corners_to_faces.h.
+   */
   PairedNodes
   pair_nodes_with_faces(
     const Contact                                &contact,

@@ -30,6 +30,9 @@ namespace conetact::pairing
     project(const Point<3> &p) const;
     double
     height(const Point<3> &p) const;
+    /** In space, of a vector in these axes. */
+    Tensor<1, 3>
+    in_space(const Eigen::Vector3d &v) const;
   };
 
   /**
@@ -70,6 +73,8 @@ namespace conetact::pairing
       double                height = 0; ///< above the plane [length]
       /** Area of the face over that of what is seen of it. */
       double stretch = 1;
+      /** Unit, in axes of the plane and on its side; 0: it is not bent. */
+      Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     };
     /** The point of the face that is seen at a point of the plane. */
     Seen
@@ -78,8 +83,17 @@ namespace conetact::pairing
   private:
     std::array<double, 2>
     local(const Point<2> &p) const;
+    struct BentPlace
+    {
+      Eigen::Vector3d             x      = Eigen::Vector3d::Zero();
+      Eigen::Matrix<double, 3, 2> slopes = Eigen::Matrix<double, 3, 2>::Zero();
+    };
+    BentPlace
+    bent_place(const std::array<double, 2> &at) const;
+    std::array<double, 2>
+    bent_local(const Point<2> &p, const std::array<double, 2> &near) const;
     void
-    bend(Seen &seen) const;
+    see_bent(Seen &seen) const;
     /** Rows: x, y and height differentiated by the local coordinates. */
     Eigen::Matrix<double, 3, 2>
     slopes(const std::array<double, 2> &at) const;

@@ -1,0 +1,130 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Round bodies of second degree, whose faces are bent, in contact with one another.
+
+rings: Lame's pressure, through meshes that match and that do not; pins: a pin in a bore that is a little wider;
+balls: Hertz, and Cattaneo and Mindlin, of P2 tetrahedra from Gmsh whose meshes do not match.
+"""
+import itertools
+import math
+
+from support import half_space, round_tetrahedra
+from support.half_space import MU, STICK
+from support.scenes import joint, load, merge, support
+
+CIRCLE = (16, 32, 64)  # corners a circle
+
+
+def shell(inner, outer, around, young, element):
+    """A quarter of a ring: ids 0 inside, 1 outside, 2 on x = 0, 3 on y = 0."""
+    finer = round(math.log2(around / 16))
+    halved = element == "P2"  # a cell of P2 is cut at the middles of its sides
+    return {"Mesh": {"Generator": "quarter_hyper_shell", "Arguments": f"0, 0 : {inner!r} : {outer!r} : {2 if halved else 4} : true",
+                     "Global refinements": finer},
+            "Element": element, "Material": {"Young modulus": young, "Poisson ratio": .3}}
+
+
+def fit(element, around, ratio, exchanged, young=1e9, **entries):
+    """A ring, pressed from outside, on a shaft that hardly deforms."""
+    other = 2 * round(around * ratio / 2)
+    sides = ("shaft", 1, "ring", 0) if exchanged else ("ring", 0, "shaft", 1)
+    return {"Dimension": 2, "Body ring": shell(1.0, 2.0, around, 1000.0, element), "Body shaft": shell(.5, 1.0, other, young, element),
+            "Contact fit": joint(*sides, **entries),
+            **{f"Support {body} {axis}": support(2 + i, axis, body=body) for i, axis in enumerate("xy") for body in ("ring", "shaft")},
+            "Support inside": support(0, "x, y", body="shaft"),
+            "Load press": load("pressure", "10*t", 1, "ring"), "Output": {"VTU": 0}}
+
+
+def pressures(run):
+    return [row["pressure"] for row in run.rows if row["contact"] == "fit"]
+
+
+def mean_pressure(run):
+    rows = [row for row in run.rows if row["contact"] == "fit"]
+    return sum(row["r_n"] for row in rows) / sum(row["area"] for row in rows)
+
+
+def rings(laws):
+    """12.727 by Lame; errors of the mean fall with h^4."""
+    exact = 14 / 1.1  # of 10 outside, Poisson's ratio .3, twice as wide outside as inside
+    for element, ratio, exchanged in itertools.product(("P2", "Q2"), (1, 1.5), (False, True)):
+        for around, mean, single in zip(CIRCLE, (2e-3, 3e-4, 3e-5), (1e-2, 3e-3, 1.5e-3)):
+            run = laws.run(fit(element, around, ratio, exchanged))
+            what = f"{element}, {around} corners a circle on {ratio:g} times as many{', exchanged' * exchanged}"
+            laws.check(f"{what}: mean pressure", abs(mean_pressure(run) / exact - 1), mean)
+            laws.check("  pressures", max(abs(p / exact - 1) for p in pressures(run)), single)
+    for element in ("P2", "Q2"):
+        run = laws.run(fit(element, 32, 1.5, False, Pairing="node to face"))
+        laws.check(f"{element}, node to face, finer slave: mean pressure", abs(mean_pressure(run) / exact - 1), 3e-4)
+        laws.check("  pressures", max(abs(p / exact - 1) for p in pressures(run)), 3e-3)
+
+
+def pin_in_bore(element, around, bore, **entries):
+    """Half a pin is pressed into half a bore that is a little wider."""
+    clearance = .002
+    pin = {"Mesh": {"Generator": "quarter_hyper_ball", "Arguments": f"0, 0 : {1 - clearance!r}",
+                    "Global refinements": round(math.log2(around / (16 if element == "P2" else 8))),
+                    "Translation": (0, clearance), "Boundary ids": f"2: x < 1e-9 ; 3: y < {clearance + 1e-9!r}"},
+           "Element": element, "Material": {"Young modulus": 1000.0, "Poisson ratio": .3}}
+    return {"Dimension": 2, "Body pin": pin, "Body plate": shell(1.0, 3.0, bore, 1000.0, element),
+            "Contact fit": joint("pin", 0, "plate", 0, **entries),
+            "Support pin": support(2, "x", body="pin"), "Support plate": support(2, "x", body="plate"),
+            "Support outside": support(1, "x, y", body="plate"), "Load push": load("pressure", "2*t", 3, "pin"),
+            "Output": {"VTU": 0}}
+
+
+def pins(laws):
+    """The largest pressure, and that at 22.5 degrees, against a finer mesh."""
+    def found(element, around, bore):
+        run = laws.run(pin_in_bore(element, around, bore))
+        rows = [row for row in run.rows if row["contact"] == "fit"]
+        return [min(rows, key=lambda row: abs(row["x"] - math.sin(angle)))["pressure"] for angle in (0, math.pi / 8)]
+    for element in ("P2", "Q2"):
+        exact = found(element, 256, 256)
+        for ratio in (1, 1.5):
+            errors = [[abs(a / b - 1) for a, b in zip(found(element, n, 2 * round(n * ratio / 2)), exact)] for n in CIRCLE]
+            for i, (what, bounds) in enumerate((("largest pressure", (.02, .005, .002)), ("pressure at 22.5 degrees", (.03, .008, .002)))):
+                for n, of_mesh, bound in zip(CIRCLE, errors, bounds):
+                    laws.check(f"{element}, {n} corners a circle on {ratio:g} times as many: {what}", of_mesh[i], bound)
+
+
+def errors_of_shear(rows, exact):
+    """Of Cattaneo's and Mindlin's shear stress along x."""
+    normal, shear = (sum(row[c] for row in rows) for c in ("r_n", "r_t1"))
+    wrong, size = (sum(row["area"] * f(abs(row["traction_t1"]), exact.friction(half_space.distance(row)))**2 for row in rows)
+                   for f in (lambda a, b: a - b, lambda a, b: b))
+    stuck = max(half_space.distance(row) for row in rows if row["state"] == "stick")
+    slipping = min(half_space.distance(row) for row in rows if row["state"] == "slip")
+    return {"shear force": abs(2 * abs(shear) / exact.shear_force() - 1),
+            "stick width from the forces": abs((1 - abs(shear) / (MU * normal))**(1 / 3) / STICK - 1),
+            "shear stress in L2": math.sqrt(wrong / size),
+            "edge of the stick zone": max(abs(stuck - STICK), abs(slipping - STICK))}
+
+
+BOUNDS = {"force": 5e-3, "peak pressure": .01, "pressures within 0.8, root of the mean square": .01, "zigzag": .02}
+
+
+def check(laws, what, found, bounds):
+    for name, bound in bounds.items():
+        laws.check(f"{what}: {name}", found[name], bound)
+
+
+def balls(laws):
+    """Tetrahedra of Gmsh, 8 corners a half width: on a plane, on 8 of the same mesh, on 7; then sheared."""
+    exact = half_space.Hertz(3, half_space.POISSON["hertz"], 1)
+    run = laws.run(round_tetrahedra.on_plane(laws.folder, 1 / 8))
+    check(laws, "on a plane", round_tetrahedra.pressure_errors(run.last(), exact, 4), BOUNDS)
+    exact = half_space.Hertz(3, half_space.POISSON["partial slip"][3], 2)
+    for other in (8, 7):
+        run = laws.run(round_tetrahedra.on_ball(laws.folder, (1 / 8, 1 / other)))
+        rows = [row for row in run.rows if row["contact"] == "joint"]
+        check(laws, f"8 corners a half width on {other}", round_tetrahedra.pressure_errors(rows, exact, 4), BOUNDS)
+
+
+def sheared_balls(laws):
+    exact = half_space.Hertz(3, half_space.POISSON["partial slip"][3], 2)
+    run = laws.run(round_tetrahedra.on_ball(laws.folder, (1 / 8, 1 / 7), quarter=False))
+    rows = [row for row in run.last() if row["contact"] == "joint" and row["area"] > 0]
+    check(laws, "sheared", round_tetrahedra.pressure_errors(rows, exact, 2), BOUNDS)
+    check(laws, "sheared", errors_of_shear(rows, exact),
+          {"shear force": 5e-3, "stick width from the forces": .01, "shear stress in L2": .06, "edge of the stick zone": .06})
