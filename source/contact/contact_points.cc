@@ -221,6 +221,53 @@ namespace conetact::contact
             });
         });
     }
+
+    /**
+     * Whether supports keep a node and its master in one plane of symmetry for
+     * each direction that they hold the node along. There a mean over the
+     * faces of one half slips along it by what the other half takes back. It
+     * does not depend on what the node meets, which may change.
+     */
+    bool
+    is_cut_with_master(const NodeRule             &rule,
+                       const pairing::ContactNode &node,
+                       const NodeRules            &supports,
+                       const Bodies               &bodies,
+                       const std::vector<double>  &times)
+    {
+      constexpr double same_plane = 1e-6; // of a cell, as files have digits
+      const auto rests = [&](const HeldDirection &held, const Point<3> &p) {
+        return std::all_of(times.begin(), times.end(), [&](const double t) {
+          return std::abs(supports.displacement(held, p, t)) <=
+                 least_slide * node.spacing;
+        });
+      };
+      const auto is_cut = [&](const NodeRule &other, const HeldDirection &own) {
+        if (other.body != node.master || !other.masters.empty() ||
+            !is_spanned(own.direction, directions(other.held)))
+          return false;
+        const Point<3> there =
+          bodies.structures[other.body]->position(other.node);
+        return std::abs((there - node.position) * own.direction) <=
+                 same_plane * node.spacing &&
+               std::all_of(other.held.begin(),
+                           other.held.end(),
+                           [&](const HeldDirection &held) {
+                             return rests(held, there);
+                           });
+      };
+      return bodies.frames.empty() &&
+             std::all_of(rule.held.begin(),
+                         rule.held.end(),
+                         [&](const HeldDirection &own) {
+                           return rests(own, node.position) &&
+                                  std::any_of(supports.rules().begin(),
+                                              supports.rules().end(),
+                                              [&](const NodeRule &other) {
+                                                return is_cut(other, own);
+                                              });
+                         });
+    }
   } // namespace
 
 
@@ -234,6 +281,10 @@ namespace conetact::contact
                                        const std::vector<double>  &times) const
   {
     if (rule.held.empty() || std::max(node.mu_1, node.mu_2) == 0)
+      return false;
+    if (node.obstacle == nullptr &&
+        bodies.structures[node.body]->meets_at_corners() &&
+        is_cut_with_master(rule, node, supports, bodies, times))
       return false;
     if (!node.slaves.empty() && node.obstacle == nullptr)
       return true; // nodes beside it may move along what is held here

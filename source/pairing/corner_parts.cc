@@ -3,39 +3,47 @@
 
 #include "conetact/pairing/corner_parts.h"
 
+#include "conetact/bodies/face_nodes.h"
 #include "conetact/pairing/dual_functions.h"
 #include "conetact/pairing/projected_face.h"
 
-#include <numeric>
-
 namespace conetact::pairing
 {
+  using Eigen::Index;
+
+  Eigen::MatrixXd
+  linear_functions(const FaceNet::Face &face)
+  {
+    const auto      n      = static_cast<Index>(face.n_functions);
+    const auto      nodes  = static_cast<Index>(face.nodes.size());
+    Eigen::MatrixXd linear = Eigen::MatrixXd::Identity(n, nodes);
+    if (n < nodes)
+      for (const bodies::MiddleNode &middle :
+           bodies::middle_nodes(face.corners.size() == 2 ? 2 : 3,
+                                face.nodes.size()))
+        for (const std::size_t corner : middle.corners)
+          linear(static_cast<Index>(corner), static_cast<Index>(middle.node)) =
+            1. / static_cast<double>(middle.corners.size());
+    return linear;
+  }
+
   CornerParts
   corner_parts(const FaceNet::Face &face)
   {
-    using Eigen::Index;
     const ProjectionPlane plane(face.centre,
                                 face.outward,
                                 face.corners.size() == 2);
     const ProjectedFace   own(face, plane);
-    const auto            n     = static_cast<Index>(face.n_functions);
-    const auto            nodes = static_cast<Index>(face.nodes.size());
-    CornerParts           parts{Eigen::VectorXd::Zero(n),
-                      Eigen::MatrixXd::Zero(n, nodes)};
-    Eigen::MatrixXd       mass = Eigen::MatrixXd::Zero(n, n);
-    for (const PlanePoint &q :
-         gauss_points(own.outline(), own.skewness() == 0 ? 0 : 1))
+    const unsigned int    level  = face.corners.size() == 4 ? 1 : 0;
+    const Eigen::MatrixXd linear = linear_functions(face);
+    Eigen::MatrixXd       of_linear =
+      Eigen::MatrixXd::Zero(linear.rows(), linear.cols());
+    for (const PlanePoint &q : gauss_points(own.outline(), level))
       {
-        const ProjectedFace::Seen seen     = own.at(q.position);
-        const Eigen::VectorXd     linear   = seen.shape.head(n);
-        const Eigen::VectorXd     weighted = q.weight * seen.stretch * linear;
-        parts.areas += weighted;
-        parts.slaves += weighted * nodal_shapes(face, seen).transpose();
-        mass += weighted * linear.transpose();
+        const ProjectedFace::Seen seen = own.at(q.position);
+        of_linear += q.weight * seen.stretch * seen.shape.head(linear.rows()) *
+                     nodal_shapes(face, seen).transpose();
       }
-    std::vector<Index> all(static_cast<std::size_t>(n));
-    std::iota(all.begin(), all.end(), Index{0});
-    const Eigen::MatrixXd dual = dual_functions(mass, parts.areas, all);
-    return {dual * parts.areas, dual * parts.slaves};
+    return {of_linear.rowwise().sum(), corner_integrals(of_linear, linear)};
   }
 } // namespace conetact::pairing

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
 namespace conetact::pairing
@@ -75,5 +76,26 @@ namespace conetact::pairing
                             inverse * size.cwiseInverse().asDiagonal() *
                             functions;
     return all;
+  }
+
+  /* In the basis of linear functions and what middles have beside them: the
+     first ones meet their own corner only. */
+  MatrixXd
+  corner_integrals(const MatrixXd &of_linear, const MatrixXd &linear)
+  {
+    const Index n = linear.rows(), middles = linear.cols() - n;
+    MatrixXd    integrals = of_linear;
+    integrals.leftCols(n) =
+      MatrixXd(of_linear.rowwise().sum().asDiagonal()) -
+      of_linear.rightCols(middles) * linear.rightCols(middles).transpose();
+    return integrals;
+  }
+
+  MatrixXd
+  corner_functions(const MatrixXd &mass, const MatrixXd &linear)
+  {
+    AssertDimension(mass.rows(), linear.cols());
+    const MatrixXd integrals = corner_integrals(linear * mass, linear);
+    return mass.ldlt().solve(integrals.transpose()).transpose();
   }
 } // namespace conetact::pairing

@@ -42,12 +42,11 @@ namespace conetact::pairing
           continue;
         // One distance a part, at its middle: it decides which of several parts
         // is seen, integrals have their own.
-        const Point<2> centre = middle(where);
-        const double   height = projected.at(centre).height;
-        const double   gap    = other.at(centre).height - height;
-        const Point<3> p      = plane.origin + height * plane.normal +
-                           centre[0] * plane.axes[0] +
-                           centre[1] * plane.axes[1];
+        const ProjectedFace::Seen here = projected.at(middle(where));
+        const double   gap = other.over(here.place).height - here.height;
+        const Point<3> p =
+          plane.origin +
+          plane.in_space({here.place[0], here.place[1], here.height});
         if (std::abs(gap) <= limits.reach &&
             master.may_be_behind(
               p, gap, face, std::max(slave.size, face.size), limits))

@@ -3,6 +3,7 @@
 
 #include "conetact/pairing/mortar.h"
 
+#include "conetact/pairing/corner_parts.h"
 #include "conetact/pairing/dual_functions.h"
 #include "conetact/pairing/facing_parts.h"
 #include "conetact/pairing/master_normals.h"
@@ -40,32 +41,20 @@ namespace conetact::pairing
      */
     constexpr double beyond_seen = .01;
 
-    /** Of one slave face, over the parts of it that see the master. M are the
-     * shape functions N, or the linear ones of its corners. */
+    /** Of one slave face with shape functions N_k, over the parts of it that
+     * see the master. */
     struct FaceIntegrals
     {
-      Eigen::MatrixXd                         mass;    ///< M_j M_k
-      Eigen::VectorXd                         areas;   ///< M_j
-      Eigen::MatrixXd                         slaves;  ///< M_j N_k
-      std::map<unsigned int, Eigen::VectorXd> masters; ///< M_j N_l
-      /** M_j times outward normals of either side, where it is bent. */
+      Eigen::MatrixXd                         mass;    ///< N_k N_i
+      Eigen::VectorXd                         areas;   ///< N_k
+      std::map<unsigned int, Eigen::VectorXd> masters; ///< N_k N_l
+      /** N_k times outward normals of either side, where it is bent. */
       Eigen::MatrixX3d  slave_normals, master_normals;
-      std::vector<bool> facing; ///< whether its nodes are over the master
+      std::vector<bool> facing;   ///< whether its nodes are over the master
+      double            part = 0; ///< of the face, that sees it
       double            size = 0;
       double lowest = std::numeric_limits<double>::max(); ///< gap [length]
     };
-
-    /** The functions M of the nodes that contacts stand at. */
-    Eigen::VectorXd
-    functions(const FaceNet::Face       &face,
-              const ProjectedFace::Seen &seen,
-              const Eigen::VectorXd     &N)
-    {
-      const auto n = static_cast<Index>(face.n_functions);
-      return face.n_functions == face.nodes.size() ?
-               N :
-               Eigen::VectorXd(seen.shape.head(n));
-    }
 
     /** The radius at a point of a face, where bodies go round an axis. */
     double
@@ -209,15 +198,14 @@ namespace conetact::pairing
                                     face.outward,
                                     face.corners.size() == 2);
         const ProjectedFace   own(face, plane);
-        const auto            n = static_cast<Index>(face.n_functions);
-        FaceIntegrals         sums{
-          Eigen::MatrixXd::Zero(n, n),
-          Eigen::VectorXd::Zero(n),
-          Eigen::MatrixXd::Zero(n, static_cast<Index>(face.nodes.size())),
-          {},
-          Eigen::MatrixX3d::Zero(n, 3),
-          Eigen::MatrixX3d::Zero(n, 3),
-          std::vector<bool>(face.n_functions, false)};
+        const auto            n     = static_cast<Index>(face.nodes.size());
+        const double          whole = measure(own.outline());
+        FaceIntegrals         sums{Eigen::MatrixXd::Zero(n, n),
+                           Eigen::VectorXd::Zero(n),
+                           {},
+                           Eigen::MatrixX3d::Zero(n, 3),
+                           Eigen::MatrixX3d::Zero(n, 3),
+                           std::vector<bool>(face.n_functions, false)};
         for (const auto &part :
              facing.seen_from(face, plane, own, limits(face.size)))
           {
@@ -229,6 +217,7 @@ namespace conetact::pairing
                         is_of_second_degree(face) ||
                           is_of_second_degree(other));
             sums.size = std::max(sums.size, other.size);
+            sums.part += measure(part.where) / whole;
             note_facing(face, plane, part.where, sums.facing);
             for (const PlanePoint &q : gauss_points(part.where, level))
               {
@@ -236,14 +225,12 @@ namespace conetact::pairing
                 const Eigen::VectorXd N    = nodal_shapes(face, here);
                 const double          around =
                   axisymmetric ? radius(face, here.shape) : 1;
-                const Eigen::VectorXd M = functions(face, here, N);
                 const Eigen::VectorXd weighted =
-                  q.weight * here.stretch * around * M;
+                  q.weight * here.stretch * around * N;
                 sums.areas += weighted;
-                sums.mass += weighted * M.transpose();
-                sums.slaves += weighted * N.transpose();
-                const auto            opposite = part.projected.at(q.position);
-                const Eigen::VectorXd there    = nodal_shapes(other, opposite);
+                sums.mass += weighted * N.transpose();
+                const auto opposite         = part.projected.over(here.place);
+                const Eigen::VectorXd there = nodal_shapes(other, opposite);
                 sums.slave_normals += weighted * here.normal.transpose();
                 sums.master_normals -= weighted * opposite.normal.transpose();
                 sums.lowest =
@@ -291,6 +278,7 @@ namespace conetact::pairing
                 std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
           return;
         rows.join(f);
+        const Eigen::VectorXd covered = linear_functions(face) * sums.areas;
         for (std::size_t c = 0; c < face.n_functions; ++c)
           {
             MortarRow &row = rows.at(f, c);
@@ -299,7 +287,7 @@ namespace conetact::pairing
                 sums.facing[c] = false;
                 continue;
               }
-            row.covered += sums.areas[static_cast<Index>(c)];
+            row.covered += covered[static_cast<Index>(c)];
             row.kept = row.kept || sums.facing[c];
           }
         if (std::all_of(sums.facing.begin(),
@@ -328,15 +316,31 @@ namespace conetact::pairing
         return own.empty() ? std::vector<Index>{most} : own;
       }
 
+      /** Dual to the functions of nodes that contacts stand at, on the covered
+       * part: so D is diagonal where faces are covered in part, too. */
+      static Eigen::MatrixXd
+      dual_to(const Eigen::MatrixXd    &linear,
+              const FaceIntegrals      &sums,
+              const std::vector<Index> &own)
+      {
+        constexpr double enough = .5; // else shape functions are much alike
+        if (linear.rows() < linear.cols() && sums.part > enough &&
+            static_cast<Index>(own.size()) == linear.rows())
+          return corner_functions(sums.mass, linear);
+        return dual_functions(linear * sums.mass * linear.transpose(),
+                              linear * sums.areas,
+                              own) *
+               linear;
+      }
+
       void
       add(const std::size_t f, const FaceIntegrals &sums)
       {
-        const FaceNet::Face     &face = slave.all()[f];
-        const std::vector<Index> own  = kept(f, sums.areas);
-        // Dual to the shape functions on the covered part: so D is diagonal
-        // where faces are covered in part, too.
-        const Eigen::MatrixXd dual = dual_functions(sums.mass, sums.areas, own);
-        const Eigen::MatrixXd slaves = dual * sums.slaves;
+        const FaceNet::Face     &face   = slave.all()[f];
+        const Eigen::MatrixXd    linear = linear_functions(face);
+        const std::vector<Index> own    = kept(f, linear * sums.areas);
+        const Eigen::MatrixXd    dual   = dual_to(linear, sums, own);
+        const Eigen::MatrixXd    slaves = dual * sums.mass;
         for (const Index j : own)
           {
             MortarRow &row = rows.at(f, static_cast<std::size_t>(j));

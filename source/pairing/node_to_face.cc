@@ -4,7 +4,6 @@
 #include "conetact/pairing/node_to_face.h"
 
 #include "conetact/bodies/face_nodes.h"
-#include "conetact/pairing/corners_to_faces.h"
 #include "conetact/pairing/face_net.h"
 #include "conetact/pairing/mortar_rows.h"
 
@@ -313,10 +312,6 @@ namespace conetact::pairing
     const Contact                                &contact,
     const std::vector<const bodies::Structure *> &structures)
   {
-    const bodies::Structure &body = *structures[contact.body];
-    if (contact.obstacle == nullptr && body.meets_at_corners() &&
-        FacesOnObstacle::suits(body.surface(contact.ids)))
-      return pair_corners_with_faces(contact, structures);
     NodeToFace  pairing(contact, structures);
     PairedNodes found;
     for (const bodies::SurfaceNode &s : pairing.slave_surface().nodes)

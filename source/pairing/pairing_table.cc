@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/pairing/corners_to_faces.h"
 #include "conetact/pairing/face_to_node.h"
 #include "conetact/pairing/mortar.h"
 #include "conetact/pairing/node_to_face.h"
@@ -9,13 +10,27 @@
 
 namespace conetact::pairing
 {
+  namespace
+  {
+    PairedNodes
+    pair_one_by_one(const Contact                                &contact,
+                    const std::vector<const bodies::Structure *> &structures)
+    {
+      const bodies::Structure &body = *structures[contact.body];
+      return contact.obstacle == nullptr && body.meets_at_corners() &&
+                 FacesOnObstacle::suits(body.surface(contact.ids)) ?
+               pair_corners_with_faces(contact, structures) :
+               pair_nodes_with_faces(contact, structures);
+    }
+  } // namespace
+
   const std::vector<PairingRow> &
   pairings()
   {
     static const std::vector<PairingRow> rows = {
       {"node to face",
        "each node meets the point of the master's faces that is nearest",
-       pair_nodes_with_faces,
+       pair_one_by_one,
        false},
       {"mortar",
        "each node meets the mean of the master's faces around it, weighted by "

@@ -145,15 +145,24 @@ namespace conetact::pairing
   ProjectedFace::Seen
   ProjectedFace::at(const Point<2> &p) const
   {
-    const auto where = bent.empty() ? local(p) : bent_local(p, local(p));
-    Seen       seen;
+    return bent.empty() ? flat_at(local(p), p) : bent_at(local(p));
+  }
+
+  ProjectedFace::Seen
+  ProjectedFace::over(const Point<2> &p) const
+  {
+    return bent.empty() ? flat_at(local(p), p) :
+                          bent_at(bent_local(p, local(p)));
+  }
+
+  ProjectedFace::Seen
+  ProjectedFace::flat_at(const std::array<double, 2> &where,
+                         const Point<2>              &p) const
+  {
+    Seen seen;
     seen.local = where;
+    seen.place = p;
     seen.shape = Eigen::Vector4d(shape_values(n_corners(), where).data());
-    if (!bent.empty())
-      {
-        see_bent(seen);
-        return seen;
-      }
     for (std::size_t i = 0; i < n_corners(); ++i)
       seen.height += seen.shape[static_cast<Eigen::Index>(i)] * heights[i];
     // Area of the face over that of its shadow, |dx/da x dx/db| over its part
@@ -205,16 +214,22 @@ namespace conetact::pairing
     return near;
   }
 
-  /** The height, the area and the normal of the bent face. */
-  void
-  ProjectedFace::see_bent(Seen &seen) const
+  ProjectedFace::Seen
+  ProjectedFace::bent_at(const std::array<double, 2> &where) const
   {
-    const BentPlace       there = bent_place(seen.local);
+    const BentPlace       there = bent_place(where);
     const Eigen::Vector3d across =
       there.slopes.col(0).cross(there.slopes.col(1));
-    seen.height  = there.x[2];
-    seen.normal  = (across[2] < 0 ? -1 : 1) / across.norm() * across;
-    seen.stretch = across.norm() / std::abs(across[2]);
+    Seen seen;
+    seen.local  = where;
+    seen.place  = {there.x[0], n_corners() == 2 ? 0 : there.x[1]};
+    seen.shape  = Eigen::Vector4d(shape_values(n_corners(), where).data());
+    seen.height = there.x[2];
+    seen.normal = (across[2] < 0 ? -1 : 1) / across.norm() * across;
+    // over the area between chords
+    seen.stretch =
+      across.norm() / std::abs(slopes(where).topRows<2>().determinant());
+    return seen;
   }
 
   Eigen::VectorXd

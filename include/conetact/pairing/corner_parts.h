@@ -10,12 +10,17 @@
 
 namespace conetact::pairing
 {
+  /** Of a face the functions of the nodes that contacts stand at, rows in terms
+   * of its shape functions: these themselves, or linear ones of corners. */
+  Eigen::MatrixXd
+  linear_functions(const FaceNet::Face &face);
+
   /** Integrals over a face that contacts stand at the corners of, with the
-   * functions @f$\psi_j@f$ of these that are dual to the linear ones. */
+   * functions of these (corner_functions(), dual_functions.h). */
   struct CornerParts
   {
-    Eigen::VectorXd areas;  ///< @f$\int \psi_j@f$ [length^2]
-    Eigen::MatrixXd slaves; ///< @f$\int \psi_j N_k@f$ of all nodes [length^2]
+    Eigen::VectorXd areas;  ///< @f$\int \varphi_j@f$ [length^2]
+    Eigen::MatrixXd slaves; ///< @f$\int \varphi_j N_k@f$ [length^2]
   };
   CornerParts
   corner_parts(const FaceNet::Face &face);

@@ -28,6 +28,25 @@ namespace conetact::pairing
   dual_functions(const Eigen::MatrixXd           &mass,
                  const Eigen::VectorXd           &areas,
                  const std::vector<Eigen::Index> &kept);
+
+  /**
+   * Functions @f$\varphi_j@f$ of the corners of a face of second degree, rows
+   * in terms of its shape functions @f$N_k@f$: dual to the linear functions
+   * @f$\lambda_k@f$ of the corners, @f$\int \varphi_j \lambda_k = \delta_{jk}
+   * \int \lambda_j@f$, while nodes in the middle have what linear pressures
+   * give them, @f$\int \varphi_j N_m = \int \lambda_j N_m@f$. So they sum to
+   * 1, and a pressure that is linear reaches what the middles have of their
+   * own exactly, which functions of the corners alone miss by their first
+   * order. `mass`: of the shape functions,
+   * `linear`: rows are the linear functions at the nodes.
+   */
+  Eigen::MatrixXd
+  corner_functions(const Eigen::MatrixXd &mass, const Eigen::MatrixXd &linear);
+  /** Of them @f$\int \varphi_j N_k@f$, which needs no more of the mass than
+   * `of_linear`, @f$\int \lambda_j N_k@f$. */
+  Eigen::MatrixXd
+  corner_integrals(const Eigen::MatrixXd &of_linear,
+                   const Eigen::MatrixXd &linear);
 } // namespace conetact::pairing
 
 #endif

@@ -15,11 +15,11 @@ namespace conetact::pairing
 {
   /**
    * How faces that contacts stand at the corners of meet an obstacle: what a
-   * corner j has is the mean @f$\int \psi_j v / \int \psi_j@f$ over the faces
-   * around it, with linear dual functions (@f$\psi_j = 4 \lambda_j - 1@f$ on a
-   * triangle), of displacements and of gaps of second degree, each node's to
-   * the nearest point of the obstacle. The functions sum to 1, so a uniform
-   * pressure passes exactly. (Popp, Wohlmuth, Gee, Wall, SIAM J.
+   * corner j has is the mean @f$\int \varphi_j v / \int \varphi_j@f$ over the
+   * faces around it, with the functions of corners of corner_functions()
+   * (dual_functions.h), of displacements and of gaps of second degree, each
+   * node's to the nearest point of the obstacle. The functions sum to 1, so a
+   * uniform pressure passes exactly. (After Popp, Wohlmuth, Gee, Wall, SIAM J.
    * Sci. Comput. 34 (2012) B421-B446.)
    */
   class FacesOnObstacle

@@ -26,7 +26,9 @@ namespace conetact::pairing
    * A node beyond the rim of the master has no function of its own, for on a
    * sliver a force would be a large pressure: on each face it is shared by the
    * nodes that face the master, so that what is covered passes all the same
-   * (dual_functions.h; MortarRows::keep_upright where these are too few). A
+   * (dual_functions.h; MortarRows::keep_upright where these are too few). On
+   * faces of second degree whose contacts stand at corners the functions are
+   * those of corner_functions(). A
    * node that hangs gives its function to those it follows. Who takes over
    * meets the master with a mean over both (ContactNode::slaves). Nodes that no
    * face sees, because an edge or a corner meets a face, are paired node to

@@ -70,15 +70,22 @@ namespace conetact::pairing
     {
       std::array<double, 2> local{{0, 0}}; ///< in the unit square or triangle
       Eigen::Vector4d       shape = Eigen::Vector4d::Zero(); ///< of the corners
-      double                height = 0; ///< above the plane [length]
+      Point<2>              place;                           ///< in the plane
+      double                height = 0; ///< above it [length]
       /** Area of the face over that of what is seen of it. */
       double stretch = 1;
       /** Unit, in axes of the plane and on its side; 0: it is not bent. */
       Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     };
-    /** The point of the face that is seen at a point of the plane. */
+    /** The point of the face that is seen at a point of the plane. One that is
+     * bent has it beside that, with the local coordinates of its chords: so
+     * the outline of these is all of it. */
     Seen
     at(const Point<2> &p) const;
+    /** The point that is over one of the plane: of a face that is bent, a
+     * little beyond its edges if need be. */
+    Seen
+    over(const Point<2> &p) const;
 
   private:
     std::array<double, 2>
@@ -92,8 +99,10 @@ namespace conetact::pairing
     bent_place(const std::array<double, 2> &at) const;
     std::array<double, 2>
     bent_local(const Point<2> &p, const std::array<double, 2> &near) const;
-    void
-    see_bent(Seen &seen) const;
+    Seen
+    bent_at(const std::array<double, 2> &where) const;
+    Seen
+    flat_at(const std::array<double, 2> &where, const Point<2> &p) const;
     /** Rows: x, y and height differentiated by the local coordinates. */
     Eigen::Matrix<double, 3, 2>
     slopes(const std::array<double, 2> &at) const;

@@ -86,3 +86,24 @@ TEST(DualFunctions, OfOneNodeIsConstant)
   EXPECT_EQ(dual_functions(part.mass, part.areas, {3}).row(3),
             Eigen::RowVectorXd::Ones(4));
 }
+
+
+
+/* On a segment: nodes at 0, 1 and 1/2. */
+TEST(CornerFunctions, SeeTheirOwnCornerAndWhatLinearPressuresGiveMiddles)
+{
+  Eigen::Matrix3d mass; // of the shape functions of second degree
+  mass << 4, -1, 2, -1, 4, 2, 2, 2, 16;
+  mass /= 30;
+  Eigen::MatrixXd linear(2, 3);
+  linear << 1, 0, .5, 0, 1, .5;
+  const Eigen::MatrixXd A         = corner_functions(mass, linear),
+                        integrals = A * mass, of_linear = linear * mass;
+  Eigen::Matrix2d half = Eigen::Matrix2d::Identity() / 2;
+  EXPECT_NEAR((integrals * linear.transpose() - half).norm(), 0, 1e-14);
+  EXPECT_NEAR((integrals.col(2) - of_linear.col(2)).norm(), 0, 1e-14);
+  EXPECT_NEAR((A.colwise().sum().array() - 1).abs().maxCoeff(), 0, 1e-13);
+  EXPECT_NEAR((corner_integrals(of_linear, linear) - integrals).norm(),
+              0,
+              1e-14);
+}

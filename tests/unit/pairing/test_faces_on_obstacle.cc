@@ -77,7 +77,7 @@ TEST(FacesOnObstacle, WeightsAreThoseOfDualFunctions)
         for_each_slave(node, [&](const unsigned int i, const double weight) {
           if (i == s.node)
             {
-              EXPECT_NEAR(weight, .4, 1e-14); // 2/5
+              EXPECT_NEAR(weight, .6, 1e-14); // 3/5
             }
         });
       }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "conetact/pairing/corners_to_faces.h"
 #include "conetact/pairing/node_to_face.h"
 #include "conetact/pairing/obstacle_table.h"
 
@@ -188,4 +189,35 @@ TEST(NodeToFace, ObstaclesAreMetWithoutMasters)
       EXPECT_EQ(node.obstacle, &obstacle);
       EXPECT_EQ(node.spacing, .5);
     }
+}
+
+TEST(NodeToFace, CornersOfTetrahedraAreMeansOfPairsOfNodesAndFeet)
+{
+  const auto cube = [](const std::string &low, const std::string &high) {
+    return test::make_body(3,
+                           "Generator = subdivided_hyper_rectangle|"
+                           "Arguments = 1, 1, 1 : " +
+                             low + " : " + high + " : true",
+                           "Young modulus = 5|Poisson ratio = 0.3",
+                           "P2");
+  };
+  const Body high = cube("0, 0, 1.25", "1, 1, 2"),
+             low  = cube("0, 0, 0", "1, 1, 1");
+  const auto found =
+    pair_corners_with_faces(joint(4, 5), {high.get(), low.get()});
+  EXPECT_EQ(found.nodes.size(), 5u); // corners and the middle of a side
+  double area = 0;
+  for (const ContactNode &node : found.nodes)
+    {
+      EXPECT_NEAR(node.gap, .25, 1e-14);
+      EXPECT_NEAR((node.n - Tensor<1, 3>({0., 0., 1.})).norm(), 0, 1e-14);
+      EXPECT_EQ(node.slaves.size(), node.masters.size()); // faces match
+      Tensor<1, 3> mean;
+      for (const auto &[i, weight] : node.slaves)
+        mean += weight * Tensor<1, 3>(high->position(i));
+      EXPECT_NEAR((mean - Tensor<1, 3>(node.position)).norm(), 0, 1e-14);
+      EXPECT_NEAR((foot_of(node, *low) - node.foot()).norm(), 0, 1e-14);
+      area += node.area;
+    }
+  EXPECT_NEAR(area, 1, 1e-14);
 }
