@@ -256,8 +256,7 @@ namespace conetact::contact
                              return rests(held, there);
                            });
       };
-      return bodies.frames.empty() &&
-             std::all_of(rule.held.begin(),
+      return std::all_of(rule.held.begin(),
                          rule.held.end(),
                          [&](const HeldDirection &own) {
                            return rests(own, node.position) &&
