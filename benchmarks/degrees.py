@@ -18,8 +18,8 @@ import tempfile
 from pathlib import Path
 
 from measure import TOP, checked_resources, table  # first: it knows the way to tests
-from laws.quadratic import simplex_fields
 from support.checks import Laws, orders
+from support.manufactured import simplex_fields
 from support.scenes import merge, press_and_shear, with_element, write_scene
 
 KINDS = (("P1", 2), ("P2", 1))  # elements, and cells a side beside those of P2

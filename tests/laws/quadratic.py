@@ -3,12 +3,10 @@
 """Elements of second degree.
 
 quadratic: a uniform pressure on obstacles, areas of nodes; quadratic-pairs: a uniform
-pressure through joints of all kinds of faces; quadratic-orders: how fast errors fall.
+pressure through joints of all kinds of faces; quadratic-orders: how fast errors fall; quadratic-one-by-one: node to face.
 """
 import itertools
 import math
-
-import numpy
 
 from laws.iterative import compare
 from laws.mortar import PRESSURE, balances, check_patch, from_files, stacked, swing, turned_on_wider
@@ -308,26 +306,8 @@ def converging(laws):
     lines(laws)
 
 
-def simplex_fields(laws, dim, n, element):
-    """Both times of the manufactured solution on n cells a side: unknowns, and for each time errors."""
-    body = {"Element": element} if dim == 3 else {
-        "Element": element, "Mesh": {"Generator": "subdivided_hyper_cube_with_simplices"}}
-    run = laws.run(merge(manufactured.scene(dim, n), {"Body block": body}))
-    found = []
-    for time in (1, 2):
-        solution = manufactured.Solution(dim, .3, time)
-        file = run.folder / f"solution-block-{time:04}.vtu"
-        found.append({**dict(zip(("displacement at nodes", "stresses at nodes"), manufactured.nodal_errors(file, solution))),
-                      **dict(zip(("displacement in L2", "energy"), manufactured.simplex_errors(file, solution))),
-                      "pressures": pressure_error([row for row in run.rows if row["increment"] == time], solution),
-                      # at rims a mean over the faces of a node is that of a place beside it
-                      "pressures inside": pressure_error([row for row in run.rows if row["increment"] == time and all(
-                          1e-9 < row[c] < 1 - 1e-9 for c in "xy"[:dim - 1])], solution)})
-    return found
-
-
 def simplex_orders(laws, dim, sizes, least):
-    found = [simplex_fields(laws, dim, n, "P2") for n in sizes]
+    found = [manufactured.simplex_fields(laws, dim, n, "P2") for n in sizes]
     for i, state in enumerate(("slip", "stick")):
         for what, order in least.items():
             coarse, fine = (errors[i][what] for errors in found)
@@ -339,23 +319,11 @@ def triangles(laws):
     simplex_orders(laws, 2, (4, 8), {"displacement at nodes": 2.9, "stresses at nodes": 1.8, "displacement in L2": 2.9, "energy": 1.9})
 
 
-def pressure_error(rows, solution):
-    """Relative L2 error of the contact stresses of rows, normal and tangential."""
-    wrong = size = 0.0
-    for row in rows:
-        at = numpy.array([[row[c] for c in "xyz"[:solution.dim]]])
-        exact = [-solution.stress[i][solution.dim - 1].at_each(at).item() for i in range(solution.dim)]
-        found = [row[c] / row["area"] for c in ("r_t1", "r_t2")[:solution.dim - 1] + ("r_n",)]
-        wrong += row["area"] * math.dist(found, exact)**2
-        size += row["area"] * math.dist(exact, [0] * len(exact))**2
-    return math.sqrt(wrong / size)
-
-
 def tetrahedra_orders(laws):
     simplex_orders(laws, 3, (3, 6), {"displacement at nodes": 2.9, "stresses at nodes": 1.9, "displacement in L2": 2.9,
                                             "energy": 1.95, "pressures": 1.45, "pressures inside": 1.7})
     # P1 on the same places of nodes
-    for state, of_p2, of_p1 in zip(("slip", "stick"), simplex_fields(laws, 3, 4, "P2"), simplex_fields(laws, 3, 8, "P1")):
+    for state, of_p2, of_p1 in zip(("slip", "stick"), manufactured.simplex_fields(laws, 3, 4, "P2"), manufactured.simplex_fields(laws, 3, 8, "P1")):
         for what in ("displacement in L2", "energy"):
             laws.check(f"3D, {state}: {what}, {of_p2[what]:.2g} of P2 over {of_p1[what]:.2g} of P1 with as many unknowns",
                        of_p2[what] / of_p1[what], 1 / 3)

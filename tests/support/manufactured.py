@@ -286,3 +286,33 @@ def solution_errors(laws, dim, cells, poisson=.3, body=(), degree=1):
         result += [*errors(read_displacement(file, dim, degree * cells), solution, degree)[:2],
                    pressure_error(rows, solution, cells, degree)]
     return result
+
+
+def error_over_areas(rows, solution):
+    """Relative L2 error of the contact stresses of rows, normal and tangential."""
+    wrong = size = 0.0
+    for row in rows:
+        at = np.array([[row[c] for c in "xyz"[:solution.dim]]])
+        exact = [-solution.stress[i][solution.dim - 1].at_each(at).item() for i in range(solution.dim)]
+        found = [row[c] / row["area"] for c in ("r_t1", "r_t2")[:solution.dim - 1] + ("r_n",)]
+        wrong += row["area"] * math.dist(found, exact)**2
+        size += row["area"] * math.dist(exact, [0] * len(exact))**2
+    return math.sqrt(wrong / size)
+
+
+def simplex_fields(laws, dim, n, element):
+    """Both times of the manufactured solution on n cells a side: unknowns, and for each time errors."""
+    body = {"Element": element} if dim == 3 else {
+        "Element": element, "Mesh": {"Generator": "subdivided_hyper_cube_with_simplices"}}
+    run = laws.run(merge(scene(dim, n), {"Body block": body}))
+    found = []
+    for time in (1, 2):
+        solution = Solution(dim, .3, time)
+        file = run.folder / f"solution-block-{time:04}.vtu"
+        found.append({**dict(zip(("displacement at nodes", "stresses at nodes"), nodal_errors(file, solution))),
+                      **dict(zip(("displacement in L2", "energy"), simplex_errors(file, solution))),
+                      "pressures": error_over_areas([row for row in run.rows if row["increment"] == time], solution),
+                      # at rims a mean over the faces of a node is that of a place beside it
+                      "pressures inside": error_over_areas([row for row in run.rows if row["increment"] == time and all(
+                          1e-9 < row[c] < 1 - 1e-9 for c in "xy"[:dim - 1])], solution)})
+    return found
