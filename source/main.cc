@@ -100,6 +100,9 @@ namespace
     log.note(describe(analysis.work()));
   }
 
+  /** The contacts of `Contacts = automatic`, to be included or pasted. */
+  const char *const automatic_file = "contacts.prm";
+
   /** To a folder that exists from now on and is this run's as long as the lock
    * lives. */
   std::unique_ptr<FolderLock>
@@ -120,6 +123,8 @@ namespace
     if (!goes_on)
       std::filesystem::remove(folder / "checkpoint.bin", ignored);
     write_atomically(folder / "used.prm", scene.values());
+    if (!scene.automatic_text.empty())
+      write_atomically(folder / automatic_file, scene.automatic_text);
     for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
       if (const std::string &mesh = scene.bodies.structures[b]->made_mesh();
           !mesh.empty())
@@ -169,7 +174,8 @@ namespace
   {
     analysis::AdaptiveRefinement        adaptive;
     std::map<unsigned int, std::string> shown_to_slide; ///< contacts
-    std::unique_ptr<FolderLock>         lock; ///< there may be files on disk
+    std::optional<std::vector<pairing::NearSides>> near_sides;
+    std::unique_ptr<FolderLock> lock; ///< there may be files on disk
   };
 
   /** Contacts that slide far need all of their history so. */
@@ -195,6 +201,7 @@ namespace
     analysis::AdaptiveRefinement &adaptive = progress.adaptive;
     application::Scene            scene(line);
     scene.shown_to_slide = progress.shown_to_slide;
+    scene.near_sides     = progress.near_sides;
     if (line.print_parameters)
       {
         print(scene.documentation());
@@ -207,6 +214,7 @@ namespace
     if (!progress.lock)
       log.say("Conetact " CONETACT_VERSION ", scene " + line.scene.string());
     scene.build(adaptive.refinements());
+    progress.near_sides = scene.near_sides;
     log.time("bodies, obstacles, contacts");
     const std::unique_ptr<analysis::Analysis> analysis =
       analysis::make_analysis(scene, log);

@@ -63,6 +63,29 @@ namespace conetact::analysis
       log.note(text);
     }
 
+    /** What `Contacts = automatic` has found, and how a scene would say it. */
+    void
+    report_automatic(const application::Scene &scene, Log &log)
+    {
+      if (!scene.near_sides)
+        return;
+      if (scene.near_sides->empty())
+        {
+          log.say("warning: Contacts = automatic: no two bodies have faces that "
+                  "oppose each other nearby. Set Automatic contact/Largest gap "
+                  "to what is between those that are to touch.");
+          return;
+        }
+      const std::size_t n = scene.near_sides->size();
+      log.say("Contacts = automatic: " + std::to_string(n) +
+              (n == 1 ? " pair: " : " pairs: ") +
+              join(std::vector<std::string>(
+                scene.contact_names.end() - static_cast<std::ptrdiff_t>(n),
+                scene.contact_names.end())));
+      for (const std::string &line : split(scene.automatic_text, '\n'))
+        log.note(line);
+    }
+
     void
     warn_of_memory(const double bytes, Log &log)
     {
@@ -200,6 +223,7 @@ namespace conetact::analysis
                Log                         &log)
   {
     report_bodies(scene, log);
+    report_automatic(scene, log);
     const solvers::ContactSystem &layout = model.points.layout();
     log.say(std::to_string(layout.n_nodes()) + " contact nodes with " +
             std::to_string(layout.n_unknowns()) + " unknowns of " +

@@ -3,11 +3,13 @@
 
 #include "conetact/application/located.h"
 
+#include "conetact/application/automatic_contacts.h"
 #include "conetact/application/scene_file.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -66,7 +68,7 @@ namespace conetact::application
     std::string
     path_of_section(std::string_view text)
     {
-      for (const std::string section : {"Time", "Solver", "Output"})
+      for (const std::string section : {"Time", "Solver", "Output", "Automatic contact"})
         if (take(text, section))
           {
             const bool        entry = take(text, "/") || take(text, ", ");
@@ -128,6 +130,19 @@ namespace conetact::application
       return {};
     }
 
+    /** Whether it is a contact that no name stands for. */
+    bool
+    is_found(const SceneText &scene, const std::string &section)
+    {
+      const Entries entries = entries_of(scene.text);
+      const auto    list    = entries.find("Contacts");
+      if (section.rfind("Contact ", 0) != 0 || list == entries.end())
+        return false;
+      const std::vector<std::string> names = split(list->second, ',');
+      return std::find(names.begin(), names.end(), automatic_contacts) !=
+             names.end();
+    }
+
     /** Where an entry is set or a subsection begins; empty: nowhere. */
     std::string
     place_in(const SceneText   &scene,
@@ -157,6 +172,9 @@ namespace conetact::application
         if (const std::string place = place_in(scene, path, line);
             !place.empty())
           return place + ": " + sentence;
+      if (is_found(scene, section))
+        return sentence + " It is one of Contacts = automatic: name its sides "
+                          "in Automatic contact/Exceptions.";
       const std::string list  = list_of(section);
       const std::string place = place_in(scene, list, line);
       return place.empty() ?

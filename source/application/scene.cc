@@ -73,6 +73,8 @@ namespace conetact::application
       prm,
       {bodies.names, obstacle_names, contact_names, support_names, load_names});
     parse_all(prm, false);
+    if (!finds_contacts)
+      refuse_idle_automatic_contact(prm);
     if (bodies.names.empty())
       throw InputError("Bodies: the scene names no body. Add for example "
                        "'set Bodies = block' and 'subsection Body block'.");
@@ -101,6 +103,11 @@ namespace conetact::application
     bodies.names   = get_names(lists, "Bodies");
     obstacle_names = get_names(lists, "Obstacles");
     contact_names  = get_names(lists, "Contacts");
+    const auto at =
+      std::find(contact_names.begin(), contact_names.end(), automatic_contacts);
+    finds_contacts = at != contact_names.end();
+    if (finds_contacts)
+      contact_names.erase(at);
     support_names  = get_names(lists, "Supports");
     load_names     = get_names(lists, "Loads");
   }
@@ -202,16 +209,10 @@ namespace conetact::application
         bodies::create_load(prm, name, dim, bodies.names, bodies.structures));
     });
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
-      if (pairing::adjusts_gaps(prm))
-        adjusted_contacts.push_back(static_cast<unsigned int>(contacts.size()));
-      contacts.push_back(pairing::create_contact(
-        prm, name, dim, bodies.names, bodies.structures, obstacles));
-      kinematics.push_back({pairing::read_kinematics(prm), {}, {}, {}});
-      if (dim == 2 && contacts.back().second_friction)
-        throw InputError("Contact '" + name +
-                         "', Second friction coefficient: "
-                         "there is one tangent only in 2D. Leave it empty.");
+      add_contact(prm, name, "Contact '" + name + "', ");
     });
+    if (finds_contacts)
+      add_automatic_contacts();
     if (dim == 2)
       check_axisymmetric(bodies.names, bodies.structures, obstacles, contacts);
     if (bodies.are_axisymmetric())
@@ -252,6 +253,48 @@ namespace conetact::application
     check_preloads();
     for (auto &body : contact::add_preloads(contacts, bodies))
       structures.push_back(std::move(body));
+  }
+
+  void
+  Scene::add_contact(Handler           &entries,
+                     const std::string &name,
+                     const std::string &in)
+  {
+    if (pairing::adjusts_gaps(entries))
+      adjusted_contacts.push_back(static_cast<unsigned int>(contacts.size()));
+    contacts.push_back(pairing::create_contact(
+      entries, name, in, bodies.dim, bodies.names, bodies.structures, obstacles));
+    kinematics.push_back({pairing::read_kinematics(entries), {}, {}, {}});
+    if (bodies.dim == 2 && contacts.back().second_friction)
+      throw InputError(in + "Second friction coefficient: there is one tangent "
+                            "only in 2D. Leave it empty.");
+  }
+
+  void
+  Scene::add_automatic_contacts()
+  {
+    if (!near_sides)
+      near_sides = find_near_sides(prm,
+                                   bodies.names,
+                                   bodies.structures,
+                                   obstacles,
+                                   named_sides(prm, contact_names));
+    for (const WrittenContact &contact :
+         write_contacts(prm, *near_sides, bodies.names, obstacles))
+      {
+        if (std::find(contact_names.begin(),
+                      contact_names.end(),
+                      contact.name) != contact_names.end())
+          throw InputError("Contacts: automatic finds a contact '" +
+                           contact.name +
+                           "', and there is one of that name. Give yours "
+                           "another name.");
+        contact_names.push_back(contact.name);
+        add_contact(*contact.entries, contact.name, in_automatic);
+        automatic_text += contact.text();
+      }
+    automatic_text =
+      "set Contacts = " + join(contact_names) + '\n' + automatic_text;
   }
 
   void

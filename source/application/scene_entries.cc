@@ -4,6 +4,7 @@
 #include "conetact/application/scene_entries.h"
 
 #include "conetact/application/adaptive_settings.h"
+#include "conetact/application/automatic_contacts.h"
 #include "conetact/application/load_history.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/bodies/body_table.h"
@@ -108,17 +109,23 @@ namespace conetact::application
                       "2",
                       Selection("2|3"),
                       "Dimension of space: 2 (plane strain or stress) or 3.");
-    const auto declare = [&](const std::string &list, const std::string &what) {
+    const auto declare = [&](const std::string &list,
+                             const std::string &what,
+                             const std::string &more = "") {
       prm.declare_entry(list,
                         "",
                         Anything(),
                         "Names of " + what +
                           ", separated by commas; each has "
-                          "its own subsection.");
+                          "its own subsection." +
+                          more);
     };
     declare("Bodies", "the elastic bodies");
     declare("Obstacles", "the rigid obstacles");
-    declare("Contacts", "the contacts");
+    declare("Contacts",
+            "the contacts",
+            " 'automatic' stands for all pairs that are near, see Automatic "
+            "contact.");
     declare("Supports", "the supports");
     declare("Loads", "the loads");
   }
@@ -136,6 +143,7 @@ namespace conetact::application
       pairing::declare_contact(entries);
       pairing::declare_kinematics(entries);
     });
+    declare_automatic_contact(prm);
     declare_each(prm, "Support", names.supports, bodies::declare_support);
     declare_each(prm, "Load", names.loads, bodies::declare_load);
     prm.enter_subsection("Time");

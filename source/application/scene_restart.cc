@@ -34,7 +34,8 @@ namespace conetact::application
       };
       if (begins("Obstacle "))
         return !is_motion(path.substr(path.find('/') + 1));
-      return begins("Body ") || begins("Contact ") || path == "Dimension" ||
+      return begins("Body ") || begins("Contact ") ||
+             begins("Automatic contact/") || path == "Dimension" ||
              path == "Bodies" || path == "Obstacles" || path == "Contacts";
     }
 

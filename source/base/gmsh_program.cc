@@ -171,8 +171,9 @@ namespace conetact
           const std::set<int> any = {0, 1, 2, 3};
           const Entities      own = entities_of(name, any);
           if (own.empty())
-            throw FileFault{"Size near: it has no group '" + name +
-                            "'. It has: " + known_groups(any)};
+            throw FileFault{"the drawing has no group '" + name +
+                              "'. It has: " + known_groups(any),
+                            "Size near"};
           Entities bounds;
           gmsh::model::getBoundary(own, bounds, false, false, true);
           Entities curves;
@@ -226,6 +227,18 @@ namespace conetact
       return one_line(error);
     }
 
+    /** A script may say so itself, by Error("..."), and goes on. */
+    void
+    refuse_errors_of_script()
+    {
+      std::vector<std::string> lines;
+      gmsh::logger::get(lines);
+      const std::string mark = "Error: ";
+      for (const std::string &line : lines)
+        if (line.rfind(mark, 0) == 0)
+          throw FileFault{"Gmsh says: " + one_line(line.substr(mark.size()))};
+    }
+
     /** By the drawing itself; a very large one by default. */
     double
     largest_size_given()
@@ -245,9 +258,10 @@ namespace conetact
       for (unsigned int d = 0; d < dim; ++d)
         n *= std::max(1., sides[d] / size);
       if (n > most)
-        throw FileFault{"Size: cells of " + to_text(size) + " would be some " +
-                        to_text(std::round(n)) +
-                        " in the box around it. Give a larger one"};
+        throw FileFault{"cells of " + to_text(size) + " would be some " +
+                          to_text(std::round(n)) +
+                          " in the box around it. Give a larger one",
+                        "Size"};
     }
 
     /** Says which size of cells it took itself, else 0. */
@@ -321,6 +335,8 @@ namespace conetact
       const std::string extension = extension_of(file);
       start(wishes);
       gmsh::open(file.string());
+      if (extension == "geo")
+        refuse_errors_of_script();
       double size = 0;
       if (extension == "stl")
         fill_surface();
@@ -336,7 +352,8 @@ namespace conetact
       return number.str() + "\n" + text_of_mesh(dim);
     }
 
-    /** In the process apart. Throws ChildRefusal. */
+    /** In the process apart. Throws ChildRefusal: the entry that asks for it, a
+     * line on its own, and why. */
     std::string
     mesh_or_refusal(const std::filesystem::path &file,
                     const unsigned int           dim,
@@ -348,7 +365,7 @@ namespace conetact
         }
       catch (const FileFault &fault)
         {
-          throw ChildRefusal{trim(fault.why)};
+          throw ChildRefusal{fault.entry + '\n' + trim(fault.why)};
         }
       catch (const std::bad_alloc &)
         {
@@ -356,16 +373,18 @@ namespace conetact
         }
       catch (...) // a string, a number, an exception: Gmsh throws them all
         {
-          throw ChildRefusal{"Gmsh says: " + last_error()};
+          throw ChildRefusal{"\nGmsh says: " + last_error()};
         }
     }
 
-    std::string
-    without_stop(std::string sentence)
+    FileFault
+    fault_of(const std::string &refusal)
     {
-      while (!sentence.empty() && sentence.back() == '.')
-        sentence.pop_back();
-      return sentence;
+      const auto end = refusal.find('\n');
+      FileFault  fault{refusal.substr(end + 1), refusal.substr(0, end)};
+      while (!fault.why.empty() && fault.why.back() == '.')
+        fault.why.pop_back();
+      return fault;
     }
   } // namespace
 
@@ -391,7 +410,7 @@ namespace conetact
     if (!result.why.empty())
       throw FileFault{"Gmsh " + result.why};
     if (result.refused)
-      throw FileFault{without_stop(*result.refused)};
+      throw fault_of(*result.refused);
     const auto end = result.bytes.find('\n');
     return {result.bytes.substr(end + 1),
             std::strtod(result.bytes.c_str(), nullptr)};

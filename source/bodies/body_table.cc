@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/continuum/continuum.h"
+#include "conetact/bodies/continuum/grid_messages.h"
 #include "conetact/bodies/continuum/grids.h"
 #include "conetact/bodies/continuum/material_groups.h"
 #include "conetact/bodies/frame/frame.h"
@@ -108,6 +109,16 @@ namespace conetact::bodies
                          "have no area. Use Q1 or Q1 B-bar.");
     }
 
+    /** Of the element that is chosen by itself. */
+    template <int dim>
+    std::string
+    why_element(const ElementRow<dim> &row)
+    {
+      return std::string("Element = ") + automatic + ": " + row.name +
+             ", for " + cell_name(dim, row.is_simplex) +
+             (row.degree > 1 ? " with nodes in the middle of edges" : "");
+    }
+
     template <int dim>
     std::unique_ptr<Structure>
     make_continuum(MeshParameters                      &mesh,
@@ -132,9 +143,12 @@ namespace conetact::bodies
       auto           triangulation = make_mesh<dim>(mesh, groups, nodes);
       set_materials(*triangulation, materials, groups.cells, body);
       if (row == nullptr)
-        row = &default_element<dim>(
-          !triangulation->all_reference_cells_are_hyper_cube(),
-          nodes.empty() || mesh.on_axis ? 1 : 2);
+        {
+          row = &default_element<dim>(
+            !triangulation->all_reference_cells_are_hyper_cube(),
+            nodes.empty() || mesh.on_axis ? 1 : 2);
+          groups.notes.push_back(why_element(*row));
+        }
       if (row->degree > 1)
         groups.caution.clear(); // edges may be bent
       std::vector<ElasticMaterial> of_cells;
@@ -147,8 +161,9 @@ namespace conetact::bodies
           mesh.where + (mesh.file.empty() ? "Generator: " : "File: ") +
           "the cell at " + to_text(Tensor<1, 3>(*folded)) +
           " is folded: with its nodes in the middle of bent edges its volume "
-          "is not positive everywhere. Refine the mesh there, or set Element "
-          "to one of first degree, whose edges are straight.");
+          "is not positive everywhere. Move these nodes or refine the mesh "
+          "there; where its corners are right, Element of first degree takes "
+          "the edges as straight.");
       return made;
     }
 

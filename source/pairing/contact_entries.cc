@@ -349,6 +349,21 @@ namespace conetact::pairing
   } // namespace
 
   void
+  declare_contact_law(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry("Reach",
+                      "",
+                      Anything(),
+                      "Nodes further than this from the master's faces stay "
+                      "free. Empty: the diagonal of the box around both "
+                      "bodies. [length]");
+    declare_kind(prm);
+    declare_pairing(prm);
+    declare_friction(prm);
+  }
+
+  void
   declare_contact(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -375,16 +390,8 @@ namespace conetact::pairing
                       "Boundary ids of the master body. Those of single nodes "
                       "of a frame, as the end of a beam that runs against a "
                       "stop: these nodes meet the body's faces.");
-    prm.declare_entry("Reach",
-                      "",
-                      Anything(),
-                      "Nodes further than this from the master's faces stay "
-                      "free. Empty: the diagonal of the box around both "
-                      "bodies. [length]");
-    declare_kind(prm);
+    declare_contact_law(prm);
     declare_preload(prm);
-    declare_pairing(prm);
-    declare_friction(prm);
   }
 
   namespace
@@ -457,36 +464,15 @@ namespace conetact::pairing
   } // namespace
 
   Contact
-  create_contact(dealii::ParameterHandler                     &prm,
-                 const std::string                            &name,
-                 const unsigned int                            dim,
-                 const std::vector<std::string>               &bodies,
-                 const std::vector<const bodies::Structure *> &structures,
-                 const std::vector<Obstacle>                  &obstacles)
+  read_contact_law(dealii::ParameterHandler &prm, const std::string &in)
   {
-    const std::string in = "Contact '" + name + "', ";
-    Contact           contact;
-    contact.name = name;
-    contact.body = bodies::find_body(prm.get("Body"), bodies, in + "Body");
-    contact.ids  = bodies::find_boundary(prm.get("Boundary ids"),
-                                        *structures[contact.body],
-                                        bodies[contact.body],
-                                        in + "Boundary ids");
+    Contact contact;
     find_kind(prm, contact);
-    if (prm.get("Master body").empty())
-      {
-        contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
-        refuse_masters(prm, in);
-      }
-    else
-      find_master(prm, in, bodies, structures, contact);
-
     if (adjusts_gaps(prm) && contact.kind != ContactKind::contact)
       throw InputError(in + "Gap: adjust is for Kind = contact. Ties and "
                             "bilateral contacts keep gaps as they are drawn: "
                             "leave the entry empty, or give 0 to close them.");
     find_limits(prm, in, contact);
-    refuse_single_nodes(contact, in, structures);
     contact.friction.emplace(prm.get("Friction coefficient"),
                              in + "Friction coefficient");
     if (!prm.get("Second friction coefficient").empty())
@@ -510,6 +496,33 @@ namespace conetact::pairing
     contact.cohesion.emplace(constant("Cohesion"));
     if (contact.kind != ContactKind::contact)
       refuse_cone(prm, contact, in);
+    return contact;
+  }
+
+  Contact
+  create_contact(dealii::ParameterHandler                     &prm,
+                 const std::string                            &name,
+                 const std::string                            &in,
+                 const unsigned int                            dim,
+                 const std::vector<std::string>               &bodies,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::vector<Obstacle>                  &obstacles)
+  {
+    Contact contact = read_contact_law(prm, in);
+    contact.name    = name;
+    contact.body    = bodies::find_body(prm.get("Body"), bodies, in + "Body");
+    contact.ids     = bodies::find_boundary(prm.get("Boundary ids"),
+                                        *structures[contact.body],
+                                        bodies[contact.body],
+                                        in + "Boundary ids");
+    if (prm.get("Master body").empty())
+      {
+        contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
+        refuse_masters(prm, in);
+      }
+    else
+      find_master(prm, in, bodies, structures, contact);
+    refuse_single_nodes(contact, in, structures);
     contact.preload = read_preload(prm, dim, contact, in);
     if (contact.obstacle != nullptr && prm.get("Pairing") == "mortar")
       throw InputError(in + "Pairing: mortar is for faces of a Master body. "

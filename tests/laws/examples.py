@@ -219,8 +219,19 @@ def bracket(laws):
                 done.returncode == 2 and "Increment 7 of 8" in done.stderr and abs(float(words.partition(". ")[0]) - part) < 1e-5)
 
 
+def bracket_drawing(laws):
+    """The sole is found by itself, and carries what washers press."""
+    run = shipped(laws, "bracket-drawing")
+    rows = rows_of(run, "bracket ground")
+    force, _ = resultant(run, rows)
+    laws.demand("drawing: the sole alone meets the ground", all(abs(row["z"]) < 1e-9 for row in rows))
+    laws.check("drawing: 20 kN, on polygons", abs(force[2] / 20e3 - 1), .05)
+    last = run.increments[-1]
+    laws.check("  as the load says", math.dist(force, [-last[f"load_bolts_f_{c}"] for c in "xyz"]) / force[2], 1e-10)
+
+
 def space(laws):
-    for law in (disc_brake, block_in_groove, bracket):
+    for law in (disc_brake, block_in_groove, bracket, bracket_drawing):
         law(laws)
 
 

@@ -5,6 +5,7 @@
 #define conetact_application_scene_h
 
 #include "conetact/application/adaptive_settings.h"
+#include "conetact/application/automatic_contacts.h"
 #include "conetact/application/command_line.h"
 #include "conetact/application/scene_file.h"
 #include "conetact/application/solver_options.h"
@@ -143,6 +144,15 @@ namespace conetact::application
      * finite sliding, and why, a part of a sentence. To be set before build().
      */
     std::map<unsigned int, std::string> shown_to_slide;
+    /**
+     * What `Contacts = automatic` has found, after build(). To be set before it
+     * where a history runs again on another mesh, so that contacts stay the
+     * same.
+     */
+    std::optional<std::vector<pairing::NearSides>> near_sides;
+    /** All contacts that were found so, as a scene would have them; empty: none
+     * were asked for. */
+    std::string automatic_text;
     /** A run that continues this one must take contacts as it does. */
     void
                            save_kinematics(Archive &archive) const;
@@ -157,6 +167,12 @@ namespace conetact::application
               const bool                skip_undefined) const;
     void
     read_names();
+    void
+    add_contact(dealii::ParameterHandler &entries,
+                const std::string        &name,
+                const std::string        &in);
+    void
+    add_automatic_contacts();
     void
     read_options();
     void
@@ -196,6 +212,7 @@ namespace conetact::application
     bool                     verifies; ///< condenses twice
     SceneText                text;     ///< of the file and what it includes
     std::vector<std::string> obstacle_names;
+    bool finds_contacts = false; ///< `Contacts = automatic`
 
     mutable dealii::ParameterHandler                prm;
     std::vector<std::unique_ptr<bodies::Structure>> structures;

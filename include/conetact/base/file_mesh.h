@@ -45,6 +45,7 @@ namespace conetact
   struct FileFault
   {
     std::string why;
+    std::string entry = {}; ///< of the mesh that asks for it; empty: the file
   };
 } // namespace conetact
 

@@ -255,12 +255,20 @@ namespace conetact::pairing
   bool
   adjusts_gaps(const dealii::ParameterHandler &prm);
 
+  /** Entries of a contact that do not name its sides. */
+  void
+  declare_contact_law(dealii::ParameterHandler &prm);
+  /** A contact without sides. `in` is what an error begins with. */
+  Contact
+  read_contact_law(dealii::ParameterHandler &prm, const std::string &in);
+
   /** Entries of `subsection Contact NAME`. */
   void
   declare_contact(dealii::ParameterHandler &prm);
   Contact
   create_contact(dealii::ParameterHandler                     &prm,
                  const std::string                            &name,
+                 const std::string                            &in,
                  const unsigned int                            dim,
                  const std::vector<std::string>               &bodies,
                  const std::vector<const bodies::Structure *> &structures,

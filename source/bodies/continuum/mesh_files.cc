@@ -248,8 +248,11 @@ namespace conetact::bodies
       }
     catch (const FileFault &fault)
       {
-        throw InputError(file.where + "'" + file.name +
-                         "' is no mesh that can be taken: " + fault.why + ".");
+        const std::string says = fault.why + '.';
+        throw InputError(fault.entry.empty() ?
+                           file.where + "'" + file.name +
+                             "' is no mesh that can be taken: " + says :
+                           parameters.where + fault.entry + ": " + says);
       }
     catch (const dealii::ExceptionBase &)
       {

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/near_sides.h"
+
+#include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/face_net.h"
+#include "conetact/pairing/node_to_face.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    /** Of an edge: gaps that nothing written down calls near. */
+    constexpr double near_part = .25;
+    /** Edges that differ by less are alike. */
+    constexpr double clearly_finer = .9;
+
+    double
+    mean_edge(const bodies::Surface &surface, const bodies::Structure &body)
+    {
+      double       sum     = 0;
+      unsigned int n_edges = 0;
+      for (const bodies::SurfaceFace &face : surface.faces)
+        for_each_edge(bodies::n_corners(body, face),
+                      [&](const std::size_t i, const std::size_t j) {
+                        sum += body.position(face.nodes[i])
+                                 .distance(body.position(face.nodes[j]));
+                        ++n_edges;
+                      });
+      return n_edges > 0 ? sum / n_edges : 0;
+    }
+
+    std::set<unsigned int>
+    sharp_nodes(const bodies::Structure &body)
+    {
+      std::set<unsigned int> nodes;
+      const bodies::Surface  whole = body.surface(body.boundary_ids());
+      for (const bodies::SurfaceNode &node : whole.nodes)
+        if (!whole.two_sided && node.normals.size() > 1)
+          nodes.insert(node.node);
+      return nodes;
+    }
+
+    /** Whether faces at the node look at what is met along n. */
+    bool
+    looks_at(const bodies::SurfaceNode &node,
+             const Tensor<1, 3>        &n,
+             const Contact             &law)
+    {
+      const auto &normals = node.normals;
+      return normals.empty() ||
+             std::any_of(normals.begin(), normals.end(), [&](const auto &out) {
+               return -(out * n) >= std::cos(law.largest_angle);
+             });
+    }
+  } // namespace
+
+  NearSearch::NearSearch(const std::vector<const bodies::Structure *> &s,
+                         const std::vector<Obstacle>                  &o,
+                         const Contact                                &l,
+                         const std::optional<double>                   gap)
+    : structures(s)
+    , obstacles(o)
+    , law(l)
+    , largest_gap(gap)
+  {
+    for (const bodies::Structure *body : structures)
+      {
+        patches.emplace_back();
+        for (const unsigned int id : body->boundary_ids())
+          patches.back().push_back(patch_of(*body, id));
+        sharp.push_back(sharp_nodes(*body));
+      }
+  }
+
+  NearSearch::Patch
+  NearSearch::patch_of(const bodies::Structure &body, const unsigned int id)
+  {
+    Patch patch{id, body.surface({id}), {}, {}, 0};
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        patch.low[d]  = std::numeric_limits<double>::max();
+        patch.high[d] = std::numeric_limits<double>::lowest();
+        for (const bodies::SurfaceNode &node : patch.surface.nodes)
+          {
+            patch.low[d]  = std::min(patch.low[d], node.position[d]);
+            patch.high[d] = std::max(patch.high[d], node.position[d]);
+          }
+      }
+    patch.edge = mean_edge(patch.surface, body);
+    return patch;
+  }
+
+  void
+  NearSearch::add(const Patch &patch, Side &side)
+  {
+    side.ids.insert(patch.id);
+    side.edge      = side.edge > 0 ? std::min(side.edge, patch.edge) :
+                                     patch.edge;
+    side.two_sided = side.two_sided || patch.surface.two_sided;
+  }
+
+  double
+  NearSearch::gap_allowed(const double edge) const
+  {
+    return largest_gap.value_or(near_part * edge);
+  }
+
+  bool
+  NearSearch::are_near(const Patch &one, const Patch &other) const
+  {
+    if (one.edge == 0 || other.edge == 0)
+      return false;
+    const double edge = std::max(one.edge, other.edge);
+    const double far =
+      std::max(gap_allowed(edge), interference_allowed(law, edge));
+    for (unsigned int d = 0; d < 3; ++d)
+      if (one.low[d] > other.high[d] + far || other.low[d] > one.high[d] + far)
+        return false;
+    return true;
+  }
+
+  /** Blocks that stand corner to corner have no face in common. */
+  bool
+  NearSearch::meets_an_edge(const ContactNode &node) const
+  {
+    constexpr double rounding = 1e-6;
+    unsigned int     n_met = 0, n_sharp = 0;
+    for (const auto &[master, weight] : node.masters)
+      if (std::abs(weight) > rounding)
+        {
+          ++n_met;
+          n_sharp += sharp[node.master].count(master) > 0;
+        }
+    // of a continuum: faces have two nodes in the plane, three or more in space
+    const unsigned int inside = structures[node.master]->n_components();
+    return !node.is_mean && n_met < inside && n_sharp == n_met;
+  }
+
+  bool
+  NearSearch::meet(const Contact &trial, const double gap) const
+  {
+    const PairedNodes found =
+      pairing_of(trial, structures).pair(trial, structures);
+    return std::any_of(found.nodes.begin(),
+                       found.nodes.end(),
+                       [&](const ContactNode &node) {
+                         return !node.meets_nothing() && node.gap <= gap &&
+                                !meets_an_edge(node);
+                       });
+  }
+
+  std::optional<NearSides>
+  NearSearch::between(const unsigned int one, const unsigned int other) const
+  {
+    Side slave{one, {}}, master{other, {}};
+    for (const Patch &mine : patches[one])
+      for (const Patch &theirs : patches[other])
+        if (are_near(mine, theirs))
+          {
+            add(mine, slave);
+            add(theirs, master);
+          }
+    if (slave.ids.empty())
+      return {};
+    const double gap = gap_allowed(std::min(slave.edge, master.edge));
+    if (slave.two_sided != master.two_sided ?
+          slave.two_sided :
+          master.edge < clearly_finer * slave.edge)
+      std::swap(slave, master);
+
+    Contact trial = law;
+    trial.kind    = ContactKind::contact;
+    trial.pairing = "mortar";
+    trial.body    = slave.body;
+    trial.master  = master.body;
+    trial.reach =
+      std::max(gap,
+               interference_allowed(law, std::max(slave.edge, master.edge)));
+    NearSides sides{slave.body, {}, {}, master.body, {}};
+    trial.master_ids = master.ids;
+    for (const unsigned int id : slave.ids)
+      if (trial.ids = {id}; meet(trial, gap))
+        sides.ids.insert(id);
+    trial.ids = sides.ids;
+    if (sides.ids.empty())
+      return {};
+    for (const unsigned int id : master.ids)
+      if (trial.master_ids = {id}; meet(trial, gap))
+        sides.master_ids.insert(id);
+    return sides;
+  }
+
+  std::optional<NearSides>
+  NearSearch::on_obstacle(const unsigned int body,
+                          const unsigned int obstacle) const
+  {
+    const ObstacleShape &shape = *obstacles[obstacle].shape;
+    NearSides            sides{body, {}, obstacle, 0, {}};
+    if (shape.states_gaps())
+      return {};
+    for (const Patch &patch : patches[body])
+      if (std::any_of(patch.surface.nodes.begin(),
+                      patch.surface.nodes.end(),
+                      [&](const bodies::SurfaceNode &node) {
+                        const auto met =
+                          shape.closest(node.position, patch.edge);
+                        return met.gap <= gap_allowed(patch.edge) &&
+                               looks_at(node, met.normal, law);
+                      }))
+        sides.ids.insert(patch.id);
+    return sides.ids.empty() ? std::nullopt : std::optional(sides);
+  }
+} // namespace conetact::pairing
