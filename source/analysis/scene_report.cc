@@ -71,17 +71,18 @@ namespace conetact::analysis
         return;
       if (scene.near_sides->empty())
         {
-          log.say("warning: Contacts = automatic: no two bodies have faces that "
-                  "oppose each other nearby. Set Automatic contact/Largest gap "
-                  "to what is between those that are to touch.");
+          log.say(
+            "warning: Contacts = automatic: no two bodies have faces that "
+            "oppose each other nearby. Set Automatic contact/Largest gap "
+            "to what is between those that are to touch.");
           return;
         }
       const std::size_t n = scene.near_sides->size();
       log.say("Contacts = automatic: " + std::to_string(n) +
               (n == 1 ? " pair: " : " pairs: ") +
-              join(std::vector<std::string>(
-                scene.contact_names.end() - static_cast<std::ptrdiff_t>(n),
-                scene.contact_names.end())));
+              join(std::vector<std::string>(scene.contact_names.end() -
+                                              static_cast<std::ptrdiff_t>(n),
+                                            scene.contact_names.end())));
       for (const std::string &line : split(scene.automatic_text, '\n'))
         log.note(line);
     }

@@ -185,15 +185,14 @@ namespace conetact::application
     std::vector<std::string> known = bodies;
     for (const std::string &name : names_of(obstacles))
       known.push_back(name);
-    std::vector<SideNames> others =
-      read_exceptions(prm.get(exceptions), known);
+    std::vector<SideNames> others = read_exceptions(prm.get(exceptions), known);
     prm.leave_subsection();
     if (gap && *gap < 0)
       throw InputError(in_automatic + largest_gap + ": " + to_text(*gap) +
                        " is negative. Give a length of 0 or more.");
     others.insert(others.end(), named.begin(), named.end());
 
-    const pairing::NearSearch search(structures, obstacles, law, gap);
+    const pairing::NearSearch       search(structures, obstacles, law, gap);
     std::vector<pairing::NearSides> found;
     const auto                      keep = [&](auto &&sides) {
       if (sides)
@@ -221,12 +220,11 @@ namespace conetact::application
                   const std::vector<std::string>       &bodies,
                   const std::vector<pairing::Obstacle> &obstacles)
     {
-      const std::string &other = sides.obstacle ?
-                                   obstacles[*sides.obstacle].name :
-                                   bodies[sides.master];
-      WrittenContact     contact{bodies[sides.body] + ' ' + other,
+      const std::string &other =
+        sides.obstacle ? obstacles[*sides.obstacle].name : bodies[sides.master];
+      WrittenContact contact{bodies[sides.body] + ' ' + other,
                              std::make_unique<Handler>()};
-      Handler           &entries = *contact.entries;
+      Handler       &entries = *contact.entries;
       declare_any_contact(entries);
       entries.set("Body", bodies[sides.body]);
       entries.set("Boundary ids", join(sides.ids));

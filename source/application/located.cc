@@ -68,7 +68,8 @@ namespace conetact::application
     std::string
     path_of_section(std::string_view text)
     {
-      for (const std::string section : {"Time", "Solver", "Output", "Automatic contact"})
+      for (const std::string section :
+           {"Time", "Solver", "Output", "Automatic contact"})
         if (take(text, section))
           {
             const bool        entry = take(text, "/") || take(text, ", ");

@@ -108,8 +108,8 @@ namespace conetact::application
     finds_contacts = at != contact_names.end();
     if (finds_contacts)
       contact_names.erase(at);
-    support_names  = get_names(lists, "Supports");
-    load_names     = get_names(lists, "Loads");
+    support_names = get_names(lists, "Supports");
+    load_names    = get_names(lists, "Loads");
   }
 
   void
@@ -262,8 +262,13 @@ namespace conetact::application
   {
     if (pairing::adjusts_gaps(entries))
       adjusted_contacts.push_back(static_cast<unsigned int>(contacts.size()));
-    contacts.push_back(pairing::create_contact(
-      entries, name, in, bodies.dim, bodies.names, bodies.structures, obstacles));
+    contacts.push_back(pairing::create_contact(entries,
+                                               name,
+                                               in,
+                                               bodies.dim,
+                                               bodies.names,
+                                               bodies.structures,
+                                               obstacles));
     kinematics.push_back({pairing::read_kinematics(entries), {}, {}, {}});
     if (bodies.dim == 2 && contacts.back().second_friction)
       throw InputError(in + "Second friction coefficient: there is one tangent "

@@ -100,8 +100,7 @@ namespace conetact::pairing
   NearSearch::add(const Patch &patch, Side &side)
   {
     side.ids.insert(patch.id);
-    side.edge      = side.edge > 0 ? std::min(side.edge, patch.edge) :
-                                     patch.edge;
+    side.edge = side.edge > 0 ? std::min(side.edge, patch.edge) : patch.edge;
     side.two_sided = side.two_sided || patch.surface.two_sided;
   }
 

@@ -212,7 +212,7 @@ namespace conetact::application
     bool                     verifies; ///< condenses twice
     SceneText                text;     ///< of the file and what it includes
     std::vector<std::string> obstacle_names;
-    bool finds_contacts = false; ///< `Contacts = automatic`
+    bool                     finds_contacts = false; ///< `Contacts = automatic`
 
     mutable dealii::ParameterHandler                prm;
     std::vector<std::unique_ptr<bodies::Structure>> structures;
