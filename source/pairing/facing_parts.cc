@@ -50,7 +50,7 @@ namespace conetact::pairing
         if (std::abs(gap) <= limits.reach &&
             master.may_be_behind(
               p, gap, face, std::max(slave.size, face.size), limits))
-          found.push_back({{f, other, std::move(where)}, std::abs(gap)});
+          found.push_back({{f, other, std::move(where)}, gap});
       }
     return found;
   }
@@ -65,8 +65,17 @@ namespace conetact::pairing
     std::stable_sort(found.begin(),
                      found.end(),
                      [](const Candidate &a, const Candidate &b) {
-                       return a.distance < b.distance;
+                       return std::abs(a.gap) < std::abs(b.gap);
                      });
+    // Between outlines of bent faces there are slivers, and through these the
+    // far side of the body that the face has begun to enter.
+    if (!found.empty() && std::abs(found.front().gap) <= slave.size)
+      found.erase(std::remove_if(found.begin(),
+                                 found.end(),
+                                 [&](const Candidate &c) {
+                                   return c.gap < -slave.size;
+                                 }),
+                  found.end());
     std::vector<Part> parts;
     for (std::size_t c = 0; c < found.size(); ++c)
       {

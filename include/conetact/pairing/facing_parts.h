@@ -46,7 +46,7 @@ namespace conetact::pairing
     struct Candidate
     {
       Part   part;
-      double distance;
+      double gap; ///< at its middle [length]
     };
     std::vector<Candidate>
                          candidates(const FaceNet::Face         &slave,
