@@ -3,9 +3,9 @@
 
 #include "conetact/contact/iterative_elasticity.h"
 
+#include "conetact/contact/large_motions.h"
 #include "conetact/contact/large_nodes.h"
 #include "conetact/iterative/separate_systems.h"
-#include "conetact/solvers/null_space.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -24,83 +24,6 @@ namespace conetact::contact
     /** Of the force that it takes to hold back what moves: to a tolerance of
      * 1e-10 of this, what is left of it is rounding. */
     constexpr double rounding_of_motion = 1e-3;
-
-    /** Rigid motions of all bodies together, in the unknowns. */
-    Eigen::MatrixXd
-    rigid_modes(const Bodies &bodies, const Coordinates &coordinates)
-    {
-      const unsigned int dim = bodies.dim, n_turns = dim == 2 ? 1 : 3;
-      Point<3>           centre;
-      unsigned int       n = 0;
-      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
-        for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i, ++n)
-          centre += Tensor<1, 3>(bodies.position(b, i));
-      centre /= std::max(n, 1u);
-      Eigen::MatrixXd modes(coordinates.n_unknowns(), dim + n_turns);
-      for (unsigned int k = 0; k < dim + n_turns; ++k)
-        {
-          Tensor<1, 3> axis;
-          axis[k < dim ? k : dim == 2 ? 2 : k - dim] = 1;
-          VectorXd u = VectorXd::Zero(coordinates.n_dofs());
-          for (unsigned int b = 0; b < bodies.structures.size(); ++b)
-            for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
-              {
-                const bodies::Structure &structure = *bodies.structures[b];
-                const Tensor<1, 3>       moved     = bodies.in_frame(
-                  b,
-                  k < dim ?
-                              axis :
-                              cross_product_3d(axis, bodies.position(b, i) - centre));
-                const Eigen::Index first = coordinates.dof(b, i);
-                for (unsigned int c = 0; c < dim; ++c)
-                  u[first + c] = moved[c];
-                for (unsigned int c = dim;
-                     c < structure.n_components() && k >= dim;
-                     ++c)
-                  u[first + c] = axis[dim == 2 ? 2 : c - dim];
-              }
-          modes.col(k) = coordinates.values(u);
-          modes.col(k) /= std::max(modes.col(k).norm(), 1e-300);
-        }
-      return modes;
-    }
-
-    /** Displacements of all dofs by the motions that nothing resists,
-     * orthonormal. */
-    Eigen::MatrixXd
-    unresisted_fields(const RigidMotions &motions,
-                      const Coordinates  &coordinates)
-    {
-      const Eigen::MatrixXd unseen = motions.unseen();
-      Eigen::MatrixXd       fields(coordinates.n_dofs(), unseen.cols());
-      for (Eigen::Index j = 0; j < unseen.cols(); ++j)
-        fields.col(j) = motions.field(motions.of_free(unseen.col(j)));
-      return solvers::orthonormal_basis(fields);
-    }
-
-    /**
-     * An unknown for each of these fields, which together they move far: held,
-     * they keep bodies from moving so, and take no force as long as none drives
-     * these.
-     */
-    std::vector<Eigen::Index>
-    find_pins(const Eigen::MatrixXd &fields, const Coordinates &coordinates)
-    {
-      std::vector<Eigen::Index> pins;
-      Eigen::MatrixXd           moved(coordinates.n_unknowns(), fields.cols());
-      for (Eigen::Index j = 0; j < fields.cols(); ++j)
-        moved.col(j) = coordinates.values(fields.col(j));
-      for (Eigen::Index j = 0; j < fields.cols(); ++j)
-        {
-          Eigen::Index furthest = 0;
-          moved.rowwise().squaredNorm().maxCoeff(&furthest);
-          pins.push_back(furthest);
-          // what is left of the motions with it held
-          const VectorXd row = moved.row(furthest).normalized();
-          moved -= (moved * row).eval() * row.transpose();
-        }
-      return pins;
-    }
   } // namespace
 
   IterativeElasticity::IterativeElasticity(const ElasticSystem &e,

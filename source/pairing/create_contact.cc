@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
+#include "conetact/base/text.h"
+#include "conetact/bodies/entries.h"
+#include "conetact/bodies/face_nodes.h"
+#include "conetact/pairing/contact_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::pairing
+{
+  bool
+  adjusts_gaps(const dealii::ParameterHandler &prm)
+  {
+    return prm.get("Gap") == "adjust";
+  }
+
+  namespace
+  {
+    /** Diagonal of the box around two bodies. */
+    double
+    size_of(const bodies::Structure &one, const bodies::Structure &other)
+    {
+      Point<3> low = one.position(0), high = low;
+      for (const bodies::Structure *body : {&one, &other})
+        for (unsigned int node = 0; node < body->n_nodes(); ++node)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              low[d]  = std::min(low[d], body->position(node)[d]);
+              high[d] = std::max(high[d], body->position(node)[d]);
+            }
+      return low.distance(high);
+    }
+
+    const Obstacle &
+    find_obstacle(const std::string           &name,
+                  const std::vector<Obstacle> &obstacles,
+                  const std::string           &in)
+    {
+      std::vector<std::string> names;
+      for (const Obstacle &obstacle : obstacles)
+        {
+          names.push_back(obstacle.name);
+          if (name == obstacle.name)
+            return obstacle;
+        }
+      throw InputError(
+        in + "Obstacle: " +
+        (name.empty() ? "it is empty" : "there is no obstacle '" + name + "'") +
+        ". Give " + (names.empty() ? "" : "one of " + join(names) + ", or ") +
+        "a Master body.");
+    }
+
+    void
+    find_master(dealii::ParameterHandler                     &prm,
+                const std::string                            &in,
+                const std::vector<std::string>               &bodies,
+                const std::vector<const bodies::Structure *> &structures,
+                Contact                                      &contact)
+    {
+      if (!prm.get("Obstacle").empty())
+        throw InputError(in + "Obstacle: there is a Master body too. Leave one "
+                              "of them empty.");
+      contact.master =
+        bodies::find_body(prm.get("Master body"), bodies, in + "Master body");
+      contact.master_ids = bodies::find_boundary(prm.get("Master boundary ids"),
+                                                 *structures[contact.master],
+                                                 bodies[contact.master],
+                                                 in + "Master boundary ids");
+      const std::string reach = prm.get("Reach");
+      contact.reach = reach.empty() ? size_of(*structures[contact.body],
+                                              *structures[contact.master]) :
+                                      to_number(reach, in + "Reach");
+      if (!prm.get("Gap").empty() && !adjusts_gaps(prm))
+        contact.gap.emplace(prm.get("Gap"), in + "Gap");
+      const bodies::Surface own =
+        structures[contact.body]->surface(contact.ids);
+      if (has_nodes_as_masters(contact, structures) &&
+          (own.two_sided || own.faces.empty()))
+        throw InputError(in +
+                         "Master boundary ids: they are single nodes of '" +
+                         bodies[contact.master] +
+                         "', which only faces of a continuum meet, and '" +
+                         bodies[contact.body] +
+                         "' is a frame. Give boundary ids of its members.");
+      if (own.two_sided &&
+          !structures[contact.master]->surface(contact.master_ids).two_sided)
+        throw InputError(in + "Body: '" + bodies[contact.body] +
+                         "' is a frame and its master a continuum. Exchange "
+                         "them: the continuum's nodes meet the frame.");
+      if (contact.body == contact.master)
+        for (const unsigned int id : contact.master_ids)
+          // A face against itself would be 0 = 0.
+          if (contact.ids.count(id) > 0)
+            throw InputError(in +
+                             "Master boundary ids: the faces with the id " +
+                             std::to_string(id) +
+                             " are on both sides of the contact. Give each "
+                             "side its own boundary ids.");
+    }
+
+    /** Entries that tell of a master body, where there is an obstacle. */
+    void
+    refuse_masters(const dealii::ParameterHandler &prm, const std::string &in)
+    {
+      if (!prm.get("Gap").empty() && !adjusts_gaps(prm))
+        throw InputError(in + "Gap: it is that to a Master body. Gaps to an "
+                              "obstacle follow from its place: leave it "
+                              "empty, or give adjust.");
+      for (const char *entry : {"Master boundary ids", "Reach"})
+        if (!prm.get(entry).empty())
+          throw InputError(in + entry +
+                           ": it is one of a Master body, and all nodes meet "
+                           "the Obstacle, however far. Remove it, or name a "
+                           "Master body in place of the Obstacle.");
+    }
+
+    void
+    find_kind(const dealii::ParameterHandler &prm, Contact &contact)
+    {
+      const KindRow &row     = *std::find_if(contact_kinds().begin(),
+                                         contact_kinds().end(),
+                                         [&](const KindRow &r) {
+                                           return r.name == prm.get("Kind");
+                                         });
+      contact.kind           = row.kind;
+      const std::string name = prm.get("Pairing");
+      const bool        chosen =
+        std::any_of(pairings().begin(),
+                    pairings().end(),
+                    [&](const PairingRow &r) { return r.name == name; });
+      contact.pairing = chosen ? name : row.pairing;
+    }
+
+    /** What is bound has no cone. */
+    void
+    refuse_cone(const dealii::ParameterHandler &prm,
+                const Contact                  &contact,
+                const std::string              &in)
+    {
+      const auto refuse = [&](const char *entry) {
+        throw InputError(
+          in + entry + ": a contact with Kind = " + prm.get("Kind") + " has " +
+          (contact.kind == ContactKind::tie ?
+             "no friction cone, it carries any reaction" :
+             "no friction, for a reaction that may pull has no cone") +
+          ". Leave the entry at its default, or choose Kind = contact.");
+      };
+      const std::pair<const char *, const std::optional<Expression> *>
+        entries[] = {{"Friction coefficient", &contact.friction},
+                     {"Second friction coefficient", &contact.second_friction},
+                     {"Prestress", &contact.prestress},
+                     {"Cohesion", &contact.cohesion}};
+      for (const auto &[entry, expression] : entries)
+        if (*expression && !(*expression)->is_zero())
+          refuse(entry);
+    }
+
+    /** What may be paired at all. */
+    void
+    find_limits(dealii::ParameterHandler &prm,
+                const std::string        &in,
+                Contact                  &contact)
+    {
+      const double angle =
+        to_number(prm.get("Largest angle"), in + "Largest angle");
+      if (angle < 0 || angle > 90)
+        throw InputError(in + "Largest angle: " + prm.get("Largest angle") +
+                         " is not an angle between opposing faces. Give 0 to "
+                         "90 degrees.");
+      contact.largest_angle = angle * M_PI / 180;
+      const double edge =
+        to_number(prm.get("Sharp edge angle"), in + "Sharp edge angle");
+      if (edge < 0 || edge > 90)
+        throw InputError(in +
+                         "Sharp edge angle: " + prm.get("Sharp edge angle") +
+                         " is no angle of an edge. Give 0 to 90 degrees.");
+      contact.sharp_edge     = edge * M_PI / 180;
+      const std::string deep = prm.get("Largest interference");
+      if (deep.empty())
+        return;
+      contact.interference = to_number(deep, in + "Largest interference");
+      if (*contact.interference < 0)
+        throw InputError(in + "Largest interference: " + deep +
+                         " is negative. Give a length of 0 or more.");
+    }
+  } // namespace
+
+  namespace
+  {
+    std::optional<Preload>
+    read_preload(const dealii::ParameterHandler &prm,
+                 const unsigned int              dim,
+                 const Contact                  &contact,
+                 const std::string              &in)
+    {
+      if (prm.get("Preload").empty())
+        {
+          for (const char *key : {"Preload axis", "Preload locked from"})
+            if (!prm.get(key).empty())
+              throw InputError(in + key +
+                               ": there is no Preload. Give its force, or "
+                               "remove the entry.");
+          return {};
+        }
+      if (contact.kind != ContactKind::tie)
+        throw InputError(in + "Preload: a force tightens two sides that are "
+                              "joined. Set Kind = tie and cut the bolt in two "
+                              "there, or use Prestress.");
+      if (contact.gap)
+        throw InputError(in + "Gap: a tie with a Preload finds by itself how "
+                              "far its sides move. Remove one of both.");
+      Preload preload{Expression(prm.get("Preload"), in + "Preload"), {}, {}};
+      if (preload.force.uses_space())
+        throw InputError(in + "Preload: '" + prm.get("Preload") +
+                         "' depends on position. It is one force on the whole "
+                         "cut: use t only.");
+      if (!prm.get("Preload axis").empty())
+        {
+          preload.axis =
+            to_vector(prm.get("Preload axis"), dim, in + "Preload axis");
+          if (preload.axis.norm() == 0)
+            throw InputError(in + "Preload axis: it has no length. Give a "
+                                  "direction other than zero.");
+          preload.axis /= preload.axis.norm();
+        }
+      if (!prm.get("Preload locked from").empty())
+        preload.locked_from =
+          to_number(prm.get("Preload locked from"), in + "Preload locked from");
+      return preload;
+    }
+
+    /** Forces of single nodes of first degree reach no face of second degree as
+     * a pressure does. */
+    void
+    refuse_single_nodes(
+      const Contact                                &contact,
+      const std::string                            &in,
+      const std::vector<const bodies::Structure *> &structures)
+    {
+      if (contact.obstacle != nullptr || contact.pairing != "node to face")
+        return;
+      const auto is_of_second_degree = [&](const unsigned int         body,
+                                           const bodies::BoundaryIds &ids) {
+        const auto faces = structures[body]->surface(ids).faces;
+        return !faces.empty() &&
+               bodies::is_of_second_degree(*structures[body], faces.front());
+      };
+      if (is_of_second_degree(contact.master, contact.master_ids) &&
+          !is_of_second_degree(contact.body, contact.ids))
+        throw InputError(in + "Pairing: node to face does not pass a uniform "
+                              "pressure from nodes of first degree to faces of "
+                              "second degree (Element = Q2 or P2). Exchange "
+                              "Body and Master body, or choose mortar.");
+    }
+  } // namespace
+
+  Contact
+  read_contact_law(dealii::ParameterHandler &prm, const std::string &in)
+  {
+    Contact contact;
+    find_kind(prm, contact);
+    if (adjusts_gaps(prm) && contact.kind != ContactKind::contact)
+      throw InputError(in + "Gap: adjust is for Kind = contact. Ties and "
+                            "bilateral contacts keep gaps as they are drawn: "
+                            "leave the entry empty, or give 0 to close them.");
+    find_limits(prm, in, contact);
+    contact.friction.emplace(prm.get("Friction coefficient"),
+                             in + "Friction coefficient");
+    if (!prm.get("Second friction coefficient").empty())
+      contact.second_friction.emplace(prm.get("Second friction coefficient"),
+                                      in + "Second friction coefficient");
+    contact.friction_angle =
+      to_number(prm.get("Friction angle"), in + "Friction angle") * M_PI / 180;
+    for (const auto *friction : {&contact.friction, &contact.second_friction})
+      if (*friction && (*friction)->uses_time())
+        throw InputError(in + "Friction coefficient: it depends on t. "
+                              "Friction stays the same: use x, y, z only.");
+    const auto constant = [&](const char *entry) {
+      Expression expression(prm.get(entry), in + entry);
+      if (expression.uses_time())
+        throw InputError(in + entry +
+                         ": it depends on t. It stays the same: "
+                         "use x, y, z only.");
+      return expression;
+    };
+    contact.prestress.emplace(constant("Prestress"));
+    contact.cohesion.emplace(constant("Cohesion"));
+    if (contact.kind != ContactKind::contact)
+      refuse_cone(prm, contact, in);
+    return contact;
+  }
+
+  Contact
+  create_contact(dealii::ParameterHandler                     &prm,
+                 const std::string                            &name,
+                 const std::string                            &in,
+                 const unsigned int                            dim,
+                 const std::vector<std::string>               &bodies,
+                 const std::vector<const bodies::Structure *> &structures,
+                 const std::vector<Obstacle>                  &obstacles)
+  {
+    Contact contact = read_contact_law(prm, in);
+    contact.name    = name;
+    contact.body    = bodies::find_body(prm.get("Body"), bodies, in + "Body");
+    contact.ids     = bodies::find_boundary(prm.get("Boundary ids"),
+                                        *structures[contact.body],
+                                        bodies[contact.body],
+                                        in + "Boundary ids");
+    if (prm.get("Master body").empty())
+      {
+        contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);
+        refuse_masters(prm, in);
+      }
+    else
+      find_master(prm, in, bodies, structures, contact);
+    refuse_single_nodes(contact, in, structures);
+    contact.preload = read_preload(prm, dim, contact, in);
+    if (contact.obstacle != nullptr && prm.get("Pairing") == "mortar")
+      throw InputError(in + "Pairing: mortar is for faces of a Master body. "
+                            "Obstacles are met node by node: leave the entry "
+                            "out.");
+    return contact;
+  }
+} // namespace conetact::pairing
