@@ -329,7 +329,11 @@ namespace conetact::application
         for (std::size_t i = 0; i < asked.size(); ++i)
           if ((events[i + 2].revents & POLLIN) != 0 &&
               asked[i]->process.is_ready())
-            end(asked[i], 0, asked[i]->streams->said());
+            {
+              end(*asked[i], 0, asked[i]->streams->said());
+              if (asked[i]->run.alone)
+                workers.erase(asked[i]);
+            }
         if (events[0].revents != 0)
           take_signal();
         if (events[1].revents != 0)
@@ -367,7 +371,7 @@ namespace conetact::application
           return;
         ended->process.see_end();
         if (!ended->is_idle())
-          end(ended,
+          end(*ended,
               code_of(status),
               WIFSIGNALED(status) ? "The run was ended by signal " +
                                       std::to_string(WTERMSIG(status)) + " (" +
@@ -378,14 +382,10 @@ namespace conetact::application
 
       /** Of a run. */
       void
-      end(const Workers::iterator worker,
-          const int               code,
-          const std::string      &said)
+      end(Worker &worker, const int code, const std::string &said)
       {
-        table.end(worker->run, code, said);
-        worker->streams.reset();
-        if (worker->run.alone && code == 0)
-          workers.erase(worker);
+        table.end(worker.run, code, said);
+        worker.streams.reset();
       }
 
       Lines              lines;
