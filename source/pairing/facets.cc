@@ -131,7 +131,7 @@ namespace conetact::pairing
     /** From the two vertices that turn most against each other: both must, in
      * the same sense. */
     void
-    measure(Facet &facet)
+    measure_facet(Facet &facet)
     {
       std::vector<const Turn *> turns;
       const std::size_t         step = facet.turns.size() / most_vertices + 1;
@@ -203,7 +203,7 @@ namespace conetact::pairing
     const auto    facet_of = join_planes(faces, corners);
     auto          facets   = find_turns(faces, corners, facet_of);
     for (auto &[number, facet] : facets)
-      measure(facet);
+      measure_facet(facet);
     const auto largest_at = [&](std::map<unsigned int, double> &values) {
       for (std::size_t f = 0; f < faces.size(); ++f)
         for (const unsigned int node : faces[f].nodes)
