@@ -75,33 +75,50 @@ namespace conetact::pairing
         for (const unsigned int id : body->boundary_ids())
           patches.back().push_back(patch_of(*body, id));
         sharp.push_back(sharp_nodes(*body));
+        boxes.emplace_back();
+        for (unsigned int node = 0; node < body->n_nodes(); ++node)
+          boxes.back().enclose(body->position(node));
       }
+  }
+
+  NearSearch::Box::Box()
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        low[d]  = std::numeric_limits<double>::max();
+        high[d] = std::numeric_limits<double>::lowest();
+      }
+  }
+
+  void
+  NearSearch::Box::enclose(const Point<3> &p)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        low[d]  = std::min(low[d], p[d]);
+        high[d] = std::max(high[d], p[d]);
+      }
+  }
+
+  /** Along the axis on which they are furthest apart; 0: they overlap. */
+  double
+  NearSearch::Box::distance(const Box &other) const
+  {
+    double furthest = 0;
+    for (unsigned int d = 0; d < 3; ++d)
+      furthest =
+        std::max({furthest, low[d] - other.high[d], other.low[d] - high[d]});
+    return furthest;
   }
 
   NearSearch::Patch
   NearSearch::patch_of(const bodies::Structure &body, const unsigned int id)
   {
-    Patch patch{id, body.surface({id}), {}, {}, 0};
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        patch.low[d]  = std::numeric_limits<double>::max();
-        patch.high[d] = std::numeric_limits<double>::lowest();
-        for (const bodies::SurfaceNode &node : patch.surface.nodes)
-          {
-            patch.low[d]  = std::min(patch.low[d], node.position[d]);
-            patch.high[d] = std::max(patch.high[d], node.position[d]);
-          }
-      }
+    Patch patch{id, body.surface({id}), {}, 0};
+    for (const bodies::SurfaceNode &node : patch.surface.nodes)
+      patch.box.enclose(node.position);
     patch.edge = mean_edge(patch.surface, body);
     return patch;
-  }
-
-  void
-  NearSearch::add(const Patch &patch, Side &side)
-  {
-    side.ids.insert(patch.id);
-    side.edge = side.edge > 0 ? std::min(side.edge, patch.edge) : patch.edge;
-    side.two_sided = side.two_sided || patch.surface.two_sided;
   }
 
   double
@@ -110,18 +127,22 @@ namespace conetact::pairing
     return largest_gap.value_or(near_part * edge);
   }
 
-  bool
-  NearSearch::are_near(const Patch &one, const Patch &other) const
+  /** What of a body is near the box of another one: bodies that stand deep in
+   * each other are near as well. */
+  NearSearch::Side
+  NearSearch::side_near(const unsigned int body, const unsigned int other) const
   {
-    if (one.edge == 0 || other.edge == 0)
-      return false;
-    const double edge = std::max(one.edge, other.edge);
-    const double far =
-      std::max(gap_allowed(edge), interference_allowed(law, edge));
-    for (unsigned int d = 0; d < 3; ++d)
-      if (one.low[d] > other.high[d] + far || other.low[d] > one.high[d] + far)
-        return false;
-    return true;
+    Side side{body, {}};
+    for (const Patch &patch : patches[body])
+      if (patch.edge > 0 &&
+          patch.box.distance(boxes[other]) <= gap_allowed(patch.edge))
+        {
+          side.ids.insert(patch.id);
+          side.edge =
+            side.edge > 0 ? std::min(side.edge, patch.edge) : patch.edge;
+          side.two_sided = side.two_sided || patch.surface.two_sided;
+        }
+    return side;
   }
 
   /** Blocks that stand corner to corner have no face in common. */
@@ -157,15 +178,8 @@ namespace conetact::pairing
   std::optional<NearSides>
   NearSearch::between(const unsigned int one, const unsigned int other) const
   {
-    Side slave{one, {}}, master{other, {}};
-    for (const Patch &mine : patches[one])
-      for (const Patch &theirs : patches[other])
-        if (are_near(mine, theirs))
-          {
-            add(mine, slave);
-            add(theirs, master);
-          }
-    if (slave.ids.empty())
+    Side slave = side_near(one, other), master = side_near(other, one);
+    if (slave.ids.empty() || master.ids.empty())
       return {};
     const double gap = gap_allowed(std::min(slave.edge, master.edge));
     if (slave.two_sided != master.two_sided ?
@@ -178,18 +192,38 @@ namespace conetact::pairing
     trial.pairing = "mortar";
     trial.body    = slave.body;
     trial.master  = master.body;
-    trial.reach =
-      std::max(gap,
-               interference_allowed(law, std::max(slave.edge, master.edge)));
-    NearSides sides{slave.body, {}, {}, master.body, {}};
-    trial.master_ids = master.ids;
-    for (const unsigned int id : slave.ids)
+    // Sides that stand deep in each other are refused with all others, but
+    // only where nothing else of the bodies meets.
+    Box both = boxes[one];
+    both.enclose(boxes[other].low);
+    both.enclose(boxes[other].high);
+    const double edge = std::max(slave.edge, master.edge);
+    for (const double reach : {std::max(gap, interference_allowed(law, edge)),
+                               both.low.distance(both.high)})
+      {
+        trial.reach = reach;
+        if (auto sides = sides_that_meet(trial, slave.ids, master.ids, gap))
+          return sides;
+      }
+    return {};
+  }
+
+  /** Those of the ids of both bodies that meet others. */
+  std::optional<NearSides>
+  NearSearch::sides_that_meet(Contact                    trial,
+                              const bodies::BoundaryIds &slaves,
+                              const bodies::BoundaryIds &masters,
+                              const double               gap) const
+  {
+    NearSides sides{trial.body, {}, {}, trial.master, {}};
+    trial.master_ids = masters;
+    for (const unsigned int id : slaves)
       if (trial.ids = {id}; meet(trial, gap))
         sides.ids.insert(id);
-    trial.ids = sides.ids;
     if (sides.ids.empty())
       return {};
-    for (const unsigned int id : master.ids)
+    trial.ids = sides.ids;
+    for (const unsigned int id : masters)
       if (trial.master_ids = {id}; meet(trial, gap))
         sides.master_ids.insert(id);
     return sides;

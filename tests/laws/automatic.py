@@ -101,6 +101,11 @@ def distances(laws):
                  "Support high": support(3, "x, y", f"0 ; {-gap - .01!r}*t", body="two"),
                  "Contacts": "automatic", "Automatic contact": {} if largest is None else {"Largest gap": largest}}
         demand_pairs(laws, f"gap {gap}, largest {largest}", dry_run(laws, scene), pairs("one two") if near else set())
+    scene = {"Dimension": 2, "Body one": box((4, 2), (2.0, 1.0)), "Body two": box((4, 2), (2.0, 1.0), (.3, .6)),
+             "Support low": support(2, "x, y", body="one"), "Support high": support(3, "x, y", body="two"),
+             "Contacts": "automatic"}
+    done, _ = laws.start(scene)
+    laws.demand("bodies deep in each other are refused", done.returncode == 1 and "deep in body" in done.stderr)
     scene = {**wall(2, .5), "Support side": support(1, "x, y", body="b02")}
     expected = expected_of_wall(.5)
     for exceptions, gone in (("b00 : b01", ["b00 b01"]), ("ground : b01", ["b01 ground"]),

@@ -47,13 +47,22 @@ namespace conetact::pairing
     on_obstacle(const unsigned int body, const unsigned int obstacle) const;
 
   private:
+    struct Box
+    {
+      Box();
+      void
+      enclose(const Point<3> &p);
+      double
+               distance(const Box &other) const;
+      Point<3> low, high;
+    };
     /** The faces of one boundary id. */
     struct Patch
     {
       unsigned int    id;
       bodies::Surface surface;
-      Point<3>        low, high; ///< of the box around it
-      double          edge;      ///< mean length; 0: it has no faces
+      Box             box;
+      double          edge = 0; ///< mean length; 0: it has no faces
     };
     struct Side
     {
@@ -64,12 +73,15 @@ namespace conetact::pairing
     };
     static Patch
     patch_of(const bodies::Structure &body, const unsigned int id);
-    static void
-    add(const Patch &patch, Side &side);
     double
     gap_allowed(const double edge) const;
-    bool
-    are_near(const Patch &one, const Patch &other) const;
+    Side
+    side_near(const unsigned int body, const unsigned int other) const;
+    std::optional<NearSides>
+    sides_that_meet(Contact                    trial,
+                    const bodies::BoundaryIds &slaves,
+                    const bodies::BoundaryIds &masters,
+                    const double               gap) const;
     bool
     meets_an_edge(const ContactNode &node) const;
     bool
@@ -80,6 +92,7 @@ namespace conetact::pairing
     const Contact                                &law;
     std::optional<double>                         largest_gap;
     std::vector<std::vector<Patch>>               patches; ///< of each body
+    std::vector<Box>                              boxes;   ///< around bodies
     std::vector<std::set<unsigned int>> sharp; ///< nodes where faces make edges
   };
 } // namespace conetact::pairing
