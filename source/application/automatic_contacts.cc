@@ -7,7 +7,6 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
-#include "conetact/pairing/kinematics.h"
 
 #include <algorithm>
 #include <sstream>
@@ -24,11 +23,27 @@ namespace conetact::application
     constexpr const char *largest_gap = "Largest gap";
     constexpr const char *exceptions  = "Exceptions";
 
+    /** What stands in the section. */
     void
-    declare_any_contact(Handler &prm)
+    declare_own_entries(Handler &prm)
     {
-      pairing::declare_contact(prm);
-      pairing::declare_kinematics(prm);
+      using namespace dealii::Patterns;
+      prm.declare_entry(
+        largest_gap,
+        "",
+        Anything(),
+        "'Contacts = automatic' makes a contact of all bodies, and of a body "
+        "and an obstacle, whose faces oppose each other with a gap of at most "
+        "this, with the boundary ids of these faces. The finer side is the "
+        "slave. Empty: a quarter of the mean edge of the finer side. [length]");
+      prm.declare_entry(
+        exceptions,
+        "",
+        Anything(),
+        "Pairs that are no contact: 'pin : lug ; spring' leaves out the pair "
+        "of pin and lug, and all of spring. A pair that has a contact of its "
+        "own in Contacts is left out as well.");
+      pairing::declare_contact_law(prm);
     }
 
     Entries
@@ -39,15 +54,20 @@ namespace conetact::application
       return entries_of(text.str());
     }
 
-    /** All that the section says, or would say by itself. */
+    /** Of entries that were declared by `declare`. */
     Entries
-    entries_in(const Handler &prm)
+    defaults(void (*const declare)(Handler &))
     {
-      Entries found;
-      for (const auto &[path, value] : all_entries(prm))
-        if (path.rfind(own_section + '/', 0) == 0)
-          found[path.substr(own_section.size() + 1)] = value;
-      return found;
+      Handler plain;
+      declare(plain);
+      return all_entries(plain);
+    }
+
+    /** What the section of a scene says. */
+    std::string
+    value_in(const Handler &prm, const std::string &entry)
+    {
+      return prm.get({own_section}, entry);
     }
 
     /** Of a contact whose other side is an obstacle: what tells of master
@@ -113,25 +133,8 @@ namespace conetact::application
   void
   declare_automatic_contact(Handler &prm)
   {
-    using namespace dealii::Patterns;
     prm.enter_subsection(own_section);
-    prm.declare_entry(
-      largest_gap,
-      "",
-      Anything(),
-      "'Contacts = automatic' makes a contact of all bodies, and of a body and "
-      "an obstacle, whose faces oppose each other with a gap of at most this, "
-      "with the boundary ids of these faces. The finer side is the slave. "
-      "Empty: a quarter of the mean edge of the finer side. [length]");
-    prm.declare_entry(
-      exceptions,
-      "",
-      Anything(),
-      "Pairs that are no contact: 'pin : lug ; spring' leaves out the pair of "
-      "pin and lug, and all of spring. A pair that has a contact of its own in "
-      "Contacts is left out as well.");
-    pairing::declare_contact_law(prm);
-    pairing::declare_kinematics(prm);
+    declare_own_entries(prm);
     prm.leave_subsection();
   }
 
@@ -140,11 +143,8 @@ namespace conetact::application
   void
   refuse_idle_automatic_contact(const Handler &prm)
   {
-    Handler plain;
-    declare_automatic_contact(plain);
-    const Entries by_itself = entries_in(plain);
-    for (const auto &[entry, value] : entries_in(prm))
-      if (value != by_itself.at(entry))
+    for (const auto &[entry, value] : defaults(declare_own_entries))
+      if (value_in(prm, entry) != value)
         throw InputError(in_automatic + entry +
                          ": no contact is found by itself. Add 'automatic' to "
                          "the names in Contacts, or remove the entry.");
@@ -225,7 +225,7 @@ namespace conetact::application
       WrittenContact contact{bodies[sides.body] + ' ' + other,
                              std::make_unique<Handler>()};
       Handler       &entries = *contact.entries;
-      declare_any_contact(entries);
+      pairing::declare_contact(entries);
       entries.set("Body", bodies[sides.body]);
       entries.set("Boundary ids", join(sides.ids));
       entries.set(sides.obstacle ? "Obstacle" : "Master body", other);
@@ -247,7 +247,9 @@ namespace conetact::application
                  const std::vector<std::string>        &bodies,
                  const std::vector<pairing::Obstacle>  &obstacles)
   {
-    const Entries               law = entries_in(prm);
+    Entries law = defaults(declare_own_entries);
+    for (auto &[entry, value] : law)
+      value = value_in(prm, entry);
     std::vector<WrittenContact> contacts;
     for (const pairing::NearSides &sides : near_sides)
       contacts.push_back(write_contact(law, sides, bodies, obstacles));
@@ -259,9 +261,7 @@ namespace conetact::application
   std::string
   WrittenContact::text() const
   {
-    Handler plain;
-    declare_any_contact(plain);
-    const Entries by_itself = all_entries(plain);
+    const Entries by_itself = defaults(pairing::declare_contact);
     std::string   text      = "subsection Contact " + name + '\n';
     for (const auto &[entry, value] : all_entries(*entries))
       if (value != by_itself.at(entry))

@@ -5,6 +5,7 @@
 
 #include "conetact/application/automatic_contacts.h"
 #include "conetact/application/scene_file.h"
+#include "conetact/application/scene_lines.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
@@ -115,20 +116,6 @@ namespace conetact::application
     {
       const auto end = path.find_last_of("/,");
       return end == path.npos ? "" : path.substr(0, end);
-    }
-
-    /** "Contact bottom" is one of the names in Contacts. */
-    std::string
-    list_of(const std::string &section)
-    {
-      for (const auto &[kind, list] : {std::pair("Body ", "Bodies"),
-                                       std::pair("Obstacle ", "Obstacles"),
-                                       std::pair("Contact ", "Contacts"),
-                                       std::pair("Support ", "Supports"),
-                                       std::pair("Load ", "Loads")})
-        if (section.rfind(kind, 0) == 0)
-          return list;
-      return {};
     }
 
     /** Whether it is a contact that no name stands for. */

@@ -11,7 +11,6 @@
 #include "conetact/bodies/loads.h"
 #include "conetact/bodies/supports.h"
 #include "conetact/pairing/contact_nodes.h"
-#include "conetact/pairing/kinematics.h"
 #include "conetact/pairing/obstacle_table.h"
 
 namespace conetact::application
@@ -139,10 +138,7 @@ namespace conetact::application
     declare_adaptive(prm);
     declare_each(prm, "Body", names.bodies, bodies::declare_body);
     declare_each(prm, "Obstacle", names.obstacles, pairing::declare_obstacle);
-    declare_each(prm, "Contact", names.contacts, [](auto &entries) {
-      pairing::declare_contact(entries);
-      pairing::declare_kinematics(entries);
-    });
+    declare_each(prm, "Contact", names.contacts, pairing::declare_contact);
     declare_automatic_contact(prm);
     declare_each(prm, "Support", names.supports, bodies::declare_support);
     declare_each(prm, "Load", names.loads, bodies::declare_load);

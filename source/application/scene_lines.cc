@@ -109,6 +109,21 @@ namespace conetact::application
 
 
   std::string
+  list_of(const std::string &subsection)
+  {
+    for (const auto &[kind, list] : {std::pair("Body ", "Bodies"),
+                                     std::pair("Obstacle ", "Obstacles"),
+                                     std::pair("Contact ", "Contacts"),
+                                     std::pair("Support ", "Supports"),
+                                     std::pair("Load ", "Loads")})
+      if (subsection.rfind(kind, 0) == 0)
+        return list;
+    return {};
+  }
+
+
+
+  std::string
   in_section(const std::vector<std::string> &path)
   {
     return path.empty() ? "" : " in '" + join(path, "/") + "'";

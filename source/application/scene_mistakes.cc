@@ -87,23 +87,6 @@ namespace conetact::application
              name + mark;
     }
 
-    /** "Contact bottom" belongs to the list Contacts. */
-    std::string
-    list_of(const std::string &subsection, std::string &name)
-    {
-      for (const auto &[kind, list] : {std::make_pair("Body ", "Bodies"),
-                                       std::make_pair("Obstacle ", "Obstacles"),
-                                       std::make_pair("Contact ", "Contacts"),
-                                       std::make_pair("Support ", "Supports"),
-                                       std::make_pair("Load ", "Loads")})
-        if (subsection.rfind(kind, 0) == 0)
-          {
-            name = subsection.substr(std::string(kind).size());
-            return list;
-          }
-      return {};
-    }
-
     /** The section that has an entry of this name, for one that has not. */
     std::string
     section_with(const Handler &prm, const std::string &entry)
@@ -120,13 +103,14 @@ namespace conetact::application
     std::string
     undeclared(const Handler &prm, const SceneLine &line)
     {
-      std::string       name;
       const bool        entry = line.kind == SceneLine::Kind::set;
       const std::string what  = entry ? "entry" : "subsection";
       std::string       text =
         "there is no " + what + " '" + line.name + "'" + in_section(line.path);
       const std::string list =
-        line.path.empty() && !entry ? list_of(line.name, name) : "";
+        line.path.empty() && !entry ? list_of(line.name) : "";
+      const std::string name =
+        list.empty() ? "" : line.name.substr(line.name.find(' ') + 1);
       if (!list.empty())
         text += ", since the list " + list + " does not name '" + name + "'";
       const std::vector<std::string> names =

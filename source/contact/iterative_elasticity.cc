@@ -56,7 +56,7 @@ namespace conetact::contact
         visit({pin});
     };
     given.node_of        = nodes_of_unknowns(coordinates);
-    given.modes          = rigid_modes(elastic.bodies, coordinates);
+    given.modes          = common_motions(elastic.bodies, coordinates);
     given.contact        = points.layout();
     SpecialNodes special = special_nodes(elastic, coordinates, points);
     given.surface        = std::move(special.together);

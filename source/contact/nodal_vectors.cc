@@ -62,6 +62,8 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::map_nodes(const Eigen::VectorXd &x, const NodeMap &map) const
   {
+    Assert(x.size() == n_dofs() || x.size() == 0,
+           dealii::ExcMessage("Vectors are those of all dofs, or empty."));
     Eigen::VectorXd result = x;
     if (!bodies.frames.empty() && x.size() > 0)
       for (unsigned int body = 0; body < bodies.structures.size(); ++body)
@@ -79,8 +81,6 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::displacements(const Eigen::VectorXd &u) const
   {
-    Assert(u.size() == n_dofs() || u.size() == 0,
-           dealii::ExcMessage("Displacements are those of all dofs, or none."));
     return map_nodes(u,
                      [&](const unsigned int  body,
                          const unsigned int  node,
@@ -94,8 +94,6 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::in_frames(const Eigen::VectorXd &u) const
   {
-    Assert(u.size() == n_dofs() || u.size() == 0,
-           dealii::ExcMessage("Displacements are those of all dofs, or none."));
     return map_nodes(u,
                      [&](const unsigned int  body,
                          const unsigned int  node,
@@ -109,8 +107,6 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::forces_in_space(const Eigen::VectorXd &f) const
   {
-    Assert(f.size() == n_dofs() || f.size() == 0,
-           dealii::ExcMessage("Forces are those on all dofs, or none."));
     return map_nodes(f,
                      [&](const unsigned int body,
                          const unsigned int,
@@ -124,8 +120,6 @@ namespace conetact::contact
   Eigen::VectorXd
   NodalVectors::forces_in_frames(const Eigen::VectorXd &f) const
   {
-    Assert(f.size() == n_dofs() || f.size() == 0,
-           dealii::ExcMessage("Forces are those on all dofs, or none."));
     return map_nodes(f,
                      [&](const unsigned int body,
                          const unsigned int,

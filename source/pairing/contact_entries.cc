@@ -3,6 +3,7 @@
 
 #include "conetact/base/text.h"
 #include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/kinematics.h"
 
 namespace conetact::pairing
 {
@@ -180,6 +181,7 @@ namespace conetact::pairing
                       "bodies. [length]");
     declare_kind(prm);
     declare_pairing(prm);
+    declare_kinematics(prm);
     declare_friction(prm);
   }
 

@@ -17,8 +17,6 @@ namespace conetact::pairing
 {
   namespace
   {
-    /** Weights below this part of the sum are rounding. */
-    constexpr double part_rounding = 1e-13;
     /** Part of a mean that must be over the master: weights may cancel. */
     constexpr double least_part = .1;
 
@@ -43,16 +41,6 @@ namespace conetact::pairing
         cosine += weight * (foot.normal * normal);
       }
     };
-
-    std::vector<std::pair<unsigned int, double>>
-    weights_of(const std::map<unsigned int, double> &parts, const double sum)
-    {
-      std::vector<std::pair<unsigned int, double>> result;
-      for (const auto &[node, part] : parts)
-        if (std::abs(part) > part_rounding * sum)
-          result.emplace_back(node, part / sum);
-      return result;
-    }
 
     class CornersToFaces
     {
@@ -95,7 +83,8 @@ namespace conetact::pairing
                   found.nodes.push_back(std::move(*node));
                 }
               else if (contact.slides)
-                found.nodes.push_back(apart(s, *row->second));
+                found.nodes.push_back(one_by_one.apart(
+                  s, row->second->normal / row->second->normal.norm()));
             if (!meets)
               meets = take_edge(s, before, found.nodes);
             ++found.n_nodes;
@@ -113,14 +102,7 @@ namespace conetact::pairing
         const CornerParts    parts = corner_parts(face);
         rows.join(f);
         for (std::size_t j = 0; j < face.n_functions; ++j)
-          {
-            MortarRow &row = rows.at(f, j);
-            const auto i   = static_cast<Eigen::Index>(j);
-            row.area += parts.areas[i];
-            for (std::size_t k = 0; k < face.nodes.size(); ++k)
-              row.slaves[face.nodes[k]] +=
-                parts.slaves(i, static_cast<Eigen::Index>(k));
-          }
+          parts.add(face, j, rows.at(f, j));
       }
 
       /** An edge or a corner that meets a face along no normal of its own
@@ -138,14 +120,6 @@ namespace conetact::pairing
         else
           all.push_back(std::move(*edge));
         return true;
-      }
-
-      ContactNode
-      apart(const bodies::SurfaceNode &s, const MortarRow &row) const
-      {
-        ContactNode node = one_by_one.apart(s);
-        node.n           = -row.normal / row.normal.norm();
-        return node;
       }
 
       /** Of a node, on the side of an edge that a row is on. */
@@ -173,10 +147,9 @@ namespace conetact::pairing
         if (!own)
           return {};
         MeanOfFeet mean;
-        for (const auto &[slave, integral] : row.slaves)
-          if (std::abs(integral) > part_rounding * row.area)
-            if (const auto &met = foot(slave, row))
-              mean.add(slave, *met, integral / row.area, own->normal);
+        for (const auto &[slave, weight] : weights_of(row.slaves, row.area))
+          if (const auto &met = foot(slave, row))
+            mean.add(slave, *met, weight, own->normal);
         if (mean.sum < least_part)
           return {};
         return with(mean, s, thickness * row.area, *own);
@@ -188,30 +161,20 @@ namespace conetact::pairing
            const double               area,
            const MasterSurface::Foot &own)
       {
-        constexpr double least = .5; // at rims that are hardly covered
-        ContactNode      node  = one_by_one.free_node(s);
-        node.master            = contact.master;
-        node.masters           = weights_of(mean.masters, mean.sum);
-        node.slaves            = weights_of(mean.slaves, mean.sum);
-        node.n                 = own.normal;
-        node.mean_cosine = std::clamp(mean.cosine / mean.sum, least, 1 / least);
+        ContactNode node = one_by_one.free_node(s);
+        node.master      = contact.master;
+        node.masters     = weights_of(mean.masters, mean.sum);
+        node.slaves      = weights_of(mean.slaves, mean.sum);
+        node.n           = own.normal;
+        node.mean_cosine = bounded_cosine(mean.cosine / mean.sum);
         // a uniform pressure does the work of the whole area
         node.area = area * mean.sum / node.mean_cosine;
-        node.gap  = contact.gap ? node.mean_cosine * prescribed_gap(node) :
-                                  mean.gap / mean.sum;
+        node.gap  = contact.gap ?
+                      node.mean_cosine * one_by_one.prescribed_gap(node) :
+                      mean.gap / mean.sum;
         if (!contact.gap)
           one_by_one.judge(node, std::max(node.spacing, mean.size));
         return node;
-      }
-
-      double
-      prescribed_gap(const ContactNode &node) const
-      {
-        double sum = 0;
-        for_each_slave(node, [&](const unsigned int i, const double weight) {
-          sum += weight * (*contact.gap)(body.position(i));
-        });
-        return sum;
       }
 
       const Contact                                      &contact;

@@ -7,6 +7,7 @@
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/face_nodes.h"
 #include "conetact/pairing/contact_nodes.h"
+#include "conetact/pairing/node_to_face.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,21 +22,6 @@ namespace conetact::pairing
 
   namespace
   {
-    /** Diagonal of the box around two bodies. */
-    double
-    size_of(const bodies::Structure &one, const bodies::Structure &other)
-    {
-      Point<3> low = one.position(0), high = low;
-      for (const bodies::Structure *body : {&one, &other})
-        for (unsigned int node = 0; node < body->n_nodes(); ++node)
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              low[d]  = std::min(low[d], body->position(node)[d]);
-              high[d] = std::max(high[d], body->position(node)[d]);
-            }
-      return low.distance(high);
-    }
-
     const Obstacle &
     find_obstacle(const std::string           &name,
                   const std::vector<Obstacle> &obstacles,

@@ -106,14 +106,7 @@ namespace conetact::pairing
     const CornerParts    parts = corner_parts(face);
     for (std::size_t j = 0; j < face.n_functions; ++j)
       if (of_row[j])
-        {
-          Row       &row = rows[face.nodes[j]];
-          const auto i   = static_cast<Eigen::Index>(j);
-          row.area += parts.areas[i];
-          for (std::size_t k = 0; k < face.nodes.size(); ++k)
-            row.slaves[face.nodes[k]] +=
-              parts.slaves(i, static_cast<Eigen::Index>(k));
-        }
+        parts.add(face, j, rows[face.nodes[j]]);
   }
 
   FacesOnObstacle::Met

@@ -23,8 +23,6 @@ namespace conetact::pairing
   {
     using Eigen::Index;
 
-    /** Weights below this part of the sum are rounding. */
-    constexpr double weight_round_off = 1e-13;
     /** A face of which less is covered sees nothing. */
     constexpr double least_covered = 1e-12;
     /**
@@ -45,6 +43,7 @@ namespace conetact::pairing
      * see the master. */
     struct FaceIntegrals
     {
+      Eigen::MatrixXd                         linear;  ///< linear_functions()
       Eigen::MatrixXd                         mass;    ///< N_k N_i
       Eigen::VectorXd                         areas;   ///< N_k
       std::map<unsigned int, Eigen::VectorXd> masters; ///< N_k N_l
@@ -108,10 +107,9 @@ namespace conetact::pairing
     double
     mean_cosine(const MortarRow &row, const Tensor<1, 3> &n)
     {
-      constexpr double least = .5; // at rims that are hardly covered
       if (row.slave_normals.norm() == 0)
         return 1;
-      return std::clamp(-(row.slave_normals * n) / row.area, least, 1 / least);
+      return bounded_cosine(-(row.slave_normals * n) / row.area);
     }
 
     class Mortar
@@ -159,9 +157,12 @@ namespace conetact::pairing
             const auto [begin, end]  = rows_of.equal_range(s.node);
             const std::size_t before = found.nodes.size();
             for (auto row = begin; row != end; ++row)
-              found.nodes.push_back(row->second->area > 0 ?
-                                      mean(s, *row->second) :
-                                      apart(s, *row->second));
+              found.nodes.push_back(
+                row->second->area > 0 ?
+                  mean(s, *row->second) :
+                  one_by_one.apart(s,
+                                   row->second->normal /
+                                     row->second->normal.norm()));
             // Edges and corners that meet a face are seen by no face.
             std::optional<ContactNode> edge;
             if (seen.count(s.node) == 0)
@@ -200,7 +201,8 @@ namespace conetact::pairing
         const ProjectedFace   own(face, plane);
         const auto            n     = static_cast<Index>(face.nodes.size());
         const double          whole = measure(own.outline());
-        FaceIntegrals         sums{Eigen::MatrixXd::Zero(n, n),
+        FaceIntegrals         sums{linear_functions(face),
+                           Eigen::MatrixXd::Zero(n, n),
                            Eigen::VectorXd::Zero(n),
                            {},
                            Eigen::MatrixX3d::Zero(n, 3),
@@ -278,7 +280,7 @@ namespace conetact::pairing
                 std::pow(face.size, face.corners.size() == 2 ? 1 : 2)))
           return;
         rows.join(f);
-        const Eigen::VectorXd covered = linear_functions(face) * sums.areas;
+        const Eigen::VectorXd covered = sums.linear * sums.areas;
         for (std::size_t c = 0; c < face.n_functions; ++c)
           {
             MortarRow &row = rows.at(f, c);
@@ -319,10 +321,9 @@ namespace conetact::pairing
       /** Dual to the functions of nodes that contacts stand at, on the covered
        * part: so D is diagonal where faces are covered in part, too. */
       static Eigen::MatrixXd
-      dual_to(const Eigen::MatrixXd    &linear,
-              const FaceIntegrals      &sums,
-              const std::vector<Index> &own)
+      dual_to(const FaceIntegrals &sums, const std::vector<Index> &own)
       {
+        const Eigen::MatrixXd &linear = sums.linear;
         constexpr double enough = .5; // else shape functions are much alike
         if (linear.rows() < linear.cols() && sums.part > enough &&
             static_cast<Index>(own.size()) == linear.rows())
@@ -337,9 +338,8 @@ namespace conetact::pairing
       add(const std::size_t f, const FaceIntegrals &sums)
       {
         const FaceNet::Face     &face   = slave.all()[f];
-        const Eigen::MatrixXd    linear = linear_functions(face);
-        const std::vector<Index> own    = kept(f, linear * sums.areas);
-        const Eigen::MatrixXd    dual   = dual_to(linear, sums, own);
+        const std::vector<Index> own    = kept(f, sums.linear * sums.areas);
+        const Eigen::MatrixXd    dual   = dual_to(sums, own);
         const Eigen::MatrixXd    slaves = dual * sums.mass;
         for (const Index j : own)
           {
@@ -365,36 +365,17 @@ namespace conetact::pairing
             seen.insert(row.node);
       }
 
-      static std::vector<std::pair<unsigned int, double>>
-      weights(const std::map<unsigned int, double> &integrals,
-              const double                          area)
-      {
-        std::vector<std::pair<unsigned int, double>> result;
-        for (const auto &[node, integral] : integrals)
-          if (std::abs(integral) > weight_round_off * area)
-            result.emplace_back(node, integral / area);
-        return result;
-      }
-
-      ContactNode
-      apart(const bodies::SurfaceNode &s, const MortarRow &row) const
-      {
-        ContactNode node = one_by_one.apart(s);
-        node.n           = -row.normal / row.normal.norm();
-        return node;
-      }
-
       ContactNode
       mean(const bodies::SurfaceNode &s, const MortarRow &row)
       {
         ContactNode node = one_by_one.free_node(s);
         node.is_mean     = true;
         node.master      = contact.master;
-        node.masters     = weights(row.masters, row.area);
+        node.masters     = weights_of(row.masters, row.area);
         node.n           = normal(row, node.masters);
         node.mean_cosine = mean_cosine(row, node.n);
         node.area        = thickness * row.area / node.mean_cosine;
-        node.slaves      = weights(row.slaves, row.area);
+        node.slaves      = weights_of(row.slaves, row.area);
         // biorthogonal: a node meets the master by itself unless it took over
         if (node.slaves.size() == 1)
           node.slaves.clear();
@@ -430,11 +411,7 @@ namespace conetact::pairing
       {
         if (!contact.gap)
           return undeformed_distance(node, structures) * node.n;
-        double sum = 0;
-        for_each_slave(node, [&](const unsigned int i, const double weight) {
-          sum += weight * (*contact.gap)(structures[node.body]->position(i));
-        });
-        return node.mean_cosine * sum;
+        return node.mean_cosine * one_by_one.prescribed_gap(node);
       }
 
       const Contact                                &contact;

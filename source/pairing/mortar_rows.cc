@@ -110,6 +110,24 @@ namespace conetact::pairing
     return area / length;
   }
 
+  std::vector<std::pair<unsigned int, double>>
+  weights_of(const std::map<unsigned int, double> &integrals, const double sum)
+  {
+    constexpr double                             rounding = 1e-13;
+    std::vector<std::pair<unsigned int, double>> result;
+    for (const auto &[node, integral] : integrals)
+      if (std::abs(integral) > rounding * sum)
+        result.emplace_back(node, integral / sum);
+    return result;
+  }
+
+  double
+  bounded_cosine(const double mean)
+  {
+    constexpr double least = .5;
+    return std::clamp(mean, least, 1 / least);
+  }
+
   MortarRows::MortarRows(const std::vector<FaceNet::Face> &faces,
                          const double                      sharp_edge,
                          const bool                        axisymmetric)

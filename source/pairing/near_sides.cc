@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace conetact::pairing
 {
@@ -46,6 +45,19 @@ namespace conetact::pairing
       return nodes;
     }
 
+    /** Along the axis on which they are furthest apart; 0: they overlap. */
+    double
+    distance(const dealii::BoundingBox<3> &one,
+             const dealii::BoundingBox<3> &other)
+    {
+      double furthest = 0;
+      for (unsigned int d = 0; d < 3; ++d)
+        furthest = std::max({furthest,
+                             one.lower_bound(d) - other.upper_bound(d),
+                             other.lower_bound(d) - one.upper_bound(d)});
+      return furthest;
+    }
+
     /** Whether faces at the node look at what is met along n. */
     bool
     looks_at(const bodies::SurfaceNode &node,
@@ -75,48 +87,21 @@ namespace conetact::pairing
         for (const unsigned int id : body->boundary_ids())
           patches.back().push_back(patch_of(*body, id));
         sharp.push_back(sharp_nodes(*body));
-        boxes.emplace_back();
+        std::vector<Point<3>> places;
         for (unsigned int node = 0; node < body->n_nodes(); ++node)
-          boxes.back().enclose(body->position(node));
+          places.push_back(body->position(node));
+        boxes.emplace_back(places);
       }
-  }
-
-  NearSearch::Box::Box()
-  {
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        low[d]  = std::numeric_limits<double>::max();
-        high[d] = std::numeric_limits<double>::lowest();
-      }
-  }
-
-  void
-  NearSearch::Box::enclose(const Point<3> &p)
-  {
-    for (unsigned int d = 0; d < 3; ++d)
-      {
-        low[d]  = std::min(low[d], p[d]);
-        high[d] = std::max(high[d], p[d]);
-      }
-  }
-
-  /** Along the axis on which they are furthest apart; 0: they overlap. */
-  double
-  NearSearch::Box::distance(const Box &other) const
-  {
-    double furthest = 0;
-    for (unsigned int d = 0; d < 3; ++d)
-      furthest =
-        std::max({furthest, low[d] - other.high[d], other.low[d] - high[d]});
-    return furthest;
   }
 
   NearSearch::Patch
   NearSearch::patch_of(const bodies::Structure &body, const unsigned int id)
   {
-    Patch patch{id, body.surface({id}), {}, 0};
+    Patch                 patch{id, body.surface({id}), {}, 0};
+    std::vector<Point<3>> places;
     for (const bodies::SurfaceNode &node : patch.surface.nodes)
-      patch.box.enclose(node.position);
+      places.push_back(node.position);
+    patch.box  = Box(places);
     patch.edge = mean_edge(patch.surface, body);
     return patch;
   }
@@ -135,7 +120,7 @@ namespace conetact::pairing
     Side side{body, {}};
     for (const Patch &patch : patches[body])
       if (patch.edge > 0 &&
-          patch.box.distance(boxes[other]) <= gap_allowed(patch.edge))
+          distance(patch.box, boxes[other]) <= gap_allowed(patch.edge))
         {
           side.ids.insert(patch.id);
           side.edge =
@@ -194,12 +179,9 @@ namespace conetact::pairing
     trial.master  = master.body;
     // Sides that stand deep in each other are refused with all others, but
     // only where nothing else of the bodies meets.
-    Box both = boxes[one];
-    both.enclose(boxes[other].low);
-    both.enclose(boxes[other].high);
     const double edge = std::max(slave.edge, master.edge);
     for (const double reach : {std::max(gap, interference_allowed(law, edge)),
-                               both.low.distance(both.high)})
+                               size_of(*structures[one], *structures[other])})
       {
         trial.reach = reach;
         if (auto sides = sides_that_meet(trial, slave.ids, master.ids, gap))

@@ -64,6 +64,20 @@ namespace conetact::pairing
   } // namespace
 
   double
+  size_of(const bodies::Structure &one, const bodies::Structure &other)
+  {
+    Point<3> low = one.position(0), high = low;
+    for (const bodies::Structure *body : {&one, &other})
+      for (unsigned int node = 0; node < body->n_nodes(); ++node)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            low[d]  = std::min(low[d], body->position(node)[d]);
+            high[d] = std::max(high[d], body->position(node)[d]);
+          }
+    return low.distance(high);
+  }
+
+  double
   interference_allowed(const Contact &contact, const double face_size)
   {
     return contact.interference.value_or(.25 * face_size);
@@ -100,13 +114,24 @@ namespace conetact::pairing
   }
 
   ContactNode
-  NodeToFace::apart(const bodies::SurfaceNode &s) const
+  NodeToFace::apart(const bodies::SurfaceNode &s,
+                    const Tensor<1, 3>        &outward) const
   {
     ContactNode node = free_node(s);
     node.master      = contact.master;
     node.gap         = contact.reach;
-    node.n           = -(s.normals.empty() ? s.normal : s.normals.front());
+    node.n           = -outward;
     return node;
+  }
+
+  double
+  NodeToFace::prescribed_gap(const ContactNode &node) const
+  {
+    double sum = 0;
+    for_each_slave(node, [&](const unsigned int i, const double weight) {
+      sum += weight * (*contact.gap)(body.position(i));
+    });
+    return sum;
   }
 
   std::optional<ContactNode>
@@ -146,7 +171,7 @@ namespace conetact::pairing
     if (!found)
       return false;
     // A gap that is written down replaces the distance, not the direction.
-    node.gap     = contact.gap ? (*contact.gap)(s.position) : found->gap;
+    node.gap     = contact.gap ? prescribed_gap(node) : found->gap;
     node.n       = found->normal;
     node.master  = contact.master;
     node.masters = std::move(found->masters);
@@ -271,7 +296,9 @@ namespace conetact::pairing
     if (sides.empty() || contact.kind == ContactKind::tie)
       {
         if (first || contact.slides)
-          rows.push_back(first ? *first : apart(s));
+          rows.push_back(
+            first ? *first :
+                    apart(s, s.normals.empty() ? s.normal : s.normals.front()));
         return rows;
       }
     // it is that of the side that looks at it most
@@ -295,8 +322,7 @@ namespace conetact::pairing
           covered += side->part;
         if (!row && contact.slides)
           {
-            row       = apart(s);
-            row->n    = -side->outward;
+            row       = apart(s, side->outward);
             row->area = side->part * s.area;
           }
         if (row)

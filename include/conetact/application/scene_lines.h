@@ -40,6 +40,10 @@ namespace conetact::application
   /** What is behind the equals sign. */
   std::string
   value_of(const SceneLine &line);
+  /** The list whose names have such subsections, Contacts of "Contact bottom";
+   * empty: there is none. */
+  std::string
+  list_of(const std::string &subsection);
   /** " in 'Body block/Material'"; empty outside of all sections. */
   std::string
   in_section(const std::vector<std::string> &path);

@@ -15,7 +15,7 @@ namespace conetact::contact
 {
   /** Rigid motions of all bodies together, in the unknowns. */
   Eigen::MatrixXd
-  rigid_modes(const Bodies &bodies, const Coordinates &coordinates);
+  common_motions(const Bodies &bodies, const Coordinates &coordinates);
 
   /** Displacements of all dofs by the motions that nothing resists,
    * orthonormal. */

@@ -21,6 +21,17 @@ namespace conetact::pairing
   {
     Eigen::VectorXd areas;  ///< @f$\int \varphi_j@f$ [length^2]
     Eigen::MatrixXd slaves; ///< @f$\int \varphi_j N_k@f$ [length^2]
+
+    /** Adds those of a corner to its row. */
+    template <typename Row>
+    void
+    add(const FaceNet::Face &face, const std::size_t corner, Row &row) const
+    {
+      const auto j = static_cast<Eigen::Index>(corner);
+      row.area += areas[j];
+      for (std::size_t k = 0; k < face.nodes.size(); ++k)
+        row.slaves[face.nodes[k]] += slaves(j, static_cast<Eigen::Index>(k));
+    }
   };
   CornerParts
   corner_parts(const FaceNet::Face &face);

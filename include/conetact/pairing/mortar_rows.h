@@ -46,6 +46,15 @@ namespace conetact::pairing
     std::set<std::size_t> neighbours; ///< rows of the same faces
   };
 
+  /** Integrals over their sum; what is rounding of it is left out. */
+  std::vector<std::pair<unsigned int, double>>
+  weights_of(const std::map<unsigned int, double> &integrals, const double sum);
+
+  /** A mean cosine of ContactNode, which is no mean at rims that are hardly
+   * covered, within bounds. */
+  double
+  bounded_cosine(const double mean);
+
   /** The rows of a slave surface. */
   class MortarRows
   {

@@ -6,6 +6,8 @@
 
 #include "conetact/pairing/contact_nodes.h"
 
+#include <deal.II/base/bounding_box.h>
+
 #include <optional>
 #include <set>
 #include <vector>
@@ -47,15 +49,7 @@ namespace conetact::pairing
     on_obstacle(const unsigned int body, const unsigned int obstacle) const;
 
   private:
-    struct Box
-    {
-      Box();
-      void
-      enclose(const Point<3> &p);
-      double
-               distance(const Box &other) const;
-      Point<3> low, high;
-    };
+    using Box = dealii::BoundingBox<3>;
     /** The faces of one boundary id. */
     struct Patch
     {

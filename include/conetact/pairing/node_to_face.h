@@ -15,6 +15,11 @@
 
 namespace conetact::pairing
 {
+  /** Diagonal of the box around two bodies: no gap between them is larger
+   * [length]. */
+  double
+  size_of(const bodies::Structure &one, const bodies::Structure &other);
+
   /** How deep a node may start in its opponent [length]. */
   double
   interference_allowed(const Contact &contact, const double face_size);
@@ -63,9 +68,13 @@ namespace conetact::pairing
     /** A node of the contact without its opponent. */
     ContactNode
     free_node(const bodies::SurfaceNode &s) const;
-    /** The same as one that is out of reach now, but may slide there. */
+    /** The same as one that is out of reach now, but may slide there; its faces
+     * have this outward normal, of unit length. */
     ContactNode
-    apart(const bodies::SurfaceNode &s) const;
+    apart(const bodies::SurfaceNode &s, const Tensor<1, 3> &outward) const;
+    /** Of a contact that has a Gap: the mean that the node is of it. */
+    double
+    prescribed_gap(const ContactNode &node) const;
     /** A node with its gap and normal, unless it stays free. */
     std::optional<ContactNode>
     find(const bodies::SurfaceNode &s);
