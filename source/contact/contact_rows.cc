@@ -150,6 +150,8 @@ namespace conetact::contact
           row.u[0] -= node.growth(t); // a gap that grows moves nothing
         row.du[0]       = row.u[0] - last[i].u[0];
         row.reaction    = in_frame(row, force_of(point, r));
+        row.pressing    = row.reaction;
+        row.covered     = row.area;
         other_before[i] = other;
         // Solvers see no slip of nodes without cone, and of parts only that of
         // the last.
@@ -265,7 +267,7 @@ namespace conetact::contact
     struct Sum
     {
       output::ContactRow row;
-      Tensor<1, 3>       normal, reaction, u, du; // in space
+      Tensor<1, 3>       normal, reaction, pressing, u, du; // in space
       double             weight = 0, largest = 0;
     };
     std::map<std::pair<unsigned int, unsigned int>, Sum> sums;
@@ -299,6 +301,8 @@ namespace conetact::contact
             // Forces add up with their sign, or the body would not balance;
             // means need weights above zero.
             sum.reaction -= weight * row.in_space(row.reaction);
+            sum.pressing -= share * row.in_space(row.pressing);
+            sum.row.covered += share * row.area;
             sum.u -= share * row.in_space(row.u);
             sum.du -= share * row.in_space(row.du);
           }
@@ -318,6 +322,7 @@ namespace conetact::contact
         row.u        = in_row(sum.u / sum.weight);
         row.du       = in_row(sum.du / sum.weight);
         row.reaction = in_row(sum.reaction);
+        row.pressing = in_row(sum.pressing);
         rows.push_back(row);
       }
   }

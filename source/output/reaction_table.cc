@@ -62,9 +62,13 @@ namespace conetact::output
                               ", contact '" + contact + "', node " +
                               std::to_string(row.node);
     const bool   has_t2 = run.dim == 3;
-    Tensor<1, 3> r;
+    Tensor<1, 3> r, traction;
     for (unsigned int d = 0; d < (has_t2 ? 3 : 2); ++d)
-      r[d] = forces.clean(row.reaction[d]);
+      {
+        r[d] = forces.clean(row.reaction[d]);
+        if (row.covered > 0)
+          traction[d] = forces.clean(row.pressing[d]) / row.covered;
+      }
 
     CsvRow csv(text, where);
     csv.add(record.increment);
@@ -81,11 +85,7 @@ namespace conetact::output
     csv.add("du_t2", has_t2 ? row.du[2] : 0.);
     add(csv, r, "r_n", "r_t1", "r_t2");
     csv.add(state_name(row.state));
-    add(csv,
-        row.area > 0 ? r / row.area : Tensor<1, 3>(),
-        "pressure",
-        "traction_t1",
-        "traction_t2");
+    add(csv, traction, "pressure", "traction_t1", "traction_t2");
     csv.add("area", row.area);
     add(csv, row.foot, "foot_x", "foot_y", "foot_z");
     add(csv, row.acts, "acts_x", "acts_y", "acts_z");

@@ -33,10 +33,9 @@ namespace conetact::output
       void
       add(const ContactRow &row)
       {
-        const double p     = row.area > 0 ? row.reaction[0] / row.area : 0.;
+        const double p     = row.traction()[0];
         const bool   first = state < 0;
-        if (row.area > 0)
-          traction += row.in_space(row.reaction) / row.area;
+        traction += row.in_space(row.traction());
         gap = first ? row.gap : std::min(gap, row.gap);
         if (first || p > pressure)
           {

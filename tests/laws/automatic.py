@@ -192,6 +192,10 @@ def pin_in_lug(laws):
                max(abs(a["r_n"] - b["r_n"]) for a, b in zip(first, second)) / bore.largest("r_n"), 1e-10)
     mean = bore.increments[-1]["joint_f_x"] / (2 * 10 * 8)
     laws.check("  largest pressure over that of a cosine", abs(max(row["pressure"] for row in first) / (4 / math.pi * mean) - 1), .25)
+    masters = [row["pressure"] for row in whole.last() if row["contact"].endswith("_master")]
+    slaves = [row["pressure"] for row in first]
+    laws.demand("  pressures of masters are within those of slaves",
+                min(slaves) - 1e-9 < min(masters) and .8 * max(slaves) < max(masters) < max(slaves))
 
 
 def going_on(laws):

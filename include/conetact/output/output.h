@@ -35,6 +35,18 @@ namespace conetact::output
     solvers::NodeState state  = solvers::NodeState::open;
     bool               master = false; ///< the other side of a pair of bodies
 
+    /** The traction is `pressing` over `covered`: reaction and area, but of
+     * masters without the signs of weights: on faces of second degree areas of
+     * corners add up to next to nothing. */
+    Tensor<1, 3> pressing;
+    double       covered = 0;
+
+    Tensor<1, 3>
+    traction() const
+    {
+      return covered > 0 ? pressing / covered : Tensor<1, 3>();
+    }
+
     /** Of (n, t1, t2) the components along the axes. */
     Tensor<1, 3>
     in_space(const Tensor<1, 3> &v) const
