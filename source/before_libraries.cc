@@ -4,11 +4,14 @@
 // What must be settled before the libraries of the program start: deal.II ends
 // the process when a variable of the environment is not what it expects, and
 // OpenBLAS waits for ever for memory that a limit does not leave to its
-// threads.
+// threads. And METIS takes SIGTERM for an error of its own while it orders
+// nodes: it jumps out of whatever it is at, which may be malloc, and who asks
+// the program to end is not heard, or waits for ever.
 
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 
@@ -109,3 +112,17 @@ namespace
   __attribute__((section(".preinit_array"),
                  used)) void (*const first)(int, char **, char **) = settle;
 } // namespace
+
+/** In place of that of the C library: SIGTERM ends the program, whatever a
+ * library would like to do instead. The program itself uses sigaction(). */
+extern "C" sighandler_t
+signal(const int number, const sighandler_t handler) noexcept
+{
+  if (number == SIGTERM && handler != SIG_DFL && handler != SIG_IGN)
+    return SIG_DFL;
+  struct sigaction now = {}, before = {};
+  now.sa_handler = handler;
+  now.sa_flags   = SA_RESTART;
+  sigemptyset(&now.sa_mask);
+  return sigaction(number, &now, &before) == 0 ? before.sa_handler : SIG_ERR;
+}

@@ -120,8 +120,9 @@ namespace conetact::analysis
         claim.loads += locks;
         claim.mechanical += locks;
       }
-    claim.t     = increment.record.time;
-    claim.whole = increment.record.report.substeps <= 1;
+    claim.friction = increment.load.friction;
+    claim.t        = increment.record.time;
+    claim.whole    = increment.record.report.substeps <= 1;
     // The holonomic law, of all slip since the start, exists on load paths
     // only.
     claim.incremental =

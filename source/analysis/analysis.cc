@@ -294,6 +294,13 @@ namespace conetact::analysis
     else
       turn_loads(others, increment);
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
+    increment.load.friction =
+      history.friction_until(t,
+                             [&](const unsigned int body, const Point<3> &p) {
+                               return loads.temperature(body, p, t);
+                             });
+    if (const auto &friction = increment.load.friction)
+      model.points.set_friction(friction->coefficients(history.start()));
   }
 
   /* In the frames of bodies, some loads turn with them and others against

@@ -78,7 +78,8 @@ namespace conetact::analysis
   std::size_t
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
-    if (one_by_one || search.is_needed() || !backend->batches)
+    if (one_by_one || search.is_needed() || !backend->batches ||
+        contact::has_varying_friction(model.points))
       return 1;
     std::size_t most = most_at_once();
     if (const unsigned int every = scene.checkpoint_every; every > 0)
@@ -290,14 +291,16 @@ namespace conetact::analysis
         0)
       increment.record.condensed =
         std::make_shared<const output::CondensedIncrement>(
-          output::CondensedIncrement{problem,
-                                     increment.record.report.substeps == 1 ?
-                                       std::optional<solvers::ContactState>(
-                                         state) :
-                                       std::nullopt});
+          output::CondensedIncrement{
+            solvers::with_coefficients_of(state, problem),
+            increment.record.report.substeps == 1 ?
+              std::optional<solvers::ContactState>(state) :
+              std::nullopt});
     increment.record.errors = solvers::kanno_errors(problem, state);
     increment.base          = history.linearised_at();
-    history.advance(state);
+    history.advance(state, increment.record.time);
+    if (const auto &friction = increment.load.friction)
+      model.points.set_friction(friction->coefficients(state));
     increment.state   = of_contacts(state, model.points.n_unknowns());
     increment.contact = history.displacements();
     increment.primal  = history.primal();

@@ -63,12 +63,26 @@ namespace conetact::analysis
       log.note(text);
     }
 
+    void
+    warn_of_idle_obstacles(const application::Scene &scene, Log &log)
+    {
+      for (const pairing::Obstacle *obstacle : scene.idle_obstacles())
+        log.say("warning: Contacts = automatic: obstacle '" + obstacle->name +
+                "' is in no contact, bodies pass through it. " +
+                (obstacle->shape->states_gaps() ?
+                   "Shape = prescribed gap does not say where it is: write "
+                   "a Contact for it." :
+                   "Set Automatic contact/Largest gap to what is between it "
+                   "and the body that is to touch it."));
+    }
+
     /** What `Contacts = automatic` has found, and how a scene would say it. */
     void
     report_automatic(const application::Scene &scene, Log &log)
     {
       if (!scene.near_sides)
         return;
+      warn_of_idle_obstacles(scene, log);
       if (scene.near_sides->empty())
         {
           log.say(

@@ -197,7 +197,7 @@ namespace conetact::application
                        std::string(std::strerror(errno)) + ".");
     if (child == 0)
       {
-        prctl(PR_SET_PDEATHSIG, SIGTERM);
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
         begin();
         serve(ends[1], program);
       }
@@ -211,7 +211,7 @@ namespace conetact::application
   {
     if (child > 0)
       {
-        kill(child, SIGTERM);
+        kill(child, SIGKILL); // what it has finished is on disk
         waitpid(child, nullptr, 0);
       }
     ::close(ours);

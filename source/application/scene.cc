@@ -246,6 +246,7 @@ namespace conetact::application
                                   bodies.structures,
                                   "Output, Probes");
     prm.leave_subsection();
+    check_friction();
     check_path();
     check_adaptive(adaptive, bodies.structures);
     for (auto &body : contact::add_free_obstacles(obstacles, bodies))

@@ -49,4 +49,20 @@ namespace conetact::application
                             " is after it.");
     return sentences;
   }
+
+
+
+  std::vector<const pairing::Obstacle *>
+  Scene::idle_obstacles() const
+  {
+    std::vector<const pairing::Obstacle *> idle;
+    for (const pairing::Obstacle &obstacle : obstacles)
+      if (std::none_of(contacts.begin(),
+                       contacts.end(),
+                       [&](const pairing::Contact &contact) {
+                         return contact.obstacle == &obstacle;
+                       }))
+        idle.push_back(&obstacle);
+    return idle;
+  }
 } // namespace conetact::application

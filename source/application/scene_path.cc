@@ -8,6 +8,7 @@
 #include "conetact/base/text.h"
 
 #include <algorithm>
+#include <map>
 
 namespace conetact::application
 {
@@ -55,6 +56,34 @@ namespace conetact::application
                          [](const Expression &e) { return e.uses_time(); });
     }
   } // namespace
+
+
+
+  /* Friction that changes is one of increments; their parts have no speed. */
+  void
+  Scene::check_friction()
+  {
+    std::map<unsigned int, double> areas; // of contacts that need them
+    for (const pairing::Contact &contact : contacts)
+      if (contact.friction && contact.friction->uses_speed())
+        solver.max_substeps = 1;
+    for (const pairing::ContactNode &node : bodies.contact_nodes)
+      if (node.friction && path.follows)
+        throw InputError("Contact '" + contacts[node.contact].name +
+                         "', Friction coefficient: Solver/Method = load path "
+                         "follows events of cones that stay the same. Let it "
+                         "depend on x, y, z only, without a Shear limit, or "
+                         "choose another method.");
+      else if (node.friction && node.friction->needs_area())
+        areas[node.contact] += node.area;
+    for (const auto &[contact, area] : areas)
+      if (area == 0)
+        throw InputError("Contact '" + contacts[contact].name +
+                         "', Friction coefficient: pressure p and Shear limit "
+                         "need areas, which the nodes of this contact do not "
+                         "have: they are points of frames. Let the coefficient "
+                         "depend on x, y, z, t, T, s, v.");
+  }
 
 
 

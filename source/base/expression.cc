@@ -6,10 +6,14 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <muParser.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <set>
 
 namespace conetact
 {
@@ -21,6 +25,10 @@ namespace conetact
     mu::Parser  mu;
     bool        uses_space = false;
     bool        uses_time  = false;
+
+    std::vector<std::string> names;  ///< of further variables
+    std::vector<double>      others; ///< their values
+    std::set<std::string>    used;   ///< of them
   };
 
   namespace
@@ -62,10 +70,58 @@ namespace conetact
       return false;
     }
 
+    /** x, then x0, y0, x1, y1, ...: linear from point to point. */
+    double
+    interpolate(const double *values, const int n)
+    {
+      if (n < 3 || n % 2 == 0)
+        throw mu::ParserError("table() takes a variable and points x : y");
+      for (int i = 3; i < n; i += 2)
+        if (!(values[i] > values[i - 2]))
+          throw mu::ParserError("the points of table() do not ascend");
+      const double x = values[0];
+      int          i = 1;
+      while (i + 2 < n && x > values[i + 2])
+        i += 2;
+      if (x <= values[1] || i + 2 >= n)
+        return values[x <= values[1] ? 2 : n - 1];
+      return values[i + 1] + (x - values[i]) / (values[i + 2] - values[i]) *
+                               (values[i + 3] - values[i + 1]);
+    }
+
+    /** Where the bracket that is open at `begin` closes; the end: nowhere. */
+    std::size_t
+    closing(const std::string &text, const std::size_t begin)
+    {
+      int         depth = 1;
+      std::size_t i     = begin;
+      for (; i < text.size() && depth > 0; ++i)
+        depth += (text[i] == '(' ? 1 : 0) - (text[i] == ')' ? 1 : 0);
+      return i;
+    }
+
+    /** Points of tables become arguments: ';' and ':' are commas there. */
+    std::string
+    with_tables_as_functions(std::string text)
+    {
+      const std::string name = "table(";
+      for (std::size_t i = text.find(name); i != text.npos;
+           i             = text.find(name, i + 1))
+        {
+                      const std::size_t begin = i + name.size();
+                      const std::size_t end   = closing(text, begin);
+                      for (std::size_t k = begin; k < end; ++k)
+            if (text[k] == ';' || text[k] == ':')
+              text[k] = ',';
+        }
+      return text;
+    }
+
     [[noreturn]] void
-    fail(const std::string &entry,
-         const std::string &text,
-         const std::string &why)
+    fail(const std::string              &entry,
+         const std::string              &text,
+         const std::string              &why,
+         const std::vector<std::string> &others = {})
     {
       if (has_decimal_comma(text))
         throw InputError(entry + ": '" + text +
@@ -73,19 +129,23 @@ namespace conetact
                          "have a point; expressions are separated by ';'.");
       const std::string reason =
         !why.empty() && why.back() == '.' ? why.substr(0, why.size() - 1) : why;
-      throw InputError(entry + ": '" + text + "' is not an expression in " +
-                       "x, y, z, t (" + reason +
-                       "). Check names, brackets and " +
-                       "operators; powers are written x^2.");
+      throw InputError(
+        entry + ": '" + text + "' is not an expression in " + "x, y, z, t" +
+        (others.empty() ? "" : ", " + join(others, ", ")) + " (" + reason +
+        "). Check names, brackets and " + "operators; powers are written x^2.");
     }
   } // namespace
 
-  Expression::Expression(const std::string &text, const std::string &entry)
+  Expression::Expression(const std::string              &text,
+                         const std::string              &entry,
+                         const std::vector<std::string> &others)
     : parser(std::make_shared<Parser>())
   {
     Parser &p = *parser;
     p.text    = trim(text);
     p.entry   = entry;
+    p.names   = others;
+    p.others.resize(others.size());
     if (p.text.empty())
       throw InputError(entry + ": an expression is missing. Give a number or " +
                        "a function of x, y, z, t.");
@@ -97,17 +157,23 @@ namespace conetact
         p.mu.DefineVar("y", &p.y);
         p.mu.DefineVar("z", &p.z);
         p.mu.DefineVar("t", &p.t);
+        for (std::size_t i = 0; i < others.size(); ++i)
+          p.mu.DefineVar(others[i], &p.others[i]);
         p.mu.DefineConst("pi", M_PI);
+        p.mu.DefineFun("table", interpolate);
         p.mu.DefineFun("if", choose);
         p.mu.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
         p.mu.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
         p.mu.DefineFun("pow",
                        static_cast<double (*)(double, double)>(std::pow));
-        p.mu.SetExpr(p.text);
+        p.mu.SetExpr(with_tables_as_functions(p.text));
         for (const auto &[name, address] : p.mu.GetUsedVar())
           {
             (void)address;
-            (name == "t" ? p.uses_time : p.uses_space) = true;
+            if (std::count(others.begin(), others.end(), name) > 0)
+              p.used.insert(name);
+            else
+              (name == "t" ? p.uses_time : p.uses_space) = true;
           }
         // That list has names, too, that nothing defines, and only this call
         // asks for them: the next one takes what the list was made of.
@@ -119,14 +185,25 @@ namespace conetact
       }
     catch (const mu::Parser::exception_type &error)
       {
-        fail(entry, p.text, one_line(error.GetMsg()));
+        fail(entry, p.text, one_line(error.GetMsg()), others);
       }
   }
 
   double
   Expression::operator()(const dealii::Point<3> &point, const double t) const
   {
-    Parser &p    = *parser;
+    return (*this)(point, t, std::vector<double>(parser->names.size(), 0.));
+  }
+
+  double
+  Expression::operator()(const dealii::Point<3>    &point,
+                         const double               t,
+                         const std::vector<double> &others) const
+  {
+    AssertDimension(others.size(), parser->names.size());
+    Parser &p = *parser;
+    // muParser knows the places of these numbers: they stay where they are.
+    std::copy(others.begin(), others.end(), p.others.begin());
     p.x          = point[0];
     p.y          = point[1];
     p.z          = point[2];
@@ -138,7 +215,7 @@ namespace conetact
       }
     catch (const mu::Parser::exception_type &error)
       {
-        fail(p.entry, p.text, one_line(error.GetMsg()));
+        fail(p.entry, p.text, one_line(error.GetMsg()), p.names);
       }
     if (!std::isfinite(value))
       throw InputError(p.entry + ": '" + p.text + "' is not finite at " +
@@ -166,9 +243,15 @@ namespace conetact
   }
 
   bool
+  Expression::uses(const std::string &other) const
+  {
+    return parser->used.count(other) > 0;
+  }
+
+  bool
   Expression::is_constant() const
   {
-    return !parser->uses_time && !parser->uses_space;
+    return !parser->uses_time && !parser->uses_space && parser->used.empty();
   }
 
   bool

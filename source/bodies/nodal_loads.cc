@@ -97,6 +97,20 @@ namespace conetact::bodies
 
 
 
+  double
+  NodalLoads::temperature(const unsigned int body,
+                          const Point<3>    &p,
+                          const double       t) const
+  {
+    double sum = 0;
+    for (const Load &load : loads)
+      if (load.body == body && load.kind == Load::Kind::temperature)
+        sum += load.value.front()(p, t);
+    return sum;
+  }
+
+
+
   void
   NodalLoads::visit(const double t, const Visitor &visit)
   {

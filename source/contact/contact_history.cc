@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace conetact::contact
 {
@@ -48,6 +49,7 @@ namespace conetact::contact
     , initial_gap(m.points.layout().n_nodes())
     , q(Eigen::VectorXd::Zero(m.points.n_unknowns()))
     , r(q)
+    , slipped(Eigen::VectorXd::Zero(initial_gap.size()))
   {
     forget_motions();
     Eigen::Index i = 0;
@@ -134,6 +136,8 @@ namespace conetact::contact
     archive.put("contact/a", elastic.motions);
     archive.put("contact/base", elastic.base);
     archive.put("contact/largest", largest);
+    archive.put("contact/slipped", slipped);
+    archive.put("contact/time", time);
     archive.put("contact/gap", initial_gap);
     archive.put("contact/directions", directions_of(model->points));
     archive.put("contact/states", to_numbers(states));
@@ -158,6 +162,8 @@ namespace conetact::contact
     archive.fill("contact/q", q);
     archive.fill("contact/r", r);
     archive.fill("contact/largest", largest);
+    archive.fill("contact/slipped", slipped);
+    archive.fill("contact/time", time);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
     // about the undeformed place, which is as good.
@@ -184,8 +190,9 @@ namespace conetact::contact
   {
     const Elasticity       &bodies = model->elasticity();
     solvers::ContactProblem problem;
-    problem.system = bodies.system();
-    problem.gap    = gaps();
+    problem.system   = bodies.system();
+    problem.friction = load.friction;
+    problem.gap      = gaps();
     problem.reference_force =
       std::max(rounding_of_past * largest, bodies.reference_force(load));
     bodies.write(load, offset_at(load), elastic, problem);
@@ -221,8 +228,31 @@ namespace conetact::contact
     return model->elasticity().nearby(w, motions - elastic.base);
   }
 
+  std::shared_ptr<const IncrementFriction>
+  ContactHistory::friction_until(const double       t,
+                                 const Temperature &temperature) const
+  {
+    const ContactPoints &points = model->points;
+    if (!has_varying_friction(points))
+      return {};
+    Assert(t > time, dealii::ExcMessage("Time goes on."));
+    std::vector<pairing::FrictionPoint> known(points.size());
+    for (std::size_t i = 0; i < known.size(); ++i)
+      {
+        const pairing::ContactNode &node = *points[i].node;
+        known[i].position                = node.position;
+        known[i].t                       = t;
+        known[i].slipped = slipped[static_cast<Eigen::Index>(i)];
+        if (node.friction && node.friction->uses_temperature())
+          known[i].temperature = temperature(node.body, node.position);
+      }
+    return std::make_shared<IncrementFriction>(points,
+                                               std::move(known),
+                                               t - time);
+  }
+
   void
-  ContactHistory::advance(const solvers::ContactState &end)
+  ContactHistory::advance(const solvers::ContactState &end, const double t)
   {
     AssertDimension(end.node.size(), model->points.size());
     Assert(end.r.allFinite() && end.v.allFinite(),
@@ -236,6 +266,11 @@ namespace conetact::contact
     r = end.r.head(n);
     model->elasticity().end(end, elastic);
     states = end.node;
+    time   = t;
+    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
+      if (end.node[static_cast<std::size_t>(i)] == solvers::NodeState::slip)
+        slipped[i] +=
+          end.v.segment(layout.first[i], layout.n_tangents(i)).norm();
     if (n > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
   }
@@ -245,7 +280,8 @@ namespace conetact::contact
                        const Eigen::VectorXd &amounts,
                        const double           largest_force) const
   {
-    const Eigen::VectorXd seen = model->motions.seen() * amounts;
+    const Eigen::VectorXd seen = // BLAS does not take matrices of size 0
+      model->motions.seen().lazyProduct(amounts);
     end.v.head(seen.size()) += seen;
     model->elasticity().move(amounts, seen, end);
     // What carried nothing may have left or slipped, and what stuck at its

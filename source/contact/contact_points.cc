@@ -174,11 +174,28 @@ namespace conetact::contact
       {
         throw AnalysisError(error.what());
       }
-    if (contact_layout.first != before.first || contact_layout.mu != before.mu)
+    bool same = contact_layout.first == before.first;
+    for (std::size_t i = 0; i < n_candidates && same; ++i)
+      if (const auto k = static_cast<Eigen::Index>(i); points[i].node->friction)
+        contact_layout.mu[k] = points[i].mu = before.mu[k];
+      else
+        same = contact_layout.mu[k] == before.mu[k];
+    if (!same)
       throw AnalysisError(
         "A contact node that supports hold slides to where they hold it in "
         "another way: along its contact normal, or no longer. Take the nodes "
         "that supports hold out of the contact");
+  }
+
+
+
+  void
+  ContactPoints::set_friction(const Eigen::VectorXd &mu)
+  {
+    AssertDimension(mu.size(), contact_layout.mu.size());
+    contact_layout.mu = mu;
+    for (std::size_t i = 0; i < n_candidates; ++i)
+      points[i].mu = mu[static_cast<Eigen::Index>(i)];
   }
 
 

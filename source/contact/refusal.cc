@@ -145,6 +145,19 @@ namespace conetact::contact
       return solvers::ExistenceCheck(std::move(system), std::move(frames));
     }
 
+    /** All that the check asks for, with the coefficients of now. */
+    std::shared_ptr<solvers::ContactSystem>
+    without_matrix(const solvers::ContactSystem &all, const ContactModel &model)
+    {
+      auto system        = std::make_shared<solvers::ContactSystem>();
+      system->form       = all.form;
+      system->first      = all.first;
+      system->n_motions  = all.n_motions;
+      system->mu         = model.points.layout().mu;
+      system->null_space = all.null_space;
+      return system;
+    }
+
     /** Whether a node is among the nearest of its contact. */
     std::vector<bool>
     nearest_nodes(const Eigen::VectorXd &gaps, const ContactModel &model)
@@ -171,7 +184,8 @@ namespace conetact::contact
   solvers::ExistenceCheck
   make_existence_check(ContactModel &model)
   {
-    return existence_check(model.elasticity().system(), model);
+    return existence_check(without_matrix(*model.elasticity().system(), model),
+                           model);
   }
 
   std::optional<solvers::Existence>
@@ -183,11 +197,7 @@ namespace conetact::contact
   {
     const solvers::ContactSystem &all     = *model.elasticity().system();
     const std::vector<bool>       nearest = nearest_nodes(gaps, model);
-    auto system        = std::make_shared<solvers::ContactSystem>();
-    system->first      = all.first; // all that the check asks for
-    system->n_motions  = all.n_motions;
-    system->mu         = all.mu;
-    system->null_space = all.null_space;
+    const auto                    system  = without_matrix(all, model);
     for (Eigen::Index i = 0; i < all.n_nodes(); ++i)
       if (const auto k = static_cast<std::size_t>(i); !nearest[k])
         system->null_space

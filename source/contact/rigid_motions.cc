@@ -125,6 +125,18 @@ namespace conetact::contact
       return reached;
     }
 
+    /** Whether ties join the body to others. */
+    bool
+    is_tied(const unsigned int  body,
+            const Bodies       &bodies,
+            const RigidMotions &motions)
+    {
+      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+        if (b != body && motions.first_tied(b) == motions.first_tied(body))
+          return true;
+      return false;
+    }
+
     void
     refuse_loose_bodies(const Bodies &bodies, const RigidMotions &motions)
     {
@@ -136,7 +148,10 @@ namespace conetact::contact
           throw InputError(
             "Nothing holds " + bodies.called(m.body) + " against moving " +
             describe(m) +
-            ": no support, and no node of it faces anything in a Contact. " +
+            (is_tied(m.body, bodies, motions) ?
+               ": neither it nor what it is tied to has a support or a node "
+               "that faces anything else in a Contact. " :
+               ": no support, and no node of it faces anything in a Contact. ") +
             (bodies.is_rigid(m.body) ? "Let it be less Free" :
                                        "Add a Support") +
             ", or a Contact; check Boundary ids, Reach and the bodies' "

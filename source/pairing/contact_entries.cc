@@ -138,8 +138,20 @@ namespace conetact::pairing
       prm.declare_entry("Friction coefficient",
                         "0",
                         Anything(),
-                        "Coulomb's mu, 0 or more, a function of x, y, z; mu in "
-                        "[K] (5). [-]");
+                        "Coulomb's mu, 0 or more; mu in [K] (5). A function of "
+                        "x, y, z (undeformed place), t, T (change of the "
+                        "temperature of Body there), s (way slipped so far), p "
+                        "(pressure) and v (slip of the increment over its "
+                        "time): 0.2 + 0.1*exp(-s/0.5), table(p; 0 : 0.5; 100 : "
+                        "0.3), if(t < 1, 0, 0.2). Of s the value at the start "
+                        "of the increment counts, of the others that at its "
+                        "end. [-]");
+      prm.declare_entry("Shear limit",
+                        "",
+                        Anything(),
+                        "Largest traction of friction, whatever the pressure "
+                        "(Tresca): |traction| <= min(mu p, limit); a function "
+                        "of x, y, z, t, T, s. Empty: none. [stress]");
       prm.declare_entry("Second friction coefficient",
                         "",
                         Anything(),

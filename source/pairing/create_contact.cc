@@ -136,9 +136,12 @@ namespace conetact::pairing
              "no friction, for a reaction that may pull has no cone") +
           ". Leave the entry at its default, or choose Kind = contact.");
       };
+      if (!contact.friction->expression().is_zero())
+        refuse("Friction coefficient");
+      if (!prm.get("Shear limit").empty())
+        refuse("Shear limit");
       const std::pair<const char *, const std::optional<Expression> *>
-        entries[] = {{"Friction coefficient", &contact.friction},
-                     {"Second friction coefficient", &contact.second_friction},
+        entries[] = {{"Second friction coefficient", &contact.second_friction},
                      {"Prestress", &contact.prestress},
                      {"Cohesion", &contact.cohesion}};
       for (const auto &[entry, expression] : entries)
@@ -255,17 +258,23 @@ namespace conetact::pairing
                             "bilateral contacts keep gaps as they are drawn: "
                             "leave the entry empty, or give 0 to close them.");
     find_limits(prm, in, contact);
-    contact.friction.emplace(prm.get("Friction coefficient"),
-                             in + "Friction coefficient");
+    contact.friction =
+      std::make_shared<FrictionLaw>(prm.get("Friction coefficient"),
+                                    prm.get("Shear limit"),
+                                    in);
     if (!prm.get("Second friction coefficient").empty())
       contact.second_friction.emplace(prm.get("Second friction coefficient"),
                                       in + "Second friction coefficient");
     contact.friction_angle =
       to_number(prm.get("Friction angle"), in + "Friction angle") * M_PI / 180;
-    for (const auto *friction : {&contact.friction, &contact.second_friction})
-      if (*friction && (*friction)->uses_time())
-        throw InputError(in + "Friction coefficient: it depends on t. "
-                              "Friction stays the same: use x, y, z only.");
+    if (contact.second_friction && !contact.friction->is_constant())
+      throw InputError(in + "Second friction coefficient: an elliptic cone "
+                            "stays the same. Leave the entry empty, or let "
+                            "Friction coefficient depend on x, y, z only, "
+                            "without a Shear limit.");
+    if (contact.second_friction && contact.second_friction->uses_time())
+      throw InputError(in + "Second friction coefficient: it depends on t. An "
+                            "elliptic cone stays the same: use x, y, z only.");
     const auto constant = [&](const char *entry) {
       Expression expression(prm.get(entry), in + entry);
       if (expression.uses_time())

@@ -54,8 +54,14 @@ namespace conetact::pairing
     {
       const std::string in = "Contact '" + contact.name + "', ";
       node.friction_angle  = contact.friction_angle;
-      node.mu_1 =
-        value_at(*contact.friction, node.position, in + "Friction coefficient");
+      node.mu_1            = value_at(contact.friction->expression(),
+                           node.position,
+                           in + "Friction coefficient");
+      if (!contact.friction->is_constant())
+        {
+          node.friction = contact.friction;
+          node.mu_1     = node.mu_1 > 0 ? node.mu_1 : 1.;
+        }
       node.mu_2 = contact.second_friction ?
                     value_at(*contact.second_friction,
                              node.position,

@@ -58,6 +58,23 @@ namespace conetact::pairing
       return furthest;
     }
 
+    /** Nothing has room between a node and what it meets. */
+    bool
+    touches(const ContactNode &node)
+    {
+      constexpr double rounding = 1e-6; // of an edge
+      return node.gap <= rounding * node.spacing;
+    }
+
+    /** Whether one of two contacts of a node is in the way of the other. */
+    bool
+    is_nearer(const ContactNode &one, const ContactNode &other)
+    {
+      constexpr double alike = .7; // 45 degrees between normals
+      return one.node == other.node && !one.meets_nothing() &&
+             one.gap < (1 - 1e-6) * other.gap && one.n * other.n > alike;
+    }
+
     /** Whether faces at the node look at what is met along n. */
     bool
     looks_at(const bodies::SurfaceNode &node,
@@ -147,17 +164,52 @@ namespace conetact::pairing
     return !node.is_mean && n_met < inside && n_sharp == n_met;
   }
 
+  /** What nodes of the slave meet of bodies other than the master. */
+  std::vector<ContactNode>
+  NearSearch::nodes_on_others(const Contact &trial, const double gap) const
+  {
+    std::vector<ContactNode> nodes;
+    Contact                  other = trial;
+    other.pairing                  = "node to face";
+    other.reach                    = gap;
+    for (other.master = 0; other.master < structures.size(); ++other.master)
+      {
+        if (other.master == trial.body || other.master == trial.master)
+          continue;
+        const Side side = side_near(other.master, trial.body);
+        if (other.master_ids = side.ids; side.ids.empty())
+          continue;
+        const PairedNodes found =
+          pairing_of(other, structures).pair(other, structures);
+        nodes.insert(nodes.end(), found.nodes.begin(), found.nodes.end());
+      }
+    return nodes;
+  }
+
   bool
   NearSearch::meet(const Contact &trial, const double gap) const
   {
-    const PairedNodes found =
-      pairing_of(trial, structures).pair(trial, structures);
-    return std::any_of(found.nodes.begin(),
-                       found.nodes.end(),
-                       [&](const ContactNode &node) {
-                         return !node.meets_nothing() && node.gap <= gap &&
-                                !meets_an_edge(node);
-                       });
+    PairedNodes found = pairing_of(trial, structures).pair(trial, structures);
+    auto       &nodes = found.nodes;
+    nodes.erase(std::remove_if(nodes.begin(),
+                               nodes.end(),
+                               [&](const ContactNode &node) {
+                                 return node.meets_nothing() ||
+                                        node.gap > gap || meets_an_edge(node);
+                               }),
+                nodes.end());
+    if (std::any_of(nodes.begin(), nodes.end(), &touches))
+      return true;
+    // What stands between them hides one from the other.
+    const std::vector<ContactNode> others =
+      nodes.empty() ? nodes : nodes_on_others(trial, gap);
+    return std::any_of(nodes.begin(), nodes.end(), [&](const ContactNode &n) {
+      return std::none_of(others.begin(),
+                          others.end(),
+                          [&](const ContactNode &other) {
+                            return is_nearer(other, n);
+                          });
+    });
   }
 
   std::optional<NearSides>

@@ -168,9 +168,11 @@ namespace conetact::solvers
     std::set<std::string> seen;
     std::string           current = signature(point.sets);
     const ContactSystem  &system  = relation->system();
-    const bool   is_plane = system.n_contact_unknowns() <= 2 * system.n_nodes();
-    bool         damped   = false;
-    unsigned int stalls   = 0;
+    const bool            is_linear =
+      system.n_contact_unknowns() <= 2 * system.n_nodes() &&
+      relation->has_cones();
+    bool         damped = false;
+    unsigned int stalls = 0;
     // The residual of the first point says nothing: its states are not those
     // of its z.
     point.d        = dual(point.p);
@@ -190,12 +192,13 @@ namespace conetact::solvers
         const bool        improved = point.residual < .5 * before;
         current                    = next;
         stalls                     = improved ? 0 : stalls + 1;
-        // In the plane a step is exact if the states are; in space one of a
-        // small system costs nothing, and squares what is left.
+        // In the plane a step is exact if the states are, as far as friction is
+        // linear; else one of a small system costs nothing, and squares what is
+        // left.
         const bool enough =
-          (same && is_plane) || !improved || !newton.was_small();
+          (same && is_linear) || !improved || !newton.was_small();
         const bool is_noise =
-          point.residual <= noise && same && (is_plane || !improved);
+          point.residual <= noise && same && (is_linear || !improved);
         if ((point.residual <= goal && enough) || is_noise ||
             (same && stalls > max_stalls))
           break;

@@ -129,9 +129,11 @@ namespace conetact::solvers
                     const double          m0,
                     SolverReport         &report)
   {
-    if (!relation || !relation->is(problem.system))
-      relation.emplace(problem.system);
-    relation->set_load(problem);
+    // smoothed cones are cones: friction that varies is that of the start
+    const ContactProblem cones = with_coefficients_of(state, problem);
+    if (!relation || !relation->is(cones.system))
+      relation.emplace(cones.system);
+    relation->set_load(cones);
 
     SmoothingOptions smoothing = options.smoothing;
     smoothing.stop             = options.stop;
@@ -230,14 +232,15 @@ namespace conetact::solvers
 
     SolverOptions loose   = options;
     loose.tolerance       = std::max(1e-6, options.tolerance);
-    ContactProblem part   = problem;
+    ContactProblem part   = with_coefficients_of(state, problem);
+    const auto     system = part.system;
     const auto     start  = state.v;
     double         solved = 0, ratio = 10;
     const double   softest = 1e6 * softer;
     state.node.clear();
     for (unsigned int step = 0; step < most_steps; ++step)
       {
-        part.system             = softened(*problem.system, softer, friction);
+        part.system             = softened(*system, softer, friction);
         ContactState       next = state;
         const SolverReport one  = ActiveSet(loose).solve(part, next);
         add_work(report, one);
@@ -398,8 +401,8 @@ namespace conetact::solvers
     // of use to the caller.
     ContactState estimate = state;
     SolverReport first;
-    const bool   redundant =
-      options.may_be_rigid && is_sparse_compliance(*problem.system);
+    const bool   redundant = options.may_be_rigid && !problem.friction &&
+                           is_sparse_compliance(*problem.system);
     if (redundant)
       first = make_redundant_contacts(options)->solve(problem, estimate);
     if (first.converged || (options.stop && options.stop()))

@@ -128,7 +128,7 @@ namespace conetact::solvers
       for (Index i = 0; i < system.n_nodes(); ++i)
         {
           const Index       first = system.first[i], nt = system.n_tangents(i);
-          const double      mu   = system.mu(i);
+          const double      mu   = friction_coefficient(problem, state, i);
           const SmallVector r    = state.r.segment(first, nt + 1);
           SmallVector       v    = closest.segment(first, nt + 1);
           const double      slip = v.head(nt).norm(), gap = v(nt);
@@ -160,6 +160,48 @@ namespace conetact::solvers
              value < -limit ? value + limit :
                               0.;
     });
+  }
+
+  FrictionLimit
+  friction_limit(const ContactProblem &problem,
+                 const Index           i,
+                 const double          r_n,
+                 const double          slip)
+  {
+    eigen_assert(i < problem.system->n_nodes());
+    if (problem.friction)
+      return problem.friction->at(i, r_n, slip);
+    const double mu = problem.system->mu(i);
+    return {mu * r_n, mu, 0};
+  }
+
+  double
+  friction_coefficient(const ContactProblem &problem,
+                       const ContactState   &state,
+                       const Index           i)
+  {
+    const ContactSystem &system = *problem.system;
+    if (!problem.friction)
+      return system.mu(i);
+    const double r_n = state.r(system.normal(i));
+    const double slip =
+      state.v.segment(system.first[i], system.n_tangents(i)).norm();
+    const FrictionLimit limit = problem.friction->at(i, r_n, slip);
+    return r_n > 0 ? limit.value / r_n : limit.by_force;
+  }
+
+  ContactProblem
+  with_coefficients_of(const ContactState &state, const ContactProblem &problem)
+  {
+    ContactProblem result = problem;
+    if (!problem.friction)
+      return result;
+    auto system = std::make_shared<ContactSystem>(*problem.system);
+    for (Index i = 0; i < system->n_nodes(); ++i)
+      system->mu(i) = friction_coefficient(problem, state, i);
+    result.system   = system;
+    result.friction = {};
+    return result;
   }
 
   VectorXd
@@ -239,11 +281,12 @@ namespace conetact::solvers
     double own = 0, relation = 0;
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        const Index first = system.first[i], nt = system.n_tangents(i);
+        const Index  first = system.first[i], nt = system.n_tangents(i);
+        const double mu = friction_coefficient(problem, state, i);
         // lambda may be anything from |du_t| on where r_n = 0
         const auto add = [&](const VectorXd &x, const VectorXd &y) {
           const double lambda = x.segment(first, nt).norm();
-          return lambda * system.mu(i) * y(first + nt) +
+          return lambda * mu * y(first + nt) +
                  x.segment(first, nt + 1).dot(y.segment(first, nt + 1));
         };
         own += add(state.v, state.r);

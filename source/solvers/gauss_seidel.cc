@@ -3,6 +3,7 @@
 
 #include "conetact/solvers/gauss_seidel.h"
 
+#include "conetact/solvers/fixed_cones.h"
 #include "conetact/solvers/local_coulomb.h"
 #include "conetact/solvers/stiffness_form.h"
 
@@ -256,6 +257,6 @@ namespace conetact::solvers
   std::unique_ptr<ContactSolver>
   make_gauss_seidel(const SolverOptions &options)
   {
-    return std::make_unique<GaussSeidel>(options);
+    return with_fixed_cones(std::make_unique<GaussSeidel>(options), options);
   }
 } // namespace conetact::solvers

@@ -229,20 +229,21 @@ namespace conetact::solvers
   {
     // of what is on the way states matter only
     constexpr double   least_ratio = 1.1, enough = 1e-6;
-    const ContactState start = state;
-    ContactProblem     easier(problem);
-    Kept               u = start_u; // of the last factor that is solved
+    const ContactState start  = state;
+    ContactProblem     easier = with_coefficients_of(start, problem);
+    const auto         cones  = easier.system;
+    Kept               u      = start_u; // of the last factor that is solved
     SolverReport       report, sum;
     double             solved = 0;
-    if (problem.system->n_nodes() == 0 || problem.system->mu.maxCoeff() == 0)
+    if (cones->n_nodes() == 0 || cones->mu.maxCoeff() == 0)
       return report;
-    const double much = std::max(1 / problem.system->mu.maxCoeff(), 2.);
+    const double much = std::max(1 / cones->mu.maxCoeff(), 2.);
     for (double factor = much, ratio = 2;;)
       {
-        auto system = std::make_shared<ContactSystem>(*problem.system);
+        auto system = std::make_shared<ContactSystem>(*cones);
         system->mu *= factor;
-        easier.system = factor > 1 ? system : problem.system;
-        attach(easier);
+        easier.system = system;
+        attach(factor > 1 ? easier : problem);
         Point point = point_at(u);
         point.sets  = solved > 0 ? sets_of_point(*relation, point.p, point.d) :
                                    sets_of_state(*relation, all_stuck(start));

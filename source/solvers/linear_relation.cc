@@ -128,6 +128,7 @@ namespace conetact::solvers
   void
   LinearRelation::set_load(const ContactProblem &problem)
   {
+    friction = problem.friction;
     // Both M = S A S and l = +-S load with S = diag(scale)
     const Index n = contact_system->n_contact_unknowns();
     const Index k = contact_system->n_motions;
@@ -158,6 +159,25 @@ namespace conetact::solvers
     scaled_load /= alpha;
     scaled_offset /= alpha;
     load_force /= alpha;
+  }
+
+
+
+  FrictionLimit
+  LinearRelation::limit(const Index  i,
+                        const double r_n,
+                        const double slip) const
+  {
+    if (!friction)
+      {
+        const double mu = contact_system->mu(i);
+        return {mu * r_n, mu, 0};
+      }
+    const double  force = unit_of_force(i), length = unit_of_length(i);
+    FrictionLimit result = friction->at(i, force * r_n, length * slip);
+    result.value /= force;
+    result.by_slip *= length / force;
+    return result;
   }
 
 

@@ -41,11 +41,10 @@ namespace conetact::solvers
     NodeSet
     slip_of_state(const SmallVector &slip,
                   const SmallVector &reaction,
-                  const double       limit,
-                  const double       stiffness)
+                  const double       limit)
     {
       NodeSet           set;
-      const SmallVector z    = reaction - stiffness * slip;
+      const SmallVector z    = reaction - slip;
       const double      norm = z.norm();
       set.state              = NodeState::stick;
       set.direction          = SmallVector::Zero(slip.size());
@@ -131,11 +130,11 @@ namespace conetact::solvers
     };
 
     Law
-    law_of(const NodeSet     &set,
-           const double       mu,
-           const SmallVector &v,
-           const SmallVector &r,
-           const bool         definite)
+    law_of(const NodeSet       &set,
+           const FrictionLimit &limit,
+           const SmallVector   &v,
+           const SmallVector   &r,
+           const bool           definite)
     {
       const Index       nt   = v.size() - 1;
       const SmallMatrix zero = SmallMatrix::Zero(nt + 1, nt + 1);
@@ -147,18 +146,22 @@ namespace conetact::solvers
       if (set.state == NodeState::stick || nt == 0)
         return law;
 
-      // r_t = mu z_n e, with z_n and e linearised
-      const double      zn = r(nt) - v(nt);
-      const SmallMatrix T  = turning_part(set, mu * zn, r.head(nt), definite);
+      // r_t = limit(z_n, |v_t|) e, with all of it linearised
+      const double      zn = r(nt) - v(nt), slip = v.head(nt).norm();
+      const SmallMatrix T =
+        turning_part(set, limit.value, r.head(nt), definite);
       // With dz = dr - dv, A takes what belongs to dv and B the rest.
       law.A.topLeftCorner(nt, nt) = T;
       law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
-      law.A.topRightCorner(nt, 1) = mu * set.direction;
+      law.A.topRightCorner(nt, 1) = limit.by_force * set.direction;
       law.B.topRightCorner(nt, 1) = -law.A.topRightCorner(nt, 1);
+      if (limit.by_slip != 0 && slip > 0)
+        law.A.topLeftCorner(nt, nt) -=
+          limit.by_slip / slip * set.direction * v.head(nt).transpose();
       // A first guess of the states may not go with z: then the law is asked
       // for at the end of the step.
       if (zn > 0)
-        law.h.head(nt) = mu * zn * set.direction - r.head(nt);
+        law.h.head(nt) = limit.value * set.direction - r.head(nt);
       else
         law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
       return law;
@@ -196,16 +199,17 @@ namespace conetact::solvers
         if (set.state == NodeState::open || nt == 0)
           continue;
         // Without friction what is closed slips; stuck it would take shear.
-        if (system.mu(i) == 0)
+        if (relation.is_frictionless(i))
           set.state = NodeState::slip;
         else if (set.state == NodeState::slip)
           {
-            // c of the node: the states have units here.
-            const double s = relation.column_scale()(first);
-            set            = slip_of_state(state.v.segment(first, nt),
-                                state.r.segment(first, nt),
-                                system.mu(i) * state.r(first + nt),
-                                relation.stiffness() ? 1 / (s * s) : s * s);
+            const SmallVector slip =
+              state.v.segment(first, nt) / relation.unit_of_length(i);
+            const SmallVector r =
+              state.r.segment(first, nt + 1) / relation.unit_of_force(i);
+            set = slip_of_state(slip,
+                                r.head(nt),
+                                relation.limit(i, r(nt), slip.norm()).value);
           }
       }
     return sets;
@@ -231,9 +235,10 @@ namespace conetact::solvers
         set.direction = SmallVector::Zero(nt);
         if (!(z(nt) > 0))
           continue;
-        const double norm  = z.head(nt).norm();
-        const double limit = system.mu(i) * z(nt);
-        set.state          = NodeState::stick;
+        const double norm = z.head(nt).norm();
+        const double limit =
+          relation.limit(i, z(nt), x.v.segment(first, nt).norm()).value;
+        set.state = NodeState::stick;
         if (nt == 0 || (norm <= limit && limit > 0))
           continue;
         set.state = NodeState::slip;
@@ -278,11 +283,12 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index first = system.first[i], dim = system.n_tangents(i) + 1;
-        const Law   law = law_of(sets[at(i)],
-                               system.mu(i),
-                               x.v.segment(first, dim),
-                               x.r.segment(first, dim),
-                               definite);
+        const SmallVector   v  = x.v.segment(first, dim);
+        const SmallVector   r  = x.r.segment(first, dim);
+        const double        zn = r(dim - 1) - v(dim - 1);
+        const FrictionLimit limit =
+          relation.limit(i, zn, v.head(dim - 1).norm());
+        const Law law   = law_of(sets[at(i)], limit, v, r, definite);
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
@@ -313,8 +319,10 @@ namespace conetact::solvers
         const Index       first = system.first[i], nt = system.n_tangents(i);
         const SmallVector r  = x.r.segment(first, nt + 1);
         SmallVector       z  = r - near_reaction(v.segment(first, nt + 1), r);
-        const double      zn = std::max(z(nt), 0.), limit = system.mu(i) * zn;
-        const double      norm = z.head(nt).norm();
+        const double      zn = std::max(z(nt), 0.);
+        const double      limit =
+          relation.limit(i, zn, x.v.segment(first, nt).norm()).value;
+        const double norm = z.head(nt).norm();
         if (norm > limit)
           z.head(nt) *= limit / norm;
         // Not the nearest point of the cone, but r_t cut back to mu z_n, as the
@@ -349,7 +357,7 @@ namespace conetact::solvers
           const Index       first = system.first[i], nt = system.n_tangents(i);
           const SmallVector slip   = x.v.segment(first, nt);
           const double      length = slip.norm();
-          const double      limit  = system.mu(i) * x.r(first + nt);
+          const double limit = relation.limit(i, x.r(first + nt), length).value;
           if (length > rounding * largest)
             askew =
               std::max(askew,
@@ -386,7 +394,7 @@ namespace conetact::solvers
           stop(first + nt, 1);
         if (node == NodeState::stick)
           stop(first, nt);
-        if (node == NodeState::slip && system.mu(i) == 0)
+        if (node == NodeState::slip && relation.is_frictionless(i))
           r.segment(first, nt).setZero();
       }
   }
@@ -398,7 +406,7 @@ namespace conetact::solvers
   {
     for (std::size_t i = 0; i < sets.size(); ++i)
       if (sets[i].state == NodeState::slip &&
-          relation.system().mu(static_cast<Index>(i)) > 0)
+          !relation.is_frictionless(static_cast<Index>(i)))
         sets[i].state = NodeState::stick;
     return sets;
   }
@@ -416,7 +424,7 @@ namespace conetact::solvers
     for (std::size_t i = 0; i < sets.size(); ++i)
       {
         const auto   k    = static_cast<Index>(i);
-        const double hold = system.mu(k) * r(system.normal(k));
+        const double hold = relation.limit(k, r(system.normal(k)), 0).value;
         if (sets[i].state == NodeState::slip && hold > most)
           {
             most      = hold;

@@ -3,6 +3,8 @@
 
 #include "conetact/solvers/smoothing_newton.h"
 
+#include "conetact/solvers/fixed_cones.h"
+
 namespace conetact::solvers
 {
   SmoothingNewton::SmoothingNewton(const SolverOptions &solver_options)
@@ -66,6 +68,7 @@ namespace conetact::solvers
   std::unique_ptr<ContactSolver>
   make_smoothing_newton(const SolverOptions &options)
   {
-    return std::make_unique<SmoothingNewton>(options);
+    return with_fixed_cones(std::make_unique<SmoothingNewton>(options),
+                            options);
   }
 } // namespace conetact::solvers

@@ -26,6 +26,22 @@ namespace conetact::verification
       return "the contact node at " + to_text(point.node->position) +
              " of body '" + bodies.names[point.node->body] + "' ";
     }
+
+    /** The largest friction of a node by the law of its contact. */
+    double
+    varying_limit(const pairing::ContactNode &node,
+                  pairing::FrictionPoint      here,
+                  const double                r_n,
+                  const double                speed)
+    {
+      const double area = node.meets_nothing() ? 0. : node.area;
+      here.pressure     = area > 0 ? std::max(r_n, 0.) / area : 0.;
+      here.speed        = speed;
+      return std::min(node.friction->coefficient(here) * r_n,
+                      node.friction->needs_area() ?
+                        node.friction->shear_limit(here) * area :
+                        std::numeric_limits<double>::infinity());
+    }
   } // namespace
 
 
@@ -160,8 +176,16 @@ namespace conetact::verification
     const VectorXd slip = (claim.incremental ? out.change : out.displacements)
                             .segment(point.first, nt);
     // Radius of the cone; cohesion holds at open nodes, too.
-    const double limit = point.mu * r_n + node.cohesion;
+    const double limit =
+      claim.friction && node.friction ?
+        varying_limit(node,
+                      claim.friction->known(i),
+                      r_n,
+                      slip.norm() / claim.friction->duration()) :
+        point.mu * r_n + node.cohesion;
 
+    if (limit < 0 && r_n > 0)
+      errors.force(-limit, "has a coefficient of friction below 0");
     errors.force(-r_n, "is pulled by its contact");
     errors.force(r_t.norm() - std::max(limit, 0.),
                  "carries more than friction");

@@ -16,7 +16,7 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (automatic, axisymmetric, backends, balance, bodies, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, kill, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims,  # noqa: E402
                   round_pairs, sliding,
-                  supports, threads, tie, transformations, vanishing)
+                  supports, threads, tie, transformations, vanishing, varying_friction)
 from support.checks import run_families  # noqa: E402
 
 FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, "rotation": transformations.rotation_family,
@@ -43,7 +43,8 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "quadratic": quadratic.quadratic, "quadratic-pairs": quadratic.pairs, "quadratic-orders": quadratic.converging,
             "quadratic-far": quadratic.far, "quadratic-tetrahedra": quadratic.tetrahedra, "quadratic-bent": quadratic.bent,
             "quadratic-one-by-one": quadratic.one_by_one, "quadratic-rings": quadratic_round.rings, "quadratic-pins": quadratic_round.pins,
-            "quadratic-balls": quadratic_round.balls, "quadratic-sheared-balls": quadratic_round.sheared_balls, "automatic": automatic.automatic}
+            "quadratic-balls": quadratic_round.balls, "quadratic-sheared-balls": quadratic_round.sheared_balls, "automatic": automatic.automatic,
+            "varying-friction": varying_friction.varying_friction}
 
 if __name__ == "__main__":
     if len(sys.argv) < 3:

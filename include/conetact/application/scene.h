@@ -63,6 +63,10 @@ namespace conetact::application
     /** Nodal forces of all loads, to be integrated when asked for. */
     bodies::NodalLoads
     nodal_loads() const;
+    /** Obstacles that no contact names. */
+    std::vector<const pairing::Obstacle *>
+    idle_obstacles() const;
+
     /** Forces on obstacles that are free and of Preloads, on all dofs of all
      * bodies [force]. */
     Eigen::VectorXd
@@ -183,6 +187,8 @@ namespace conetact::application
     bodies_at_rest() const;
     void
     check_path() const;
+    void
+    check_friction();
     void
     check_turning_supports() const;
     void

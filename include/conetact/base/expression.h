@@ -15,25 +15,36 @@ namespace conetact
   /**
    * A function of position and time that a user wrote: muParser's syntax with
    * the variables x, y, z (undeformed position) and t (time), the constant pi,
-   * and if(condition, a, b).
+   * if(condition, a, b), and table(x; x0 : y0; x1 : y1; ...), which is linear
+   * from point to point and constant beyond.
    */
   class Expression
   {
   public:
     /**
-     * `entry` is named in messages, e.g. "Load 'wind', Value". Throws
-     * InputError if the text does not parse.
+     * `entry` is named in messages, e.g. "Load 'wind', Value"; `others` are the
+     * names of further variables. Throws InputError if the text does not parse.
      */
-    Expression(const std::string &text, const std::string &entry);
+    Expression(const std::string              &text,
+               const std::string              &entry,
+               const std::vector<std::string> &others = {});
 
     /** Throws InputError if the value is not finite. */
     double
     operator()(const dealii::Point<3> &p, const double t = 0) const;
+    /** With values of the further variables. */
+    double
+    operator()(const dealii::Point<3>    &p,
+               const double               t,
+               const std::vector<double> &others) const;
 
     bool
     uses_time() const;
     bool
     uses_space() const;
+    /** Whether the further variable of that name is in the text. */
+    bool
+    uses(const std::string &other) const;
     /** Whether the value is the same at all points and times. */
     bool
     is_constant() const;

@@ -48,6 +48,11 @@ namespace conetact::bodies
     using Visitor = std::function<void(const Load &, const Eigen::VectorXd &)>;
     void
     visit(const double t, const Visitor &visit);
+    /** Change of a body's temperature at a point of it [K]. */
+    double
+    temperature(const unsigned int body,
+                const Point<3>    &p,
+                const double       t) const;
     /** Its forces alone. */
     Eigen::VectorXd
     at(const double t)

@@ -6,6 +6,10 @@
 
 #include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
+#include "conetact/contact/increment_friction.h"
+
+#include <functional>
+#include <memory>
 
 namespace conetact::contact
 {
@@ -77,9 +81,17 @@ namespace conetact::contact
     move(solvers::ContactState &end,
          const Eigen::VectorXd &amounts,
          const double           largest_force) const;
-    /** Takes over the end of an increment. */
+    /** Takes over the end of an increment, at time t. */
     void
-    advance(const solvers::ContactState &end);
+    advance(const solvers::ContactState &end, const double t);
+
+    /** Change of a body's temperature at a point of it, at the time asked for.
+     */
+    using Temperature =
+      std::function<double(unsigned int body, const Point<3> &p)>;
+    /** Friction of the increment until t; none where no coefficient varies. */
+    std::shared_ptr<const IncrementFriction>
+    friction_until(const double t, const Temperature &temperature) const;
 
     /** Relative displacements of all contact unknowns since the start. */
     const Eigen::VectorXd &
@@ -126,7 +138,9 @@ namespace conetact::contact
     Eigen::VectorXd                 q, r;
     ElasticState                    elastic;
     std::vector<solvers::NodeState> states;
-    double largest = 0; ///< reaction or load so far [force]
+    double          largest = 0; ///< reaction or load so far [force]
+    Eigen::VectorXd slipped;     ///< way of each node so far [length]
+    double          time = 0;    ///< at the end of the last increment
   };
 } // namespace conetact::contact
 

@@ -131,6 +131,10 @@ namespace conetact::contact
     relink(std::vector<pairing::ContactNode> nodes,
            const std::vector<double>        &times);
 
+    /** Coefficients of all candidates from here on. */
+    void
+    set_friction(const Eigen::VectorXd &mu);
+
     /** Offsets `first` and coefficients `mu` of all unknowns; no matrix. */
     const solvers::ContactSystem &
     layout() const

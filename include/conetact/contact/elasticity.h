@@ -5,6 +5,7 @@
 #define conetact_contact_elasticity_h
 
 #include "conetact/condensed/condenser.h"
+#include "conetact/contact/increment_friction.h"
 #include "conetact/contact/redundant_rows.h"
 #include "conetact/solvers/contact_problem.h"
 
@@ -37,6 +38,8 @@ namespace conetact::contact
      */
     Eigen::VectorXd offset;
     Eigen::VectorXd placement; ///< amounts of RigidMotions
+    /** Where it varies; else none. */
+    std::shared_ptr<const IncrementFriction> friction;
   };
 
   /** Ties and bilateral contacts, which solvers do not see. */

@@ -6,12 +6,14 @@
 
 #include "conetact/base/expression.h"
 #include "conetact/bodies/structure.h"
+#include "conetact/pairing/friction_law.h"
 #include "conetact/pairing/obstacles.h"
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -68,8 +70,8 @@ namespace conetact::pairing
     double sharp_edge = 2 * M_PI / 9; ///< of a slave surface [rad]
     bool   slides     = false; ///< far: its nodes are found again and again
 
-    /** Friction coefficient along the first axis, of position. */
-    std::optional<Expression> friction;
+    /** Along the first axis; none: bound contacts. */
+    std::shared_ptr<const FrictionLaw> friction;
     /** Along the second axis; none: isotropic. */
     std::optional<Expression> second_friction;
     double                    friction_angle = 0; ///< first axis from t1 [rad]
@@ -154,7 +156,10 @@ namespace conetact::pairing
      * Principal friction coefficients and their axes in the tangent plane
      * ([K] remark 3.3): |(r_1/mu_1, r_2/mu_2)| <= r_n. Isotropic: equal.
      */
-    double       mu_1 = 0, mu_2 = 0;
+    double mu_1 = 0, mu_2 = 0;
+    /** In place of them, where coefficients vary; they are those of the start
+     * then, and above 0. */
+    std::shared_ptr<const FrictionLaw> friction;
     double       friction_angle = 0; ///< of axis_1 from t1 [rad]
     Tensor<1, 3> axis_1, axis_2;
 

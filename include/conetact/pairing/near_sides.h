@@ -78,6 +78,8 @@ namespace conetact::pairing
                     const double               gap) const;
     bool
     meets_an_edge(const ContactNode &node) const;
+    std::vector<ContactNode>
+    nodes_on_others(const Contact &trial, const double gap) const;
     bool
     meet(const Contact &trial, const double gap) const;
 

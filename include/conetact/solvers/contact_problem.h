@@ -4,6 +4,8 @@
 #ifndef conetact_solvers_contact_problem_h
 #define conetact_solvers_contact_problem_h
 
+#include "conetact/solvers/friction_limit.h"
+
 #include <Eigen/Dense>
 
 #include <memory>
@@ -119,6 +121,9 @@ namespace conetact::solvers
   {
     std::shared_ptr<const ContactSystem> system;
 
+    /** In place of the system's coefficients, where they vary; else none. */
+    std::shared_ptr<const VaryingFriction> friction = {};
+
     Eigen::VectorXd load; ///< f [force], or q [length] and -b, n values
     Eigen::VectorXd gap;  ///< gap g >= 0 at the start of the increment [length]
     /** o of the stiffness form [length]; empty: zero. */
@@ -159,6 +164,24 @@ namespace conetact::solvers
      * systems only. */
     Eigen::VectorXd nearby = {};
   };
+
+  /** Of node i at this reaction and slip. */
+  FrictionLimit
+  friction_limit(const ContactProblem &problem,
+                 const Eigen::Index    i,
+                 const double          r_n,
+                 const double          slip);
+
+  /** What is mu of node i in a state: the limit of friction over r_n. */
+  double
+  friction_coefficient(const ContactProblem &problem,
+                       const ContactState   &state,
+                       const Eigen::Index    i);
+
+  /** The same problem with the coefficients of a state, which do not vary. */
+  ContactProblem
+  with_coefficients_of(const ContactState   &state,
+                       const ContactProblem &problem);
 
   /** u, whether the state has it or not. */
   Eigen::VectorXd

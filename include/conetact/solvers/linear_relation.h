@@ -62,6 +62,37 @@ namespace conetact::solvers
       return !stiffness() && W(k, k) == 0 && W.row(k).isZero(0);
     }
 
+    /** What displacements and reactions of node i are divided by. */
+    double
+    unit_of_length(const Index i) const
+    {
+      const double s = scale(contact_system->first[i]);
+      return stiffness() ? alpha * s : alpha / s;
+    }
+    double
+    unit_of_force(const Index i) const
+    {
+      const double s = scale(contact_system->first[i]);
+      return stiffness() ? alpha / s : alpha * s;
+    }
+
+    /** Of node i, at a reaction and a slip in scaled variables, and so is the
+     * result. */
+    FrictionLimit
+    limit(const Index i, const double r_n, const double slip) const;
+    /** Whether node i has no friction, however it is pressed. */
+    bool
+    is_frictionless(const Index i) const
+    {
+      return limit(i, 0, 0).by_force <= 0;
+    }
+    /** Whether all limits are linear in r_n, and do not depend on slips. */
+    bool
+    has_cones() const
+    {
+      return !friction || friction->is_known();
+    }
+
     /** The constant part l. */
     const Array &
     load() const
@@ -123,8 +154,9 @@ namespace conetact::solvers
     from_scaled(const Array &p, const Array &d, ContactState &state) const;
 
   private:
-    std::shared_ptr<const ContactSystem> contact_system;
-    bool                                 has_units;
+    std::shared_ptr<const ContactSystem>   contact_system;
+    std::shared_ptr<const VaryingFriction> friction; ///< of the load; or none
+    bool                                   has_units;
     Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
     double alpha = 1; ///< sqrt(force x length)
     Array  scaled_load, scaled_offset;

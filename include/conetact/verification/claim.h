@@ -5,10 +5,12 @@
 #define conetact_verification_claim_h
 
 #include "conetact/contact/elastic_system.h"
+#include "conetact/contact/increment_friction.h"
 #include "conetact/verification/external_forces.h"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,10 +28,12 @@ namespace conetact::verification
     std::vector<solvers::NodeState> states;     ///< of the candidates
     Eigen::VectorXd                 loads;      ///< nodal, all dofs [force]
     Eigen::VectorXd                 mechanical; ///< those without thermal ones
-    double                          t     = 0;
-    bool                            whole = true; ///< not solved in parts
-    bool incremental                      = true; ///< law of the slip since
-                                                  ///< before; else of all slip
+    /** Where friction varies: what its laws are known by; else none. */
+    std::shared_ptr<const contact::IncrementFriction> friction;
+    double                                            t = 0;
+    bool whole       = true; ///< not solved in parts
+    bool incremental = true; ///< law of the slip since
+                             ///< before; else of all slip
   };
 
   /** What the verification finds of a claim. */

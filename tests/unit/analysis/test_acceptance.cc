@@ -70,7 +70,7 @@ namespace
         solvers::make_solver(scene->solver)->solve(problem, one.end).converged);
       if (problem.system->form == solvers::Form::stiffness)
         one.end.u = solvers::elastic_part(problem, one.end);
-      history.advance(one.end);
+      history.advance(one.end, one.record.time);
       one.state   = one.end;
       one.contact = history.displacements();
     }

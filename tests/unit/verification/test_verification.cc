@@ -56,7 +56,7 @@ namespace
           if (problem.system->form == Form::stiffness)
             state.u = elastic_part(problem, state);
           const ContactHistory before = history;
-          history.advance(state);
+          history.advance(state, t);
           Claim claim;
           claim.amounts = model.amounts(load.placement, history.free_motions());
           claim.w =

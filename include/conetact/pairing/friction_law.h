@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_pairing_friction_law_h
+#define conetact_pairing_friction_law_h
+
+#include "conetact/base/expression.h"
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <string>
+
+namespace conetact::pairing
+{
+  /** Where and how a contact node presses and slips. */
+  struct FrictionPoint
+  {
+    Point<3> position;        ///< undeformed [length]
+    double   t           = 0; ///< at the end of the increment [time]
+    double   temperature = 0; ///< change of its body's, at t [K]
+    double   slipped     = 0; ///< way so far, at the start [length]
+    double   pressure    = 0; ///< [stress]
+    double   speed       = 0; ///< slip of the increment over its time
+  };
+
+  /**
+   * Friction that changes: |traction| <= min(mu p, shear limit), of both
+   * expressions in x, y, z, t and T, s, p, v, which are the other members of
+   * FrictionPoint.
+   */
+  class FrictionLaw
+  {
+  public:
+    /** `in` is what errors begin with. Throws InputError. */
+    FrictionLaw(const std::string &coefficient,
+                const std::string &shear_limit,
+                const std::string &in);
+
+    /** mu [-]; of what does not press yet, p = 0. */
+    double
+    coefficient(const FrictionPoint &at) const;
+    /** The largest traction [stress]; infinite without a limit. */
+    double
+    shear_limit(const FrictionPoint &at) const;
+
+    /** Whether it is one coefficient of position. */
+    bool
+    is_constant() const;
+    /** Whether mu follows from what is known before an increment is solved, and
+     * nothing limits it. */
+    bool
+    is_known() const;
+    /** Whether areas of nodes are needed. */
+    bool
+    needs_area() const;
+    bool
+    uses_temperature() const;
+    bool
+    uses_speed() const;
+
+    const Expression &
+    expression() const
+    {
+      return mu;
+    }
+
+  private:
+    Expression                mu;
+    std::optional<Expression> tau;
+  };
+} // namespace conetact::pairing
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/fixed_cones.h"
+
+#include <limits>
+#include <utility>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    class FixedCones : public ContactSolver
+    {
+    public:
+      FixedCones(std::unique_ptr<ContactSolver> m, const SolverOptions &o)
+        : method(std::move(m))
+        , options(o)
+      {}
+
+      SolverReport
+      solve(const ContactProblem &problem, ContactState &state) override
+      {
+        return problem.friction ? repeat(problem, state) :
+                                  method->solve(problem, state);
+      }
+
+    private:
+      SolverReport
+      repeat(const ContactProblem &problem, ContactState &state)
+      {
+        constexpr unsigned int most   = 100;
+        constexpr double       enough = 1e-3; // of the tolerance
+        const ContactState     start  = state;
+        SolverReport           sum;
+        double                 before = std::numeric_limits<double>::infinity();
+        for (unsigned int i = 0; i < most; ++i)
+          {
+            const ContactProblem cones = with_coefficients_of(state, problem);
+            ContactState         trial = start;
+            trial.r                    = state.r;
+            SolverReport report        = method->solve(cones, trial);
+            add_work(report, sum);
+            sum   = report;
+            state = trial;
+            if (!sum.converged)
+              return sum;
+            sum.residual = contact_residual(problem, state);
+            if (sum.residual <= enough * options.tolerance ||
+                (sum.residual <= options.tolerance &&
+                 !(sum.residual < .5 * before)))
+              return sum;
+            before = sum.residual;
+          }
+        sum.converged = false;
+        sum.reason    = "the coefficient of friction does not settle";
+        return sum;
+      }
+
+      std::unique_ptr<ContactSolver> method;
+      SolverOptions                  options;
+    };
+  } // namespace
+
+  std::unique_ptr<ContactSolver>
+  with_fixed_cones(std::unique_ptr<ContactSolver> method,
+                   const SolverOptions           &options)
+  {
+    return std::make_unique<FixedCones>(std::move(method), options);
+  }
+} // namespace conetact::solvers

@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Coefficients of friction by expressions: each node obeys the law that the scene has, computed anew from the tables."""
+import math
+
+from support.scenes import box, contact, floor, load, merge, press_and_shear, support
+
+STEEL = 1000.0
+
+
+def rate(row):
+    return math.hypot(row["du_t1"], row["du_t2"])
+
+
+class Mu:
+    """mu(x, t, T, s, p, v) of each row of a table, in the order of the table; s as the laws of increments have it."""
+
+    def __init__(self, run, law, duration=1.0, limit=math.inf):
+        self.slipped, self.values, way = {}, {}, {}
+        for row in run.rows:
+            key = row["contact"], row["node"]
+            s = way.get(key, 0.0)
+            p = row["r_n"] / row["area"] if row["area"] > 0 else 0.0
+            mu = law(row, s, p, rate(row) / duration)
+            self.values[id(row)] = min(mu, limit * row["area"] / row["r_n"]) if row["r_n"] > 0 else mu
+            if row["state"] == "slip":
+                way[key] = s + rate(row)
+
+    def __call__(self, row):
+        return self.values[id(row)]
+
+
+LAWS = {
+    "s": ("0.2 + 0.1*exp(-s/0.003)", lambda row, s, p, v: .2 + .1 * math.exp(-s / .003)),
+    "t": ("if(t < 2.5, 0, 0.2)", lambda row, s, p, v: 0 if row["time"] < 2.5 else .2),
+    "x and t": ("0.1 + 0.05*x*t", lambda row, s, p, v: .1 + .05 * row["x"] * row["time"]),
+    "p": ("min(0.4, 2/p)", lambda row, s, p, v: min(.4, 2 / p) if p > 0 else .4),
+    "table of p": ("table(p; 0 : 0.5; 10 : 0.3; 50 : 0.15)",
+                   lambda row, s, p, v: .5 - .02 * p if p < 10 else .3 - .00375 * (p - 10) if p < 50 else .15),
+    "v": ("0.15 + 0.1*exp(-v/0.002)", lambda row, s, p, v: .15 + .1 * math.exp(-v / .002)),
+    "all": ("(0.1 + 0.1*exp(-s/0.003))*(1 + 0.2*x)/(1 + p/50)*(1 + 0.1*exp(-v/0.002)) + 0.01*t",
+            lambda row, s, p, v: (.1 + .1 * math.exp(-s / .003)) * (1 + .2 * row["x"]) / (1 + p / 50)
+            * (1 + .1 * math.exp(-v / .002)) + .01 * row["time"]),
+}
+
+
+def only_slaves(run):
+    run.rows = [row for row in run.rows if not row["contact"].endswith("_master")]
+    return run
+
+
+def by_tables(laws):
+    """Cones of the law's own coefficient, in the plane and in space, condensed and iterative."""
+    for dim in (2, 3):
+        for name, (text, law) in LAWS.items():
+            scene = press_and_shear(dim, mu=text)
+            run = laws.run(scene)
+            laws.admissible(f"{dim}D, mu of {name}", run, Mu(run, law))
+            laws.demand(f"{dim}D, mu of {name}: some slip", any(row["state"] == "slip" for row in run.last()))
+            if dim == 3:
+                other = laws.run(scene, "-s", "Solver/Backend=iterative")
+                laws.same(f"{dim}D, mu of {name}: iterative", run, other, 1e-8)
+        scene = press_and_shear(dim, mu=.4)
+        scene["Contact bottom"]["Shear limit"] = "1.5 + 0.2*t"
+        run = laws.run(scene)
+        laws.admissible(f"{dim}D, shear limit", run,
+                        Mu(run, lambda row, s, p, v: min(.4, (1.5 + .2 * row["time"]) / p) if p > 0 else .4))
+
+
+def by_methods(laws):
+    """The same by each method, in one run or two."""
+    for dim in (2, 3):
+        scene = press_and_shear(dim, mu=LAWS["all"][0])
+        whole = laws.run(scene)
+        for method in ("active set", "smoothing", "gauss-seidel"):
+            laws.same(f"{dim}D, {method}", whole, laws.run(scene, "-s", f"Solver/Method={method}"), 1e-7)
+        scene["Output"]["Checkpoint"] = 1
+        half = laws.run(scene, "-s", "Time/End=2", "-s", "Time/Increments=2")
+        laws.same(f"{dim}D, continued", whole, laws.run(scene, "--restart", half.folder), 1e-10)
+
+
+def temperature(laws):
+    scene = press_and_shear(2, mu="0.2 + 0.001*T", expansion=1e-9)
+    scene["Load heat"] = load("temperature", "100*(t - 1)*x", body="block")
+    scene["Load heat"].pop("Boundary ids", None)
+    run = laws.run(scene)
+    laws.admissible("mu(T)", run, Mu(run, lambda row, s, p, v: .2 + .1 * (row["time"] - 1) * row["x"]))
+
+
+def varying_friction(laws):
+    by_tables(laws)
+    by_methods(laws)
+    temperature(laws)
