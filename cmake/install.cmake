@@ -44,6 +44,7 @@ endforeach()
 install(FILES README.md CHANGELOG.md CITATION.cff cmake/debian/copyright TYPE DOC)
 install(DIRECTORY doc DESTINATION ${CMAKE_INSTALL_DOCDIR}
   FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN doxygen EXCLUDE PATTERN man EXCLUDE)
+install(FILES doc/doxygen/theory.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc/doxygen) # which pages link
 
 # for programs that link the solvers
 set_target_properties(conetact-solvers PROPERTIES EXPORT_NAME solvers)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs shipped scenes and draws the gallery of the README, small pictures in doc/gallery.
+"""Runs shipped scenes and draws the pictures of doc/gallery.md, small ones in doc/gallery.
 
 usage: gallery.py [SCENE...]      (all of them by default)
 

@@ -5,8 +5,8 @@
 # What somebody sees who has nothing but Debian 12. As root, with debootstrap and
 # a network; the mirror is the one that apt uses on this machine.
 # usage: bare_debian.sh FOLDER package FILE.deb    installs the package and solves Example 5.2
-#        bare_debian.sh FOLDER sources             the first command of the README, in a clone
-#        bare_debian.sh FOLDER tests               the second one, after the first
+#        bare_debian.sh FOLDER sources             the program is built and run in a clone
+#        bare_debian.sh FOLDER tests               the tests, after that
 # FOLDER must not be in use by others; FOLDER/base is kept for later calls, and the root of
 # the last call stays to be looked at. Results of Example 5.2 are compared with
 # tests/reference in each case.

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What compares tables, refuses scenes and watches the rooms finds what it must find and nothing else."""
+"""What compares tables, refuses scenes, watches the rooms and follows links finds what it must find and nothing else."""
 import copy
 import tempfile
 import unittest
 from pathlib import Path
 
+import check_links
 import check_rooms
 import run_errors
 import run_scene
@@ -187,6 +188,29 @@ class Circles(unittest.TestCase):
                 (tree / file).write_text("".join(f'#include "conetact/base/{h}.h"\n' for h in headers.split()))
             found = check_rooms.circles(check_rooms.includes(tree))
             self.assertEqual([sorted(name for _, name in circle) for circle in found], [["base/a", "base/b"]])
+
+
+class Links(unittest.TestCase):
+    def faults(self, **pages):
+        with tempfile.TemporaryDirectory() as folder:
+            tree = Path(folder).resolve()
+            (tree / "doc").mkdir()
+            for name, text in pages.items():
+                (tree / name.replace("_", "/")).with_suffix(".md").write_text(text)
+            readme = tree / "README.md"
+            return [*check_links.faults_of(readme, tree), *check_links.pages_without_link(tree)]
+
+    def test_files_and_headings(self):
+        self.assertEqual(self.faults(README="[a](doc/a.md) [b](doc/a.md#one-two-x) https://x.y/z [c](https://x.y/z)",
+                                     doc_a="# One two: `x`\n"), [])
+        self.assertEqual(self.faults(README="[a](doc/a.md#one) [b](doc/b.md)", doc_a="# Two\n```\n# One\n```\n"),
+                         ["README.md: there is no heading doc/a.md#one", "README.md: there is no doc/b.md"])
+
+    def test_pages_that_nobody_finds(self):
+        self.assertEqual(self.faults(README="text", doc_a="# A\n"), ["README.md: no link leads to doc/a.md"])
+
+    def test_code_is_no_link(self):
+        self.assertEqual(self.faults(README="`[a](b.md)`\n\n    [a](b.md)\n\n```\n[a](b.md)\n```\n"), [])
 
 
 if __name__ == "__main__":

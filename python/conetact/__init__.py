@@ -10,7 +10,7 @@
                                  {"Load push/Value": ["0.2*t", "0.4*t", "0.6*t"]}):
         print(result.changes, result.exit_code, result.error)
 
-Tables are structured arrays with the columns that README.md lists. Errors of the program
+Tables are structured arrays with the columns that doc/results.md lists. Errors of the program
 are exceptions with its sentence, a class for each exit code: InputError (1),
 AnalysisError (2), WriteError (3). The program is build/conetact of this repository, the one
 that was installed with this package, or what the environment variable CONETACT names.

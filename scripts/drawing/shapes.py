@@ -75,7 +75,7 @@ def make_body(name, mesh, factor):
 
 
 def basis(normals, dim):
-    """n, t1, t2 of each node, by the conventions of README.md."""
+    """n, t1, t2 of each node, by the conventions of doc/results.md."""
     n = normals
     if dim == 2:
         return n, np.column_stack((n[:, 1], -n[:, 0], 0 * n[:, 0])), 0 * n

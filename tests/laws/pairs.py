@@ -32,7 +32,7 @@ def pairs(laws):
         laws.check(f"{dim}D: action is reaction", action, 1e-12)
 
         # uniform pressure through a joint, matching and not
-        # nodal values of node to face swing where meshes do not match: the README's figures
+        # nodal values of node to face swing where meshes do not match: figures of doc/contacts.md
         for name, upper, pairing, bound in (("matching", half, "mortar", 1e-12), ("matching", half, "node to face", 1e-12),
                                             ("not matching", fine[1], "mortar", 1e-10),
                                             ("not matching", fine[1], "node to face", (.145, .215)[dim - 2])):

@@ -22,8 +22,8 @@ namespace conetact::bodies
   /**
    * Displacements of first or second degree on a mesh of quadrilaterals or
    * hexahedra (FE_Q) or of triangles or tetrahedra (FE_SimplexP): each node
-   * (vertex, middle of an edge, face or cell) has all components, and dof `dim
-   * * i + c` is component c of node i.
+   * (vertex, middle of an edge, face or cell) has all components, and dof
+   * `dim * i + c` is component c of node i.
    */
   template <int dim>
   struct Discretization
