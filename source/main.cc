@@ -172,10 +172,10 @@ namespace
   /** What goes on from one run of the history to the next. */
   struct Progress
   {
-    analysis::AdaptiveRefinement                   adaptive;
-    std::map<unsigned int, std::string>            shown_to_slide; ///< contacts
-    std::optional<std::vector<pairing::NearSides>> near_sides;
-    std::unique_ptr<FolderLock> lock; ///< there may be files on disk
+    analysis::AdaptiveRefinement        adaptive;
+    std::map<unsigned int, std::string> shown_to_slide; ///< contacts
+    std::optional<pairing::NearPairs>   near_sides;
+    std::unique_ptr<FolderLock>         lock; ///< there may be files on disk
   };
 
   /** Contacts that slide far need all of their history so. */

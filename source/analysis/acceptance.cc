@@ -32,6 +32,7 @@ namespace conetact::analysis
     std::vector<solvers::NodeState>
     states_by_motion(const contact::ContactPoints &points,
                      const solvers::ContactState  &state,
+                     const Eigen::VectorXd        &worn,
                      const verification::Finding  &finding)
     {
       using solvers::NodeState;
@@ -40,8 +41,8 @@ namespace conetact::analysis
       for (std::size_t i = 0; i < points.size(); ++i)
         {
           const pairing::ContactNode &node = *points[i].node;
-          const double                gap =
-            node.gap + finding.displacements[points[i].normal()];
+          const double gap = node.gap + worn[static_cast<Eigen::Index>(i)] +
+                             finding.displacements[points[i].normal()];
           const double rounding = known_to * (node.position.norm() + moved);
           const double slip =
             state.v
@@ -71,6 +72,7 @@ namespace conetact::analysis
     , contact_rows(model, scene.master_side)
     , warnings(model, log)
     , small(scene, model)
+    , unpaired(scene, model)
     , records(scene, model)
   {}
 
@@ -120,9 +122,10 @@ namespace conetact::analysis
         claim.loads += locks;
         claim.mechanical += locks;
       }
-    claim.friction = increment.load.friction;
-    claim.t        = increment.record.time;
-    claim.whole    = increment.record.report.substeps <= 1;
+    claim.laws  = increment.load.laws;
+    claim.worn  = increment.before.worn();
+    claim.t     = increment.record.time;
+    claim.whole = increment.record.report.substeps <= 1;
     // The holonomic law, of all slip since the start, exists on load paths
     // only.
     claim.incremental =
@@ -303,24 +306,38 @@ namespace conetact::analysis
     if (const std::string why = wrong_at_supports(increment, finding);
         !why.empty())
       return why;
+    if (const std::string why = unpaired.overlap(finding.u); !why.empty())
+      return why;
     // From here on the increment is history: the next one is judged against it.
     verification.accept(record.time, finding);
     energies.add(
       model.points, reactions(increment), record.time, finding, record);
     solvers::ContactState told = increment.state;
-    told.r                     = finding.r.head(told.r.size());
-    record.rows                = contact_rows.rows(told,
+    // what has worn in the increment itself is no gap any more
+    if (increment.load.laws)
+      for (std::size_t i = 0; i < model.points.size(); ++i)
+        if (const auto &layer = model.points[i].node->layer;
+            layer && layer->wears_at_once())
+          {
+            const auto k = static_cast<Eigen::Index>(i);
+            told.v[model.points[i].normal()] +=
+              increment.after.worn()[k] - increment.before.worn()[k];
+          }
+    told.r      = finding.r.head(told.r.size());
+    record.rows = contact_rows.rows(told,
                                     increment.contact,
                                     finding.r.tail(increment.bound.r.size()),
                                     finding.u,
                                     record.time,
-                                    record.report.substeps <= 1);
+                                    record.report.substeps <= 1,
+                                    increment.after.worn());
     record.determinate =
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),
                                        solvers::largest(increment.state.r))) &&
       warnings.are_forces_determinate(states_by_motion(model.points,
                                                        increment.state,
+                                                       increment.before.worn(),
                                                        finding),
                                       increment.state.r);
     warnings.check_size(amounts(increment), w);

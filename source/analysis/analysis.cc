@@ -210,6 +210,9 @@ namespace conetact::analysis
         scene.bodies.names[scene.bodies.n_elastic() + k]);
     for (const contact::Cut &cut : model.bodies.cuts)
       description.preloads.push_back(scene.contact_names[cut.contact]);
+    for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
+      if (scene.contact(c).layer && scene.contact(c).layer->wears())
+        description.wearing.push_back(c);
     for (const bodies::Probe &probe : scene.probes)
       description.probes.push_back(probe.name);
     if (scene.restart)
@@ -294,13 +297,12 @@ namespace conetact::analysis
     else
       turn_loads(others, increment);
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
-    increment.load.friction =
-      history.friction_until(t,
-                             [&](const unsigned int body, const Point<3> &p) {
-                               return loads.temperature(body, p, t);
-                             });
-    if (const auto &friction = increment.load.friction)
-      model.points.set_friction(friction->coefficients(history.start()));
+    increment.load.laws =
+      history.laws_until(t, [&](const unsigned int body, const Point<3> &p) {
+        return loads.temperature(body, p, t);
+      });
+    if (const auto &laws = increment.load.laws)
+      model.points.set_friction(laws->coefficients(history.start()));
   }
 
   /* In the frames of bodies, some loads turn with them and others against

@@ -79,7 +79,7 @@ namespace conetact::analysis
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
     if (one_by_one || search.is_needed() || !backend->batches ||
-        contact::has_varying_friction(model.points))
+        contact::has_nodal_laws(model.points))
       return 1;
     std::size_t most = most_at_once();
     if (const unsigned int every = scene.checkpoint_every; every > 0)
@@ -298,9 +298,10 @@ namespace conetact::analysis
               std::nullopt});
     increment.record.errors = solvers::kanno_errors(problem, state);
     increment.base          = history.linearised_at();
-    history.advance(state, increment.record.time);
-    if (const auto &friction = increment.load.friction)
-      model.points.set_friction(friction->coefficients(state));
+    const contact::IncrementLaws *const laws = increment.load.laws.get();
+    history.advance(state, increment.record.time, laws);
+    if (laws != nullptr)
+      model.points.set_friction(laws->coefficients(state));
     increment.state   = of_contacts(state, model.points.n_unknowns());
     increment.contact = history.displacements();
     increment.primal  = history.primal();

@@ -15,9 +15,9 @@ namespace conetact::analysis
     if (problem.system->null_space.cols() == 0 ||
         problem.system->n_nodes() == 0)
       return "";
-    if (problem.friction) // its cones are others in each increment, or none
+    if (problem.laws) // its cones are others in each increment, or none
       existence.reset();
-    if (problem.friction && !problem.friction->is_known())
+    if (problem.laws && !problem.laws->has_cones())
       return "";
     if (!existence)
       existence = std::make_unique<solvers::ExistenceCheck>(

@@ -31,7 +31,9 @@ namespace conetact::analysis
       const auto        add     = [&](const output::Resultant &resultant) {
         sum.force += resultant.force;
         sum.moment += resultant.moment;
-        largest = std::max(largest, resultant.force.norm());
+        // a couple has forces, which cancel
+        largest = std::max(
+          {largest, resultant.force.norm(), resultant.moment.norm() / reach});
       };
       for (const output::Resultant &contact : record.contacts)
         add(contact);

@@ -83,7 +83,7 @@ namespace conetact::analysis
       if (!scene.near_sides)
         return;
       warn_of_idle_obstacles(scene, log);
-      if (scene.near_sides->empty())
+      if (scene.near_sides->sides.empty())
         {
           log.say(
             "warning: Contacts = automatic: no two bodies have faces that "
@@ -91,7 +91,7 @@ namespace conetact::analysis
             "to what is between those that are to touch.");
           return;
         }
-      const std::size_t n = scene.near_sides->size();
+      const std::size_t n = scene.near_sides->sides.size();
       log.say("Contacts = automatic: " + std::to_string(n) +
               (n == 1 ? " pair: " : " pairs: ") +
               join(std::vector<std::string>(scene.contact_names.end() -

@@ -106,6 +106,10 @@ namespace conetact::application
                                "'. Give two of " + join(known) +
                                " with a colon between them, or one that "
                                "meets nothing, and ';' before the next.");
+          if (names.size() == 2 && names.front() == names.back())
+            throw InputError(in + '\'' + pair +
+                             "' names one side twice. Give two, or one name "
+                             "alone for what meets nothing.");
           if (names.size() > 2)
             throw InputError(in + '\'' + pair +
                              "' names more than two sides. Separate pairs "
@@ -170,7 +174,7 @@ namespace conetact::application
 
 
 
-  std::vector<pairing::NearSides>
+  pairing::NearPairs
   find_near_sides(Handler                                      &prm,
                   const std::vector<std::string>               &bodies,
                   const std::vector<const bodies::Structure *> &structures,
@@ -192,17 +196,19 @@ namespace conetact::application
                        " is negative. Give a length of 0 or more.");
     others.insert(others.end(), named.begin(), named.end());
 
-    const pairing::NearSearch       search(structures, obstacles, law, gap);
-    std::vector<pairing::NearSides> found;
-    const auto                      keep = [&](auto &&sides) {
+    const pairing::NearSearch search(structures, obstacles, law, gap);
+    pairing::NearPairs        found;
+    const auto                keep = [&](auto &&sides) {
       if (sides)
-        found.push_back(std::move(*sides));
+        found.sides.push_back(std::move(*sides));
+      return sides.has_value();
     };
     const auto n = static_cast<unsigned int>(bodies.size());
     for (unsigned int one = 0; one < n; ++one)
       for (unsigned int other = one + 1; other < n; ++other)
-        if (!stands_in(others, bodies[one], bodies[other]))
-          keep(search.between(one, other));
+        if (!stands_in(others, bodies[one], bodies[other]) &&
+            !keep(search.between(one, other)))
+          found.apart.emplace_back(one, other);
     for (unsigned int body = 0; body < n; ++body)
       for (unsigned int o = 0; o < obstacles.size(); ++o)
         if (!stands_in(others, bodies[body], obstacles[o].name))
@@ -242,16 +248,16 @@ namespace conetact::application
 
 
   std::vector<WrittenContact>
-  write_contacts(const Handler                         &prm,
-                 const std::vector<pairing::NearSides> &near_sides,
-                 const std::vector<std::string>        &bodies,
-                 const std::vector<pairing::Obstacle>  &obstacles)
+  write_contacts(const Handler                        &prm,
+                 const pairing::NearPairs             &pairs,
+                 const std::vector<std::string>       &bodies,
+                 const std::vector<pairing::Obstacle> &obstacles)
   {
     Entries law = defaults(declare_own_entries);
     for (auto &[entry, value] : law)
       value = value_in(prm, entry);
     std::vector<WrittenContact> contacts;
-    for (const pairing::NearSides &sides : near_sides)
+    for (const pairing::NearSides &sides : pairs.sides)
       contacts.push_back(write_contact(law, sides, bodies, obstacles));
     return contacts;
   }

@@ -63,26 +63,27 @@ namespace conetact::application
   void
   Scene::check_friction()
   {
-    std::map<unsigned int, double> areas; // of contacts that need them
     for (const pairing::Contact &contact : contacts)
-      if (contact.friction && contact.friction->uses_speed())
+      if (contact.friction->uses_speed() ||
+          (contact.layer && contact.layer->uses_speed()))
         solver.max_substeps = 1;
+    std::map<unsigned int, double> areas; // of contacts that need them
     for (const pairing::ContactNode &node : bodies.contact_nodes)
       if (node.friction && path.follows)
         throw InputError("Contact '" + contacts[node.contact].name +
                          "', Friction coefficient: Solver/Method = load path "
                          "follows events of cones that stay the same. Let it "
-                         "depend on x, y, z only, without a Shear limit, or "
-                         "choose another method.");
-      else if (node.friction && node.friction->needs_area())
+                         "depend on x, y, z only, without Shear limit, Active, "
+                         "Compliance and wear, or choose another method.");
+      else if (node.friction && (node.friction->needs_area() || node.layer))
         areas[node.contact] += node.area;
     for (const auto &[contact, area] : areas)
       if (area == 0)
         throw InputError("Contact '" + contacts[contact].name +
-                         "', Friction coefficient: pressure p and Shear limit "
-                         "need areas, which the nodes of this contact do not "
-                         "have: they are points of frames. Let the coefficient "
-                         "depend on x, y, z, t, T, s, v.");
+                         "', Friction coefficient: pressure p, Shear limit, "
+                         "Compliance and wear need areas, which the nodes of "
+                         "this contact do not have: they are points of frames. "
+                         "Let the coefficient depend on x, y, z, t, T, s, v.");
   }
 
 

@@ -19,16 +19,24 @@ namespace conetact::bodies
       {"pressure", Load::Kind::pressure},
       {"body force", Load::Kind::body_force},
       {"point force", Load::Kind::point_force},
+      {"force", Load::Kind::force},
+      {"moment", Load::Kind::moment},
       {"nodal force", Load::Kind::nodal_force},
       {"line load", Load::Kind::line_load},
       {"temperature", Load::Kind::temperature},
       {"initial strain", Load::Kind::initial_strain}};
 
     bool
+    is_spread(const Load::Kind kind)
+    {
+      return kind == Load::Kind::force || kind == Load::Kind::moment;
+    }
+    bool
     has_ids(const Load::Kind kind)
     {
       return kind == Load::Kind::traction || kind == Load::Kind::pressure ||
-             kind == Load::Kind::nodal_force || kind == Load::Kind::line_load;
+             kind == Load::Kind::nodal_force || kind == Load::Kind::line_load ||
+             is_spread(kind);
     }
     bool
     is_scalar(const Load::Kind kind)
@@ -42,7 +50,8 @@ namespace conetact::bodies
                 const Load::Kind                kind,
                 const std::string              &in)
     {
-      const bool acts_at_point = kind == Load::Kind::point_force;
+      const bool acts_at_point =
+        kind == Load::Kind::point_force || kind == Load::Kind::force;
       for (const auto &[entry, reads] :
            {std::pair("Boundary ids", has_ids(kind)),
             std::pair("Point", acts_at_point)})
@@ -132,6 +141,18 @@ namespace conetact::bodies
     });
   }
 
+  /* In the plane a moment is about z. */
+  Tensor<1, 3>
+  Load::spread_traction(const Point<3> &p, const double t) const
+  {
+    const Tensor<1, 3> v = evaluate(value, point, t);
+    if (kind == Kind::force)
+      return spread->traction(
+        p, v, dealii::cross_product_3d(point - spread->centroid(), v));
+    const Tensor<1, 3> about_z({0, 0, v[0]});
+    return spread->traction(p, {}, value.size() == 1 ? about_z : v);
+  }
+
   InitialStrain
   Load::initial_strain(const Point<3> &p, const double t) const
   {
@@ -161,6 +182,15 @@ namespace conetact::bodies
           return Action{Action::Kind::traction, ids, {}, vector, {}};
         case Kind::pressure:
           return Action{Action::Kind::traction, ids, {}, inward, {}};
+        case Kind::force:
+        case Kind::moment:
+          return Action{Action::Kind::traction,
+                        ids,
+                        {},
+                        [this, t](const Point<3> &p, const Tensor<1, 3> &) {
+                          return spread_traction(p, t);
+                        },
+                        {}};
         case Kind::body_force:
           return Action{Action::Kind::body_force, {}, {}, vector, {}};
         case Kind::point_force:
@@ -231,7 +261,12 @@ namespace conetact::bodies
                       "the outward normal] act on boundary ids, body force "
                       "[force/volume] on the whole body, point force [force] "
                       "at Point, distributed by the shape functions of the "
-                      "cell or member that holds the point, nodal force "
+                      "cell or member that holds the point, force [force] "
+                      "and moment [force x length, about the axes; in 2D about "
+                      "z] are wholes that a linear traction spreads over "
+                      "boundary ids without stiffening them (a distributing "
+                      "coupling; a force acts at Point, or in the centre of "
+                      "the faces), nodal force "
                       "[force, force x length] at each node of boundary ids, "
                       "line load [force/length] on the members of a frame "
                       "with boundary ids, temperature [K] is a change of "
@@ -244,12 +279,15 @@ namespace conetact::bodies
     prm.declare_entry("Boundary ids",
                       "",
                       Anything(),
-                      "For traction, pressure, nodal force and line load: "
+                      "For traction, pressure, force, moment, nodal force and "
+                      "line load: "
                       "boundary ids of the body, separated by commas.");
     prm.declare_entry("Point",
                       "",
                       Anything(),
-                      "For a point force: where it acts. [length]");
+                      "For a point force, and for a force that may act "
+                      "elsewhere than in the centre of its faces: where it "
+                      "acts. [length]");
     prm.declare_entry("Value",
                       "",
                       Anything(),
@@ -286,14 +324,24 @@ namespace conetact::bodies
                                *structures[load.body],
                                bodies[load.body],
                                in + "Boundary ids");
-    if (load.kind == Load::Kind::point_force)
+    if (is_spread(load.kind))
+      {
+        load.spread =
+          std::make_shared<SpreadForce>(*structures[load.body], load.ids, in);
+        load.point = load.spread->centroid();
+      }
+    if (load.kind == Load::Kind::point_force ||
+        (load.kind == Load::Kind::force && !prm.get("Point").empty()))
       load.point = Point<3>(to_vector(prm.get("Point"), dim, in + "Point"));
     const std::string value = prm.get("Value");
     if (value.empty())
       throw InputError(in + "Value is empty. Give its components, separated "
                             "by ';', or 0 for none.");
-    std::size_t n     = is_scalar(load.kind) ? 1 : dim;
-    const auto  given = split(value, ';').size();
+    std::size_t n =
+      is_scalar(load.kind) || (load.kind == Load::Kind::moment && dim == 2) ?
+        1 :
+        dim;
+    const auto given = split(value, ';').size();
     if (load.kind == Load::Kind::initial_strain)
       {
         load.axes = strain_axes(dim, given);

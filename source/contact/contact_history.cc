@@ -50,6 +50,7 @@ namespace conetact::contact
     , q(Eigen::VectorXd::Zero(m.points.n_unknowns()))
     , r(q)
     , slipped(Eigen::VectorXd::Zero(initial_gap.size()))
+    , depth(slipped)
   {
     forget_motions();
     Eigen::Index i = 0;
@@ -65,7 +66,7 @@ namespace conetact::contact
     const solvers::ContactSystem &layout = model->points.layout();
     Eigen::VectorXd               s      = -q;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      s[layout.normal(i)] = initial_gap[i];
+      s[layout.normal(i)] = initial_gap[i] + depth[i];
     return s;
   }
 
@@ -103,7 +104,7 @@ namespace conetact::contact
   ContactHistory::gaps() const
   {
     const solvers::ContactSystem &layout = model->points.layout();
-    Eigen::VectorXd               gap    = initial_gap;
+    Eigen::VectorXd               gap    = initial_gap + depth;
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       gap[i] += q[layout.normal(i)];
     return gap;
@@ -137,6 +138,7 @@ namespace conetact::contact
     archive.put("contact/base", elastic.base);
     archive.put("contact/largest", largest);
     archive.put("contact/slipped", slipped);
+    archive.put("contact/worn", depth);
     archive.put("contact/time", time);
     archive.put("contact/gap", initial_gap);
     archive.put("contact/directions", directions_of(model->points));
@@ -163,6 +165,7 @@ namespace conetact::contact
     archive.fill("contact/r", r);
     archive.fill("contact/largest", largest);
     archive.fill("contact/slipped", slipped);
+    archive.fill("contact/worn", depth);
     archive.fill("contact/time", time);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
@@ -190,9 +193,9 @@ namespace conetact::contact
   {
     const Elasticity       &bodies = model->elasticity();
     solvers::ContactProblem problem;
-    problem.system   = bodies.system();
-    problem.friction = load.friction;
-    problem.gap      = gaps();
+    problem.system = bodies.system();
+    problem.laws   = load.laws;
+    problem.gap    = gaps();
     problem.reference_force =
       std::max(rounding_of_past * largest, bodies.reference_force(load));
     bodies.write(load, offset_at(load), elastic, problem);
@@ -228,31 +231,35 @@ namespace conetact::contact
     return model->elasticity().nearby(w, motions - elastic.base);
   }
 
-  std::shared_ptr<const IncrementFriction>
-  ContactHistory::friction_until(const double       t,
-                                 const Temperature &temperature) const
+  std::shared_ptr<const IncrementLaws>
+  ContactHistory::laws_until(const double       t,
+                             const Temperature &temperature) const
   {
     const ContactPoints &points = model->points;
-    if (!has_varying_friction(points))
+    if (!has_nodal_laws(points))
       return {};
     Assert(t > time, dealii::ExcMessage("Time goes on."));
-    std::vector<pairing::FrictionPoint> known(points.size());
+    std::vector<pairing::Situation> known(points.size());
     for (std::size_t i = 0; i < known.size(); ++i)
       {
         const pairing::ContactNode &node = *points[i].node;
         known[i].position                = node.position;
         known[i].t                       = t;
         known[i].slipped = slipped[static_cast<Eigen::Index>(i)];
-        if (node.friction && node.friction->uses_temperature())
+        if ((node.friction && node.friction->uses_temperature()) ||
+            (node.layer && node.layer->uses_temperature()))
           known[i].temperature = temperature(node.body, node.position);
       }
-    return std::make_shared<IncrementFriction>(points,
-                                               std::move(known),
-                                               t - time);
+    return std::make_shared<IncrementLaws>(points,
+                                           std::move(known),
+                                           r,
+                                           t - time);
   }
 
   void
-  ContactHistory::advance(const solvers::ContactState &end, const double t)
+  ContactHistory::advance(const solvers::ContactState &end,
+                          const double                 t,
+                          const IncrementLaws *const   laws)
   {
     AssertDimension(end.node.size(), model->points.size());
     Assert(end.r.allFinite() && end.v.allFinite(),
@@ -262,15 +269,16 @@ namespace conetact::contact
     q += end.v.head(n);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       // v has slips of the increment, but the gap itself.
-      q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i];
+      q[layout.normal(i)] = end.v[layout.normal(i)] - initial_gap[i] - depth[i];
     r = end.r.head(n);
     model->elasticity().end(end, elastic);
     states = end.node;
     time   = t;
-    for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
-      if (end.node[static_cast<std::size_t>(i)] == solvers::NodeState::slip)
-        slipped[i] +=
-          end.v.segment(layout.first[i], layout.n_tangents(i)).norm();
+    if (laws != nullptr)
+      {
+        slipped += laws->slips(end);
+        depth += laws->wear(end);
+      }
     if (n > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
   }

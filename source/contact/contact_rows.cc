@@ -124,7 +124,8 @@ namespace conetact::contact
                     const Eigen::VectorXd       &r_bound,
                     const Eigen::VectorXd       &u,
                     const double                 t,
-                    const bool                   whole)
+                    const bool                   whole,
+                    const Eigen::VectorXd       &worn)
   {
     AssertDimension(q.size(), model.points.n_unknowns());
     const ContactPoints &points = model.points;
@@ -143,7 +144,11 @@ namespace conetact::contact
           in_frame(row,
                    other_tangential(point, relative_displacement(node, at, t)));
         if (i < points.size())
-          set_candidate(i, state, q, other, row);
+          {
+            set_candidate(i, state, q, other, row);
+            if (worn.size() > 0)
+              set_wear(node, worn[static_cast<Eigen::Index>(i)], row);
+          }
         else
           set_bound(point, other, row);
         if (node.growth)
@@ -246,6 +251,16 @@ namespace conetact::contact
     row.state = state.node[i];
   }
 
+  void
+  ContactRows::set_wear(const pairing::ContactNode &node,
+                        const double                depth,
+                        output::ContactRow         &row)
+  {
+    const double share = node.layer ? node.layer->share_of_slave() : 0.;
+    row.wear           = share * depth;
+    row.wear_opposite  = (1 - share) * depth;
+  }
+
   /* What equations bind has moved by zero, to the last digit. */
   void
   ContactRows::set_bound(const ContactPoint &point,
@@ -303,6 +318,7 @@ namespace conetact::contact
             sum.reaction -= weight * row.in_space(row.reaction);
             sum.pressing -= share * row.in_space(row.pressing);
             sum.row.covered += share * row.area;
+            sum.row.wear += share * row.area * row.wear_opposite;
             sum.u -= share * row.in_space(row.u);
             sum.du -= share * row.in_space(row.du);
           }
@@ -323,6 +339,8 @@ namespace conetact::contact
         row.du       = in_row(sum.du / sum.weight);
         row.reaction = in_row(sum.reaction);
         row.pressing = in_row(sum.pressing);
+        if (row.covered > 0)
+          row.wear /= row.covered;
         rows.push_back(row);
       }
   }

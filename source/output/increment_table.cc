@@ -36,6 +36,17 @@ namespace conetact::output
       return n;
     }
 
+    /** What is rubbed off both sides of a contact [length^3]. */
+    double
+    worn_volume(const std::vector<ContactRow> &rows, const unsigned int contact)
+    {
+      double volume = 0;
+      for (const ContactRow &row : rows)
+        if (row.contact == contact)
+          volume += (row.wear + row.wear_opposite) * row.area;
+      return volume;
+    }
+
     /** Adds forces and moments, those that are noise as 0. */
     class ResultantCells
     {
@@ -112,6 +123,8 @@ namespace conetact::output
     for (const std::string &preload : safe_names(run.preloads))
       text +=
         ",preload_" + preload + "_force,preload_" + preload + "_shortening";
+    for (const unsigned int contact : run.wearing)
+      text += ',' + safe_name(run.contacts[contact]) + "_worn";
     return text + '\n';
   }
 
@@ -165,6 +178,8 @@ namespace conetact::output
         csv.add("the force of a preload", preload.force);
         csv.add("the shortening by a preload", preload.shortening);
       }
+    for (const unsigned int contact : run.wearing)
+      csv.add("the worn volume", worn_volume(record.rows, contact));
     csv.end();
     return text;
   }

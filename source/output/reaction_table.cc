@@ -33,7 +33,8 @@ namespace conetact::output
   {
     return "increment,time,contact,node,x,y,z,n_x,n_y,n_z,gap,u_n,u_t1,u_t2,"
            "du_t1,du_t2,r_n,r_t1,r_t2,state,pressure,traction_t1,traction_t2,"
-           "area,foot_x,foot_y,foot_z,acts_x,acts_y,acts_z\n";
+           "area,foot_x,foot_y,foot_z,acts_x,acts_y,acts_z" +
+           std::string(run.wearing.empty() ? "\n" : ",wear\n");
   }
 
 
@@ -89,6 +90,8 @@ namespace conetact::output
     csv.add("area", row.area);
     add(csv, row.foot, "foot_x", "foot_y", "foot_z");
     add(csv, row.acts, "acts_x", "acts_y", "acts_z");
+    if (!run.wearing.empty())
+      csv.add("wear", row.wear);
     csv.end();
   }
 } // namespace conetact::output

@@ -28,6 +28,7 @@ namespace conetact::output
       double       pressure = 0;
       double       gap      = std::numeric_limits<double>::quiet_NaN();
       double       state    = -1;
+      double       wear     = 0;
       Tensor<1, 3> traction;
 
       void
@@ -36,7 +37,8 @@ namespace conetact::output
         const double p     = row.traction()[0];
         const bool   first = state < 0;
         traction += row.in_space(row.traction());
-        gap = first ? row.gap : std::min(gap, row.gap);
+        wear = std::max(wear, row.wear);
+        gap  = first ? row.gap : std::min(gap, row.gap);
         if (first || p > pressure)
           {
             pressure = p;
@@ -134,6 +136,7 @@ namespace conetact::output
     VtuField   traction{"contact_traction", 3, {}};
     VtuField   gap{"gap", 1, {}};
     VtuField   state{"state", 1, {}};
+    VtuField   wear{"wear", 1, {}};
     for (const unsigned int node : skin.nodes)
       {
         const auto        found = contact.find(node);
@@ -144,6 +147,7 @@ namespace conetact::output
         pressure.values.push_back(here.pressure);
         gap.values.push_back(here.gap);
         state.values.push_back(here.state);
+        wear.values.push_back(here.wear);
       }
     VtuGrid grid      = skin.grid;
     grid.point_fields = {std::move(displacement),
@@ -151,6 +155,8 @@ namespace conetact::output
                          std::move(traction),
                          std::move(gap),
                          std::move(state)};
+    if (!run.wearing.empty())
+      grid.point_fields.push_back(std::move(wear));
     grid.cell_ids.push_back(
       {"body", std::vector<int>(grid.n_cells(), static_cast<int>(body))});
     return grid;
@@ -176,12 +182,11 @@ namespace conetact::output
     for (const ContactRow &row : record.rows)
       {
         const Tensor<1, 3> reaction = row.in_space(row.reaction);
-        const double       share    = row.area > 0 ? 1 / row.area : 0.;
         const unsigned int body     = run.contact_bodies.at(row.contact);
         std::size_t        field    = 0;
         for (const Tensor<1, 3> &vector :
              {reaction,
-              share * reaction,
+              row.in_space(row.traction()),
               row.du[1] * row.t1 + row.du[2] * row.t2,
               row.in_space(row.u),
               row.normal,
@@ -190,7 +195,7 @@ namespace conetact::output
         for (const double scalar : {row.gap,
                                     static_cast<double>(row.state),
                                     static_cast<double>(row.contact),
-                                    share * row.reaction[0]})
+                                    row.traction()[0]})
           grid.point_fields[field++].values.push_back(scalar);
         grid.add_cell(VtuGrid::Shape::vertex,
                       {static_cast<unsigned int>(grid.points.size())});

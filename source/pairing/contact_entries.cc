@@ -195,6 +195,13 @@ namespace conetact::pairing
     declare_pairing(prm);
     declare_kinematics(prm);
     declare_friction(prm);
+    declare_layer(prm);
+    prm.declare_entry("Active",
+                      "1",
+                      Anything(),
+                      "An expression of t: at the end of an increment where it "
+                      "is 0 both sides do not see each other, as a part that "
+                      "is not mounted yet. For Kind = contact.");
   }
 
   void

@@ -138,8 +138,17 @@ namespace conetact::pairing
       };
       if (!contact.friction->expression().is_zero())
         refuse("Friction coefficient");
-      if (!prm.get("Shear limit").empty())
-        refuse("Shear limit");
+      for (const char *entry : {"Shear limit",
+                                "Compliance",
+                                "Shear compliance",
+                                "Wear coefficient"})
+        if (!prm.get(entry).empty())
+          refuse(entry);
+      if (contact.active)
+        throw InputError(in +
+                         "Active: a contact with Kind = " + prm.get("Kind") +
+                         " is an equation that always holds. Leave the entry "
+                         "at its default, or choose Kind = contact.");
       const std::pair<const char *, const std::optional<Expression> *>
         entries[] = {{"Second friction coefficient", &contact.second_friction},
                      {"Prestress", &contact.prestress},
@@ -262,16 +271,28 @@ namespace conetact::pairing
       std::make_shared<FrictionLaw>(prm.get("Friction coefficient"),
                                     prm.get("Shear limit"),
                                     in);
+    if (auto layer = std::make_shared<LayerLaw>(prm, in); !layer->is_none())
+      contact.layer = layer;
     if (!prm.get("Second friction coefficient").empty())
       contact.second_friction.emplace(prm.get("Second friction coefficient"),
                                       in + "Second friction coefficient");
     contact.friction_angle =
       to_number(prm.get("Friction angle"), in + "Friction angle") * M_PI / 180;
+    if (Expression active(prm.get("Active"), in + "Active");
+        active.uses_space())
+      throw InputError(in + "Active: it depends on the place. Use t only, and "
+                            "Boundary ids for what is where.");
+    else if (active.uses_time() || active(Point<3>()) == 0)
+      contact.active = std::make_shared<Expression>(std::move(active));
     if (contact.second_friction && !contact.friction->is_constant())
       throw InputError(in + "Second friction coefficient: an elliptic cone "
                             "stays the same. Leave the entry empty, or let "
                             "Friction coefficient depend on x, y, z only, "
                             "without a Shear limit.");
+    if (contact.second_friction && (contact.layer || contact.active))
+      throw InputError(in + "Second friction coefficient: an elliptic cone has "
+                            "neither layer nor wear, and is always active. "
+                            "Leave the entry empty, or those of the others.");
     if (contact.second_friction && contact.second_friction->uses_time())
       throw InputError(in + "Second friction coefficient: it depends on t. An "
                             "elliptic cone stays the same: use x, y, z only.");

@@ -57,7 +57,12 @@ namespace conetact::pairing
       node.mu_1            = value_at(contact.friction->expression(),
                            node.position,
                            in + "Friction coefficient");
-      if (!contact.friction->is_constant())
+      node.layer           = contact.layer;
+      node.active          = contact.active;
+      if (contact.layer)
+        contact.layer->check(node.position);
+      // layers and wear ask for slips, with friction or without
+      if (!contact.friction->is_constant() || contact.layer || contact.active)
         {
           node.friction = contact.friction;
           node.mu_1     = node.mu_1 > 0 ? node.mu_1 : 1.;

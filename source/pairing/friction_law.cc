@@ -11,32 +11,29 @@
 
 namespace conetact::pairing
 {
-  namespace
+  const std::vector<std::string> &
+  names_of_situation()
   {
-    const std::vector<std::string> &
-    names_of_variables()
-    {
-      static const std::vector<std::string> names = {"T", "s", "p", "v"};
-      return names;
-    }
+    static const std::vector<std::string> names = {"T", "s", "p", "v"};
+    return names;
+  }
 
-    double
-    value_of(const Expression &expression, const FrictionPoint &at)
-    {
-      return expression(at.position,
-                        at.t,
-                        {at.temperature, at.slipped, at.pressure, at.speed});
-    }
-  } // namespace
+  double
+  value_of(const Expression &expression, const Situation &at)
+  {
+    return expression(at.position,
+                      at.t,
+                      {at.temperature, at.slipped, at.pressure, at.speed});
+  }
 
   FrictionLaw::FrictionLaw(const std::string &coefficient,
                            const std::string &shear_limit,
                            const std::string &in)
-    : mu(coefficient, in + "Friction coefficient", names_of_variables())
+    : mu(coefficient, in + "Friction coefficient", names_of_situation())
   {
     if (trim(shear_limit).empty())
       return;
-    tau.emplace(shear_limit, in + "Shear limit", names_of_variables());
+    tau.emplace(shear_limit, in + "Shear limit", names_of_situation());
     for (const char *of_solution : {"p", "v"})
       if (tau->uses(of_solution))
         throw InputError(in + "Shear limit: it depends on " + of_solution +
@@ -46,22 +43,23 @@ namespace conetact::pairing
   }
 
   double
-  FrictionLaw::coefficient(const FrictionPoint &at) const
+  FrictionLaw::coefficient(const Situation &at) const
   {
     return value_of(mu, at);
   }
 
   double
-  FrictionLaw::shear_limit(const FrictionPoint &at) const
+  FrictionLaw::largest_force(const Situation &at, const double area) const
   {
-    return tau ? value_of(*tau, at) : std::numeric_limits<double>::infinity();
+    return tau ? value_of(*tau, at) * area :
+                 std::numeric_limits<double>::infinity();
   }
 
   bool
   FrictionLaw::is_constant() const
   {
     bool uses_others = false;
-    for (const std::string &name : names_of_variables())
+    for (const std::string &name : names_of_situation())
       uses_others = uses_others || mu.uses(name);
     return !tau && !mu.uses_time() && !uses_others;
   }

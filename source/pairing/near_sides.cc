@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace conetact::pairing
 {
@@ -16,6 +17,8 @@ namespace conetact::pairing
   {
     /** Of an edge: gaps that nothing written down calls near. */
     constexpr double near_part = .25;
+    /** Of an edge: gaps are known to that. */
+    constexpr double gap_rounding = 1e-6;
     /** Edges that differ by less are alike. */
     constexpr double clearly_finer = .9;
 
@@ -62,8 +65,7 @@ namespace conetact::pairing
     bool
     touches(const ContactNode &node)
     {
-      constexpr double rounding = 1e-6; // of an edge
-      return node.gap <= rounding * node.spacing;
+      return node.gap <= gap_rounding * node.spacing;
     }
 
     /** Whether one of two contacts of a node is in the way of the other. */
@@ -123,10 +125,18 @@ namespace conetact::pairing
     return patch;
   }
 
+  /** Of a body of revolution, where it meets itself. */
+  bool
+  NearSearch::is_the_axis(const Patch &patch, const bodies::Structure &body)
+  {
+    return body.is_axisymmetric() &&
+           patch.box.upper_bound(0) <= gap_rounding * patch.edge;
+  }
+
   double
   NearSearch::gap_allowed(const double edge) const
   {
-    return largest_gap.value_or(near_part * edge);
+    return largest_gap.value_or(near_part * edge) + gap_rounding * edge;
   }
 
   /** What of a body is near the box of another one: bodies that stand deep in
@@ -231,16 +241,43 @@ namespace conetact::pairing
     trial.master  = master.body;
     // Sides that stand deep in each other are refused with all others, but
     // only where nothing else of the bodies meets.
-    const double edge = std::max(slave.edge, master.edge);
-    for (const double reach : {std::max(gap, interference_allowed(law, edge)),
-                               size_of(*structures[one], *structures[other])})
+    const double edge    = std::max(slave.edge, master.edge);
+    const auto   meeting = [&]() -> std::optional<NearSides> {
+      for (const double reach : {std::max(gap, interference_allowed(law, edge)),
+                                 size_of(*structures[one], *structures[other])})
+        {
+          trial.reach = reach;
+          if (auto sides = sides_that_meet(trial, slave.ids, master.ids, gap))
+            return sides;
+        }
+      return {};
+    };
+    std::optional<NearSides> found = meeting();
+    // Faces nearby that meet nothing may be finer than those that do.
+    if (found && !slave.two_sided && !master.two_sided &&
+        edge_of(found->master, found->master_ids) <
+          clearly_finer * edge_of(found->body, found->ids))
       {
-        trial.reach = reach;
-        if (auto sides = sides_that_meet(trial, slave.ids, master.ids, gap))
-          return sides;
+        std::swap(slave, master);
+        std::swap(trial.body, trial.master);
+        if (auto swapped = meeting())
+          return swapped;
       }
-    return {};
+    return found;
   }
+
+  /** Of the finest of some faces. */
+  double
+  NearSearch::edge_of(const unsigned int         body,
+                      const bodies::BoundaryIds &ids) const
+  {
+    double edge = std::numeric_limits<double>::infinity();
+    for (const Patch &patch : patches[body])
+      if (ids.count(patch.id) > 0)
+        edge = std::min(edge, patch.edge);
+    return edge;
+  }
+
 
   /** Those of the ids of both bodies that meet others. */
   std::optional<NearSides>
@@ -272,7 +309,8 @@ namespace conetact::pairing
     if (shape.states_gaps())
       return {};
     for (const Patch &patch : patches[body])
-      if (std::any_of(patch.surface.nodes.begin(),
+      if (!is_the_axis(patch, *structures[body]) &&
+          std::any_of(patch.surface.nodes.begin(),
                       patch.surface.nodes.end(),
                       [&](const bodies::SurfaceNode &node) {
                         const auto met =

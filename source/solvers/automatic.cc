@@ -401,7 +401,7 @@ namespace conetact::solvers
     // of use to the caller.
     ContactState estimate = state;
     SolverReport first;
-    const bool   redundant = options.may_be_rigid && !problem.friction &&
+    const bool   redundant = options.may_be_rigid && !problem.laws &&
                            is_sparse_compliance(*problem.system);
     if (redundant)
       first = make_redundant_contacts(options)->solve(problem, estimate);

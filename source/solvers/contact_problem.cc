@@ -122,7 +122,8 @@ namespace conetact::solvers
       const ContactSystem &system = *problem.system;
       const Index          n      = system.n_contact_unknowns();
       const VectorXd       closest =
-        without_rounding(state.v.head(n), velocity_rounding(problem, state));
+        without_rounding(seen_by_law(problem, state.v.head(n), state.r.head(n)),
+                         velocity_rounding(problem, state));
       VectorXd result(system.n_unknowns());
       result.tail(system.n_motions) = state.v.tail(system.n_motions);
       for (Index i = 0; i < system.n_nodes(); ++i)
@@ -169,8 +170,8 @@ namespace conetact::solvers
                  const double          slip)
   {
     eigen_assert(i < problem.system->n_nodes());
-    if (problem.friction)
-      return problem.friction->at(i, r_n, slip);
+    if (problem.laws)
+      return problem.laws->limit(i, r_n, slip);
     const double mu = problem.system->mu(i);
     return {mu * r_n, mu, 0};
   }
@@ -181,26 +182,70 @@ namespace conetact::solvers
                        const Index           i)
   {
     const ContactSystem &system = *problem.system;
-    if (!problem.friction)
+    if (!problem.laws)
       return system.mu(i);
-    const double r_n = state.r(system.normal(i));
-    const double slip =
-      state.v.segment(system.first[i], system.n_tangents(i)).norm();
-    const FrictionLimit limit = problem.friction->at(i, r_n, slip);
+    const double      r_n   = state.r(system.normal(i));
+    const Index       first = system.first[i], size = system.n_tangents(i) + 1;
+    const SmallVector seen = see(
+      [&](const double force, const double slip) {
+        return problem.laws->layer(i, force, slip);
+      },
+      state.v.segment(first, size),
+      state.r.segment(first, size));
+    const double        slip  = seen.head(size - 1).norm();
+    const FrictionLimit limit = problem.laws->limit(i, r_n, slip);
     return r_n > 0 ? limit.value / r_n : limit.by_force;
+  }
+
+  VectorXd
+  seen_by_law(const ContactProblem &problem,
+              const VectorXd       &v,
+              const VectorXd       &r)
+  {
+    eigen_assert(v.size() == r.size());
+    const ContactSystem &system = *problem.system;
+    VectorXd             seen   = v;
+    if (!problem.laws || !problem.laws->has_layers())
+      return seen;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const Index first = system.first[i], size = system.n_tangents(i) + 1;
+        seen.segment(first, size) = see(
+          [&](const double r_n, const double slip) {
+            return problem.laws->layer(i, r_n, slip);
+          },
+          v.segment(first, size),
+          r.segment(first, size));
+      }
+    return seen;
   }
 
   ContactProblem
   with_coefficients_of(const ContactState &state, const ContactProblem &problem)
   {
     ContactProblem result = problem;
-    if (!problem.friction)
+    if (!problem.laws)
       return result;
     auto system = std::make_shared<ContactSystem>(*problem.system);
     for (Index i = 0; i < system->n_nodes(); ++i)
-      system->mu(i) = friction_coefficient(problem, state, i);
-    result.system   = system;
-    result.friction = {};
+      {
+        const Index first = system->first[i], n = system->normal(i);
+        system->mu(i) = friction_coefficient(problem, state, i);
+        if (!problem.laws->has_layers() || system->form != Form::compliance)
+          continue;
+        const Layer layer =
+          problem.laws->layer(i,
+                              state.r(n),
+                              state.v.segment(first, n - first).norm());
+        for (Index k = first; k < n; ++k)
+          system->matrix(k, k) += layer.shear;
+        if (layer.sheared.size() > 0)
+          result.load.segment(first, n - first) -= layer.sheared;
+        system->matrix(n, n) += layer.by_force;
+        result.load(n) += layer.closing - layer.by_force * state.r(n);
+      }
+    result.system = system;
+    result.laws   = {};
     return result;
   }
 
@@ -325,14 +370,18 @@ namespace conetact::solvers
   {
     eigen_assert(state.r.size() >= problem.system->n_contact_unknowns());
     const ContactSystem &system = *problem.system;
-    const double         limit =
-      tolerance * std::max(largest(state.v.head(system.n_contact_unknowns())),
-                           largest(problem.gap));
+    const Index          n      = system.n_contact_unknowns();
+    const VectorXd       moved  = state.v.head(n);
+    const VectorXd       seen   = seen_by_law(problem, moved, state.r.head(n));
+    const bool           layers = problem.laws && problem.laws->has_layers();
+    // what a layer gives way by is known to its rounding only
+    const double limit = std::max(tolerance, layers ? position_rounding : 0.) *
+                         std::max(largest(moved), largest(problem.gap));
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const double slip =
-          state.v.segment(system.first[i], system.n_tangents(i)).norm();
+          seen.segment(system.first[i], system.n_tangents(i)).norm();
         result[static_cast<std::size_t>(i)] = state.r(system.normal(i)) <= 0 ?
                                                 NodeState::open :
                                               slip > limit ? NodeState::slip :

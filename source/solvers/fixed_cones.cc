@@ -21,8 +21,8 @@ namespace conetact::solvers
       SolverReport
       solve(const ContactProblem &problem, ContactState &state) override
       {
-        return problem.friction ? repeat(problem, state) :
-                                  method->solve(problem, state);
+        return problem.laws ? repeat(problem, state) :
+                              method->solve(problem, state);
       }
 
     private:
@@ -36,6 +36,13 @@ namespace conetact::solvers
         double                 before = std::numeric_limits<double>::infinity();
         for (unsigned int i = 0; i < most; ++i)
           {
+            if (problem.laws->has_layers() &&
+                problem.system->form == Form::stiffness)
+              {
+                sum.reason = "this method knows layers that give way in the "
+                             "compliance form only";
+                return sum;
+              }
             const ContactProblem cones = with_coefficients_of(state, problem);
             ContactState         trial = start;
             trial.r                    = state.r;
@@ -43,6 +50,7 @@ namespace conetact::solvers
             add_work(report, sum);
             sum   = report;
             state = trial;
+            take_layers_away(problem, state);
             if (!sum.converged)
               return sum;
             sum.residual = contact_residual(problem, state);
@@ -55,6 +63,18 @@ namespace conetact::solvers
         sum.converged = false;
         sum.reason    = "the coefficient of friction does not settle";
         return sum;
+      }
+
+      /** Their part in v; the method has them in the compliance. */
+      static void
+      take_layers_away(const ContactProblem &problem, ContactState &state)
+      {
+        const Eigen::Index n = problem.system->n_contact_unknowns();
+        if (!problem.laws->has_layers())
+          return;
+        const Eigen::VectorXd v =
+          multiply(*problem.system, state.r) + problem.load;
+        state.v.head(n) = v.head(n);
       }
 
       std::unique_ptr<ContactSolver> method;

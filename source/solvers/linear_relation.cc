@@ -128,7 +128,7 @@ namespace conetact::solvers
   void
   LinearRelation::set_load(const ContactProblem &problem)
   {
-    friction = problem.friction;
+    laws = problem.laws;
     // Both M = S A S and l = +-S load with S = diag(scale)
     const Index n = contact_system->n_contact_unknowns();
     const Index k = contact_system->n_motions;
@@ -168,15 +168,49 @@ namespace conetact::solvers
                         const double r_n,
                         const double slip) const
   {
-    if (!friction)
+    if (!laws)
       {
         const double mu = contact_system->mu(i);
         return {mu * r_n, mu, 0};
       }
     const double  force = unit_of_force(i), length = unit_of_length(i);
-    FrictionLimit result = friction->at(i, force * r_n, length * slip);
+    FrictionLimit result = laws->limit(i, force * r_n, length * slip);
     result.value /= force;
     result.by_slip *= length / force;
+    return result;
+  }
+
+
+
+  void
+  LinearRelation::add_layers(const Array &r, Array &v) const
+  {
+    eigen_assert(r.size() == v.size());
+    for (Index i = 0; i < contact_system->n_nodes(); ++i)
+      {
+        const Index first = contact_system->first[i];
+        const Index size  = contact_system->n_tangents(i) + 1;
+        v.segment(first, size) =
+          see([&](const double r_n,
+                  const double slip) { return layer(i, r_n, slip); },
+              v.segment(first, size),
+              r.segment(first, size));
+      }
+  }
+
+
+
+  Layer
+  LinearRelation::layer(const Index  i,
+                        const double r_n,
+                        const double slip) const
+  {
+    const double force = unit_of_force(i), length = unit_of_length(i);
+    Layer        result = laws->layer(i, force * r_n, length * slip);
+    result.closing /= length;
+    result.by_force *= force / length;
+    result.shear *= force / length;
+    result.sheared /= length;
     return result;
   }
 

@@ -21,17 +21,21 @@ namespace conetact::solvers
       return static_cast<std::size_t>(i);
     }
 
-    /** Displacements and reactions of a point, whichever is p. */
+    /** Displacements, as the law sees them, and reactions of a point, whichever
+     * is p. */
     struct Fields
     {
-      const VectorXd  v;
+      VectorXd        v;
       const VectorXd &r;
       Fields(const LinearRelation &relation,
              const VectorXd       &p,
              const VectorXd       &d)
         : v(relation.displacements(p, d))
         , r(relation.reactions(p, d))
-      {}
+      {
+        if (relation.has_layers())
+          relation.add_layers(r, v);
+      }
     };
 
     /**
@@ -166,6 +170,22 @@ namespace conetact::solvers
         law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
       return law;
     }
+    /** A law of what is seen as one of v itself: dv' = T dv + C dr. */
+    void
+    see_through(const Layer &layer, const SmallVector &seen, Law &law)
+    {
+      const Index  nt   = seen.size() - 1;
+      const double slip = seen.head(nt).norm();
+      SmallMatrix  T    = SmallMatrix::Identity(nt + 1, nt + 1);
+      SmallMatrix  C    = layer.shear * T;
+      if (slip > 0)
+        T.bottomLeftCorner(1, nt) =
+          layer.by_slip / slip * seen.head(nt).transpose();
+      C.bottomLeftCorner(1, nt) = layer.shear * T.bottomLeftCorner(1, nt);
+      C(nt, nt)                 = layer.by_force;
+      law.B += law.A * C;
+      law.A = (law.A * T).eval();
+    }
   } // namespace
 
 
@@ -288,7 +308,11 @@ namespace conetact::solvers
         const double        zn = r(dim - 1) - v(dim - 1);
         const FrictionLimit limit =
           relation.limit(i, zn, v.head(dim - 1).norm());
-        const Law law   = law_of(sets[at(i)], limit, v, r, definite);
+        Law law = law_of(sets[at(i)], limit, v, r, definite);
+        if (relation.has_layers())
+          see_through(relation.layer(i, r(dim - 1), v.head(dim - 1).norm()),
+                      v,
+                      law);
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
@@ -388,6 +412,9 @@ namespace conetact::solvers
       {
         const Index     first = system.first[i], nt = system.n_tangents(i);
         const NodeState node = sets[at(i)].state;
+        if (node != NodeState::open && relation.has_layers() &&
+            !relation.layer(i, r(first + nt), 0).is_none())
+          continue; // its zeros are not those of displacements
         if (node == NodeState::open)
           r.segment(first, nt + 1).setZero();
         else

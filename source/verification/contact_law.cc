@@ -27,20 +27,44 @@ namespace conetact::verification
              " of body '" + bodies.names[point.node->body] + "' ";
     }
 
-    /** The largest friction of a node by the law of its contact. */
-    double
-    varying_limit(const pairing::ContactNode &node,
-                  pairing::FrictionPoint      here,
-                  const double                r_n,
-                  const double                speed)
+    /** A node as the laws of its contact see it, by their definitions. */
+    struct Seen
     {
-      const double area = node.meets_nothing() ? 0. : node.area;
-      here.pressure     = area > 0 ? std::max(r_n, 0.) / area : 0.;
-      here.speed        = speed;
-      return std::min(node.friction->coefficient(here) * r_n,
-                      node.friction->needs_area() ?
-                        node.friction->shear_limit(here) * area :
-                        std::numeric_limits<double>::infinity());
+      double   limit; ///< of friction [force]
+      double   gap;   ///< with what layers and wear take [length]
+      VectorXd slip;  ///< without what layers give way by [length]
+    };
+
+    /** `slip` and `gap` are those of the bodies. */
+    Seen
+    seen_by_laws(const Claim                &claim,
+                 const std::size_t           i,
+                 const pairing::ContactNode &node,
+                 const VectorXd             &r_t,
+                 const double                r_n,
+                 const double                gap,
+                 VectorXd                    slip)
+    {
+      const contact::IncrementLaws &laws = *claim.laws;
+      const double       area = node.meets_nothing() ? 0. : node.area;
+      pairing::Situation here = laws.known(i);
+      if (area > 0)
+        here.pressure = std::max(r_n, 0.) / area;
+      if (node.layer && area > 0)
+        slip +=
+          node.layer->shear(here) / area * (r_t - laws.friction_at_start(i));
+      here.speed = slip.norm() / laws.duration();
+      Seen seen{0, gap + claim.worn[static_cast<Index>(i)], slip};
+      if (node.layer)
+        seen.gap += here.pressure * node.layer->closing_by_pressure(here);
+      if (node.layer && node.layer->wears_at_once())
+        seen.gap +=
+          here.pressure * node.layer->wear_by_pressure(here) * slip.norm();
+      if (!laws.sees(i))
+        seen.gap = std::numeric_limits<double>::infinity();
+      seen.limit = std::min(node.friction->coefficient(here) * r_n,
+                            node.friction->largest_force(here, area));
+      return seen;
     }
   } // namespace
 
@@ -171,18 +195,16 @@ namespace conetact::verification
     const auto     nt   = static_cast<Index>(point.dual.size()) - 1;
     const Index    n    = point.first + nt;
     const double   r_n  = claim.r[n];
-    const double   gap  = node.gap + out.displacements[n];
     const VectorXd r_t  = claim.r.segment(point.first, nt);
-    const VectorXd slip = (claim.incremental ? out.change : out.displacements)
-                            .segment(point.first, nt);
-    // Radius of the cone; cohesion holds at open nodes, too.
-    const double limit =
-      claim.friction && node.friction ?
-        varying_limit(node,
-                      claim.friction->known(i),
-                      r_n,
-                      slip.norm() / claim.friction->duration()) :
-        point.mu * r_n + node.cohesion;
+    Seen           seen = {point.mu * r_n +
+                             node.cohesion, // which holds at open nodes, too
+                           node.gap + out.displacements[n],
+                           (claim.incremental ? out.change : out.displacements)
+                             .segment(point.first, nt)};
+    if (claim.laws && node.friction)
+      seen = seen_by_laws(claim, i, node, r_t, r_n, seen.gap, seen.slip);
+    const double    limit = seen.limit, gap = seen.gap;
+    const VectorXd &slip = seen.slip;
 
     if (limit < 0 && r_n > 0)
       errors.force(-limit, "has a coefficient of friction below 0");

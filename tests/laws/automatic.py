@@ -118,6 +118,59 @@ def distances(laws):
     demand_pairs(laws, "beside one with a name", dry_run(laws, own), expected - pairs("b00 b01"))
 
 
+def hidden(laws):
+    """What stands between two bodies hides one from the other, however thin it is."""
+    for dim in (2, 3):
+        def size(height, dim=dim):
+            return (2.0, height) if dim == 2 else (2.0, 1.0, height)
+
+        def at(height, dim=dim):
+            return (0.0, height) if dim == 2 else (0.0, 0.0, height)
+        coarse, fine = ((4, 2), (40, 2)) if dim == 2 else ((4, 2, 2), (12, 6, 2))
+        bottom, top = (2, 3) if dim == 2 else (4, 5)
+        scene = {"Dimension": dim, "Body low": box(coarse, size(1.0)), "Body gasket": box(fine, size(.05), at(1.0), young=1.0, poisson=0.0),
+                 "Body high": box(coarse, size(1.0), at(1.05)), "Obstacle ground": floor(dim), "Contacts": "automatic",
+                 "Automatic contact": {"Kind": "tie"}, "Support low": support(bottom, "", body="low"),
+                 "Load press": load("pressure", .1, top, body="high"), "Output": {"VTU": 0}}
+        run = laws.run(merge(scene, {"Automatic contact": {"Exceptions": "ground"}}))
+        demand_pairs(laws, f"{dim}D, a gasket between", run, pairs("gasket low", "gasket high"))
+        demand_pairs(laws, f"{dim}D, and on the ground", dry_run(laws, scene), pairs("gasket low", "gasket high", "low ground"))
+
+
+def strangers(laws):
+    """Bodies that are apart at the start and come into each other without a contact: refused, until they have one."""
+    scene = {"Dimension": 2, "Body one": box((8, 4), (2.0, 1.0)), "Body two": box((6, 3), (2.0, 1.0), (.3, 1.3)),
+             "Body three": box((4, 2), (2.0, 1.0), (.3, 2.3)),
+             "Support low": support(2, "x, y", body="one"), "Support high": support(3, "x, y", "0 ; -0.4*t", body="three"),
+             "Contacts": "automatic", "Time": {"End": 1, "Increments": 8}, "Output": {"VTU": 0}}
+    done, folder = laws.start(scene)
+    laws.demand("strangers come into each other", done.returncode == 2 and "and have no contact" in done.stderr
+                and "'one'" in done.stderr and "Increment 7" in done.stderr)
+    run = laws.run(merge(scene, {"Automatic contact": {"Largest gap": .3}}))
+    laws.demand("with a contact they press", max(abs(value) for name, value in run.increments[-1].items() if name in ("two_one_f_y", "one_two_f_y")) > 1)
+    ring = {"Mesh": {"Generator": "hyper_shell", "Arguments": "0, 0 : 1.3 : 2 : 48 : true"},
+            "Material": {"Young modulus": 1000, "Poisson ratio": .3}}
+    pin = {"Mesh": {"Generator": "hyper_ball", "Arguments": "0, 0 : 1 : false", "Global refinements": 3,
+                    "Boundary ids": "9: abs(x) < 0.3 && y > 0"},
+           "Material": {"Young modulus": 1000, "Poisson ratio": .3}}
+    scene = {"Dimension": 2, "Body lug": ring, "Body pin": pin, "Support lug": support(1, "x, y", body="lug"),
+             "Support pin": support(9, "x, y", "0 ; -0.5*t", body="pin"), "Contacts": "automatic",
+             "Automatic contact": {"Largest gap": .01}, "Time": {"End": 1, "Increments": 10}, "Output": {"VTU": 0}}
+    done, _ = laws.start(scene)
+    laws.demand("a pin comes through its lug", done.returncode == 2 and "and have no contact" in done.stderr)
+    turned = wall(2, .5)
+    for angle in (7, 21, 56, 83):
+        m = rotation((0, 0, 1), angle)
+        scene = merge(turned, {"Obstacle ground": {"Normal": apply(m, (0, 1, 0))[:2]}, "Automatic contact": {"Largest gap": 0}})
+        for name in list(scene):
+            if name.startswith("Body"):
+                scene[name] = merge(scene[name], {"Mesh": {"Rotation": angle}})
+        demand_pairs(laws, f"a largest gap of 0, turned by {angle}", dry_run(laws, scene), expected_of_wall(.5))
+    plate = {"Dimension": 2, "Body disc": merge(box((6, 3), (2.0, 1.0)), {"Material": {"Plane": "axisymmetric"}}),
+             "Obstacle ground": floor(2), "Contacts": "automatic", "Load press": load("pressure", 1, 3, body="disc"), "Output": {"VTU": 0}}
+    laws.demand("a body with its axis on the ground", (laws.run(plate).folder / "contacts.prm").read_text().count("Boundary ids = 2") == 1)
+
+
 def frames(laws):
     """A block on a beam: the block is the slave, whichever stands first."""
     for names in (("bar", "block"), ("block", "bar")):
@@ -212,6 +265,8 @@ def going_on(laws):
 def automatic(laws):
     walls(laws)
     written(laws)
+    hidden(laws)
+    strangers(laws)
     distances(laws)
     frames(laws)
     arch(laws)

@@ -4,7 +4,7 @@
 import csv
 import math
 
-from support.scenes import box, contact, floor, load, merge, support
+from support.scenes import box, contact, floor, load, merge, simplices, support
 from support.vectors import cross
 
 
@@ -26,8 +26,41 @@ def beam_between_nodes(laws):
                 laws.check(f"beam: deflection at {x}, t = {row['time']}", abs(float(row[f"{name}_u_y"]) - exact), 1e-9)
 
 
+def whole_forces(laws):
+    """Forces and moments of given size: their resultants, and the moment about the point where they act."""
+    plate = {"Dimension": 2, "Body block": box((7, 3), (2.0, 1.0), Rotation=23), "Support left": support(0, "x, y"), "Output": {"VTU": 0}}
+    plate["Body block"]["Material"]["Thickness"] = .3
+    cube = {"Dimension": 3, "Body block": simplices(box((3, 2, 2), (1.5, 1.0, .7))), "Support left": support(0, "x, y, z"),
+            "Output": {"VTU": 0}}
+    bent = {"Dimension": 3, "Body block": {"Mesh": {"Generator": "cylinder", "Arguments": "1 : 2", "Global refinements": 1},
+                                           "Element": "Q2", "Material": {"Young modulus": 1000, "Poisson ratio": .3}},
+            "Support left": support(1, "x, y, z"), "Output": {"VTU": 0}}
+    for name, scene, ids, centre in (("2D, turned", plate, "1, 3", None), ("3D, tetrahedra", cube, "1, 5", None),
+                                     ("Q2, a mantle", bent, "0, 2", None)):
+        dim = scene["Dimension"]
+        f = (3.0, -2.0, 1.5)[:dim]
+        text = " ; ".join(map(repr, f))
+        for what, point in (("in the centre", centre), ("at a point", (.7, -.4, 2.1)[:dim])):
+            run = laws.run({**scene, "Load pull": load("force", text, ids, **({} if point is None else {"Point": point}))})
+            row = run.increments[-1]
+            found = [row[f"load_pull_f_{c}"] for c in "xyz"]
+            laws.check(f"{name}: a force {what}", math.dist(found, (*f, 0)[:3] if dim == 2 else f), 1e-12)
+            if point is not None:
+                moment = cross((*point, 0)[:3], (*f, 0)[:3])
+                laws.check("  its moment", math.dist([row[f"load_pull_m_{c}"] for c in "xyz"], moment) / math.hypot(*moment), 1e-12)
+        moment = (0, 0, 5.0) if dim == 2 else (1.0, -4.0, 2.5)
+        run = laws.run({**scene, "Load twist": load("moment", "5" if dim == 2 else " ; ".join(map(repr, moment)), ids)})
+        row = run.increments[-1]
+        laws.check(f"{name}: a moment", math.dist([row[f"load_twist_m_{c}"] for c in "xyz"], moment) / 5, 1e-12)
+        laws.check("  without a force", math.hypot(*(row[f"load_twist_f_{c}"] for c in "xyz")), 1e-12)
+    ring = {"Dimension": 2, "Body block": merge(box((4, 3), (1.0, 1.0), (1.0, 0.0)), {"Material": {"Plane": "axisymmetric"}}),
+            "Support low": support(2, "x, y"), "Load press": load("force", "0 ; -7", 3), "Output": {"VTU": 0}}
+    laws.check("axisymmetric: a force along the axis", abs(laws.run(ring).increments[-1]["load_press_f_y"] + 7), 1e-12)
+
+
 def loads(laws):
     beam_between_nodes(laws)
+    whole_forces(laws)
     thickness, n, p = .5, 8, 6.0
     base = {"Dimension": 2, "Body block": box((n, 4), (2.0, 1.0)), "Obstacle floor": floor(2),
             "Contact bottom": contact(mu=.3), "Support left": support(0, "x"), "Output": {"VTU": 0}}

@@ -3,9 +3,7 @@
 """Coefficients of friction by expressions: each node obeys the law that the scene has, computed anew from the tables."""
 import math
 
-from support.scenes import box, contact, floor, load, merge, press_and_shear, support
-
-STEEL = 1000.0
+from support.scenes import load, press_and_shear
 
 
 def rate(row):
@@ -80,9 +78,9 @@ def by_methods(laws):
 
 
 def temperature(laws):
-    scene = press_and_shear(2, mu="0.2 + 0.001*T", expansion=1e-9)
-    scene["Load heat"] = load("temperature", "100*(t - 1)*x", body="block")
-    scene["Load heat"].pop("Boundary ids", None)
+    scene = press_and_shear(2, mu="0.2 + 0.001*T")
+    scene["Body block"]["Material"]["Expansion coefficient"] = 1e-9
+    scene["Load heat"] = load("temperature", "100*(t - 1)*x")
     run = laws.run(scene)
     laws.admissible("mu(T)", run, Mu(run, lambda row, s, p, v: .2 + .1 * (row["time"] - 1) * row["x"]))
 

@@ -6,6 +6,7 @@
 
 #include "conetact/analysis/record_maker.h"
 #include "conetact/analysis/small_kinematics.h"
+#include "conetact/analysis/unpaired_bodies.h"
 #include "conetact/analysis/warnings.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/log.h"
@@ -117,6 +118,7 @@ namespace conetact::analysis
     verification::Energies              energies;
     Warnings                            warnings;
     SmallKinematics                     small;
+    UnpairedBodies                      unpaired;
     RecordMaker                         records;
     std::map<unsigned int, std::string> leaves;
   };

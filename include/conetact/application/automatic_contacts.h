@@ -43,7 +43,7 @@ namespace conetact::application
    * those that are `named` already and those that the section excepts. Throws
    * InputError.
    */
-  std::vector<pairing::NearSides>
+  pairing::NearPairs
   find_near_sides(dealii::ParameterHandler                     &prm,
                   const std::vector<std::string>               &bodies,
                   const std::vector<const bodies::Structure *> &structures,
@@ -62,10 +62,10 @@ namespace conetact::application
 
   /** Writes down what was found, with the law of the section. */
   std::vector<WrittenContact>
-  write_contacts(const dealii::ParameterHandler        &prm,
-                 const std::vector<pairing::NearSides> &near_sides,
-                 const std::vector<std::string>        &bodies,
-                 const std::vector<pairing::Obstacle>  &obstacles);
+  write_contacts(const dealii::ParameterHandler       &prm,
+                 const pairing::NearPairs             &pairs,
+                 const std::vector<std::string>       &bodies,
+                 const std::vector<pairing::Obstacle> &obstacles);
 } // namespace conetact::application
 
 #endif

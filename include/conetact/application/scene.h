@@ -153,7 +153,7 @@ namespace conetact::application
      * where a history runs again on another mesh, so that contacts stay the
      * same.
      */
-    std::optional<std::vector<pairing::NearSides>> near_sides;
+    std::optional<pairing::NearPairs> near_sides;
     /** All contacts that were found so, as a scene would have them; empty: none
      * were asked for. */
     std::string automatic_text;

@@ -5,10 +5,12 @@
 #define conetact_bodies_loads_h
 
 #include "conetact/base/expression.h"
+#include "conetact/bodies/spread_force.h"
 #include "conetact/bodies/structure.h"
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,18 +27,22 @@ namespace conetact::bodies
       pressure,      ///< [force/area] against the outward normal
       body_force,    ///< [force/volume]
       point_force,   ///< [force] at a point of the body
+      force,         ///< [force] in all, spread over boundary ids
+      moment,        ///< [force x length] in all, the same
       nodal_force,   ///< [force] at each node of boundary ids, with moments
                      ///< where values follow
       line_load,     ///< [force/length] on members of boundary ids
       temperature,   ///< change of temperature [K], an initial strain
       initial_strain ///< [-], components along `axes`
     };
-    std::string             name;
-    unsigned int            body = 0; ///< index
-    Kind                    kind = Kind::traction;
-    BoundaryIds             ids;   ///< of kinds that have them
-    Point<3>                point; ///< point force
-    std::vector<Expression> value; ///< a component each, or one
+    std::string  name;
+    unsigned int body = 0; ///< index
+    Kind         kind = Kind::traction;
+    BoundaryIds  ids;   ///< of kinds that have them
+    Point<3>     point; ///< point force; force: where it acts
+    /** Of a force or a moment that is spread. */
+    std::shared_ptr<const SpreadForce> spread;
+    std::vector<Expression>            value; ///< a component each, or one
     /** Of initial strains: the axes of each component. */
     std::vector<std::pair<unsigned int, unsigned int>> axes;
 
@@ -69,6 +75,8 @@ namespace conetact::bodies
     action(const double t) const;
 
   private:
+    Tensor<1, 3>
+    spread_traction(const Point<3> &p, const double t) const;
     InitialStrain
     initial_strain(const Point<3> &p, const double t) const;
   };

@@ -6,7 +6,7 @@
 
 #include "conetact/base/archive.h"
 #include "conetact/contact/contact_model.h"
-#include "conetact/contact/increment_friction.h"
+#include "conetact/contact/increment_laws.h"
 
 #include <functional>
 #include <memory>
@@ -81,17 +81,20 @@ namespace conetact::contact
     move(solvers::ContactState &end,
          const Eigen::VectorXd &amounts,
          const double           largest_force) const;
-    /** Takes over the end of an increment, at time t. */
+    /** Takes over the end of an increment, at time t; `laws` of its contacts,
+     * or none. */
     void
-    advance(const solvers::ContactState &end, const double t);
+    advance(const solvers::ContactState &end,
+            const double                 t,
+            const IncrementLaws         *laws = nullptr);
 
     /** Change of a body's temperature at a point of it, at the time asked for.
      */
     using Temperature =
       std::function<double(unsigned int body, const Point<3> &p)>;
-    /** Friction of the increment until t; none where no coefficient varies. */
-    std::shared_ptr<const IncrementFriction>
-    friction_until(const double t, const Temperature &temperature) const;
+    /** Laws of the increment until t; none where contacts have none. */
+    std::shared_ptr<const IncrementLaws>
+    laws_until(const double t, const Temperature &temperature) const;
 
     /** Relative displacements of all contact unknowns since the start. */
     const Eigen::VectorXd &
@@ -119,6 +122,12 @@ namespace conetact::contact
     }
     Eigen::VectorXd
     gaps() const;
+    /** Depth of wear of each node so far [length]. */
+    const Eigen::VectorXd &
+    worn() const
+    {
+      return depth;
+    }
     /** Largest reaction or load so far [force]. */
     double
     largest_force() const
@@ -140,6 +149,7 @@ namespace conetact::contact
     std::vector<solvers::NodeState> states;
     double          largest = 0; ///< reaction or load so far [force]
     Eigen::VectorXd slipped;     ///< way of each node so far [length]
+    Eigen::VectorXd depth;       ///< of wear, which opens its gap [length]
     double          time = 0;    ///< at the end of the last increment
   };
 } // namespace conetact::contact

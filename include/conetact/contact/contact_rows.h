@@ -33,7 +33,7 @@ namespace conetact::contact
      * of all its parts. `state`: end of the increment; `q`: displacements of
      * the contact unknowns since the start; `r_bound`: reactions of what is
      * bound, whose rows stand behind those of candidates; `u`: all dofs; `t`:
-     * time.
+     * time; `worn`: depths of all candidates, or none [length].
      */
     std::vector<output::ContactRow>
     rows(const solvers::ContactState &state,
@@ -41,7 +41,8 @@ namespace conetact::contact
          const Eigen::VectorXd       &r_bound,
          const Eigen::VectorXd       &u,
          const double                 t,
-         const bool                   whole = true);
+         const bool                   whole = true,
+         const Eigen::VectorXd       &worn  = {});
 
     /**
      * Contacts were found again: their frames and feet, and what they moved by
@@ -72,6 +73,10 @@ namespace conetact::contact
                   const Eigen::VectorXd       &q,
                   const Tensor<1, 3>          &other,
                   output::ContactRow          &row) const;
+    static void
+    set_wear(const pairing::ContactNode &node,
+             const double                depth,
+             output::ContactRow         &row);
     static void
     set_bound(const ContactPoint &point,
               const Tensor<1, 3> &other,

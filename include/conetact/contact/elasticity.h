@@ -5,7 +5,7 @@
 #define conetact_contact_elasticity_h
 
 #include "conetact/condensed/condenser.h"
-#include "conetact/contact/increment_friction.h"
+#include "conetact/contact/increment_laws.h"
 #include "conetact/contact/redundant_rows.h"
 #include "conetact/solvers/contact_problem.h"
 
@@ -38,8 +38,8 @@ namespace conetact::contact
      */
     Eigen::VectorXd offset;
     Eigen::VectorXd placement; ///< amounts of RigidMotions
-    /** Where it varies; else none. */
-    std::shared_ptr<const IncrementFriction> friction;
+    /** Of contacts that have some of their own; else none. */
+    std::shared_ptr<const IncrementLaws> laws;
   };
 
   /** Ties and bilateral contacts, which solvers do not see. */

@@ -34,6 +34,8 @@ namespace conetact::output
     Point<3>           acts;     ///< where it acts on the body [length]
     solvers::NodeState state  = solvers::NodeState::open;
     bool               master = false; ///< the other side of a pair of bodies
+    double             wear   = 0;     ///< depth that this side has lost
+    double             wear_opposite = 0; ///< and the other one [length]
 
     /** The traction is `pressing` over `covered`: reaction and area, but of
      * masters without the signs of weights: on faces of second degree areas of
@@ -150,6 +152,7 @@ namespace conetact::output
     std::vector<std::string>  bodies;    ///< names
     std::vector<std::string>  obstacles; ///< names of those that are free
     std::vector<std::string>  preloads;  ///< names of contacts that have one
+    std::vector<unsigned int> wearing;   ///< indices of contacts that wear
     std::vector<std::string>  probes;    ///< names of chosen points
     std::vector<const bodies::Structure *> structures;
     unsigned int                           dim = 2;

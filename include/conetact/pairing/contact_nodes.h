@@ -7,6 +7,7 @@
 #include "conetact/base/expression.h"
 #include "conetact/bodies/structure.h"
 #include "conetact/pairing/friction_law.h"
+#include "conetact/pairing/layer_law.h"
 #include "conetact/pairing/obstacles.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -72,6 +73,10 @@ namespace conetact::pairing
 
     /** Along the first axis; none: bound contacts. */
     std::shared_ptr<const FrictionLaw> friction;
+    /** Of t: 0 where both sides do not see each other; none: they do. */
+    std::shared_ptr<const Expression> active;
+    /** What gives way or wears; none. */
+    std::shared_ptr<const LayerLaw> layer;
     /** Along the second axis; none: isotropic. */
     std::optional<Expression> second_friction;
     double                    friction_angle = 0; ///< first axis from t1 [rad]
@@ -160,7 +165,9 @@ namespace conetact::pairing
     /** In place of them, where coefficients vary; they are those of the start
      * then, and above 0. */
     std::shared_ptr<const FrictionLaw> friction;
-    double       friction_angle = 0; ///< of axis_1 from t1 [rad]
+    std::shared_ptr<const LayerLaw>    layer;  ///< or none
+    std::shared_ptr<const Expression>  active; ///< of the contact; or none
+    double       friction_angle = 0;           ///< of axis_1 from t1 [rad]
     Tensor<1, 3> axis_1, axis_2;
 
     /** Presses the two sides together from the start [force]. */

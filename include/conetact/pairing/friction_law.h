@@ -10,24 +10,32 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace conetact::pairing
 {
   /** Where and how a contact node presses and slips. */
-  struct FrictionPoint
+  struct Situation
   {
-    Point<3> position;        ///< undeformed [length]
-    double   t           = 0; ///< at the end of the increment [time]
-    double   temperature = 0; ///< change of its body's, at t [K]
-    double   slipped     = 0; ///< way so far, at the start [length]
-    double   pressure    = 0; ///< [stress]
-    double   speed       = 0; ///< slip of the increment over its time
+    dealii::Point<3> position;        ///< undeformed [length]
+    double           t           = 0; ///< at the end of the increment [time]
+    double           temperature = 0; ///< change of its body's, at t [K]
+    double           slipped     = 0; ///< way so far, at the start [length]
+    double           pressure    = 0; ///< [stress]
+    double           speed       = 0; ///< slip of the increment over its time
   };
+
+  /** The names of its numbers in expressions, but for places and t. */
+  const std::vector<std::string> &
+  names_of_situation();
+  /** Of an expression with those names. */
+  double
+  value_of(const Expression &expression, const Situation &at);
 
   /**
    * Friction that changes: |traction| <= min(mu p, shear limit), of both
    * expressions in x, y, z, t and T, s, p, v, which are the other members of
-   * FrictionPoint.
+   * Situation.
    */
   class FrictionLaw
   {
@@ -39,10 +47,10 @@ namespace conetact::pairing
 
     /** mu [-]; of what does not press yet, p = 0. */
     double
-    coefficient(const FrictionPoint &at) const;
-    /** The largest traction [stress]; infinite without a limit. */
+    coefficient(const Situation &at) const;
+    /** What the limit allows on an area [force]; infinite without one. */
     double
-    shear_limit(const FrictionPoint &at) const;
+    largest_force(const Situation &at, const double area) const;
 
     /** Whether it is one coefficient of position. */
     bool

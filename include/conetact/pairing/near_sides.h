@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace conetact::pairing
@@ -22,6 +23,13 @@ namespace conetact::pairing
     std::optional<unsigned int> obstacle;   ///< index; none: a master body
     unsigned int                master = 0; ///< index
     bodies::BoundaryIds         master_ids;
+  };
+
+  /** All that oppose each other, and the bodies that do not (yet). */
+  struct NearPairs
+  {
+    std::vector<NearSides>                             sides;
+    std::vector<std::pair<unsigned int, unsigned int>> apart;
   };
 
   /**
@@ -67,6 +75,10 @@ namespace conetact::pairing
     };
     static Patch
     patch_of(const bodies::Structure &body, const unsigned int id);
+    static bool
+    is_the_axis(const Patch &patch, const bodies::Structure &body);
+    double
+    edge_of(const unsigned int body, const bodies::BoundaryIds &ids) const;
     double
     gap_allowed(const double edge) const;
     Side

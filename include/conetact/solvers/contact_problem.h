@@ -4,7 +4,7 @@
 #ifndef conetact_solvers_contact_problem_h
 #define conetact_solvers_contact_problem_h
 
-#include "conetact/solvers/friction_limit.h"
+#include "conetact/solvers/nodal_laws.h"
 
 #include <Eigen/Dense>
 
@@ -121,8 +121,8 @@ namespace conetact::solvers
   {
     std::shared_ptr<const ContactSystem> system;
 
-    /** In place of the system's coefficients, where they vary; else none. */
-    std::shared_ptr<const VaryingFriction> friction = {};
+    /** Beyond the system's coefficients, where there are any; else none. */
+    std::shared_ptr<const NodalLaws> laws = {};
 
     Eigen::VectorXd load; ///< f [force], or q [length] and -b, n values
     Eigen::VectorXd gap;  ///< gap g >= 0 at the start of the increment [length]
@@ -178,7 +178,17 @@ namespace conetact::solvers
                        const ContactState   &state,
                        const Eigen::Index    i);
 
-  /** The same problem with the coefficients of a state, which do not vary. */
+  /**
+   * Displacements of all contact unknowns as the law of contact sees them: with
+   * what layers give way by.
+   */
+  Eigen::VectorXd
+  seen_by_law(const ContactProblem  &problem,
+              const Eigen::VectorXd &v,
+              const Eigen::VectorXd &r);
+
+  /** The same problem with the coefficients of a state, which do not vary;
+   * layers join the compliance as far as they are linear. */
   ContactProblem
   with_coefficients_of(const ContactState   &state,
                        const ContactProblem &problem);

@@ -90,8 +90,19 @@ namespace conetact::solvers
     bool
     has_cones() const
     {
-      return !friction || friction->is_known();
+      return !laws || laws->has_cones();
     }
+    bool
+    has_layers() const
+    {
+      return laws && laws->has_layers();
+    }
+    /** v as the law sees it. */
+    void
+    add_layers(const Array &r, Array &v) const;
+    /** The same of what gives way at node i. */
+    Layer
+    layer(const Index i, const double r_n, const double slip) const;
 
     /** The constant part l. */
     const Array &
@@ -154,9 +165,9 @@ namespace conetact::solvers
     from_scaled(const Array &p, const Array &d, ContactState &state) const;
 
   private:
-    std::shared_ptr<const ContactSystem>   contact_system;
-    std::shared_ptr<const VaryingFriction> friction; ///< of the load; or none
-    bool                                   has_units;
+    std::shared_ptr<const ContactSystem> contact_system;
+    std::shared_ptr<const NodalLaws>     laws; ///< of the increment; or none
+    bool                                 has_units;
     Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
     double alpha = 1; ///< sqrt(force x length)
     Array  scaled_load, scaled_offset;

@@ -5,7 +5,7 @@
 #define conetact_verification_claim_h
 
 #include "conetact/contact/elastic_system.h"
-#include "conetact/contact/increment_friction.h"
+#include "conetact/contact/increment_laws.h"
 #include "conetact/verification/external_forces.h"
 
 #include <Eigen/Core>
@@ -28,12 +28,14 @@ namespace conetact::verification
     std::vector<solvers::NodeState> states;     ///< of the candidates
     Eigen::VectorXd                 loads;      ///< nodal, all dofs [force]
     Eigen::VectorXd                 mechanical; ///< those without thermal ones
-    /** Where friction varies: what its laws are known by; else none. */
-    std::shared_ptr<const contact::IncrementFriction> friction;
-    double                                            t = 0;
-    bool whole       = true; ///< not solved in parts
-    bool incremental = true; ///< law of the slip since
-                             ///< before; else of all slip
+    /** Of contacts that have laws: where they stand, as far as it is known at
+     * the start of the increment; else none. */
+    std::shared_ptr<const contact::IncrementLaws> laws;
+    Eigen::VectorXd worn; ///< depth of each candidate there; with laws [length]
+    double          t           = 0;
+    bool            whole       = true; ///< not solved in parts
+    bool            incremental = true; ///< law of the slip since
+                                        ///< before; else of all slip
   };
 
   /** What the verification finds of a claim. */

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_bodies_spread_force_h
+#define conetact_bodies_spread_force_h
+
+#include "conetact/bodies/structure.h"
+
+namespace conetact::bodies
+{
+  /**
+   * A force and a moment of given size on boundary ids, as a traction that is
+   * linear in space: @f$F/A + \omega \times (x - c)@f$ with the centroid c of
+   * the faces and @f$J \omega@f$ the moment about it. It stiffens nothing.
+   */
+  class SpreadForce
+  {
+  public:
+    /** Throws InputError where the ids have no area; `in` is what the sentence
+     * begins with. */
+    SpreadForce(const Structure   &body,
+                const BoundaryIds &ids,
+                const std::string &in);
+
+    /** At x, of a force and its moment about the centroid. */
+    Tensor<1, 3>
+    traction(const Point<3>     &x,
+             const Tensor<1, 3> &force,
+             const Tensor<1, 3> &moment) const;
+
+    const Point<3> &
+    centroid() const
+    {
+      return centre;
+    }
+
+  private:
+    double       area = 0;
+    Point<3>     centre;
+    Tensor<2, 3> inertia; ///< inverse of J
+  };
+} // namespace conetact::bodies
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_nodal_laws_h
+#define conetact_solvers_nodal_laws_h
+
+#include "conetact/solvers/cone.h"
+
+namespace conetact::solvers
+{
+  /** How much friction a node has, |r_t| <= value, and how that changes. */
+  struct FrictionLimit
+  {
+    double value    = 0; ///< [force]
+    double by_force = 0; ///< with the normal reaction [-]
+    double by_slip  = 0; ///< with the slip of the increment [force/length]
+  };
+
+  /**
+   * What gives way between both sides of a node. The law of contact holds for
+   * @f$(\Delta u_t + C_t r_t - w_t, g + w)@f$ in place of
+   * @f$(\Delta u_t, g)@f$: w is what the layer closes or wears by.
+   */
+  struct Layer
+  {
+    double      closing  = 0; ///< w [length]
+    double      by_force = 0; ///< its change with the reaction [length/force]
+    double      by_slip  = 0; ///< and with the slip of the increment [-]
+    double      shear    = 0; ///< C_t [length/force]
+    SmallVector sheared;      ///< w_t, C_t r_t at the start; empty: zero
+
+    bool
+    is_none() const
+    {
+      return closing == 0 && by_force == 0 && by_slip == 0 && shear == 0;
+    }
+  };
+
+  /** (slip, gap) of a node as the law of contact sees it, at a reaction r;
+   * layer(r_n, slip) is what gives way there. */
+  template <typename LayerAt>
+  SmallVector
+  see(const LayerAt &layer, SmallVector v, const SmallVector &r)
+  {
+    const Eigen::Index nt    = v.size() - 1;
+    const Layer        first = layer(r(nt), 0.); // shear is linear
+    v.head(nt) += first.shear * r.head(nt);
+    if (first.sheared.size() > 0)
+      v.head(nt) -= first.sheared;
+    v(nt) += layer(r(nt), v.head(nt).norm()).closing;
+    return v;
+  }
+
+  /**
+   * Laws of an increment's nodes beyond one coefficient for all increments.
+   * @f$|r_t| \le f(r_n, |\Delta u_t|)@f$, and what slips has
+   * @f$r_t = -f\,\Delta u_t/|\Delta u_t|@f$: f takes the place of
+   * @f$\mu r_n@f$ everywhere, so that no solver needs a cone that is none.
+   * f(0, .) = 0. Layers give way under forces alone: closing is 0 where
+   * r_n <= 0.
+   */
+  class NodalLaws
+  {
+  public:
+    using Index = Eigen::Index;
+
+    virtual ~NodalLaws() = default;
+
+    /** What does not press, r_n <= 0, has the slope of r_n = 0. */
+    virtual FrictionLimit
+    limit(const Index node, const double r_n, const double slip) const = 0;
+    virtual Layer
+    layer(const Index node, const double r_n, const double slip) const = 0;
+
+    /** Whether friction is a coefficient a node, known before anything is
+     * solved. */
+    virtual bool
+    has_cones() const = 0;
+    /** Whether anything has a layer. */
+    virtual bool
+    has_layers() const = 0;
+  };
+} // namespace conetact::solvers
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/pairing/layer_law.h"
+
+#include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
+#include "conetact/base/text.h"
+
+#include <cmath>
+
+namespace conetact::pairing
+{
+  namespace
+  {
+    std::optional<Expression>
+    read(const dealii::ParameterHandler &prm,
+         const std::string              &entry,
+         const std::string              &in)
+    {
+      const std::string text = trim(prm.get(entry));
+      if (text.empty())
+        return {};
+      return Expression(text, in + entry, names_of_situation());
+    }
+
+    double
+    not_negative(const Expression  &law,
+                 const Situation   &at,
+                 const std::string &what)
+    {
+      const double value = value_of(law, at);
+      if (value < 0)
+        throw InputError(what + ": it is " + to_text(value) + " at " +
+                         to_text(at.position) + ", t = " + to_text(at.t) +
+                         ", p = " + to_text(at.pressure) +
+                         ". Give 0 or more at all places and times.");
+      return value;
+    }
+
+    void
+    allow_only(const std::optional<Expression> &law,
+               const std::string               &variables,
+               const std::string               &what)
+    {
+      for (const std::string &name : names_of_situation())
+        if (law && law->uses(name) && variables.find(name) == variables.npos)
+          throw InputError(what + ": it depends on " + name + ". Use x, y, z" +
+                           (variables.empty() ? " only." : " and p only."));
+      if (law && law->uses_time())
+        throw InputError(
+          what + ": it depends on t. A layer stays the same: " + "use x, y, z" +
+          (variables.empty() ? " only." : " and p only."));
+    }
+  } // namespace
+
+  LayerLaw::LayerLaw(const dealii::ParameterHandler &prm, const std::string &in)
+    : where(in)
+    , compliance(read(prm, "Compliance", in))
+    , shear_compliance(read(prm, "Shear compliance", in))
+    , wear(read(prm, "Wear coefficient", in))
+    , share(to_number(prm.get("Wear share"), in + "Wear share"))
+    , cycles(to_number(prm.get("Wear acceleration"), in + "Wear acceleration"))
+    , at_once(prm.get("Wear integration") == "implicit")
+  {
+    allow_only(compliance, "p", in + "Compliance");
+    allow_only(shear_compliance, "", in + "Shear compliance");
+    if (share < 0 || share > 1)
+      throw InputError(in + "Wear share: " + prm.get("Wear share") +
+                       " is not a part of the depth. Give 0 (the other side "
+                       "wears) to 1 (Body does).");
+    if (!(cycles > 0))
+      throw InputError(in +
+                       "Wear acceleration: " + prm.get("Wear acceleration") +
+                       " is not a number of cycles. Give 1, or how many an "
+                       "increment counts for.");
+  }
+
+  void
+  LayerLaw::check(const dealii::Point<3> &p) const
+  {
+    Situation at;
+    at.position = p;
+    closing_by_pressure(at);
+    shear(at);
+    wear_by_pressure(at);
+  }
+
+  double
+  LayerLaw::closing_by_pressure(const Situation &at) const
+  {
+    return compliance ? not_negative(*compliance, at, where + "Compliance") :
+                        0.;
+  }
+
+  double
+  LayerLaw::shear(const Situation &at) const
+  {
+    return shear_compliance ?
+             not_negative(*shear_compliance, at, where + "Shear compliance") :
+             0.;
+  }
+
+  double
+  LayerLaw::wear_by_pressure(const Situation &at) const
+  {
+    return wear ? cycles * not_negative(*wear, at, where + "Wear coefficient") :
+                  0.;
+  }
+
+  bool
+  LayerLaw::uses_temperature() const
+  {
+    return wear && wear->uses("T");
+  }
+
+  bool
+  LayerLaw::uses_speed() const
+  {
+    return wear && wear->uses("v");
+  }
+
+  void
+  declare_layer(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry(
+      "Compliance",
+      "",
+      Anything(),
+      "Of a thin layer between both sides, a gasket, roughness: it closes by "
+      "this times the pressure, an expression of x, y, z, p: "
+      "table(p; 0 : 2e-3; 10 : 1e-3). A closed contact then has a negative "
+      "gap. Empty: none. [length/stress]");
+    prm.declare_entry(
+      "Shear compliance",
+      "",
+      Anything(),
+      "The same along the sides: what sticks is displaced by this times the "
+      "traction of friction, an expression of x, y, z. Empty: none. "
+      "[length/stress]");
+    prm.declare_entry(
+      "Wear coefficient",
+      "",
+      Anything(),
+      "Archard's k: a slip ds under the pressure p takes off k p ds, an "
+      "expression of x, y, z, t, T, s, p, v. Empty: no wear. [1/stress]");
+    prm.declare_entry("Wear share",
+                      "1",
+                      Anything(),
+                      "Part of the depth that Body loses; the other side "
+                      "loses the rest. 0 to 1. [-]");
+    prm.declare_entry("Wear acceleration",
+                      "1",
+                      Anything(),
+                      "How many times the slip of an increment happens: 100 "
+                      "cycles in the increments of one. [-]");
+    prm.declare_entry(
+      "Wear integration",
+      "explicit",
+      Selection("explicit|implicit"),
+      "explicit: what wears in an increment opens the gap of the next one, "
+      "which must be little beside what pressure compresses. implicit: that "
+      "of its own, stable for increments of any size.");
+  }
+} // namespace conetact::pairing
