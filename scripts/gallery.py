@@ -22,6 +22,7 @@ GALLERY = {
     "inclined-obstacle": ({}, ["--increment", "12"]),
     "square-greco": ({}, []),
     "partial-slip": ({}, []),
+    "fretting-wear": ({}, []),
     "stacked-blocks": ({}, []),
     "shrink-fit": ({}, []),
     "cylinder-on-plane": ({}, []),

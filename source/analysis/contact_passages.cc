@@ -279,7 +279,11 @@ namespace conetact::analysis
         if (gap_of(node) > size)
           continue;
         const double gap = lowest_gap(face, at, size, t);
-        if (gap < -(touched.count(node.contact) > 0 ? deep : deep_alone) * size)
+        // what a layer closes by is no depth, and neither is what has worn
+        const double allowed =
+          touched.count(node.contact) > 0 ? deep : deep_alone;
+        if (gap - (node.layer ? std::min(gap_of(node), 0.) : 0.) <
+            -allowed * size)
           return "obstacle '" + node.obstacle->name + "' is " + to_text(-gap) +
                  " deep in " + model.bodies.called(node.body) +
                  " beside its node " + to_text(node.position) +
@@ -331,6 +335,8 @@ namespace conetact::analysis
     if (!found.deep)
       return "";
     const pairing::Contact &contact = contacts.contact(found.deep->contact);
+    if (contact.layer)
+      return "";
     return "contact '" + contact.name +
            "': " + model.bodies.called(contact.master) + " is " +
            to_text(found.deep->depth) + " of a cell deep in " +

@@ -154,12 +154,12 @@ namespace conetact::analysis
         // A node that is tied to an obstacle goes with it, wherever that goes.
         if (node.obstacle == nullptr || node.kind == pairing::ContactKind::tie)
           continue;
-        // A closed node claims a gap of zero.
+        // A closed node claims a gap of zero, but for what gives way.
         moved[node.contact].push_back(
           {&node,
            at(end.finding.u, node),
            obstacle_motion(node, end.amounts, end.increment.record.time),
-           open || node.is_bound() ?
+           open || node.is_bound() || node.layer || node.active ?
              node.gap + end.finding.displacements[point.normal()] :
              0.});
         if (!open)

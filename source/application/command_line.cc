@@ -88,12 +88,8 @@ largest one of its runs.
                          "may stand beside it.");
       return true;
     }
-  } // namespace
 
-  CommandLine
-  parse_command_line(const int argc, char *const argv[])
-  {
-    static const option long_options[] = {
+    const option long_options[] = {
       {"output", required_argument, nullptr, 'o'},
       {"set", required_argument, nullptr, 's'},
       {"restart", required_argument, nullptr, 'r'},
@@ -109,26 +105,30 @@ largest one of its runs.
       {"help", no_argument, nullptr, 'h'},
       {nullptr, 0, nullptr, 0}};
 
-    CommandLine line;
-    opterr = optind = 0; // another line may have been parsed before
-    for (int c;
-         (c = getopt_long(argc, argv, ":o:s:qh", long_options, nullptr)) != -1;)
+    std::string
+    not_empty(const char *const value, const std::string &what)
+    {
+      if (*value == 0)
+        throw InputError(what + " is empty.");
+      return value;
+    }
+
+    /** What an option says. Throws InputError. */
+    void
+    take_option(const int c, char *const argv[], CommandLine &line)
+    {
       switch (c)
         {
           case 'o':
-            line.folder = optarg;
-            if (line.folder.empty())
-              throw InputError("Option -o: the folder's name is empty.");
+            line.folder = not_empty(optarg, "Option -o: the folder's name");
             break;
           case 'r':
-            line.restart = optarg;
-            if (line.restart.empty())
-              throw InputError("Option --restart: the folder's name is empty.");
+            line.restart =
+              not_empty(optarg, "Option --restart: the folder's name");
             break;
           case 'n':
-            line.new_scene = optarg;
-            if (line.new_scene.empty())
-              throw InputError("Option --new: the scene's name is empty.");
+            line.new_scene =
+              not_empty(optarg, "Option --new: the scene's name");
             break;
           case 's':
             line.overrides.emplace_back(optarg);
@@ -143,9 +143,7 @@ largest one of its runs.
             line.processes = number_of("processes", "--processes", optarg);
             break;
           case 'b':
-            line.batch = optarg;
-            if (line.batch.empty())
-              throw InputError("Option --batch: the file's name is empty.");
+            line.batch = not_empty(optarg, "Option --batch: the file's name");
             break;
           case 'j':
             line.jobs = number_of("runs", "--jobs", optarg);
@@ -158,10 +156,10 @@ largest one of its runs.
             break;
           case 'v':
             line.answer = "conetact " CONETACT_VERSION "\n";
-            return line;
+            break;
           case 'h':
             line.answer = help;
-            return line;
+            break;
           case ':':
             throw InputError(std::string("Option ") + argv[optind - 1] +
                              " needs a value." + see_help);
@@ -169,26 +167,48 @@ largest one of its runs.
             throw InputError(std::string("Option ") + argv[optind - 1] +
                              " is not known." + see_help);
         }
+    }
+
+    /** The one scene that is left on the line. Throws InputError. */
+    void
+    take_scene(const int argc, char *const argv[], CommandLine &line)
+    {
+      if (!line.new_scene.empty())
+        throw InputError(
+          std::string("--new writes a scene of its own. Leave ") +
+          argv[optind] + " out.");
+      if (optind >= argc)
+        throw InputError(std::string("No scene file is given.") + see_help);
+      if (optind + 1 < argc)
+        throw InputError(std::string("More than one scene file is given: ") +
+                         argv[optind] + " and " + argv[optind + 1] +
+                         ". Run them one after the other.");
+      if (line.dry_run && line.verify)
+        throw InputError("--verify condenses bodies, which --dry-run does not. "
+                         "Leave one of them out.");
+      line.scene = argv[optind];
+      if (line.scene.empty())
+        throw InputError(std::string("The scene file's name is empty.") +
+                         see_help);
+    }
+  } // namespace
+
+  CommandLine
+  parse_command_line(const int argc, char *const argv[])
+  {
+    CommandLine line;
+    opterr = optind = 0; // another line may have been parsed before
+    for (int c;
+         (c = getopt_long(argc, argv, ":o:s:qh", long_options, nullptr)) != -1;)
+      {
+        take_option(c, argv, line);
+        if (!line.answer.empty())
+          return line;
+      }
     if (is_batch(line, optind < argc))
       return line;
-    if (optind >= argc && (line.print_parameters || !line.new_scene.empty()))
-      return line;
-    if (!line.new_scene.empty())
-      throw InputError(std::string("--new writes a scene of its own. Leave ") +
-                       argv[optind] + " out.");
-    if (optind >= argc)
-      throw InputError(std::string("No scene file is given.") + see_help);
-    if (optind + 1 < argc)
-      throw InputError(std::string("More than one scene file is given: ") +
-                       argv[optind] + " and " + argv[optind + 1] +
-                       ". Run them one after the other.");
-    if (line.dry_run && line.verify)
-      throw InputError("--verify condenses bodies, which --dry-run does not. "
-                       "Leave one of them out.");
-    line.scene = argv[optind];
-    if (line.scene.empty())
-      throw InputError(std::string("The scene file's name is empty.") +
-                       see_help);
+    if (optind < argc || (!line.print_parameters && line.new_scene.empty()))
+      take_scene(argc, argv, line);
     return line;
   }
 

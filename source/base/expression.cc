@@ -129,10 +129,13 @@ namespace conetact
                          "have a point; expressions are separated by ';'.");
       const std::string reason =
         !why.empty() && why.back() == '.' ? why.substr(0, why.size() - 1) : why;
-      throw InputError(
-        entry + ": '" + text + "' is not an expression in " + "x, y, z, t" +
-        (others.empty() ? "" : ", " + join(others, ", ")) + " (" + reason +
-        "). Check names, brackets and " + "operators; powers are written x^2.");
+      throw InputError(entry + ": '" + text +
+                       "' is not an expression in x, y, z, t (" + reason +
+                       "). Check names, brackets and operators; powers are "
+                       "written x^2." +
+                       (others.empty() ? "" :
+                                         " Variables here are " +
+                                           join(others, ", ") + ", too."));
     }
   } // namespace
 

@@ -28,19 +28,21 @@ namespace conetact::contact
       return layer;
     }
 
-    /** Of f(situation) along its pressure or its speed. */
+    /** Of f(situation) along its pressure or its speed, in steps of a part of
+     * it, or of what is little. */
     template <typename Function>
     double
-    slope(const Function &f, const Situation &at, double Situation::*const x)
+    slope(const Function  &f,
+          const Situation &at,
+          double Situation::*const x,
+          const double             little)
     {
       constexpr double part = 1e-6;
-      const double     h    = part * (at.*x);
-      if (!(h > 0))
-        return 0;
-      Situation more = at, less = at;
+      const double     h    = part * std::max(at.*x, little);
+      Situation        more = at, less = at;
       more.*x += h;
-      less.*x -= h;
-      return (f(more) - f(less)) / (2 * h);
+      less.*x = std::max(less.*x - h, 0.);
+      return h > 0 ? (f(more) - f(less)) / (more.*x - less.*x) : 0.;
     }
   } // namespace
 
@@ -108,14 +110,16 @@ namespace conetact::contact
     const auto mu = [&](const Situation &at) { return coefficient(i, at); };
     const Situation here = situation(i, r_n, slip);
     const double    now = mu(here), force = std::max(r_n, 0.);
+    // of what slips hardly: some part of a cell in the increment
+    const double little = 1e-6 * points[i].node->spacing / time;
     const double most = points[i].node->friction->largest_force(here, area(i));
     if (most <= 0)
       return {};
     if (now * force > most)
       return {most, 0, 0};
     return {now * force,
-            now + here.pressure * slope(mu, here, &Situation::pressure),
-            force * slope(mu, here, &Situation::speed) / time};
+            now + here.pressure * slope(mu, here, &Situation::pressure, 0),
+            force * slope(mu, here, &Situation::speed, little) / time};
   }
 
   /* Closing C p and wear K p |slip|, the latter in the increment itself if it
@@ -142,11 +146,12 @@ namespace conetact::contact
     };
     const double   p = here.pressure;
     solvers::Layer result;
-    result.closing  = C(here) * p;
-    result.by_force = (C(here) + p * slope(C, here, &Situation::pressure)) / a;
+    result.closing = C(here) * p;
+    result.by_force =
+      (C(here) + p * slope(C, here, &Situation::pressure, 0)) / a;
     if (now)
       result.by_slip = p * (law.wear_by_pressure(here) +
-                            slope(C, here, &Situation::speed) / time);
+                            slope(C, here, &Situation::speed, 0) / time);
     result.shear = law.shear(here) / a;
     if (result.shear > 0)
       result.sheared = result.shear * friction_at_start(i);

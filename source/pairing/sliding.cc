@@ -486,13 +486,13 @@ namespace conetact::pairing
             const double        gap,
             const double        share)
   {
-    const double spacing = found.spacing;
-    const double actual  = found.gap + found.n * u;
+    const double spacing = found.spacing, actual = found.gap + found.n * u;
     const double missed =
       std::abs(actual - gap) / std::max(spacing, std::abs(actual));
-    if (share == 0) // open
-      return {std::max(-actual / spacing, open_gaps * missed), 0};
-    return {std::abs(actual) / spacing,
+    const double touching = solved.layer || solved.active ? gap : 0;
+    if (const double depth = std::min(touching, 0.) - actual; share == 0)
+      return {std::max(depth / spacing, open_gaps * missed), 0}; // open
+    return {std::abs(actual - touching) / spacing,
             share *
               std::max((found.n - solved.n).norm(), difference(solved, found))};
   }

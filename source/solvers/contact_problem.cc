@@ -97,6 +97,24 @@ namespace conetact::solvers
       return multiply(system, u) - problem.load;
     }
 
+    /** Whether friction is at its limit. It is asked for where layers give way:
+     * what they take of a slip is known to rounding only, and leaves no zero.
+     */
+    bool
+    may_slip(const ContactProblem &problem,
+             const Index           i,
+             const double          r_n,
+             const double          r_t,
+             const double          slip)
+    {
+      constexpr double at_limit = 1e-11;
+      if (!problem.laws || !problem.laws->has_layers() ||
+          problem.laws->layer(i, r_n, slip).is_none())
+        return true;
+      return r_t >=
+             (1 - at_limit) * friction_limit(problem, i, r_n, slip).value;
+    }
+
     /** Residual of the linear relation, as forces. */
     VectorXd
     relation_residual(const ContactProblem &problem,
@@ -317,11 +335,14 @@ namespace conetact::solvers
     const ContactSystem &system    = *problem.system;
     const bool           stiffness = system.form == Form::stiffness;
     // The side that the linear relation gives from the other one.
-    VectorXd v = state.v, r = state.r;
+    const VectorXd seen = seen_by_law(problem, state.v, state.r);
+    VectorXd       v = state.v, r = state.r;
     if (stiffness)
       r = reactions_of(problem, state);
     else
       v = multiply(system, state.r) + problem.load;
+
+    v = seen_by_law(problem, v, r);
 
     double own = 0, relation = 0;
     for (Index i = 0; i < system.n_nodes(); ++i)
@@ -334,7 +355,7 @@ namespace conetact::solvers
           return lambda * mu * y(first + nt) +
                  x.segment(first, nt + 1).dot(y.segment(first, nt + 1));
         };
-        own += add(state.v, state.r);
+        own += add(seen, state.r);
         relation += add(v, r);
       }
     return {own / (1 + own), relation / (1 + own)};
@@ -371,21 +392,21 @@ namespace conetact::solvers
     eigen_assert(state.r.size() >= problem.system->n_contact_unknowns());
     const ContactSystem &system = *problem.system;
     const Index          n      = system.n_contact_unknowns();
-    const VectorXd       moved  = state.v.head(n);
-    const VectorXd       seen   = seen_by_law(problem, moved, state.r.head(n));
-    const bool           layers = problem.laws && problem.laws->has_layers();
-    // what a layer gives way by is known to its rounding only
-    const double limit = std::max(tolerance, layers ? position_rounding : 0.) *
-                         std::max(largest(moved), largest(problem.gap));
+    const VectorXd       seen =
+      seen_by_law(problem, state.v.head(n), state.r.head(n));
+    const double limit =
+      tolerance * std::max(largest(seen), largest(problem.gap));
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        const double slip =
-          seen.segment(system.first[i], system.n_tangents(i)).norm();
-        result[static_cast<std::size_t>(i)] = state.r(system.normal(i)) <= 0 ?
-                                                NodeState::open :
-                                              slip > limit ? NodeState::slip :
-                                                             NodeState::stick;
+        const Index  first = system.first[i], nt = system.n_tangents(i);
+        const double slip = seen.segment(first, nt).norm();
+        const double r_n  = state.r(first + nt);
+        const double r_t  = state.r.segment(first, nt).norm();
+        const bool slips = slip > limit && may_slip(problem, i, r_n, r_t, slip);
+        result[static_cast<std::size_t>(i)] = r_n <= 0 ? NodeState::open :
+                                              slips    ? NodeState::slip :
+                                                         NodeState::stick;
       }
     return result;
   }

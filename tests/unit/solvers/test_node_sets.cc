@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
 using namespace conetact::solvers;
 
 namespace
@@ -39,6 +42,107 @@ namespace
     return sets;
   }
 } // namespace
+
+namespace
+{
+  /** Friction and a layer that depend on all that they may depend on. */
+  class AnyLaws : public NodalLaws
+  {
+  public:
+    FrictionLimit
+    limit(const Index, const double r_n, const double slip) const override
+    {
+      const double mu = .3 + .1 * std::exp(-slip), soft = 1 + .1 * r_n;
+      return {mu * r_n / soft,
+              mu / (soft * soft),
+              -.1 * std::exp(-slip) * r_n / soft};
+    }
+    Layer
+    layer(const Index, const double r_n, const double slip) const override
+    {
+      Layer layer;
+      layer.closing  = .2 * r_n / (1 + r_n) + .05 * r_n * slip;
+      layer.by_force = .2 / ((1 + r_n) * (1 + r_n)) + .05 * slip;
+      layer.by_slip  = .05 * r_n;
+      layer.shear    = .1;
+      return layer;
+    }
+    bool
+    has_cones() const override
+    {
+      return false;
+    }
+    bool
+    has_layers() const override
+    {
+      return true;
+    }
+  };
+
+  /** r_t less the friction that z asks for, and the gap, of one node. */
+  SmallVector
+  broken_by(const AnyLaws &laws, const SmallVector &v, const SmallVector &r)
+  {
+    const SmallVector seen =
+      see([&](const double r_n,
+              const double slip) { return laws.layer(0, r_n, slip); },
+          v,
+          r);
+    const SmallVector z    = r - seen;
+    const double      most = laws.limit(0, z(2), seen.head(2).norm()).value;
+    SmallVector       law  = seen;
+    law.head(2)            = r.head(2) - most * z.head(2).normalized();
+    return law;
+  }
+} // namespace
+
+// Friction, layers and wear: with all their slopes, where a node slips.
+TEST(NodeSets, LawsAreDerivatives)
+{
+  const AnyLaws laws;
+  for (const Form form : {Form::stiffness, Form::compliance})
+    {
+      auto system    = std::make_shared<ContactSystem>();
+      system->form   = form;
+      system->matrix = Eigen::MatrixXd::Identity(3, 3);
+      system->first  = {0, 3};
+      system->mu     = Eigen::VectorXd::Ones(1);
+      ContactProblem problem;
+      problem.system = system;
+      problem.load   = Eigen::VectorXd::Zero(3);
+      problem.gap    = Eigen::VectorXd::Zero(1);
+      problem.laws   = std::make_shared<AnyLaws>();
+      LinearRelation relation(system, false);
+      relation.set_load(problem);
+
+      // slips by .7 under 2, with the friction that it has there
+      SmallVector  v(3), r(3);
+      const double most = laws.limit(0, 2, .7).value;
+      r << .6 * most, -.8 * most, 2;
+      v << -.7 * .6 - .1 * r(0), .7 * .8 - .1 * r(1),
+        -laws.layer(0, 2, .7).closing;
+      const Eigen::VectorXd p    = form == Form::stiffness ? v : r;
+      const Eigen::VectorXd d    = form == Form::stiffness ? r : v;
+      const NodeSets        sets = sets_of_point(relation, p, d);
+      ASSERT_EQ(sets[0].state, NodeState::slip);
+      const NodeLaw law = linearized_laws(relation, sets, p, d).front();
+      EXPECT_LT(law.h.norm(), 1e-14);
+      constexpr double step = 1e-6;
+      for (Eigen::Index k = 0; k < 3; ++k)
+        for (const bool moves : {false, true})
+          {
+            const SmallVector unit  = step * SmallVector::Unit(3, k);
+            const SmallVector zero  = SmallVector::Zero(3);
+            const SmallVector dv    = moves ? unit : zero,
+                              dr    = moves ? zero : unit;
+            const SmallVector slope = (broken_by(laws, v + dv, r + dr) -
+                                       broken_by(laws, v - dv, r - dr)) /
+                                      (2 * step);
+            const bool of_p = moves == (form == Form::stiffness);
+            EXPECT_LT((slope - (of_p ? law.p : law.d).col(k)).norm(), 1e-8);
+          }
+    }
+}
 
 TEST(NodeSets, WhatSticksOrTurnsHoldsABody)
 {

@@ -48,16 +48,23 @@ namespace
       set_stiffness();
       for (const double t : scene->times)
         {
-          const Eigen::VectorXd forces  = loads.at(t);
-          const LoadCase        load    = model.load_case(forces, {}, t);
-          ContactState          state   = history.start();
-          const auto            problem = history.problem(load);
+          const Eigen::VectorXd forces = loads.at(t);
+          LoadCase              load   = model.load_case(forces, {}, t);
+          load.laws = history.laws_until(t, [](unsigned int, const Point<3> &) {
+            return 0.;
+          });
+          ContactState state   = history.start();
+          const auto   problem = history.problem(load);
           ASSERT_TRUE(solver->solve(problem, state).converged);
           if (problem.system->form == Form::stiffness)
             state.u = elastic_part(problem, state);
           const ContactHistory before = history;
-          history.advance(state, t);
+          history.advance(state, t, load.laws.get());
           Claim claim;
+          claim.laws = load.laws;
+          claim.worn = before.worn();
+          if (load.laws)
+            model.points.set_friction(load.laws->coefficients(state));
           claim.amounts = model.amounts(load.placement, history.free_motions());
           claim.w =
             model.elasticity().expand({&load}, {history.primal()}).col(0);
@@ -158,6 +165,21 @@ namespace
     " set Value = 5e-6*t ; -7.7e-5\nend\n" +
     time;
 
+  /** The same with all laws that a contact may have. */
+  std::string
+  held_by_laws(const bool space)
+  {
+    const std::string coulomb = "Friction coefficient = 0.3\n";
+    std::string       text    = held(space);
+    return text.replace(
+      text.find(coulomb),
+      coulomb.size(),
+      "Friction coefficient = (0.2 + 0.1*exp(-s/0.003))/(1 + p/100) + 0.01*t\n"
+      " set Shear limit = 3\n set Compliance = table(p; 0 : 2e-4; 10 : 1e-4)\n"
+      " set Shear compliance = 1e-5\n set Wear coefficient = 1e-3\n"
+      " set Wear integration = implicit\n");
+  }
+
   /** Two blocks that are tied at a side, and held at the same end. */
   std::string
   tied_and_held()
@@ -226,6 +248,14 @@ namespace
     return true;
   }
 
+  bool
+  wear_more(Claim &c, const ContactPoint &, const std::size_t i)
+  {
+    if (c.laws)
+      c.worn[static_cast<Eigen::Index>(i)] += 1e-7;
+    return c.laws != nullptr;
+  }
+
   void
   plant_faults(const std::string &text, unsigned int &n_planted)
   {
@@ -243,7 +273,8 @@ namespace
                          static_cast<Eigen::Index>(points[i].dual.size()) - 1;
           if (claim.r[n] < 1e-3 * largest)
             continue;
-          for (const Fault fault : {scale, flip, drop, turn, rename, open})
+          for (const Fault fault :
+               {scale, flip, drop, turn, rename, open, wear_more})
             {
               Claim wrong = claim;
               if (!fault(wrong, points[i], i))
@@ -270,6 +301,14 @@ TEST(Verification, PlantedFaultsAreFound)
   for (const std::string &scene : {held(false), held(true), stacked, dropped})
     plant_faults(scene, n);
   EXPECT_GE(n, 1000u);
+}
+
+TEST(Verification, PlantedFaultsAreFoundWhateverTheLaw)
+{
+  unsigned int n = 0;
+  for (const bool space : {false, true})
+    plant_faults(held_by_laws(space), n);
+  EXPECT_GE(n, 500u);
 }
 
 // A tie between nodes that supports hold could carry anything.

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Of the sets of nodes: which hold a body.
+
+#include "conetact/solvers/node_sets.h"
+#include "conetact/solvers/null_space.h"
+
+namespace conetact::solvers
+{
+  using Eigen::Index;
+
+  NodeSets
+  without_slip(const LinearRelation &relation, NodeSets sets)
+  {
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      if (sets[i].state == NodeState::slip &&
+          !relation.is_frictionless(static_cast<Index>(i)))
+        sets[i].state = NodeState::stick;
+    return sets;
+  }
+
+
+
+  NodeSets
+  with_strongest_stuck(const LinearRelation  &relation,
+                       NodeSets               sets,
+                       const Eigen::VectorXd &r)
+  {
+    const ContactSystem &system    = relation.system();
+    NodeSet             *strongest = nullptr;
+    double               most      = 0;
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      {
+        const auto   k    = static_cast<Index>(i);
+        const double hold = relation.limit(k, r(system.normal(k)), 0).value;
+        if (sets[i].state == NodeState::slip && hold > most)
+          {
+            most      = hold;
+            strongest = &sets[i];
+          }
+      }
+    if (strongest != nullptr)
+      strongest->state = NodeState::stick;
+    return sets;
+  }
+
+
+
+  bool
+  resist_motions(const ContactSystem &system, const NodeSets &sets)
+  {
+    constexpr double      rounding = 1e-10;
+    const Eigen::MatrixXd N        = orthonormal_basis(system.null_space);
+    if (N.cols() == 0)
+      return true;
+    Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(N.cols(), N.cols());
+    const auto      add        = [&](const Eigen::MatrixXd &rows) {
+      resistance.noalias() += rows.transpose() * rows;
+    };
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      {
+        const NodeSet &set   = sets[static_cast<std::size_t>(i)];
+        const Index    first = system.first[i], nt = system.n_tangents(i);
+        if (set.state == NodeState::open)
+          continue;
+        add(N.row(first + nt));
+        const Eigen::MatrixXd slip = N.middleRows(first, nt);
+        if (set.state == NodeState::stick)
+          add(slip);
+        else if (set.ratio > 0) // along e nothing does
+          add(set.ratio *
+              (slip - set.direction * (set.direction.transpose() * slip)));
+      }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      resistance, Eigen::EigenvaluesOnly);
+    return modes.eigenvalues().minCoeff() >
+           rounding * modes.eigenvalues().maxCoeff();
+  }
+} // namespace conetact::solvers
