@@ -195,7 +195,9 @@ namespace conetact::analysis
         const pairing::ContactNode &node = nodes[i];
         // Nodes held along their normal are no unknowns of contact: no solver
         // has seen their gaps.
-        if (has_rows[i])
+        if (has_rows[i] ||
+            (node.active &&
+             (*node.active)(Point<3>(), increment.record.time) == 0))
           continue;
         const double gap =
           node.gap + relative(node, finding.u, increment.record.time) * node.n;

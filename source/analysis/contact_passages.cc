@@ -150,7 +150,8 @@ namespace conetact::analysis
   {
     for (const pairing::ContactNode &node : model.points.nodes())
       {
-        if (!node.slides || node.obstacle == nullptr || node.is_bound())
+        if (!node.slides || node.obstacle == nullptr || node.is_bound() ||
+            (node.layer && node.layer->wears()))
           continue;
         const auto at = [&](const double part) {
           return contacts.find_on_obstacle(
@@ -192,6 +193,8 @@ namespace conetact::analysis
           node.gap + node.n * contact::difference_of_sides(node, displacement)};
     for (const auto &passage : passages)
       {
+        if (contacts.contact(passage.contact).layer)
+          continue; // what closes or wears is inside by that
         const auto found = passage.is_slave ?
                              held.find({passage.contact, passage.node}) :
                              held.end();

@@ -324,6 +324,10 @@ namespace conetact::bodies
                                *structures[load.body],
                                bodies[load.body],
                                in + "Boundary ids");
+    if (load.kind == Load::Kind::moment &&
+        structures[load.body]->is_axisymmetric())
+      throw InputError(in + "Kind: nothing turns a body of revolution out of "
+                            "its plane. Choose a force, along y.");
     if (is_spread(load.kind))
       {
         load.spread =

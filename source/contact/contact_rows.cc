@@ -155,8 +155,6 @@ namespace conetact::contact
           row.u[0] -= node.growth(t); // a gap that grows moves nothing
         row.du[0]       = row.u[0] - last[i].u[0];
         row.reaction    = in_frame(row, force_of(point, r));
-        row.pressing    = row.reaction;
-        row.covered     = row.area;
         other_before[i] = other;
         // Solvers see no slip of nodes without cone, and of parts only that of
         // the last.
@@ -316,7 +314,7 @@ namespace conetact::contact
             // Forces add up with their sign, or the body would not balance;
             // means need weights above zero.
             sum.reaction -= weight * row.in_space(row.reaction);
-            sum.pressing -= share * row.in_space(row.pressing);
+            sum.pressing -= share * row.in_space(row.reaction);
             sum.row.covered += share * row.area;
             sum.row.wear += share * row.area * row.wear_opposite;
             sum.u -= share * row.in_space(row.u);

@@ -3,6 +3,9 @@
 
 #include "conetact/contact/increment_laws.h"
 
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
@@ -17,6 +20,16 @@ namespace conetact::contact
     using pairing::Situation;
 
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+    [[noreturn]] void
+    refuse_falling_closing(const pairing::ContactNode &node, const double p)
+    {
+      throw InputError(
+        "A contact at " + to_text(node.position) +
+        " closes less under more pressure, at p = " + to_text(p) +
+        ": its closing is Compliance (or wear) times p. Let "
+        "Compliance fall more slowly than 1/p.");
+    }
 
     /** The law sees both sides far apart. */
     solvers::Layer
@@ -149,6 +162,8 @@ namespace conetact::contact
     result.closing = C(here) * p;
     result.by_force =
       (C(here) + p * slope(C, here, &Situation::pressure, 0)) / a;
+    if (result.by_force < 0)
+      refuse_falling_closing(*point.node, p);
     if (now)
       result.by_slip = p * (law.wear_by_pressure(here) +
                             slope(C, here, &Situation::speed, 0) / time);

@@ -189,17 +189,16 @@ namespace conetact::contact
   }
 
   std::optional<solvers::Existence>
-  check_where_it_stands(const Eigen::VectorXd &gaps,
-                        const Eigen::VectorXd &load,
-                        const Eigen::VectorXd &start,
-                        const double           reference_force,
-                        ContactModel          &model)
+  check_by(const std::vector<bool> &holding,
+           const Eigen::VectorXd   &load,
+           const Eigen::VectorXd   &start,
+           const double             reference_force,
+           ContactModel            &model)
   {
-    const solvers::ContactSystem &all     = *model.elasticity().system();
-    const std::vector<bool>       nearest = nearest_nodes(gaps, model);
-    const auto                    system  = without_matrix(all, model);
+    const solvers::ContactSystem &all    = *model.elasticity().system();
+    const auto                    system = without_matrix(all, model);
     for (Eigen::Index i = 0; i < all.n_nodes(); ++i)
-      if (const auto k = static_cast<std::size_t>(i); !nearest[k])
+      if (const auto k = static_cast<std::size_t>(i); !holding[k])
         system->null_space
           .middleRows(all.first[k], all.first[k + 1] - all.first[k])
           .setZero();
@@ -207,11 +206,22 @@ namespace conetact::contact
     const auto            solve   = balance.completeOrthogonalDecomposition();
     if (solve.rank() < balance.rows())
       return {};
-    const auto on_nearest = [&](const Eigen::VectorXd &f) -> Eigen::VectorXd {
+    const auto on_holding = [&](const Eigen::VectorXd &f) -> Eigen::VectorXd {
       return solve.solve(all.null_space.transpose() * f);
     };
     return existence_check(system, model)
-      .check(on_nearest(load), on_nearest(start), reference_force);
+      .check(on_holding(load), on_holding(start), reference_force);
+  }
+
+  std::optional<solvers::Existence>
+  check_where_it_stands(const Eigen::VectorXd &gaps,
+                        const Eigen::VectorXd &load,
+                        const Eigen::VectorXd &start,
+                        const double           reference_force,
+                        ContactModel          &model)
+  {
+    return check_by(
+      nearest_nodes(gaps, model), load, start, reference_force, model);
   }
 
   std::string

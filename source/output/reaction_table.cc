@@ -64,11 +64,12 @@ namespace conetact::output
                               std::to_string(row.node);
     const bool   has_t2 = run.dim == 3;
     Tensor<1, 3> r, traction;
+    const auto [pressing, area] = row.pressed();
     for (unsigned int d = 0; d < (has_t2 ? 3 : 2); ++d)
       {
         r[d] = forces.clean(row.reaction[d]);
-        if (row.covered > 0)
-          traction[d] = forces.clean(row.pressing[d]) / row.covered;
+        if (area > 0)
+          traction[d] = forces.clean(pressing[d]) / area;
       }
 
     CsvRow csv(text, where);

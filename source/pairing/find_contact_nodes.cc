@@ -61,6 +61,12 @@ namespace conetact::pairing
       node.active          = contact.active;
       if (contact.layer)
         contact.layer->check(node.position);
+      Situation here;
+      here.position = node.position;
+      if (const double most = contact.friction->largest_force(here, 1.);
+          most < 0)
+        throw InputError(in + "Shear limit: it is " + to_text(most) + " at " +
+                         to_text(node.position) + ". Give 0 or more.");
       // layers and wear ask for slips, with friction or without
       if (!contact.friction->is_constant() || contact.layer || contact.active)
         {

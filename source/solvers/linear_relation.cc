@@ -191,11 +191,22 @@ namespace conetact::solvers
         const Index first = contact_system->first[i];
         const Index size  = contact_system->n_tangents(i) + 1;
         v.segment(first, size) =
-          see([&](const double r_n,
-                  const double slip) { return layer(i, r_n, slip); },
-              v.segment(first, size),
-              r.segment(first, size));
+          step(i) * see([&](const double r_n,
+                            const double slip) { return layer(i, r_n, slip); },
+                        v.segment(first, size),
+                        r.segment(first, size));
       }
+  }
+
+
+
+  double
+  LinearRelation::step(const Index i) const
+  {
+    if (!has_layers())
+      return 1;
+    const Layer stiffest = layer(i, 0, 0);
+    return 1 / (1 + std::max(stiffest.shear, stiffest.by_force));
   }
 
 

@@ -168,9 +168,12 @@ namespace conetact::solvers
         law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
       return law;
     }
-    /** A law of what is seen as one of v itself: dv' = T dv + C dr. */
+    /** A law of what is seen as one of v itself: dv' = step (T dv + C dr). */
     void
-    see_through(const Layer &layer, const SmallVector &seen, Law &law)
+    see_through(const Layer       &layer,
+                const double       step,
+                const SmallVector &seen,
+                Law               &law)
     {
       const Index  nt   = seen.size() - 1;
       const double slip = seen.head(nt).norm();
@@ -181,8 +184,8 @@ namespace conetact::solvers
           layer.by_slip / slip * seen.head(nt).transpose();
       C.bottomLeftCorner(1, nt) = layer.shear * T.bottomLeftCorner(1, nt);
       C(nt, nt)                 = layer.by_force;
-      law.B += law.A * C;
-      law.A = (law.A * T).eval();
+      law.B += step * law.A * C;
+      law.A = (step * law.A * T).eval();
     }
   } // namespace
 
@@ -255,7 +258,9 @@ namespace conetact::solvers
           continue;
         const double norm = z.head(nt).norm();
         const double limit =
-          relation.limit(i, z(nt), x.v.segment(first, nt).norm()).value;
+          relation
+            .limit(i, z(nt), x.v.segment(first, nt).norm() / relation.step(i))
+            .value;
         set.state = NodeState::stick;
         if (nt == 0 || (norm <= limit && limit > 0))
           continue;
@@ -301,16 +306,16 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index first = system.first[i], dim = system.n_tangents(i) + 1;
-        const SmallVector   v  = x.v.segment(first, dim);
-        const SmallVector   r  = x.r.segment(first, dim);
-        const double        zn = r(dim - 1) - v(dim - 1);
-        const FrictionLimit limit =
-          relation.limit(i, zn, v.head(dim - 1).norm());
+        const SmallVector v     = x.v.segment(first, dim);
+        const SmallVector r     = x.r.segment(first, dim);
+        const double      zn    = r(dim - 1) - v(dim - 1);
+        const double      step  = relation.step(i);
+        const double      slip  = v.head(dim - 1).norm() / step;
+        FrictionLimit     limit = relation.limit(i, zn, slip);
+        limit.by_slip /= step;
         Law law = law_of(sets[at(i)], limit, v, r, definite);
         if (relation.has_layers())
-          see_through(relation.layer(i, r(dim - 1), v.head(dim - 1).norm()),
-                      v,
-                      law);
+          see_through(relation.layer(i, r(dim - 1), slip), step, v, law);
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
@@ -343,7 +348,9 @@ namespace conetact::solvers
         SmallVector       z  = r - near_reaction(v.segment(first, nt + 1), r);
         const double      zn = std::max(z(nt), 0.);
         const double      limit =
-          relation.limit(i, zn, x.v.segment(first, nt).norm()).value;
+          relation
+            .limit(i, zn, x.v.segment(first, nt).norm() / relation.step(i))
+            .value;
         const double norm = z.head(nt).norm();
         if (norm > limit)
           z.head(nt) *= limit / norm;

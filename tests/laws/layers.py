@@ -4,7 +4,7 @@
 import math
 from pathlib import Path
 
-from support.scenes import box, contact, floor, load, merge, support
+from support.scenes import box, contact, floor, load, merge, press_and_shear, support
 
 YOUNG, SPRINGS = 1000.0, 20.0
 
@@ -209,8 +209,30 @@ def fretting(laws):
     laws.check("  volume = k F s", abs(run.increments[-1]["joint_worn"] / worn - 1), 1e-10)
 
 
+def together(laws):
+    """All at once in a block that is pressed and sheared: by each method and backend, and where contacts slide."""
+    soft = {"Compliance": "table(p; 0 : 2e-4; 20 : 1e-4)", "Shear compliance": 2e-4, "Wear coefficient": 1e-3,
+            "Wear integration": "implicit"}
+    for dim in (2, 3):
+        for mu in (.1, "0.25 + 0.1*v/(v + 1e-4)", "0.2 + 0.1*exp(-s/0.003)"):
+            scene = press_and_shear(dim, mu=mu)
+            scene["Contact bottom"].update(soft)
+            run = laws.run(scene)
+            laws.demand(f"{dim}D, mu = {mu}: some stick, some slip", {"stick", "slip"} <= {row["state"] for row in run.rows})
+            laws.same(f"{dim}D, mu = {mu}: iterative", run, laws.run(scene, "-s", "Solver/Backend=iterative"), 1e-8)
+            if dim == 2:
+                laws.same(f"{dim}D, mu = {mu}: sliding on a plane", run,
+                          laws.run(scene, "-s", "Contact bottom/Kinematics=finite sliding"), 1e-8)
+    loose = clamped(2, "0.01*min(t, 1)", 0, increments=4, end=4.0, mu=.3)
+    loose["Contact above"]["Active"] = "t < 1.5"
+    loose["Load lift"] = load("body force", "0 ; max(t - 1, 0)")
+    done, _ = laws.start(loose)
+    laws.demand("loads on what only contacts hold that are not active", done.returncode == 2 and "Active = 0" in done.stderr)
+
+
 def layers(laws):
     stages(laws)
+    together(laws)
     fretting(laws)
     friction(laws)
     soft(laws)

@@ -108,6 +108,9 @@ namespace conetact::analysis
     void
     take(ContactSearch::Nodes found);
     std::string
+    why_not_held(const solvers::ContactProblem &problem,
+                 const PendingIncrement        &increment);
+    std::string
     no_equilibrium(const solvers::ContactProblem &problem,
                    const PendingIncrement        &increment);
     std::string

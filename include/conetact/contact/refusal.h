@@ -17,6 +17,15 @@ namespace conetact::contact
   solvers::ExistenceCheck
   make_existence_check(ContactModel &model);
 
+  /** The same by those contact nodes alone that hold anything; nothing: they do
+   * not see all free motions. */
+  std::optional<solvers::Existence>
+  check_by(const std::vector<bool> &holding,
+           const Eigen::VectorXd   &load,
+           const Eigen::VectorXd   &start,
+           const double             reference_force,
+           ContactModel            &model);
+
   /**
    * The same by those contact nodes alone that are nearest to what they face,
    * contact by contact: what holds a body where it stands. `gaps`, the load

@@ -13,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace conetact::output
@@ -37,16 +38,23 @@ namespace conetact::output
     double             wear   = 0;     ///< depth that this side has lost
     double             wear_opposite = 0; ///< and the other one [length]
 
-    /** The traction is `pressing` over `covered`: reaction and area, but of
-     * masters without the signs of weights: on faces of second degree areas of
-     * corners add up to next to nothing. */
+    /** Of a master: reactions and areas that add up without the signs of their
+     * weights. On faces of second degree areas of corners cancel out. */
     Tensor<1, 3> pressing;
     double       covered = 0;
 
+    /** A force and the area that it presses on. */
+    std::pair<Tensor<1, 3>, double>
+    pressed() const
+    {
+      return master ? std::pair(pressing, covered) : std::pair(reaction, area);
+    }
+    /** 0 where nothing is covered. */
     Tensor<1, 3>
     traction() const
     {
-      return covered > 0 ? pressing / covered : Tensor<1, 3>();
+      const auto [force, on] = pressed();
+      return on > 0 ? force / on : Tensor<1, 3>();
     }
 
     /** Of (n, t1, t2) the components along the axes. */

@@ -97,9 +97,13 @@ namespace conetact::solvers
     {
       return laws && laws->has_layers();
     }
-    /** v as the law sees it. */
+    /** What the law sees of v, times step(i), so that it is no larger than what
+     * reactions change. */
     void
     add_layers(const Array &r, Array &v) const;
+    /** 1 over the compliance of node i with its layer; 1 without one. */
+    double
+    step(const Index i) const;
     /** The same of what gives way at node i. */
     Layer
     layer(const Index i, const double r_n, const double slip) const;

@@ -156,8 +156,6 @@ namespace
           row.area     = .5;
           row.foot     = Point<3>(.1 + i, -.25, 0);
           row.reaction = Tensor<1, 3>({20. - 10. * i, -1. / 3, 7.});
-          row.pressing = row.reaction;
-          row.covered  = row.area;
           row.state    = i == 0 ? NodeState::stick : NodeState::slip;
           r.rows.push_back(row);
         }
@@ -302,7 +300,7 @@ namespace
   {
     const auto      table = create("tables");
     IncrementRecord r     = record(1);
-    r.rows[0].area = r.rows[0].covered = 0;
+    r.rows[0].area        = 0;
     table->write({r});
     const Rows rows = read_csv(run.folder / "reactions.csv");
     EXPECT_EQ(cell(rows, 1, "pressure"), "0");

@@ -189,8 +189,6 @@ TEST(ReactionTable, RowsOfNodes)
       row.normal      = Tensor<1, 3>({0, .6, .8});
       row.area        = .25;
       row.reaction    = Tensor<1, 3>({8, 3, -4});
-      row.pressing    = row.reaction;
-      row.covered     = row.area;
       row.u           = Tensor<1, 3>({.1, .2, .3});
       row.du          = Tensor<1, 3>({.01, .02, .03});
       row.acts        = row.position;
