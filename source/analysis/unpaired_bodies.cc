@@ -60,6 +60,42 @@ namespace conetact::analysis
       return found && found->depth > least_depth * found->edge ? found :
                                                                  std::nullopt;
     }
+
+    /** Where bodies stand that are displaced by u; none: undeformed. */
+    class Places
+    {
+    public:
+      Places(const contact::ContactModel &m, const Eigen::VectorXd &by)
+        : model(m)
+        , u(by)
+      {}
+
+      /** How deep one is in the other; most are far apart. */
+      std::optional<pairing::Overlap>
+      overlap(const unsigned int a, const unsigned int b)
+      {
+        if (!meet(box(a), box(b)))
+          return {};
+        const auto one = displaced(model, u, a), other = displaced(model, u, b);
+        const auto found = deep(one, other);
+        return found ? found : deep(other, one);
+      }
+
+    private:
+      const Box &
+      box(const unsigned int body)
+      {
+        const auto found = boxes.find(body);
+        return found != boxes.end() ?
+                 found->second :
+                 boxes.emplace(body, box_around(displaced(model, u, body)))
+                   .first->second;
+      }
+
+      const contact::ContactModel &model;
+      const Eigen::VectorXd       &u;
+      std::map<unsigned int, Box>  boxes;
+    };
   } // namespace
 
   UnpairedBodies::UnpairedBodies(const application::Scene    &s,
@@ -69,43 +105,25 @@ namespace conetact::analysis
   {
     if (!scene.near_sides)
       return;
+    const Eigen::VectorXd none;
+    Places                places(model, none);
     for (const Pair &pair : scene.near_sides->apart)
-      {
-        const auto one   = displaced(model, {}, pair.first);
-        const auto other = displaced(model, {}, pair.second);
-        if (!meet(box_around(one), box_around(other)) ||
-            (!deep(one, other) && !deep(other, one)))
-          pairs.push_back(pair);
-      }
+      if (!places.overlap(pair.first, pair.second))
+        pairs.push_back(pair);
   }
 
   std::string
   UnpairedBodies::overlap(const Eigen::VectorXd &u) const
   {
-    std::map<unsigned int, Box> boxes;
-    const auto                  box = [&](const unsigned int body) {
-      const auto found = boxes.find(body);
-      return found != boxes.end() ?
-                                found->second :
-                                boxes.emplace(body, box_around(displaced(model, u, body)))
-                 .first->second;
-    };
+    Places places(model, u);
     for (const auto &[a, b] : pairs)
-      {
-        if (!meet(box(a), box(b)))
-          continue;
-        const auto one = displaced(model, u, a), other = displaced(model, u, b);
-        auto       found = deep(one, other);
-        if (!found)
-          found = deep(other, one);
-        if (found)
-          return scene.bodies.called(a) + " and " + scene.bodies.called(b) +
-                 " come " + to_text(found->depth) + " into each other at " +
-                 to_text(found->position) +
-                 ", and have no contact: Contacts = automatic finds those that "
-                 "are near at the start. Set Automatic contact/Largest gap to "
-                 "what is between them there, or write a Contact of theirs";
-      }
+      if (const auto found = places.overlap(a, b))
+        return scene.bodies.called(a) + " and " + scene.bodies.called(b) +
+               " come " + to_text(found->depth) + " into each other at " +
+               to_text(found->position) +
+               ", and have no contact: Contacts = automatic finds those that "
+               "are near at the start. Set Automatic contact/Largest gap to "
+               "what is between them there, or write a Contact of theirs";
     return "";
   }
 } // namespace conetact::analysis

@@ -130,7 +130,8 @@ namespace conetact::pairing
       Anything(),
       "Of a thin layer between both sides, a gasket, roughness: it closes by "
       "this times the pressure, an expression of x, y, z, p: "
-      "table(p; 0 : 2e-3; 10 : 1e-3). A closed contact then has a negative "
+      "table(p; 0 : 2e-3; 10 : 1e-3), whose product with p must not fall. A "
+      "closed contact then has a negative "
       "gap. Empty: none. [length/stress]");
     prm.declare_entry(
       "Shear compliance",

@@ -105,10 +105,10 @@ def soft(laws):
             run = laws.run(scene)
             laws.check(f"{what}: a linear gasket", max(abs(row["pressure"] / p - 1) for row in run.rows), 1e-10)
             laws.check(f"{what}: its closing", max(abs(row["gap"] + 1e-3 * p) for row in run.rows) / closing, 1e-10)
-            scene["Contact below"]["Compliance"] = scene["Contact above"]["Compliance"] = "table(p; 0 : 2e-3; 2 : 1e-3; 4 : 5e-4)"
+            scene["Contact below"]["Compliance"] = scene["Contact above"]["Compliance"] = "table(p; 0 : 2e-3; 2 : 1.5e-3; 4 : 1.2e-3)"
             run = laws.run(scene)
             found = run.last()[0]["pressure"]
-            C = 2e-3 - 5e-4 * found if found < 2 else 1e-3 - 2.5e-4 * (found - 2) if found < 4 else 5e-4
+            C = 2e-3 - 2.5e-4 * found if found < 2 else 1.5e-3 - 1.5e-4 * (found - 2) if found < 4 else 1.2e-3
             laws.check(f"{what}: a table of a gasket", abs(found / YOUNG + 2 * C * found - closing) / closing, 1e-9)
             # stuck, the block gives way by the shear of both layers, and beyond friction it slides
             scene = merge(clamped(dim, closing, "10*t", mu=.2, **{"Shear compliance": .02}), {"Solver": {"Backend": backend}})
@@ -167,7 +167,7 @@ def wear(laws):
 
 
 def restarted(laws):
-    scene = clamped(3, .01, "4*t", increments=4, mu="0.2 + 0.1*exp(-s/0.003)", Compliance="table(p; 0 : 2e-3; 4 : 5e-4)",
+    scene = clamped(3, .01, "4*t", increments=4, mu="0.2 + 0.1*exp(-s/0.003)", Compliance="table(p; 0 : 2e-3; 4 : 1.2e-3)",
                     **{"Shear compliance": .01, "Wear coefficient": 1e-3, "Wear integration": "implicit"})
     scene["Output"]["Checkpoint"] = 1
     whole = laws.run(scene)
@@ -214,7 +214,7 @@ def together(laws):
     soft = {"Compliance": "table(p; 0 : 2e-4; 20 : 1e-4)", "Shear compliance": 2e-4, "Wear coefficient": 1e-3,
             "Wear integration": "implicit"}
     for dim in (2, 3):
-        for mu in (.1, "0.25 + 0.1*v/(v + 1e-4)", "0.2 + 0.1*exp(-s/0.003)"):
+        for mu in (.1, "0.25 + 0.1*v/(v + 1e-3)", "0.2 + 0.1*exp(-s/0.003)"):
             scene = press_and_shear(dim, mu=mu)
             scene["Contact bottom"].update(soft)
             run = laws.run(scene)
@@ -227,7 +227,7 @@ def together(laws):
     loose["Contact above"]["Active"] = "t < 1.5"
     loose["Load lift"] = load("body force", "0 ; max(t - 1, 0)")
     done, _ = laws.start(loose)
-    laws.demand("loads on what only contacts hold that are not active", done.returncode == 2 and "Active = 0" in done.stderr)
+    laws.demand("loads on what only contacts hold that are not active", done.returncode == 2 and "contacts that are active" in done.stderr)
 
 
 def layers(laws):
