@@ -24,26 +24,29 @@ if(TARGET conetact-exchange)
     INSTALL_RPATH "$ORIGIN/${FROM_PROGRAMS}")
 endif()
 
-set(ONLY_PYTHON FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+set(ONLY_PYTHON FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN "*.ipynb" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY parameter-files DESTINATION ${SHARED_FILES})
-install(PROGRAMS scripts/picture.py scripts/curve.py DESTINATION ${SHARED_FILES}/scripts)
+install(PROGRAMS scripts/picture.py scripts/curve.py scripts/conetact-report DESTINATION ${SHARED_FILES}/scripts)
 install(DIRECTORY scripts/drawing DESTINATION ${SHARED_FILES}/scripts ${ONLY_PYTHON})
-install(DIRECTORY python DESTINATION ${SHARED_FILES} USE_SOURCE_PERMISSIONS ${ONLY_PYTHON})
+install(DIRECTORY python DESTINATION ${SHARED_FILES} USE_SOURCE_PERMISSIONS ${ONLY_PYTHON}
+  PATTERN "*.js" PATTERN "*.css" PATTERN "*.html") # of which reports are made
 
-# conetact-picture and conetact-curve: links, as they are in the installed tree
+# conetact-picture, conetact-curve and conetact-report: links, as they are in the installed tree
 set(LINKS ${CMAKE_BINARY_DIR}/links)
 file(MAKE_DIRECTORY ${LINKS}/${CMAKE_INSTALL_BINDIR} ${LINKS}/${SHARED_FILES})
 file(CREATE_LINK ${CMAKE_SOURCE_DIR}/scripts ${LINKS}/${SHARED_FILES}/scripts SYMBOLIC)
 file(RELATIVE_PATH TO_SCRIPTS /usr/${CMAKE_INSTALL_BINDIR} /usr/${SHARED_FILES}/scripts)
-foreach(NAME picture curve)
-  set(LINK ${LINKS}/${CMAKE_INSTALL_BINDIR}/conetact-${NAME})
-  file(CREATE_LINK ${TO_SCRIPTS}/${NAME}.py ${LINK} SYMBOLIC)
+foreach(SCRIPT picture.py curve.py conetact-report)
+  string(REGEX REPLACE "^(conetact-)?([a-z]+).*" "conetact-\\2" NAME ${SCRIPT})
+  set(LINK ${LINKS}/${CMAKE_INSTALL_BINDIR}/${NAME})
+  file(CREATE_LINK ${TO_SCRIPTS}/${SCRIPT} ${LINK} SYMBOLIC)
   install(PROGRAMS ${LINK} TYPE BIN)
 endforeach()
 
 install(FILES README.md CHANGELOG.md CITATION.cff cmake/debian/copyright TYPE DOC)
 install(DIRECTORY doc DESTINATION ${CMAKE_INSTALL_DOCDIR}
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN doxygen EXCLUDE PATTERN man EXCLUDE)
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.geo" PATTERN "*.prm"
+  PATTERN doxygen EXCLUDE PATTERN man EXCLUDE PATTERN _static EXCLUDE)
 install(FILES doc/doxygen/theory.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/doc/doxygen) # which pages link
 
 # for programs that link the solvers

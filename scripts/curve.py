@@ -23,8 +23,8 @@ import drawing  # noqa: F401 (first: it knows the way to python/)
 import matplotlib.pyplot as plt
 import numpy as np
 from conetact import ConetactError, Result
+from conetact.units import units_of
 from drawing.files import save
-from drawing.units import units_of
 
 TABLES = ("increments", "history", "reactions", "refinement")
 OF_INCREMENTS = ("increments", "history")  # one row each

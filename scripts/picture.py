@@ -3,13 +3,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draws a finished run: its deformed bodies with stresses, obstacles and reactions, and what its contacts carry.
 
-usage: picture.py FOLDER [--increment N | all] [-o PICTURE.png] [--colour QUANTITY] [--amplify A] ...
+usage: picture.py FOLDER [--increment N | all] [-o PICTURE.png] [--field QUANTITY] [--amplify A] [--film FILM.gif] ...
 
 Left: bodies and frames, displacements (and gaps) drawn larger; arrows push the nodes they
 end at. Right: normal stress and friction along each contact, in the plane divided by the
 friction coefficient (both coincide where a node is about to slip), in space as a map.
-`--increment all` draws every increment to PICTURE-0001.png, ... with the same scales: a film.
-Works in the plane and in space. Needs python3-numpy and python3-matplotlib.
+`--increment all` draws every increment to PICTURE-0001.png, ... with the same scales, `--film` joins them.
+Works in the plane and in space. Needs python3-numpy and python3-matplotlib; for good pictures in space also
+python3-vtk9 and xvfb.
 """
 import argparse
 import sys
@@ -19,11 +20,11 @@ import drawing  # noqa: F401 (first: it knows the way to python/)
 import matplotlib.pyplot as plt
 import numpy as np
 from conetact import ConetactError, Result
-from drawing import contacts, plane, space
+from conetact.units import units_of
+from drawing import contacts, film, plane, rendered, screen, space
 from drawing.colours import ARROWS, scales_of
 from drawing.files import save
 from drawing.shapes import automatic_factor, shapes_of
-from drawing.units import units_of
 from matplotlib.lines import Line2D
 
 MAX_CONTACTS = 4
@@ -64,9 +65,10 @@ def loaded_contacts(shapes, name):
     return [contact for contact in shapes.contacts if contact in most]
 
 
-def legend(axes, largest, units):
+def legend(axes, largest, units, contacts):
+    seen = {"stick", "slip"}.union(*(contact.rows["state"] for contact in contacts))
     handles = [Line2D([], [], color=colour, marker=r"$\rightarrow$", markersize=12, linestyle="none", label=state)
-               for state, colour in ARROWS.items()]
+               for state, colour in ARROWS.items() if state in seen]
     title = units.label(f"reactions, the longest one {largest:.3g}", "force")
     axes.legend(handles=handles, title=title, frameon=False, fontsize="small", title_fontsize="small", ncol=2,
                 loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0)
@@ -80,9 +82,10 @@ class Series:
         self.units = units_of(self.result, args.units)
         self.increments = increments_of(self.result, args.increment)
         self.space = self.result.dimension == 3
+        self.is_rendered = self.space and screen.is_there()
         self.factor = args.amplify or automatic_factor(self.result, self.increments[-1])
         self.shapes = [shapes_of(self.result, n, self.factor) for n in self.increments]
-        self.scales = scales_of(self.shapes, args.colour)
+        self.scales = scales_of(self.shapes, args.colour, args.percentile)
         if args.colour and args.colour not in [scale.quantity for scale in self.scales.values()]:
             names = sorted({name for body in self.shapes[0].bodies for name in body.arrays})
             raise ConetactError(f"The bodies have no quantity '{args.colour}'; there are {', '.join(names)}.")
@@ -107,7 +110,8 @@ class Series:
         figure = plt.figure(figsize=(6.2 * columns, max(5.4 * tall + 1, 3.2 * n_panels, 4.4)), layout="constrained")
         figure.get_layout_engine().set(rect=(.01, .02, .98, .97), wspace=.04)
         grid = figure.add_gridspec(max(n_panels, 1), columns)
-        options = {"projection": "3d", "elev": self.args.view[0], "azim": self.args.view[1]} if self.space else {}
+        options = {"projection": "3d", "elev": self.args.view[0], "azim": self.args.view[1]}
+        options = options if self.space and not self.is_rendered else {}
         bodies = figure.add_subplot(grid[:, 0], **options)
         return figure, bodies, [figure.add_subplot(grid[i, 1]) for i in range(n_panels)]
 
@@ -123,11 +127,12 @@ class Series:
         drawn = [] if self.args.no_contacts else loaded_contacts(shapes, self.args.contact)
         omitted = f"; {len(drawn)} of {len(shapes.contacts)} contacts on the right" if 1 < len(drawn) < len(shapes.contacts) else ""
         figure, axes, panels = self.layout(len(drawn))
-        (space if self.space else plane).draw(axes, shapes, self.scales, self.arrows, self.units, self.limits)
+        if not self.is_rendered:
+            (space if self.space else plane).draw(axes, shapes, self.scales, self.arrows, self.units, self.limits)
         for scale in self.scales.values():
             scale.draw_bar(figure, axes, self.units)
         if self.arrows[0] > 0:
-            legend(axes, self.arrows[0], self.units)
+            legend(axes, self.arrows[0], self.units, shapes.contacts)
         times = self.result.increments
         time = times["time"][times["increment"] == increment][0]
         figure.suptitle(f"{self.result.folder.resolve().name}, increment {increment}, t = {time:.4g}"
@@ -138,12 +143,27 @@ class Series:
                 contacts.draw_map(figure, panel, contact, same, self.units)
             else:
                 contacts.draw_line(panel, contact, same, self.result, self.units)
+        if self.is_rendered:
+            rendered.draw(axes, shapes, self.scales, self.arrows, self.units, self.limits, self.args.view, self.args.clip,
+                          self.args.dpi)
         save(figure, file, self.args.dpi)
 
 
 def view(text):
     elevation, azimuth = (float(word) for word in text.split(","))
     return elevation, azimuth
+
+
+def percentile(text):
+    if not 50 < float(text) <= 100:
+        raise ValueError(text)
+    return float(text)
+
+
+def clip(text):
+    """An axis as a number, and the place of the plane on it."""
+    axis, _, place = text.partition("=")
+    return "xyz".index(axis.strip() or "none"), float(place)
 
 
 def parse(arguments):
@@ -154,7 +174,13 @@ def parse(arguments):
     parser.add_argument("folder", type=Path)
     parser.add_argument("--increment", help="a number, or all; default: the last one that is drawn")
     parser.add_argument("-o", "--output", type=Path, help="default: picture.png in the folder")
-    parser.add_argument("--colour", help="von_mises, pressure, axial_force, moment, ... by the bodies")
+    parser.add_argument("--field", "--colour", dest="colour", metavar="QUANTITY", help="what colours show: von_mises, "
+                        "stress_xx, displacement, displacement_z, pressure, axial_force, moment, ...")
+    parser.add_argument("--percentile", type=percentile, default=100., metavar="P", help="colours end where so many of "
+                        "100 nodes are within, such as 99: one node does not spoil them")
+    parser.add_argument("--clip", type=clip, action="append", default=[], metavar="AXIS=PLACE", help="in space: what is "
+                        "before this plane is cut away, such as x=0.5; several times: several planes")
+    parser.add_argument("--film", type=Path, metavar="FILM", help="all increments as a film, .gif or .mp4")
     parser.add_argument("--amplify", type=float, help="displacements are drawn so many times larger; default: to be seen")
     parser.add_argument("--contact", help="only this contact on the right")
     parser.add_argument("--no-contacts", action="store_true", help="only the bodies")
@@ -164,16 +190,36 @@ def parse(arguments):
     args = parser.parse_args(arguments)
     if args.increment not in (None, "all") and not args.increment.isdecimal():
         raise ConetactError(f"--increment is '{args.increment}'; it must be a number or all.")
+    if args.film:
+        film.check(args.film)
+        args.increment = "all"
     return args
+
+
+def check_clips(series):
+    if series.args.clip and not series.space:
+        raise ConetactError("--clip cuts bodies in space; those of this run are in the plane.")
+    if series.args.clip and not series.is_rendered:
+        raise ConetactError("--clip needs VTK and an X server (Debian: python3-vtk9, xvfb).")
+
+
+def draw_all(series, file, numbered):
+    """Pictures of all increments that are wanted; their files."""
+    files = [file.with_stem(f"{file.stem}-{n:04}") if numbered else file for n in series.increments]
+    for number, picture in enumerate(files):
+        series.draw(number, picture)
+    return files
 
 
 def main(arguments):
     try:
         args = parse(arguments)
         series = Series(args)
-        file = args.output or args.folder / "picture.png"
-        for number, increment in enumerate(series.increments):
-            series.draw(number, file.with_stem(f"{file.stem}-{increment:04}") if args.increment == "all" else file)
+        check_clips(series)
+        if args.film:
+            film.make(args.film, lambda file: draw_all(series, file, True))
+        else:
+            draw_all(series, args.output or args.folder / "picture.png", args.increment == "all")
     except (ConetactError, ValueError) as error:
         sys.exit(f"picture.py: {error}")
 

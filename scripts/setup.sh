@@ -7,7 +7,10 @@
 
 packages="g++ cmake ninja-build ccache libdeal.ii-dev libmumps-dev libmetis-dev
   libeigen3-dev libopenblas-dev liblapacke-dev libdeflate-dev libfclib-dev libgtest-dev numdiff
-  clang-format python3 python3-vtk9 python3-numpy python3-matplotlib"
+  clang-format python3 python3-vtk9 python3-numpy python3-matplotlib mypy python3-pip python3-venv python3-wheel"
+# For documentation, which is not needed to build or run: apt-get install $documentation_packages
+# (target doc: doxygen, graphviz; target site: the others)
+documentation_packages="doxygen graphviz python3-sphinx python3-myst-parser furo libjs-mathjax"
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -30,12 +30,14 @@ cmp result/reactions.csv runs/shipped-floating-block/result/reactions.csv
 
 # Python and pictures
 PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$prefix/share/conetact/python /usr/bin/python3 -c "
-import conetact
-assert conetact.executable().resolve() == conetact.Path('$bin/conetact').resolve()
+import conetact, pathlib
+assert conetact.executable().resolve() == pathlib.Path('$bin/conetact').resolve()
 result = conetact.run('$scenes/floating-block.prm')
 assert result.exit_code == 0 and len(result.reactions) > 0"
 quietly env PYTHONDONTWRITEBYTECODE=1 "$bin/conetact-picture" result -o picture.png
 [ -s picture.png ]
+quietly env PYTHONDONTWRITEBYTECODE=1 "$bin/conetact-report" result -o report.html
+grep -q 'id="data"' report.html
 PYTHONDONTWRITEBYTECODE=1 "$bin/conetact-curve" result | grep -q bottom_f_x
 
 # pages to read; those of man where help2man made them

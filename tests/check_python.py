@@ -24,7 +24,7 @@ TOP = Path(__file__).resolve().parent.parent
 sys.path += [str(TOP / "python"), str(TOP / "scripts")]
 import conetact  # noqa: E402
 from support.checks import run_families  # noqa: E402
-from support.scenes import merge, press_and_shear, pushed_block, stack, write_scene  # noqa: E402
+from support.scenes import merge, press_and_shear, pushed_block, stack, with_element, write_scene  # noqa: E402
 
 GRID = TOP / "parameter-files" / "double-layer-grid-04.prm"
 BLOCK = TOP / "parameter-files" / "floating-block.prm"
@@ -96,6 +96,7 @@ def pictures(laws):
     for name, folder in runs.items():
         file = laws.folder / f"{name}.png"
         demand_picture(laws, name, script(laws, "picture.py", folder, "-o", file), file)
+    rendered(laws, runs)
     file = laws.folder / "other.png"
     demand_picture(laws, "pressure of increment 1", script(
         laws, "picture.py", plane, "-o", file, "--increment", 1, "--colour", "pressure", "--amplify", 3,
@@ -115,6 +116,24 @@ def pictures(laws):
     demand_sentence(laws, script(laws, "picture.py", plane), "reactions.csv")
     (runs["space"] / "solution-block-0002.vtu").write_text("<VTKFile>")
     demand_sentence(laws, script(laws, "picture.py", runs["space"]), "no VTU file")
+
+
+def rendered(laws, runs):
+    """Components, percentiles, films, sections, cells of second degree."""
+    file, film = laws.folder / "component.png", laws.folder / "film.gif"
+    demand_picture(laws, "a component without extremes", script(
+        laws, "picture.py", runs["space"], "-o", file, "--field", "stress_zz", "--percentile", 98), file)
+    second = folder_of(laws, merge(with_element(press_and_shear(3, increments=1), "Q2"), DRAWN))
+    demand_picture(laws, "second degree", script(laws, "picture.py", second, "-o", file), file)
+    done = script(laws, "picture.py", runs["plane"], "--film", film)
+    laws.demand(f"a film {done.stderr.strip()}", done.returncode == 0 and film.read_bytes()[:4] == b"GIF8")
+    demand_sentence(laws, script(laws, "picture.py", runs["plane"], "--film", "film.avi"), "film.avi", ".gif")
+    demand_sentence(laws, script(laws, "picture.py", runs["plane"], "--clip", "x=0.5"), "--clip")
+    from drawing import screen
+    if screen.is_there():
+        demand_picture(laws, "a section", script(laws, "picture.py", runs["space"], "-o", file, "--clip", "y=0.4"), file)
+    else:
+        demand_sentence(laws, script(laws, "picture.py", runs["space"], "--clip", "y=0.4"), "xvfb")
 
 
 def curves(laws):
@@ -198,7 +217,7 @@ def shapes(laws):
     """What pictures stand on."""
     import drawing.shapes as shapes
     from drawing.colours import Scale
-    from drawing.units import Units
+    from conetact.units import Units
     for dim, expected in ((2, 6.0), (3, 2 * (1.5 + 1.5 + 1.0))):
         scene = merge(press_and_shear(dim, (4, 4, 4)[:dim]), DRAWN)
         mesh = scene["Body block"]["Mesh"]

@@ -1,13 +1,20 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads the VTU files of the program, arrays as text or zipped and in base64, and the PVTU files that join some."""
+from __future__ import annotations
+
 import base64
 import xml.etree.ElementTree as xml
 import zlib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[Any]
 
 TYPES = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "Int64": "<i8", "UInt8": "<u1", "UInt32": "<u4",
          "UInt64": "<u8"}
@@ -15,16 +22,21 @@ LINE, TRIANGLE, QUADRILATERAL, TETRAHEDRON, HEXAHEDRON = 3, 5, 9, 10, 12
 
 
 @dataclass
-class Mesh:
-    """Points (n x 3), cells by VTK's type, arrays of the points and of the cells by name."""
+class VtuMesh:
+    """Points (n x 3), cells by VTK's type, arrays of the points and of the cells by name.
 
-    points: np.ndarray
-    cells: dict
-    arrays: dict
-    cell_arrays: dict
+    >>> mesh = conetact.run(SCENE).bodies(1)["block"]
+    >>> mesh.points.shape, sorted(mesh.cells), sorted(mesh.cell_arrays)
+    ((231, 3), [9], ['body', 'material_id'])
+    """
+
+    points: Array
+    cells: dict[int, Array]
+    arrays: dict[str, Array]
+    cell_arrays: dict[str, Array]
 
 
-def unzipped(text):
+def unzipped(text: str) -> bytes:
     """Blocks behind a head that tells how many there are, their size, that of the last one, and zipped sizes."""
     head_length = 4 * -(-16 // 3)  # of the first four numbers
     n_blocks = int(np.frombuffer(base64.b64decode(text[:head_length])[:4], "<u4")[0])
@@ -34,19 +46,22 @@ def unzipped(text):
     return b"".join(zlib.decompress(data[end - size:end]) for size, end in zip(sizes, ends))
 
 
-def array_of(element):
-    kind, text = TYPES[element.get("type")], (element.text or "").strip()
+def array_of(element: xml.Element | None) -> Array:
+    if element is None:
+        raise ValueError("it lacks an array")
+    kind, text = TYPES[element.attrib["type"]], (element.text or "").strip()
     if element.get("format") == "ascii":
-        values = np.array(text.split(), dtype=kind)
+        values: Array = np.array(text.split(), dtype=kind)
     else:
         values = np.frombuffer(unzipped(text) if text else b"", kind)
     components = int(element.get("NumberOfComponents", 1))
     return values.reshape(-1, components) if components > 1 else values
 
 
-def cells_of(arrays):
+def cells_of(arrays: Mapping[str, Array]) -> dict[int, Array]:
     """Corners of cells, an array for each type."""
-    offsets, cells = arrays["offsets"], {}
+    offsets = arrays["offsets"]
+    cells: dict[int, Array] = {}
     for kind in np.unique(arrays["types"]):
         ends = offsets[arrays["types"] == kind]
         n = offsets[0] if len(ends) == len(offsets) else np.diff(offsets, prepend=0)[arrays["types"] == kind][0]
@@ -54,36 +69,43 @@ def cells_of(arrays):
     return cells
 
 
-def pieces_of(file):
+def pieces_of(file: str | Path) -> list[str]:
     try:
-        return [piece.get("Source") for piece in xml.parse(file).getroot().findall("PUnstructuredGrid/Piece")]
-    except xml.ParseError as error:
+        return [piece.attrib["Source"] for piece in xml.parse(file).getroot().findall("PUnstructuredGrid/Piece")]
+    except (xml.ParseError, KeyError) as error:
         raise ValueError(f"{file} is no PVTU file of the program ({error}).") from None
 
 
-def joined(meshes):
+def joined(meshes: Sequence[VtuMesh]) -> VtuMesh:
     first = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
 
-    def together(parts):
+    def together(parts: Sequence[Mapping[Any, Array]]) -> dict[Any, Array]:
         return {name: np.concatenate([part[name] for part in parts if name in part])
                 for name in dict.fromkeys(name for part in parts for name in part)}
 
-    return Mesh(np.concatenate([mesh.points for mesh in meshes]),
-                together([{kind: cells + start for kind, cells in mesh.cells.items()} for mesh, start in zip(meshes, first)]),
-                together([mesh.arrays for mesh in meshes]), together([mesh.cell_arrays for mesh in meshes]))
+    cells = [{kind: cells + start for kind, cells in mesh.cells.items()} for mesh, start in zip(meshes, first)]
+    return VtuMesh(np.concatenate([mesh.points for mesh in meshes]), together(cells),
+                   together([mesh.arrays for mesh in meshes]), together([mesh.cell_arrays for mesh in meshes]))
 
 
-def read_vtu(file):
-    """Of a PVTU file the pieces, one behind the other: points between them come once in each."""
+def read_vtu(file: str | Path) -> VtuMesh:
+    """A VTU file of the program; of a PVTU file the pieces in turn: points between them come once in each.
+
+    >>> result = conetact.run(SCENE)
+    >>> conetact.read_vtu(result.folder / "solution-block-0001.vtu").arrays["stress"].shape
+    (231, 9)
+    """
     if Path(file).suffix == ".pvtu":
         return joined([read_vtu(Path(file).parent / name) for name in pieces_of(file)])
     try:
         root = xml.parse(file).getroot()
         piece = root.find("UnstructuredGrid/Piece")
+        if piece is None:
+            raise ValueError("it holds no grid")
         points = array_of(piece.find("Points/DataArray")).astype(float)
-        cells = cells_of({a.get("Name"): array_of(a) for a in piece.findall("Cells/DataArray")})
-        arrays = {a.get("Name"): array_of(a).astype(float) for a in piece.findall("PointData/DataArray")}
-        of_cells = {a.get("Name"): array_of(a) for a in piece.findall("CellData/DataArray")}
+        cells = cells_of({a.attrib["Name"]: array_of(a) for a in piece.findall("Cells/DataArray")})
+        arrays = {a.attrib["Name"]: array_of(a).astype(float) for a in piece.findall("PointData/DataArray")}
+        of_cells = {a.attrib["Name"]: array_of(a) for a in piece.findall("CellData/DataArray")}
     except (xml.ParseError, AttributeError, KeyError, ValueError, zlib.error) as error:
         raise ValueError(f"{file} is no VTU file of the program ({error}).") from None
-    return Mesh(points.reshape(-1, 3), cells, arrays, of_cells)
+    return VtuMesh(points.reshape(-1, 3), cells, arrays, of_cells)

@@ -7,8 +7,9 @@ from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.ticker import MaxNLocator
 
 ROUNDING = 1e-8  # of the size of a field: what varies by less is uniform
-STATES = {"open": ("0.55", "o"), "stick": ("black", "s"), "slip": ("crimson", "D")}
-ARROWS = {state: STATES[state][0] for state in ("stick", "slip")}
+STATES = {"open": ("0.55", "o"), "stick": ("black", "s"), "slip": ("crimson", "D"), "bonded": ("seagreen", "^"),
+          "wet": ("royalblue", "v")}
+ARROWS = {state: colour for state, (colour, _) in STATES.items() if state != "open"}
 OBSTACLE = "0.82"
 TITLES = {"von_mises": "von Mises stress", "pressure": "pressure in the body", "axial_force": "axial force",
           "axial_stress": "axial stress", "moment": "bending moment"}
@@ -32,8 +33,8 @@ def largest(bodies, name):
 class Scale:
     """Colours of one quantity, the same for all bodies (and pictures of a series) that have it."""
 
-    def __init__(self, quantity, low, high):
-        self.quantity = quantity
+    def __init__(self, quantity, low, high, beyond=False):
+        self.quantity, self.beyond = quantity, beyond
         if low < 0 < high:  # signs are told apart
             low, high = -max(-low, high), max(-low, high)
         self.map = matplotlib.colormaps["coolwarm" if low < 0 < high else "viridis"]
@@ -53,7 +54,8 @@ class Scale:
         title = TITLES.get(self.quantity, self.quantity.replace("_", " "))
         kind = units.label(self.quantity)[len(self.quantity):]
         mappable = matplotlib.cm.ScalarMappable(self.norm, self.map)
-        bar = figure.colorbar(mappable, ax=axes, label=title + kind, location="bottom", shrink=.7, aspect=32, pad=.03)
+        bar = figure.colorbar(mappable, ax=axes, label=title + kind, location="bottom", shrink=.7, aspect=32, pad=.03,
+                              extend="both" if self.beyond else "neither")
         if self.uniform is not None:
             bar.set_ticks([self.uniform], labels=[f"{self.uniform:.6g}"])
             return bar
@@ -64,7 +66,12 @@ class Scale:
         return bar
 
 
-def scales_of(series, asked):
+def limits_of(values, percentile):
+    """Least and largest value; with a percentile those that only few nodes are beyond."""
+    return np.percentile(values, (100 - percentile, percentile)) if percentile < 100 else (values.min(), values.max())
+
+
+def scales_of(series, asked, percentile=100):
     """For continua (False) and frames (True) of a series of shapes."""
     scales = {}
     for frames in (False, True):
@@ -72,5 +79,5 @@ def scales_of(series, asked):
         if bodies:
             scale = Scale(choose_quantity(bodies, asked), 0, 1)
             values = np.concatenate([scale.values(body) for body in bodies])
-            scales[frames] = Scale(scale.quantity, values.min(), values.max())
+            scales[frames] = Scale(scale.quantity, *limits_of(values, percentile), percentile < 100)
     return scales

@@ -8,12 +8,24 @@ touches its obstacle does so in the picture.
 from dataclasses import dataclass
 
 import numpy as np
+from conetact.report.fields import split
 from conetact.vtu import HEXAHEDRON, LINE, QUADRILATERAL, TETRAHEDRON, TRIANGLE
 
 # corners of faces of a cell, those of simplices repeat one in space
 FACES = {TRIANGLE: [(0, 1), (1, 2), (2, 0)], QUADRILATERAL: [(0, 1), (1, 2), (2, 3), (3, 0)],
          TETRAHEDRON: [(0, 1, 2, 2), (0, 1, 3, 3), (1, 2, 3, 3), (0, 2, 3, 3)],
          HEXAHEDRON: [(0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]}
+# nodes of a hexahedron of second degree in VTK's order, on a grid of 3 x 3 x 3
+GRID = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2), (1, 0, 0), (2, 1, 0),
+        (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2), (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1),
+        (0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)]
+# cells of second degree as cells of first degree between their nodes
+PARTS = {22: (TRIANGLE, [(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)]),
+         28: (QUADRILATERAL, [(0, 4, 8, 7), (4, 1, 5, 8), (8, 5, 2, 6), (7, 8, 6, 3)]),
+         24: (TETRAHEDRON, [(0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3),
+                            (4, 9, 5, 6), (4, 9, 6, 7), (4, 9, 7, 8), (4, 9, 8, 5)]),
+         29: (HEXAHEDRON, [[GRID.index(tuple(a + b // 2 for a, b in zip(first, corner))) for corner in GRID[:8]]
+                           for first in ((i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1))])}
 
 
 @dataclass
@@ -26,18 +38,44 @@ class Body:
     cells: dict
     faces: np.ndarray
     arrays: dict
+    corner_faces: np.ndarray = None  # of cells of second degree, without the nodes between corners
 
     @property
     def is_frame(self):
         return LINE in self.cells
 
 
+def of_first_degree(cells):
+    """Cells with corners only."""
+    found = {}
+    for kind, corners in cells.items():
+        into, parts = PARTS.get(kind, (kind, [tuple(range(corners.shape[1]))]))
+        found.setdefault(into, []).extend(corners[:, list(part)] for part in parts)
+    return {kind: np.vstack(parts) for kind, parts in found.items()}
+
+
+def without_middles(cells):
+    """Cells of second degree as one cell between their corners each."""
+    corners = {22: 3, 28: 4, 24: 4, 29: 8}
+    return {PARTS[kind][0]: nodes[:, :corners[kind]] for kind, nodes in cells.items() if kind in PARTS}
+
+
 def merged(mesh):
     """Cells of a VTU file have corners of their own; here they share nodes that move together."""
     both = np.hstack((mesh.points, mesh.arrays["displacement"]))
-    _, first, node = np.unique(both, axis=0, return_index=True, return_inverse=True)
+    first, node = same_rows(both)
     return (mesh.points[first], {kind: node[corners] for kind, corners in mesh.cells.items()},
             {name: values[first] for name, values in mesh.arrays.items()})
+
+
+def same_rows(rows):
+    """The first of equal rows each, and which of these every row is."""
+    order = np.lexsort(rows.T)
+    new = np.ones(len(rows), bool)
+    new[1:] = (rows[order[1:]] != rows[order[:-1]]).any(axis=1)
+    group = np.empty(len(rows), int)
+    group[order] = np.cumsum(new) - 1
+    return order[new], group
 
 
 def places(points, size):
@@ -53,25 +91,39 @@ def places(points, size):
     return find
 
 
-def surface(points, cells):
+def surface(points, cells, levels=True):
     """Faces of one cell only. Where cells of two levels meet, a node in the middle of a large face tells."""
     faces = np.vstack([cells[kind][:, face] for kind in cells for face in FACES[kind]])
-    _, first, counts = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    first, group = same_rows(np.sort(faces, axis=1))
+    counts = np.bincount(group)
     faces = faces[first[counts == 1]]
+    if not levels:
+        return faces
     middle = places(points, np.ptp(points, axis=0).max())(points[faces].mean(axis=1))
     return faces[(middle < 0) & ~np.isin(faces, middle[middle >= 0]).any(axis=1)]
 
 
+def with_components(arrays):
+    """Also those of vectors and tensors by name: stress_xx, displacement_z, principal_stresses_1."""
+    parts = [split(name, values, 3) for name, values in arrays.items() if values.ndim > 1]
+    return {name: values for part in [arrays, *parts] for name, values in part.items()}
+
+
 def make_body(name, mesh, factor):
+    corner_faces = None
     if LINE in mesh.cells:
         points, cells, arrays = mesh.points, mesh.cells, mesh.arrays
         faces = cells[LINE]
     else:
         points, cells, arrays = merged(mesh)
+        if coarse := without_middles(cells):
+            corner_faces = surface(points, coarse, False)
+        cells = of_first_degree(cells)
         faces = surface(points, cells)
     if "stress" in arrays:
         arrays["pressure"] = -arrays["stress"][:, [0, 4, 8]].mean(axis=1)
-    return Body(name, points, points + factor * arrays["displacement"], cells, faces, arrays)
+    return Body(name, points, points + factor * arrays["displacement"], cells, faces, with_components(arrays),
+                corner_faces)
 
 
 def basis(normals, dim):
@@ -117,8 +169,9 @@ class ContactNodes:
             if (self.node >= 0).all():
                 row = np.full(len(body.points), -1)
                 row[self.node] = np.arange(len(self.points))
-                faces = row[body.faces]
-                return faces[(faces >= 0).all(axis=1)], body
+                faces = [row[f] for f in (body.faces, body.corner_faces) if f is not None]
+                faces = [f[(f >= 0).all(axis=1)] for f in faces]
+                return next((f for f in faces if len(f)), faces[0]), body
         return np.empty((0, 2), int), None
 
     def _displacements(self):

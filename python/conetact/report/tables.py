@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of the page; each scrolls in a box of its own."""
+from html import escape
+
+import numpy as np
+
+MOST_ROWS = 400
+SOLVED = ("solver", "substeps", "iterations", "residual", "equilibrium", "balance", "open", "stick", "slip",
+          "determinate")
+
+
+def number(value, digits=5):
+    if isinstance(value, (float, np.floating)):
+        return f"{value:.{digits}g}"
+    return str(value)
+
+
+def table(head, rows, caption=""):
+    """Cells that are numbers stand on the right."""
+    def kind(value):
+        if isinstance(value, (int, float, np.number)):
+            return ' class="number"'
+        return ' class="words"' if len(value) > 30 else ""
+
+    def cell(value):
+        return f"<td{kind(value)}>{escape(number(value))}</td>"
+    caption = f"<caption>{escape(caption)}</caption>" if caption else ""
+    first = rows[0] if len(rows) else [""] * len(head)
+    heads = "".join(f"<th scope='col'{kind(value)}>{escape(name)}</th>" for name, value in zip(head, first))
+    lines = "".join(f"<tr>{''.join(map(cell, row))}</tr>\n" for row in rows)
+    return (f'<div class="scroll" tabindex="0"><table>{caption}<thead><tr>{heads}</tr></thead>\n'
+            f"<tbody>{lines}</tbody></table></div>")
+
+
+def thinned(rows):
+    """At most so many rows, the last one among them, and a sentence on the others."""
+    step = -(-len(rows) // MOST_ROWS)
+    if step <= 1:
+        return rows, ""
+    kept = rows[::-1][::step][::-1]
+    return kept, f"<p>Every {step}th increment is in this table; increments.csv has all {len(rows)}.</p>"
+
+
+def columns_table(rows, names, units):
+    """Columns of a table of the program; columns of zeros alone are left out, but for the first two."""
+    shown = [name for name in names if rows.dtype[name].kind not in "fi" or name in names[:2] or rows[name].any()]
+    kept, remark = thinned(rows)
+    return remark + table([units.label(name) for name in shown], [[row[name] for name in shown] for row in kept])
+
+
+def solved_table(increments, units):
+    names = ["increment", "time", *(name for name in SOLVED if name in increments.dtype.names)]
+    kept, remark = thinned(increments)
+    return remark + table([units.label(name) for name in names], [[row[name] for name in names] for row in kept])
+
+
+def resultants(increments):
+    """Names of the columns of forces and moments."""
+    return [name for name in increments.dtype.names if name[-4:] in
+            ("_f_x", "_f_y", "_f_z", "_m_x", "_m_y", "_m_z") or name.startswith(("preload_", "obstacle_"))]
+
+
+def resultants_table(increments, units):
+    return columns_table(increments, ["increment", "time", *resultants(increments)], units)
+
+
+def others_table(increments, units):
+    """Energies, wear and what else there is."""
+    known = {"increment", "time", *SOLVED, *resultants(increments), "err1", "err2"}
+    names = [name for name in increments.dtype.names if name not in known and not name.startswith("balance")]
+    return columns_table(increments, ["increment", "time", *names], units)
+
+
+def history_table(history, units):
+    return columns_table(history, list(history.dtype.names), units)

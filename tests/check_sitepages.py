@@ -1,0 +1,62 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What scripts/sitepages.py makes for the site: each entry of the manual is in the reference once, each scene has a page,
+and each line of an example stands in the scene that it links.
+
+usage: check_sitepages.py PROGRAM
+"""
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(TOP / "scripts"))
+import sitepages  # noqa: E402 (it is beside the scripts)
+
+EXAMPLE = re.compile(r"^\* \[([^\]]+)\]\(\.\./scenes/\1\.md\): `set (.+?) = (.*)`$", re.MULTILINE)
+
+
+def headings(folder):
+    return [title for page in folder.glob("*.md") for title in re.findall(r"^## (.*)$", page.read_text(), re.MULTILINE)]
+
+
+def faults_of_reference(folder, manual):
+    there, wanted = sorted(headings(folder)), sorted(re.findall(r"^\* \*\*(.*?)\*\*", manual, re.MULTILINE))
+    if there != wanted:
+        yield f"the reference has {len(there)} entries, the manual {len(wanted)}: {set(there) ^ set(wanted)}"
+
+
+def faults_of_examples(folder, scenes):
+    entries = {scene.name: {(name, value) for _, name, value in scene.entries} for scene in scenes}
+    found = [match for page in folder.glob("*.md") for match in EXAMPLE.findall(page.read_text())]
+    if len(found) < 100:
+        yield f"there are {len(found)} examples only"
+    yield from (f"{scene} does not set {name} = {value}" for scene, name, value in found if (name, value) not in entries[scene])
+
+
+def faults_of_theory(text):
+    left = re.findall(r"@f|\\our|\{#", sitepages.for_sphinx(text))
+    if left:
+        yield f"the theory has words of Doxygen left: {set(left)}"
+
+
+def main(program):
+    manual = subprocess.run([program, "--parameters"], check=True, text=True, stdout=subprocess.PIPE).stdout
+    scenes = sitepages.read_scenes(TOP / "parameter-files")
+    with tempfile.TemporaryDirectory() as top:
+        folder = Path(top) / "reference"
+        sitepages.write_reference(folder, manual, scenes)
+        sitepages.write_scenes(Path(top) / "scenes", TOP / "doc/gallery", scenes)
+        faults = [*faults_of_reference(folder, manual), *faults_of_examples(folder, scenes),
+                  *faults_of_theory((TOP / "doc/doxygen/theory.md").read_text())]
+        if len(list((Path(top) / "scenes").glob("*.md"))) != len(scenes) + 1:
+            faults.append("a scene has no page")
+    print("\n".join(faults) or f"{len(scenes)} scenes, {len(re.findall('^[*] [*][*]', manual, re.MULTILINE))} entries")
+    return bool(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
