@@ -20,13 +20,17 @@ LAWS = {"0.3": {}, "0.2 + 0.1*exp(-s/0.003)": {}, "if(t < 2.5, 0, 0.3)": {}, "mi
         "0.15 + 0.1*exp(-v/0.002)": {}, "0.4, Shear limit 1.5": {"Friction coefficient": .4, "Shear limit": 1.5},
         "0.3, Compliance 1e-4": {"Friction coefficient": .3, "Compliance": 1e-4},
         "0.3, wear, explicit": {"Friction coefficient": .3, "Wear coefficient": 1e-5},
-        "0.3, wear, implicit": {"Friction coefficient": .3, "Wear coefficient": 1e-3, "Wear integration": "implicit"}}
+        "0.3, wear, implicit": {"Friction coefficient": .3, "Wear coefficient": 1e-3, "Wear integration": "implicit"},
+        "0.3, Cohesion 0.5": {"Friction coefficient": .3, "Cohesion": .5},
+        "0.3, Cohesion 0.5 that softens": {"Friction coefficient": .3, "Cohesion": .5, "Tensile strength": .5,
+                                           "Cohesion lost": "slip", "Softening length": .02}}
 
 
 def cost(program, dim, name):
     """Linear solves of contact, CPU seconds."""
     with tempfile.TemporaryDirectory() as folder:
-        scene = press_and_shear(dim, cells=(80, 40) if dim == 2 else (16, 12, 12), mu=name, increments=8)
+        mu = name.split(", ")[0] if "Friction coefficient" in LAWS[name] else name
+        scene = press_and_shear(dim, cells=(80, 40) if dim == 2 else (16, 12, 12), mu=mu, increments=8)
         scene["Contact bottom"].update(LAWS[name])
         file = Path(folder) / "scene.prm"
         write_scene(scene, file)

@@ -53,4 +53,6 @@ else()
     "draw the bodies and contacts of a run of Conetact" DEPENDS scripts/picture.py)
   add_manual_page(conetact-curve ${LINKS}/${CMAKE_INSTALL_BINDIR}/conetact-curve
     "draw columns of the tables of a run of Conetact" DEPENDS scripts/curve.py)
+  add_manual_page(conetact-report ${LINKS}/${CMAKE_INSTALL_BINDIR}/conetact-report
+    "show a run of Conetact in one page for a browser" DEPENDS scripts/conetact-report)
 endif()

@@ -176,6 +176,7 @@ namespace
     std::map<unsigned int, std::string> shown_to_slide; ///< contacts
     std::optional<pairing::NearPairs>   near_sides;
     std::unique_ptr<FolderLock>         lock; ///< there may be files on disk
+    double reached = 0;                       ///< by stages of other supports
   };
 
   /** Contacts that slide far need all of their history so. */
@@ -193,6 +194,30 @@ namespace
       }
   }
 
+  /** Of the stages of its supports; whether it is the last one. */
+  bool
+  take_stage(const application::CommandLine &line,
+             application::Scene             &scene,
+             Progress                       &progress,
+             Log                            &log)
+  {
+    const std::vector<double> ends = scene.stage_ends();
+    const double done = scene.restart ? scene.times[scene.n_done() - 1] : 0.;
+    const double from = std::max(done, progress.reached);
+    const auto   end  = std::upper_bound(ends.begin(), ends.end(), from);
+    if (ends.size() < 2 || end == ends.end())
+      return true;
+    if (line.dry_run)
+      log.say("estimates are those of the first of " +
+              std::to_string(ends.size()) + " stages with their own supports");
+    else
+      log.note("supports are the same until t = " + to_text(*end));
+    const bool goes_on = progress.reached > done;
+    scene.take_stage(*end, goes_on ? application::results_folder(line) : "");
+    progress.reached = *end;
+    return end + 1 == ends.end();
+  }
+
   /** Whether the history is to be run again: on another mesh, or with contacts
    * that slide far. */
   bool
@@ -200,8 +225,10 @@ namespace
   {
     analysis::AdaptiveRefinement &adaptive = progress.adaptive;
     application::Scene            scene(line);
-    scene.shown_to_slide = progress.shown_to_slide;
-    scene.near_sides     = progress.near_sides;
+    scene.shown_to_slide    = progress.shown_to_slide;
+    scene.near_sides        = progress.near_sides;
+    const double before     = progress.reached;
+    const bool   last_stage = take_stage(line, scene, progress, log);
     if (line.print_parameters)
       {
         print(scene.documentation());
@@ -237,8 +264,13 @@ namespace
     if (!analysis->leaves_small().empty())
       {
         note_slides(*analysis, scene, progress, log);
+        if (before > 0)
+          throw AnalysisError(scene.why_not_anew(progress.shown_to_slide));
+        progress.reached = 0;
         return true;
       }
+    if (!last_stage)
+      return true;
     if (scene.adaptive.cycles > 0)
       adaptive.advance(scene, analysis->last_increment(), folder, log);
     if (last)

@@ -56,6 +56,27 @@ namespace conetact::analysis
         }
       return states;
     }
+    contact::KeptByLaws
+    kept_by_laws(const PendingIncrement       &increment,
+                 const contact::ContactPoints &points)
+    {
+      const contact::ContactHistory &after = increment.after;
+      contact::KeptByLaws            kept{after.worn(),
+                               after.fracture(),
+                               {},
+                               increment.wet};
+      const auto                    &laws = increment.load.laws;
+      if (!laws || !laws->has_bonds())
+        return kept;
+      kept.whole.resize(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          const auto k = static_cast<Eigen::Index>(i);
+          kept.whole[i] =
+            laws->is_whole(i, after.openings()[k], after.slips()[k]);
+        }
+      return kept;
+    }
   } // namespace
 
   Acceptance::Acceptance(const application::Scene    &s,
@@ -150,6 +171,19 @@ namespace conetact::analysis
     return verification.judge(claim(increment, w));
   }
 
+  std::vector<output::ContactRow>
+  Acceptance::rows_of(const PendingIncrement &increment,
+                      const Eigen::VectorXd  &w) const
+  {
+    const verification::Finding finding = judge(increment, w);
+    contact::ContactRows        rows    = contact_rows;
+    return rows.rows(increment.state,
+                     increment.contact,
+                     increment.bound.r,
+                     finding.u,
+                     increment.record.time);
+  }
+
   Eigen::VectorXd
   Acceptance::amounts(const PendingIncrement &increment) const
   {
@@ -195,9 +229,7 @@ namespace conetact::analysis
         const pairing::ContactNode &node = nodes[i];
         // Nodes held along their normal are no unknowns of contact: no solver
         // has seen their gaps.
-        if (has_rows[i] ||
-            (node.active &&
-             (*node.active)(Point<3>(), increment.record.time) == 0))
+        if (has_rows[i] || !node.is_active(increment.record.time))
           continue;
         const double gap =
           node.gap + relative(node, finding.u, increment.record.time) * node.n;
@@ -332,7 +364,7 @@ namespace conetact::analysis
                                     finding.u,
                                     record.time,
                                     record.report.substeps <= 1,
-                                    increment.after.worn());
+                                    kept_by_laws(increment, model.points));
     record.determinate =
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),

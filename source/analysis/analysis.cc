@@ -213,6 +213,10 @@ namespace conetact::analysis
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
       if (scene.contact(c).layer && scene.contact(c).layer->wears())
         description.wearing.push_back(c);
+    for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
+      if (scene.contact(c).bond)
+        description.breaking.push_back(c);
+    description.judges_uniqueness = scene.judges_uniqueness;
     for (const bodies::Probe &probe : scene.probes)
       description.probes.push_back(probe.name);
     if (scene.restart)
@@ -297,12 +301,22 @@ namespace conetact::analysis
     else
       turn_loads(others, increment);
     increment.load = model.load_case(increment.mechanical, acting.thermal, t);
-    increment.load.laws =
-      history.laws_until(t, [&](const unsigned int body, const Point<3> &p) {
-        return loads.temperature(body, p, t);
-      });
+    increment.wet.clear();
+    set_laws(increment);
     if (const auto &laws = increment.load.laws)
       model.points.set_friction(laws->coefficients(history.start()));
+  }
+
+  void
+  Analysis::set_laws(PendingIncrement &increment)
+  {
+    const double t      = increment.record.time;
+    increment.load.laws = history.laws_until(
+      t,
+      [&](const unsigned int body, const Point<3> &p) {
+        return loads.temperature(body, p, t);
+      },
+      increment.wet);
   }
 
   /* In the frames of bodies, some loads turn with them and others against

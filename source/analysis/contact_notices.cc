@@ -191,7 +191,8 @@ namespace conetact::analysis
       {
         const unsigned int c = rows[i].contact;
         least_gaps[c]        = std::min(least_gaps[c], rows[i].gap);
-        if (rows[i].gap <= rounding * points[i].node->spacing)
+        if (rows[i].gap <= rounding * points[i].node->spacing ||
+            rows[i].bonded || rows[i].reaction[0] < 0)
           has_closed[c] = true; // with or without force
         if (rows[i].reaction[0] <= rounding * largest[c])
           continue;

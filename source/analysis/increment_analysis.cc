@@ -204,54 +204,28 @@ namespace conetact::analysis
         report  = solver->solve(problem, state);
       }
     done.add(report);
+    let_fluid_in(increment, guess, problem);
     unsolved = !report.converged;
     if (const std::string limit = unsolved ? limit_of(problem, increment) : "";
         !limit.empty())
       return limit;
     if (unsolved)
-      return report.reason.empty() ?
-               "the residual is " + to_text(report.residual) :
-               report.reason;
+      {
+        std::string why = report.reason.empty() ?
+                            "the residual is " + to_text(report.residual) :
+                            report.reason;
+        if (problem.laws && problem.laws->has_bonds())
+          why += "; where bonds give way, or fluids press bodies apart, "
+                 "nothing may hold at this load: move bodies by supports, or "
+                 "take smaller increments";
+        return why;
+      }
+    if (scene.judges_uniqueness)
+      judge_uniqueness(increment, problem);
     take_result(increment, problem);
     if (start_is_known)
       shorten_way(increment, problem);
     return "";
-  }
-
-  contact::OpenMotions
-  IncrementAnalysis::open_motions(const PendingIncrement &increment) const
-  {
-    return {model.motions,
-            model.points,
-            increment.state,
-            history.largest_force()};
-  }
-
-  /* Any end that open motions lead to is a solution; the shortest way is what
-     is promised. */
-  void
-  IncrementAnalysis::shorten_way(PendingIncrement              &increment,
-                                 const solvers::ContactProblem &problem)
-  {
-    const contact::OpenMotions open = open_motions(increment);
-    if (!open.exist())
-      return;
-    const contact::Coordinates &coordinates = model.coordinates;
-    const Eigen::VectorXd       w =
-      model.elasticity().expand({&increment.load}, {increment.primal});
-    Eigen::VectorXd way =
-      coordinates.in_frames(acceptance.displacements(increment, w));
-    const Eigen::VectorXd &start = acceptance.accepted_displacements();
-    way -= coordinates.in_frames(
-      start.size() > 0 ? start : Eigen::VectorXd::Zero(way.size()).eval());
-    const Eigen::VectorXd change = open.shortening(way);
-    if (change.size() == 0)
-      return;
-    const double largest = history.largest_force();
-    history              = increment.before;
-    history.linearise_at(increment.base);
-    history.move(increment.end, change, largest);
-    take_result(increment, problem);
   }
 
   /* Where all contacts are bound, foundations alone hold what floats. */
@@ -350,7 +324,10 @@ namespace conetact::analysis
         const bool has_failed = step.outcome == Outcome::failed;
         history               = has_failed ? batch[i].before : batch[i].after;
         if (!has_failed)
-          keep(std::move(batch[i].record), finished);
+          {
+            say_leaks(batch[i]);
+            keep(std::move(batch[i].record), finished);
+          }
       }
     write(finished);
     for (const output::IncrementRecord &record : finished)
@@ -427,9 +404,11 @@ namespace conetact::analysis
         w         = *refined;
         corrected = true;
       }
-    const unsigned int k   = increment.record.increment;
-    const std::string  why = complete(increment, finding, w);
-    unsolved               = !(error_of(finding) <= scene.solver.tolerance);
+    const unsigned int k = increment.record.increment;
+    if (increment.another)
+      increment.record.other_rows = rows_of_another(increment);
+    const std::string why = complete(increment, finding, w);
+    unsolved              = !(error_of(finding) <= scene.solver.tolerance);
     if (!why.empty())
       return {Step::Outcome::failed, k, failed(increment.record, why)};
     warn_of_nodes(increment, finding.u);

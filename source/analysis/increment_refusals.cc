@@ -7,38 +7,9 @@
 #include "conetact/contact/refusal.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace conetact::analysis
 {
-  namespace
-  {
-    /** Whether a load of the contact unknowns drives motions that only contacts
-     * resist which are not active. */
-    bool
-    drives_what_is_not_held(const solvers::ContactSystem &system,
-                            const contact::IncrementLaws &laws,
-                            const Eigen::VectorXd        &load)
-    {
-      constexpr double       zero = 1e-9; // of the largest
-      const Eigen::MatrixXd &seen = system.null_space;
-      Eigen::MatrixXd        held = seen;
-      for (Eigen::Index i = 0; i < system.n_nodes(); ++i)
-        if (const auto k = static_cast<std::size_t>(i); !laws.sees(k))
-          held.middleRows(system.first[k], system.n_tangents(i) + 1).setZero();
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-        held.transpose() * held);
-      const double          most = (seen.transpose() * seen).trace();
-      const Eigen::VectorXd driven =
-        modes.eigenvectors().transpose() * (seen.transpose() * load);
-      for (Eigen::Index j = 0; j < driven.size(); ++j)
-        if (modes.eigenvalues()[j] <= zero * most &&
-            std::abs(driven[j]) > zero * driven.norm())
-          return true;
-      return false;
-    }
-  } // namespace
-
   /* By contacts that are active. */
   std::string
   IncrementAnalysis::why_not_held(const solvers::ContactProblem &problem,
@@ -53,7 +24,7 @@ namespace conetact::analysis
     if (std::find(active.begin(), active.end(), false) == active.end())
       return "";
     const Eigen::VectorXd load = model.elasticity().contact_load(problem);
-    if (drives_what_is_not_held(*problem.system, *laws, load))
+    if (contact::drives_what_is_not_held(active, load, model))
       return "no equilibrium exists: loads drive a body that only contacts "
              "hold which are not active (Active = 0)";
     const auto result =

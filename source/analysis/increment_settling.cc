@@ -198,13 +198,18 @@ namespace conetact::analysis
   bool
   IncrementAnalysis::cut(const unsigned int k)
   {
-    const double whole = scene.times[k - 1];
-    if (!lost_contacts || !parts.cut(search.time(), duration(k), whole))
+    const double whole    = scene.times[k - 1];
+    const bool   has_laws = contact::has_nodal_laws(model.points);
+    if (!lost_contacts && !(unsolved && has_laws))
+      return false;
+    const double begin =
+      lost_contacts ? search.time() : acceptance.accepted_time();
+    if (!parts.cut(begin, duration(k), whole))
       return false;
     log.note("increment " + std::to_string(k) +
-             ": contacts that slide are not found, it is cut: a part up to "
-             "t = " +
-             to_text(parts.end(whole)));
+             (lost_contacts ? ": contacts that slide are not found" :
+                              ": its laws of contact do not settle") +
+             ", it is cut: a part up to t = " + to_text(parts.end(whole)));
     return true;
   }
 } // namespace conetact::analysis

@@ -53,7 +53,7 @@ namespace conetact::analysis
       std::any_of(points.begin(),
                   points.end(),
                   [&](const contact::ContactPoint &point) {
-                    return !contact::presses_nothing(state.r[point.normal()],
+                    return !contact::carries_nothing(state.r[point.normal()],
                                                      largest_force);
                   }) ||
       points.n_bound() > 0;

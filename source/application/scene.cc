@@ -8,7 +8,9 @@
 #include "conetact/application/scene_entries.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/application/solver_options.h"
+#include "conetact/application/stages.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/body_table.h"
 #include "conetact/contact/free_obstacles.h"
@@ -79,6 +81,7 @@ namespace conetact::application
       throw InputError("Bodies: the scene names no body. Add for example "
                        "'set Bodies = block' and 'subsection Body block'.");
     read_options();
+    read_activity();
     refuse_checkpoints();
     if (!line.restart.empty())
       continue_from(line.restart);
@@ -168,10 +171,12 @@ namespace conetact::application
     fclib_increments = increments_of("FCLib increments");
     text_increments  = increments_of("Text increments");
     output::check_fclib_is_there(fclib_increments);
+    judges_uniqueness = prm.get("Uniqueness") == "yes";
     prm.leave_subsection();
     prm.enter_subsection("Solver");
     backend =
       chosen_backend(prm,
+                     judges_uniqueness         ? "Output, Uniqueness" :
                      !fclib_increments.empty() ? "Output, FCLib increments" :
                      !text_increments.empty()  ? "Output, Text increments" :
                      verifies                  ? "the option --verify" :
@@ -182,8 +187,9 @@ namespace conetact::application
   void
   Scene::build(const std::vector<bodies::Refinements> &refinements)
   {
-    const unsigned int dim    = bodies.dim;
-    const auto         folder = file.parent_path();
+    const unsigned int  dim    = bodies.dim;
+    const auto          folder = file.parent_path();
+    std::vector<double> densities; // of each body
     create_each(prm, "Body", bodies.names, [&](const std::string &name) {
       const std::size_t b = structures.size();
       structures.push_back(bodies::create_body(prm,
@@ -195,6 +201,9 @@ namespace conetact::application
                                                  refinements[b]));
       if (adaptive.cycles == 0)
         structures.back()->forget_mesh();
+      prm.enter_subsection("Material");
+      densities.push_back(prm.get_double("Density"));
+      prm.leave_subsection();
       bodies.structures.push_back(structures.back().get());
     });
     create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {
@@ -204,10 +213,30 @@ namespace conetact::application
       bodies.supports.push_back(bodies::create_support(
         prm, name, dim, bodies.names, bodies.structures));
     });
+    const std::vector<bool> active = active_supports(times.back());
+    prm.enter_subsection("Time");
+    const std::vector<double> all_times = create_times(prm); // of all stages
+    prm.leave_subsection();
+    std::vector<bodies::Support> changing; // in some stages there only
+    for (std::size_t k = 0; k < active.size(); ++k)
+      {
+        if (changes(activity[k], all_times))
+          changing.push_back(bodies.supports[k]);
+        if (!active[k])
+          bodies.supports[k].release();
+      }
     create_each(prm, "Load", load_names, [&](const std::string &name) {
       loads.push_back(
         bodies::create_load(prm, name, dim, bodies.names, bodies.structures));
     });
+    for (bodies::Load &load : loads)
+      if (load.density = densities[load.body];
+          load.kind == bodies::Load::Kind::centrifugal && load.density == 0)
+        throw InputError("Load '" + load.name +
+                         "', Kind: a centrifugal load needs the Density in "
+                         "the Material of body '" +
+                         bodies.names[load.body] + "'.");
+    add_weights(densities);
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
       add_contact(prm, name, "Contact '" + name + "', ");
     });
@@ -236,6 +265,7 @@ namespace conetact::application
       }
     check_turning_supports();
     pair_contacts();
+    refuse_changing_contacts(changing, bodies.contact_nodes, contacts);
     keep_nodes();
     contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();
@@ -246,7 +276,7 @@ namespace conetact::application
                                   bodies.structures,
                                   "Output, Probes");
     prm.leave_subsection();
-    check_friction();
+    settle_friction();
     check_path();
     check_adaptive(adaptive, bodies.structures);
     for (auto &body : contact::add_free_obstacles(obstacles, bodies))
@@ -254,6 +284,32 @@ namespace conetact::application
     check_preloads();
     for (auto &body : contact::add_preloads(contacts, bodies))
       structures.push_back(std::move(body));
+  }
+
+  void
+  Scene::add_weights(const std::vector<double> &densities)
+  {
+    const std::string given = prm.get("Gravity");
+    if (given.empty())
+      return;
+    const Tensor<1, 3> gravity = to_vector(given, bodies.dim, "Gravity");
+    if (bodies.are_axisymmetric() && gravity[0] != 0)
+      throw InputError("Gravity: " + given +
+                       " has a component across the axis "
+                       "of the bodies of revolution, y. Give 0 for x.");
+    for (unsigned int b = 0; b < densities.size(); ++b)
+      if (densities[b] > 0)
+        {
+          load_names.push_back("weight " + bodies.names[b]);
+          loads.push_back(bodies::weight_of(
+            b, load_names.back(), densities[b], gravity, bodies.dim));
+        }
+    if (std::all_of(densities.begin(), densities.end(), [](const double d) {
+          return d == 0;
+        }))
+      throw InputError("Gravity: no body has a weight. Set Density in the "
+                       "Material of those that have one, or leave the entry "
+                       "empty.");
   }
 
   void
@@ -270,6 +326,8 @@ namespace conetact::application
                                                bodies.names,
                                                bodies.structures,
                                                obstacles));
+    if (path.follows)
+      pairing::take_cohesion_of_path(entries, in, contacts.back());
     kinematics.push_back({pairing::read_kinematics(entries), {}, {}, {}});
     if (bodies.dim == 2 && contacts.back().second_friction)
       throw InputError(in + "Second friction coefficient: there is one tangent "
@@ -415,7 +473,7 @@ namespace conetact::application
   {
     std::vector<bodies::Actions> result(bodies.structures.size());
     for (const bodies::Load &load : loads)
-      if (auto action = load.action(t))
+      if (auto action = load.is_active(t) ? load.action(t) : std::nullopt)
         result[load.body].push_back(std::move(*action));
     return result;
   }

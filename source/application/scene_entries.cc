@@ -77,6 +77,14 @@ namespace conetact::application
                         "checkpoint.bin, at every n-th increment and at the "
                         "last one; 0: never.");
       prm.declare_entry(
+        "Uniqueness",
+        "no",
+        dealii::Patterns::Selection("no|yes"),
+        "Judge whether each increment has one solution: proved, by a bound on "
+        "the coefficients of friction from the condensed stiffness, or not, "
+        "with another one in reactions-2.csv, or open. For bodies that "
+        "supports hold, up to 2000 contact unknowns.");
+      prm.declare_entry(
         "FCLib increments",
         "",
         dealii::Patterns::Anything(),
@@ -127,6 +135,14 @@ namespace conetact::application
             "contact.");
     declare("Supports", "the supports");
     declare("Loads", "the loads");
+    prm.declare_entry(
+      "Gravity",
+      "",
+      Anything(),
+      "Acceleration, a component for each axis: 0, -9.81. It "
+      "is a load 'weight BODY' from t = 0 on for each body with "
+      "a Density; for a weight that grows, use Kind = body "
+      "force. Empty: none. [length/time^2]");
   }
 
 

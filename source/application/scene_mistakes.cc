@@ -126,7 +126,9 @@ namespace conetact::application
                  other.substr(line.name.size() - name.size()) +
                  "'. Separate names by commas, begin comments with #.";
       if (line.name == "Density" && entry)
-        return text + ". Weight is a Load of Kind = body force.";
+        return text +
+               ". Weight is a Load of Kind = body force, or Gravity with a "
+               "Density in Material.";
       const std::string other = meant(line.name, names);
       if (!other.empty())
         return text + ". Did you mean '" + other + "'?";

@@ -61,12 +61,21 @@ namespace conetact::application
 
   /* Friction that changes is one of increments; their parts have no speed. */
   void
-  Scene::check_friction()
+  Scene::settle_friction()
   {
     for (const pairing::Contact &contact : contacts)
       if (contact.friction->uses_speed() ||
-          (contact.layer && contact.layer->uses_speed()))
+          (contact.layer && contact.layer->uses_speed()) || contact.bond ||
+          contact.fluid)
         solver.max_substeps = 1;
+    for (const pairing::Contact &contact : contacts)
+      if ((contact.bond || contact.fluid) && solver.method != "automatic" &&
+          solver.method != "active set" && !path.follows)
+        throw InputError("Contact '" + contact.name + "', " +
+                         (contact.bond ? "Cohesion" : "Penetrating pressure") +
+                         ": Solver/Method = " + solver.method +
+                         " knows coefficients of friction only. Choose "
+                         "automatic.");
     std::map<unsigned int, double> areas; // of contacts that need them
     for (const pairing::ContactNode &node : bodies.contact_nodes)
       if (node.friction && path.follows)
@@ -74,7 +83,8 @@ namespace conetact::application
                          "', Friction coefficient: Solver/Method = load path "
                          "follows events of cones that stay the same. Let it "
                          "depend on x, y, z only, without Shear limit, Active, "
-                         "Compliance and wear, or choose another method.");
+                         "Compliance and wear, or choose another method. "
+                         "Neither does it know a Penetrating pressure.");
       else if (node.friction && (node.friction->needs_area() || node.layer))
         areas[node.contact] += node.area;
     for (const auto &[contact, area] : areas)
@@ -96,10 +106,10 @@ namespace conetact::application
                        "follows a path on one mesh. Set it to 0, or choose "
                        "another method.");
     for (const pairing::ContactNode &node : bodies.contact_nodes)
-      if (node.cohesion > 0 && !(path.follows && bodies.dim == 2))
+      if (node.cohesion > 0 && bodies.dim == 3)
         throw InputError("Contact '" + contacts[node.contact].name +
-                         "', Cohesion: only Solver/Method = load path in 2D "
-                         "knows cohesion. Leave it 0, or choose that method.");
+                         "', Cohesion: a load path knows cohesion in 2D only. "
+                         "Leave it 0, or choose another Solver/Method.");
     if (!path.follows)
       {
         if (path.law == load_path::PathLaw::holonomic)
@@ -126,6 +136,9 @@ namespace conetact::application
         throw InputError("Contact '" + contact.name +
                          "', Preload: a load path knows no ties that are "
                          "tightened. Choose Solver/Method = automatic.");
+    if (judges_uniqueness)
+      throw InputError("Output/Uniqueness: a load path follows one solution. "
+                       "Set it to no, or choose Solver/Method = automatic.");
     if (!fclib_increments.empty())
       throw InputError("Output/FCLib increments: a load path has no increments "
                        "of its own. Leave it empty.");

@@ -4,14 +4,17 @@
 #include "conetact/bodies/spread_force.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/text.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace conetact::bodies
 {
   namespace
   {
-    using Function = std::function<double(const Point<3> &)>;
+    using Function =
+      std::function<double(const Point<3> &, const Tensor<1, 3> &)>;
 
     /** Of a function over the faces, as tractions are integrated. */
     double
@@ -24,9 +27,9 @@ namespace conetact::bodies
         Eigen::VectorXd::Zero(body.n_nodes() * body.n_components());
       body.add_traction(
         ids,
-        [&](const Point<3> &p, const Tensor<1, 3> &) {
+        [&](const Point<3> &p, const Tensor<1, 3> &normal) {
           Tensor<1, 3> traction;
-          traction[y] = function(p);
+          traction[y] = function(p, normal);
           return traction;
         },
         f);
@@ -48,25 +51,35 @@ namespace conetact::bodies
     }
   } // namespace
 
-  SpreadForce::SpreadForce(const Structure   &body,
-                           const BoundaryIds &ids,
+  SpreadForce::SpreadForce(const Structure   &of,
+                           const BoundaryIds &on,
                            const std::string &in)
-    : area(integral(body, ids, [](const Point<3> &) { return 1.; }))
+    : body(of)
+    , ids(on)
+    , where(in)
+    , area(integral(body, ids, [](const Point<3> &, const Tensor<1, 3> &) {
+      return 1.;
+    }))
   {
     if (!(area > 0))
       throw InputError(in + "Boundary ids: they have no faces that a force "
                             "could be spread over. Give those of faces of a "
                             "continuum, or choose a nodal force.");
     for (unsigned int d = 0; d < 3; ++d)
-      centre[d] =
-        integral(body, ids, [d](const Point<3> &p) { return p[d]; }) / area;
+      centre[d] = integral(body,
+                           ids,
+                           [d](const Point<3> &p, const Tensor<1, 3> &) {
+                             return p[d];
+                           }) /
+                  area;
     Tensor<2, 3> J;
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
-        J[i][j] = integral(body, ids, [&](const Point<3> &p) {
-          const Tensor<1, 3> x = p - centre;
-          return (i == j ? x * x : 0.) - x[i] * x[j];
-        });
+        J[i][j] =
+          integral(body, ids, [&](const Point<3> &p, const Tensor<1, 3> &) {
+            const Tensor<1, 3> x = p - centre;
+            return (i == j ? x * x : 0.) - x[i] * x[j];
+          });
     inertia = inverse(J);
   }
 
@@ -77,5 +90,40 @@ namespace conetact::bodies
   {
     return force / area +
            dealii::cross_product_3d(inertia * moment, x - centre);
+  }
+
+  SurfaceField
+  SpreadForce::bearing(const Tensor<1, 3> &force) const
+  {
+    constexpr double least = 1e-6; // of the area: no face looks that way
+    if (force.norm() == 0)
+      return
+        [](const Point<3> &, const Tensor<1, 3> &) { return Tensor<1, 3>(); };
+    const Tensor<1, 3> d       = force / force.norm();
+    const auto         pressed = [d](const Tensor<1, 3> &normal) {
+      return std::max(0., -(normal * d));
+    };
+    const double squares =
+      integral(body, ids, [&](const Point<3> &, const Tensor<1, 3> &normal) {
+        return pressed(normal) * pressed(normal);
+      });
+    if (!(squares > least * area))
+      throw InputError(where +
+                       "Value: no face of the boundary ids looks "
+                       "against " +
+                       to_text(force) +
+                       ". A bearing force presses faces whose outward normals "
+                       "are against it.");
+    const double k    = force.norm() / squares;
+    Tensor<1, 3> rest = force;
+    for (unsigned int c = 0; c < 3; ++c)
+      rest[c] -=
+        integral(body, ids, [&](const Point<3> &, const Tensor<1, 3> &normal) {
+          return -k * pressed(normal) * normal[c];
+        });
+    return [k, pressed, rest, area = area](const Point<3> &,
+                                           const Tensor<1, 3> &normal) {
+      return -k * pressed(normal) * normal + rest / area;
+    };
   }
 } // namespace conetact::bodies

@@ -139,6 +139,18 @@ namespace conetact::bodies
     return u;
   }
 
+  void
+  Support::release()
+  {
+    surface = {};
+    normal  = false;
+    directions.clear();
+    displacement.clear();
+    stiffness.reset();
+    turn.reset();
+    rotations.clear();
+  }
+
   bool
   Support::is_still() const
   {
@@ -238,6 +250,15 @@ namespace conetact::bodies
                       "",
                       Anything(),
                       "Boundary ids of the body, separated by commas.");
+    prm.declare_entry("Active",
+                      "1",
+                      Anything(),
+                      "Function of t: at the end of an increment where it is "
+                      "0 the support holds nothing, and elsewhere it does, at "
+                      "its Displacement: stages of an assembly. A run with "
+                      "stages goes on from a checkpoint where they change, so "
+                      "nodes of contacts must be held alike in all of them. "
+                      "[-]");
     prm.declare_entry(
       "Directions",
       "",

@@ -51,11 +51,20 @@ namespace conetact::contact
     , r(q)
     , slipped(Eigen::VectorXd::Zero(initial_gap.size()))
     , depth(slipped)
+    , opened(slipped)
+    , parted(slipped)
+    , broken(slipped)
   {
     forget_motions();
-    Eigen::Index i = 0;
+    constexpr double closed = 1e-6; // of an edge
+    Eigen::Index     i      = 0;
     for (const ContactPoint &point : model->points)
-      initial_gap[i++] = point.node->gap;
+      {
+        initial_gap[i] = point.node->gap;
+        if (point.node->gap > closed * point.node->spacing)
+          opened[i] = pairing::never_closed;
+        ++i;
+      }
   }
 
   /* The law counts the slip from the start of the increment, and the gap from
@@ -139,6 +148,9 @@ namespace conetact::contact
     archive.put("contact/largest", largest);
     archive.put("contact/slipped", slipped);
     archive.put("contact/worn", depth);
+    archive.put("contact/opened", opened);
+    archive.put("contact/parted", parted);
+    archive.put("contact/broken", broken);
     archive.put("contact/time", time);
     archive.put("contact/gap", initial_gap);
     archive.put("contact/directions", directions_of(model->points));
@@ -166,6 +178,9 @@ namespace conetact::contact
     archive.fill("contact/largest", largest);
     archive.fill("contact/slipped", slipped);
     archive.fill("contact/worn", depth);
+    archive.fill("contact/opened", opened);
+    archive.fill("contact/parted", parted);
+    archive.fill("contact/broken", broken);
     archive.fill("contact/time", time);
     states = to_states(archive.get("contact/states"));
     // Where other supports leave other motions free, the problem is written
@@ -232,8 +247,9 @@ namespace conetact::contact
   }
 
   std::shared_ptr<const IncrementLaws>
-  ContactHistory::laws_until(const double       t,
-                             const Temperature &temperature) const
+  ContactHistory::laws_until(const double             t,
+                             const Temperature       &temperature,
+                             const std::vector<bool> &wet) const
   {
     const ContactPoints &points = model->points;
     if (!has_nodal_laws(points))
@@ -246,14 +262,14 @@ namespace conetact::contact
         known[i].position                = node.position;
         known[i].t                       = t;
         known[i].slipped = slipped[static_cast<Eigen::Index>(i)];
+        known[i].opened  = opened[static_cast<Eigen::Index>(i)];
         if ((node.friction && node.friction->uses_temperature()) ||
-            (node.layer && node.layer->uses_temperature()))
+            (node.layer && node.layer->uses_temperature()) ||
+            (node.bond && node.bond->uses_temperature()))
           known[i].temperature = temperature(node.body, node.position);
       }
-    return std::make_shared<IncrementLaws>(points,
-                                           std::move(known),
-                                           r,
-                                           t - time);
+    return std::make_shared<IncrementLaws>(
+      points, std::move(known), r, t - time, wet);
   }
 
   void
@@ -266,6 +282,8 @@ namespace conetact::contact
            dealii::ExcMessage("Only finite states become history."));
     const solvers::ContactSystem &layout = model->points.layout();
     const Eigen::Index            n      = layout.n_unknowns();
+    if (laws != nullptr)
+      broken += laws->fracture(parted, end);
     q += end.v.head(n);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       // v has slips of the increment, but the gap itself.
@@ -278,6 +296,8 @@ namespace conetact::contact
       {
         slipped += laws->slips(end);
         depth += laws->wear(end);
+        parted = laws->openings(end);
+        opened = opened.cwiseMax(parted);
       }
     if (n > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
@@ -299,7 +319,7 @@ namespace conetact::contact
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       {
         const Eigen::Index  n = layout.normal(i), nt = layout.n_tangents(i);
-        const bool          empty = presses_nothing(end.r[n], largest_force);
+        const bool          empty = carries_nothing(end.r[n], largest_force);
         solvers::NodeState &state = end.node[static_cast<std::size_t>(i)];
         if (empty && end.v[n] > zero)
           {

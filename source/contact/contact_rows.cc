@@ -92,7 +92,7 @@ namespace conetact::contact
     row.node     = node.node;
     row.position = node.position;
     row.normal   = node.n;
-    row.area     = node.meets_nothing() ? 0 : node.area; // it covers nothing
+    row.area     = node.covered_area();
     row.foot     = foot_of(model.bodies, node);
     row.acts     = acting_at(model.bodies, node);
     // tables name the normal only: whoever reads them knows its tangents
@@ -125,7 +125,7 @@ namespace conetact::contact
                     const Eigen::VectorXd       &u,
                     const double                 t,
                     const bool                   whole,
-                    const Eigen::VectorXd       &worn)
+                    const KeptByLaws            &kept)
   {
     AssertDimension(q.size(), model.points.n_unknowns());
     const ContactPoints &points = model.points;
@@ -146,8 +146,8 @@ namespace conetact::contact
         if (i < points.size())
           {
             set_candidate(i, state, q, other, row);
-            if (worn.size() > 0)
-              set_wear(node, worn[static_cast<Eigen::Index>(i)], row);
+            if (kept.worn.size() > 0)
+              set_kept(i, kept, row);
           }
         else
           set_bound(point, other, row);
@@ -166,6 +166,9 @@ namespace conetact::contact
                              at(node.body, node.node).norm()) ?
                         solvers::NodeState::slip :
                         solvers::NodeState::stick;
+        row.wet    = i < kept.wet.size() && kept.wet[i];
+        row.bonded = i < kept.whole.size() && kept.whole[i] &&
+                     row.state == solvers::NodeState::stick;
       }
     last   = rows;
     last_u = u;
@@ -250,13 +253,16 @@ namespace conetact::contact
   }
 
   void
-  ContactRows::set_wear(const pairing::ContactNode &node,
-                        const double                depth,
-                        output::ContactRow         &row)
+  ContactRows::set_kept(const std::size_t   i,
+                        const KeptByLaws   &kept,
+                        output::ContactRow &row) const
   {
-    const double share = node.layer ? node.layer->share_of_slave() : 0.;
-    row.wear           = share * depth;
-    row.wear_opposite  = (1 - share) * depth;
+    const auto  &layer = model.points[i].node->layer;
+    const auto   k     = static_cast<Eigen::Index>(i);
+    const double share = layer ? layer->share_of_slave() : 0.;
+    row.wear           = share * kept.worn[k];
+    row.wear_opposite  = (1 - share) * kept.worn[k];
+    row.fracture       = kept.fracture[k];
   }
 
   /* What equations bind has moved by zero, to the last digit. */

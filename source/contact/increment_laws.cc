@@ -59,17 +59,23 @@ namespace conetact::contact
     }
   } // namespace
 
-  IncrementLaws::IncrementLaws(const ContactPoints   &p,
-                               std::vector<Situation> known,
-                               const Eigen::VectorXd &r,
-                               const double           duration)
+  IncrementLaws::IncrementLaws(const ContactPoints     &p,
+                               std::vector<Situation>   known,
+                               const Eigen::VectorXd   &r,
+                               const double             duration,
+                               const std::vector<bool> &wet)
     : points(p)
     , start(std::move(known))
     , r_start(r)
     , time(duration)
     , constant(start.size(), not_known)
     , active(start.size(), true)
+    , strength(start.size(), 0.)
+    , cohesion(start.size(), 0.)
+    , fluids(start.size(), 0.)
+    , bonds(start.size(), false)
     , soft(false)
+    , bonded(false)
   {
     AssertDimension(start.size(), points.size());
     Assert(time > 0, dealii::ExcMessage("Increments take time."));
@@ -80,16 +86,18 @@ namespace conetact::contact
           constant[i] = points[i].mu;
         else if (node.friction->is_known())
           constant[i] = coefficient(i, start[i]);
-        active[i] = !node.active || (*node.active)(Point<3>(), start[i].t) != 0;
-        soft      = soft || !active[i] || (node.layer && node.layer->is_soft());
+        active[i] = node.is_active(start[i].t);
+        if (active[i] && node.bond)
+          {
+            strength[i] = node.bond->strength(start[i]) * node.bonded_area();
+            cohesion[i] = node.bond->cohesion(start[i]) * node.bonded_area();
+            bonds[i]    = rest(i, 0, 0) * (strength[i] + cohesion[i]) > 0;
+          }
+        if (i < wet.size() && wet[i])
+          fluids[i] = node.fluid->pressure(start[i].t) * node.covered_area();
+        bonded = bonded || bonds[i] || is_wet(i);
+        soft   = soft || !active[i] || (node.layer && node.layer->is_soft());
       }
-  }
-
-  double
-  IncrementLaws::area(const std::size_t i) const
-  {
-    const pairing::ContactNode &node = *points[i].node;
-    return node.meets_nothing() ? 0. : node.area;
   }
 
   Situation
@@ -98,7 +106,7 @@ namespace conetact::contact
                            const double      slip) const
   {
     Situation here = start[i];
-    if (const double a = area(i); a > 0)
+    if (const double a = points[i].node->covered_area(); a > 0)
       here.pressure = std::max(r_n, 0.) / a;
     here.speed = slip / time;
     return here;
@@ -113,11 +121,45 @@ namespace conetact::contact
 
   solvers::FrictionLimit
   IncrementLaws::limit(const Index  node,
-                       const double r_n,
-                       const double slip) const
+                       const double s,
+                       const double slip,
+                       const double gap) const
   {
     const auto i = static_cast<std::size_t>(node);
     AssertIndexRange(i, start.size());
+    if (!bonds[i])
+      return friction(i, s, slip);
+    const solvers::Bond pulled = bond(node, slip, gap); // and not wet
+    const double        r_n    = std::max(s, 0.) - pulled.value;
+    const double        c      = cohesion[i];
+    // what does not press has the coefficient of p = 0, and less than cohesion
+    solvers::FrictionLimit sum  = friction(i, r_n, slip);
+    const auto             left = [&](const double ds, const double g) {
+      return rest(i, ds, g);
+    };
+    sum.value += c * left(slip, gap);
+    const double h = step_of(i);
+    sum.by_slip += c * (left(slip + h, gap) - left(slip, gap)) / h -
+                   sum.by_force * pulled.by_slip;
+    sum.by_gap = c * (left(slip, gap + h) - left(slip, gap)) / h -
+                 sum.by_force * pulled.by_gap;
+    if (sum.value <= 0)
+      return {};
+    const pairing::ContactNode &at = *points[i].node;
+    if (const double most =
+          at.friction->largest_force(start[i], at.bonded_area());
+        sum.value > most)
+      return {most, 0, 0, 0};
+    if (s <= 0)
+      sum.by_force = 0;
+    return sum;
+  }
+
+  solvers::FrictionLimit
+  IncrementLaws::friction(const std::size_t i,
+                          const double      r_n,
+                          const double      slip) const
+  {
     if (constant[i] >= 0)
       return {constant[i] * r_n, constant[i], 0};
     const auto mu = [&](const Situation &at) { return coefficient(i, at); };
@@ -125,12 +167,14 @@ namespace conetact::contact
     const double    now = mu(here), force = std::max(r_n, 0.);
     // of what slips hardly: some part of a cell in the increment
     const double little = 1e-6 * points[i].node->spacing / time;
-    const double most = points[i].node->friction->largest_force(here, area(i));
+    const double most =
+      points[i].node->friction->largest_force(here,
+                                              points[i].node->covered_area());
     if (most <= 0)
       return {};
     if (now * force > most)
       return {most, 0, 0};
-    return {now * force,
+    return {now * r_n, // what is pulled takes from cohesion
             now + here.pressure * slope(mu, here, &Situation::pressure, 0),
             force * slope(mu, here, &Situation::speed, little) / time};
   }
@@ -145,7 +189,7 @@ namespace conetact::contact
     const auto i = static_cast<std::size_t>(node);
     AssertIndexRange(i, start.size());
     const ContactPoint &point = points[i];
-    const double        a     = area(i);
+    const double        a     = points[i].node->covered_area();
     if (!active[i])
       return out_of_sight(*point.node);
     if (!point.node->layer || !point.node->layer->is_soft() || a == 0)
@@ -164,6 +208,8 @@ namespace conetact::contact
       (C(here) + p * slope(C, here, &Situation::pressure, 0)) / a;
     if (result.by_force < 0)
       refuse_falling_closing(*point.node, p);
+    if (bonds[i] && r_n < 0) // what is glued stretches
+      result.closing = result.by_force * r_n;
     if (now)
       result.by_slip = p * (law.wear_by_pressure(here) +
                             slope(C, here, &Situation::speed, 0) / time);
@@ -173,12 +219,58 @@ namespace conetact::contact
     return result;
   }
 
+  /** What softens does so in the increment; what breaks, at its end. */
+  double
+  IncrementLaws::rest(const std::size_t i,
+                      const double      slip,
+                      const double      gap) const
+  {
+    const pairing::BondLaw &law     = *points[i].node->bond;
+    const double            opened  = start[i].opened;
+    const double            slipped = start[i].slipped;
+    const double            least   = points[i].node->least_opening();
+    return law.is_brittle() ?
+             law.rest(opened, slipped, least) :
+             law.rest(std::max(opened, gap), slipped + slip, least);
+  }
+
+  double
+  IncrementLaws::pull(const std::size_t i,
+                      const double      slip,
+                      const double      gap) const
+  {
+    const pairing::ContactNode &node = *points[i].node;
+    return strength[i] * rest(i, slip, gap) *
+           node.bond->unloading(gap, start[i].opened, node.least_opening());
+  }
+
+  double
+  IncrementLaws::step_of(const std::size_t i) const
+  {
+    return points[i].node->least_opening();
+  }
+
+  solvers::Bond
+  IncrementLaws::bond(const Index  node,
+                      const double slip,
+                      const double gap) const
+  {
+    const auto i = static_cast<std::size_t>(node);
+    AssertIndexRange(i, start.size());
+    if (!bonds[i])
+      return {-fluids[i], 0, 0};
+    const double h = step_of(i), now = pull(i, slip, gap);
+    return {now,
+            (pull(i, slip + h, gap) - now) / h,
+            (pull(i, slip, gap + h) - now) / h};
+  }
+
   bool
   IncrementLaws::has_cones() const
   {
-    return std::all_of(constant.begin(), constant.end(), [](const double mu) {
-      return mu >= 0;
-    });
+    return !bonded && std::all_of(constant.begin(),
+                                  constant.end(),
+                                  [](const double mu) { return mu >= 0; });
   }
 
   Eigen::VectorXd
@@ -188,20 +280,26 @@ namespace conetact::contact
                            points[i].normal() - points[i].first);
   }
 
+  Eigen::VectorXd
+  IncrementLaws::seen(const std::size_t            i,
+                      const solvers::ContactState &end) const
+  {
+    const ContactPoint &point = points[i];
+    const Index         size  = point.normal() - point.first + 1;
+    return solvers::see(
+      [&](const double r_n, const double slip) {
+        return layer(static_cast<Index>(i), r_n, slip);
+      },
+      end.v.segment(point.first, size),
+      end.r.segment(point.first, size));
+  }
+
   double
   IncrementLaws::slip(const std::size_t            i,
                       const solvers::ContactState &end) const
   {
-    const ContactPoint &point = points[i];
-    const Index         nt    = point.normal() - point.first;
-    return solvers::see(
-             [&](const double r_n, const double slip) {
-               return layer(static_cast<Index>(i), r_n, slip);
-             },
-             end.v.segment(point.first, nt + 1),
-             end.r.segment(point.first, nt + 1))
-      .head(nt)
-      .norm();
+    const Eigen::VectorXd v = seen(i, end);
+    return v.head(v.size() - 1).norm();
   }
 
   Eigen::VectorXd
@@ -211,8 +309,8 @@ namespace conetact::contact
     for (std::size_t i = 0; i < start.size(); ++i)
       {
         const auto   k   = static_cast<Index>(i);
-        const double r_n = end.r[points[i].normal()];
-        const auto   now = limit(k, r_n, slip(i, end));
+        const double r_n = end.r[points[i].normal()] - fluids[i];
+        const auto   now = friction(i, r_n, slip(i, end));
         mu[k]            = r_n > 0 ? now.value / r_n : now.by_force;
       }
     return mu;
@@ -224,7 +322,8 @@ namespace conetact::contact
     Eigen::VectorXd way =
       Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
     for (std::size_t i = 0; i < start.size(); ++i)
-      if (end.node[i] == solvers::NodeState::slip)
+      if (end.node[i] == solvers::NodeState::slip ||
+          (end.node[i] == solvers::NodeState::open && bonds[i]))
         way[static_cast<Index>(i)] = slip(i, end);
     return way;
   }
@@ -244,6 +343,63 @@ namespace conetact::contact
     return depth;
   }
 
+  Eigen::VectorXd
+  IncrementLaws::openings(const solvers::ContactState &end) const
+  {
+    Eigen::VectorXd gaps =
+      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (bonds[i] && end.node[i] == solvers::NodeState::open)
+        gaps[static_cast<Index>(i)] = std::max(0., seen(i, end).tail<1>()(0));
+    return gaps;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::fracture(const Eigen::VectorXd       &before,
+                          const solvers::ContactState &end) const
+  {
+    Eigen::VectorXd work =
+      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
+    const Eigen::VectorXd after = openings(end), way = slips(end);
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (const auto k = static_cast<Index>(i); bonds[i])
+        work[k] = fracture(i, before[k], after[k], way[k]);
+    return work;
+  }
+
+  /* Along a straight way from the start to the end, in so many steps that kinks
+     do not count. */
+  double
+  IncrementLaws::fracture(const std::size_t i,
+                          const double      gap_at_start,
+                          const double      gap_at_end,
+                          const double      slip) const
+  {
+    constexpr unsigned int n   = 1000;
+    const double           h   = 1. / n;
+    const double           dg  = gap_at_end - gap_at_start;
+    double                 sum = 0;
+    if (dg == 0 && slip == 0)
+      return 0;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const double x = (k + .5) * h, g = gap_at_start + x * dg;
+        sum +=
+          pull(i, x * slip, g) * dg + cohesion[i] * rest(i, x * slip, g) * slip;
+      }
+    return h * sum;
+  }
+
+  bool
+  IncrementLaws::is_whole(const std::size_t i,
+                          const double      opened,
+                          const double      slipped) const
+  {
+    const pairing::ContactNode &node = *points[i].node;
+    return bonds[i] && opened <= node.least_opening() &&
+           node.bond->rest(opened, slipped, node.least_opening()) > 0;
+  }
+
   bool
   has_nodal_laws(const ContactPoints &points)
   {
@@ -251,7 +407,7 @@ namespace conetact::contact
                        points.end(),
                        [](const ContactPoint &point) {
                          return point.node->friction || point.node->layer ||
-                                point.node->active;
+                                point.node->bond || point.node->active;
                        });
   }
 } // namespace conetact::contact

@@ -65,11 +65,11 @@ namespace conetact::contact
   } // namespace
 
   bool
-  presses_nothing(const double reaction, const double largest_force)
+  carries_nothing(const double reaction, const double largest_force)
   {
     Assert(largest_force >= 0,
            dealii::ExcMessage("The largest force is an amount."));
-    return reaction <= nothing * largest_force;
+    return std::abs(reaction) <= nothing * largest_force;
   }
 
   bool
@@ -96,21 +96,24 @@ namespace conetact::contact
     for (Index i = 0; i < points.layout().n_nodes(); ++i)
       {
         const Index first = points[i].first, n = points[i].normal();
-        if (presses_nothing(state.r[n], largest_force))
+        if (carries_nothing(state.r[n], largest_force))
           {
             bound(seen.row(n), state.v[n]);
             continue;
           }
         opposed.push_back(seen.row(n));
-        if (points[i].mu == 0)
+        const bool bonded = points[i].node->bond != nullptr;
+        if (points[i].mu == 0 && !bonded)
           continue;
         // along the slip, and across it; at its limit what sticks may
         // slip
         const VectorXd friction = -state.r.segment(first, n - first);
-        const bool slips = !presses_nothing(friction.norm(), largest_force) &&
-                           (state.node[static_cast<std::size_t>(i)] ==
-                              solvers::NodeState::slip ||
-                            is_at_limit(friction, points[i].mu * state.r[n]));
+        const bool     slips =
+          !carries_nothing(friction.norm(), largest_force) &&
+          (state.node[static_cast<std::size_t>(i)] ==
+             solvers::NodeState::slip ||
+           // of cohesion, the solver says which is at its limit
+           (!bonded && is_at_limit(friction, points[i].mu * state.r[n])));
         const VectorXd along = friction.normalized();
         if (slips)
           bound(along.transpose() * seen.middleRows(first, n - first),

@@ -158,6 +158,19 @@ namespace conetact::contact
       return system;
     }
 
+    /** The free motions as only some of the nodes see them. */
+    Eigen::MatrixXd
+    motions_seen_by(const std::vector<bool>      &nodes,
+                    const solvers::ContactSystem &all)
+    {
+      Eigen::MatrixXd seen = all.null_space;
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        if (!nodes[k])
+          seen.middleRows(all.first[k], all.first[k + 1] - all.first[k])
+            .setZero();
+      return seen;
+    }
+
     /** Whether a node is among the nearest of its contact. */
     std::vector<bool>
     nearest_nodes(const Eigen::VectorXd &gaps, const ContactModel &model)
@@ -188,6 +201,26 @@ namespace conetact::contact
                            model);
   }
 
+  bool
+  drives_what_is_not_held(const std::vector<bool> &holding,
+                          const Eigen::VectorXd   &load,
+                          ContactModel            &model)
+  {
+    constexpr double              zero = 1e-9; // of the largest
+    const solvers::ContactSystem &all  = *model.elasticity().system();
+    const Eigen::MatrixXd         held = motions_seen_by(holding, all);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      held.transpose() * held);
+    const double          most = all.null_space.squaredNorm();
+    const Eigen::VectorXd driven =
+      modes.eigenvectors().transpose() * (all.null_space.transpose() * load);
+    for (Eigen::Index j = 0; j < driven.size(); ++j)
+      if (modes.eigenvalues()[j] <= zero * most &&
+          std::abs(driven[j]) > zero * driven.norm())
+        return true;
+    return false;
+  }
+
   std::optional<solvers::Existence>
   check_by(const std::vector<bool> &holding,
            const Eigen::VectorXd   &load,
@@ -197,13 +230,9 @@ namespace conetact::contact
   {
     const solvers::ContactSystem &all    = *model.elasticity().system();
     const auto                    system = without_matrix(all, model);
-    for (Eigen::Index i = 0; i < all.n_nodes(); ++i)
-      if (const auto k = static_cast<std::size_t>(i); !holding[k])
-        system->null_space
-          .middleRows(all.first[k], all.first[k + 1] - all.first[k])
-          .setZero();
-    const Eigen::MatrixXd balance = system->null_space.transpose();
-    const auto            solve   = balance.completeOrthogonalDecomposition();
+    system->null_space                   = motions_seen_by(holding, all);
+    const Eigen::MatrixXd balance        = system->null_space.transpose();
+    const auto            solve = balance.completeOrthogonalDecomposition();
     if (solve.rank() < balance.rows())
       return {};
     const auto on_holding = [&](const Eigen::VectorXd &f) -> Eigen::VectorXd {

@@ -59,7 +59,8 @@ namespace conetact::output
                column.compare(column.size() - end.size(), end.size(), end) == 0;
       };
       return column == "contact" || column == "state" || column == "solver" ||
-             column == "determinate" || ends("_body") || ends("_contact");
+             column == "determinate" || column == "unique" || ends("_body") ||
+             ends("_contact");
     }
 
     /** As this program writes them: strtod also reads 0x10 and blanks. */

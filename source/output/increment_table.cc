@@ -47,6 +47,17 @@ namespace conetact::output
       return volume;
     }
 
+    /** Work against bonds of a contact [force x length]. */
+    double
+    fracture_of(const std::vector<ContactRow> &rows, const unsigned int contact)
+    {
+      double work = 0;
+      for (const ContactRow &row : rows)
+        if (row.contact == contact)
+          work += row.fracture;
+      return work;
+    }
+
     /** Adds forces and moments, those that are noise as 0. */
     class ResultantCells
     {
@@ -125,6 +136,10 @@ namespace conetact::output
         ",preload_" + preload + "_force,preload_" + preload + "_shortening";
     for (const unsigned int contact : run.wearing)
       text += ',' + safe_name(run.contacts[contact]) + "_worn";
+    for (const unsigned int contact : run.breaking)
+      text += ',' + safe_name(run.contacts[contact]) + "_fracture";
+    if (run.judges_uniqueness)
+      text += ",unique";
     return text + '\n';
   }
 
@@ -180,6 +195,10 @@ namespace conetact::output
       }
     for (const unsigned int contact : run.wearing)
       csv.add("the worn volume", worn_volume(record.rows, contact));
+    for (const unsigned int contact : run.breaking)
+      csv.add("the work of fracture", fracture_of(record.rows, contact));
+    if (run.judges_uniqueness)
+      csv.add(record.unique);
     csv.end();
     return text;
   }

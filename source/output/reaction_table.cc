@@ -86,7 +86,7 @@ namespace conetact::output
     csv.add("du_t1", row.du[1]);
     csv.add("du_t2", has_t2 ? row.du[2] : 0.);
     add(csv, r, "r_n", "r_t1", "r_t2");
-    csv.add(state_name(row.state));
+    csv.add(row.wet ? "wet" : row.bonded ? "bonded" : state_name(row.state));
     add(csv, traction, "pressure", "traction_t1", "traction_t2");
     csv.add("area", row.area);
     add(csv, row.foot, "foot_x", "foot_y", "foot_z");

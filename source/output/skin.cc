@@ -42,7 +42,7 @@ namespace conetact::output
         if (first || p > pressure)
           {
             pressure = p;
-            state    = static_cast<double>(row.state);
+            state    = row.state_number();
           }
       }
     };
@@ -193,7 +193,7 @@ namespace conetact::output
               displacement_of(run, record, body, row.node)})
           append(grid.point_fields[field++], vector);
         for (const double scalar : {row.gap,
-                                    static_cast<double>(row.state),
+                                    row.state_number(),
                                     static_cast<double>(row.contact),
                                     row.traction()[0]})
           grid.point_fields[field++].values.push_back(scalar);

@@ -29,6 +29,14 @@ namespace conetact::output
                                         first_increments);
                      });
     beginning = first_reactions.size() + first_increments.size();
+    const std::filesystem::path others = run.folder / "reactions-2.csv";
+    if (run.judges_uniqueness)
+      {
+        write_atomically(others, reactions.header());
+        others_file.emplace(others);
+      }
+    else
+      std::filesystem::remove(others);
   }
 
 
@@ -36,7 +44,7 @@ namespace conetact::output
   void
   Tables::write(const std::vector<IncrementRecord> &finished)
   {
-    std::string new_reactions, new_increments;
+    std::string new_reactions, new_increments, new_others;
     const auto  publish = [&] {
       try
         {
@@ -44,6 +52,11 @@ namespace conetact::output
           increments_file.add(new_increments);
           reactions_file.publish();
           increments_file.publish();
+          if (others_file)
+            {
+              others_file->add(new_others);
+              others_file->publish();
+            }
         }
       catch (const WriteError &)
         {
@@ -59,6 +72,12 @@ namespace conetact::output
             const std::string rows = reactions.rows(record);
             new_increments += increments.row(record);
             new_reactions += rows;
+            if (!record.other_rows.empty())
+              {
+                IncrementRecord other = record;
+                other.rows            = record.other_rows;
+                new_others += reactions.rows(other);
+              }
           }
       }
     catch (const AnalysisError &)

@@ -171,13 +171,8 @@ namespace conetact::pairing
         "contact node from t = 0 on, 0 or more, a function of x, "
         "y, z; the prestress of [P], whose tightening weight Fc "
         "is a prestress Fc and a cohesion (1 - mu) Fc. [force]");
-      prm.declare_entry("Cohesion",
-                        "0",
-                        Anything(),
-                        "Friction that needs no pressure, |r_t| <= mu r_n + "
-                        "cohesion at each contact node, open ones too, 0 or "
-                        "more, a function of x, y, z; only for Method = load "
-                        "path in 2D. [force]");
+      declare_bond(prm);
+      declare_fluid(prm);
     }
   } // namespace
 

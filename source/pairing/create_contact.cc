@@ -144,6 +144,10 @@ namespace conetact::pairing
                                 "Wear coefficient"})
         if (!prm.get(entry).empty())
           refuse(entry);
+      for (const char *entry : {"Cohesion", "Tensile strength"})
+        if (!Expression(prm.get(entry), in + entry, names_of_situation())
+               .is_zero())
+          refuse(entry);
       if (contact.active)
         throw InputError(in +
                          "Active: a contact with Kind = " + prm.get("Kind") +
@@ -151,8 +155,7 @@ namespace conetact::pairing
                          "at its default, or choose Kind = contact.");
       const std::pair<const char *, const std::optional<Expression> *>
         entries[] = {{"Second friction coefficient", &contact.second_friction},
-                     {"Prestress", &contact.prestress},
-                     {"Cohesion", &contact.cohesion}};
+                     {"Prestress", &contact.prestress}};
       for (const auto &[entry, expression] : entries)
         if (*expression && !(*expression)->is_zero())
           refuse(entry);
@@ -257,6 +260,36 @@ namespace conetact::pairing
     }
   } // namespace
 
+  namespace
+  {
+    Expression
+    constant(const dealii::ParameterHandler &prm,
+             const std::string              &entry,
+             const std::string              &in)
+    {
+      Expression expression(prm.get(entry), in + entry);
+      if (expression.uses_time())
+        throw InputError(in + entry +
+                         ": it depends on t. It stays the same: "
+                         "use x, y, z only.");
+      return expression;
+    }
+  } // namespace
+
+  void
+  take_cohesion_of_path(dealii::ParameterHandler &prm,
+                        const std::string        &in,
+                        Contact                  &contact)
+  {
+    if (contact.bond && !contact.bond->is_plain_cohesion())
+      throw InputError(in + "Tensile strength: Solver/Method = load path knows "
+                            "cohesion only, which is never lost. Leave Tensile "
+                            "strength at 0 and Cohesion lost at never, or "
+                            "choose another method.");
+    contact.path_cohesion.emplace(constant(prm, "Cohesion", in));
+    contact.bond.reset();
+  }
+
   Contact
   read_contact_law(dealii::ParameterHandler &prm, const std::string &in)
   {
@@ -273,6 +306,8 @@ namespace conetact::pairing
                                     in);
     if (auto layer = std::make_shared<LayerLaw>(prm, in); !layer->is_none())
       contact.layer = layer;
+    if (auto bond = std::make_shared<BondLaw>(prm, in); !bond->is_none())
+      contact.bond = bond;
     if (!prm.get("Second friction coefficient").empty())
       contact.second_friction.emplace(prm.get("Second friction coefficient"),
                                       in + "Second friction coefficient");
@@ -293,23 +328,49 @@ namespace conetact::pairing
       throw InputError(in + "Second friction coefficient: an elliptic cone has "
                             "neither layer nor wear, and is always active. "
                             "Leave the entry empty, or those of the others.");
+    if (contact.second_friction && contact.bond)
+      throw InputError(in + "Second friction coefficient: an elliptic cone has "
+                            "no cohesion. Leave the entry empty, or Cohesion "
+                            "and Tensile strength at 0.");
     if (contact.second_friction && contact.second_friction->uses_time())
       throw InputError(in + "Second friction coefficient: it depends on t. An "
                             "elliptic cone stays the same: use x, y, z only.");
-    const auto constant = [&](const char *entry) {
-      Expression expression(prm.get(entry), in + entry);
-      if (expression.uses_time())
-        throw InputError(in + entry +
-                         ": it depends on t. It stays the same: "
-                         "use x, y, z only.");
-      return expression;
-    };
-    contact.prestress.emplace(constant("Prestress"));
-    contact.cohesion.emplace(constant("Cohesion"));
+    contact.prestress.emplace(constant(prm, "Prestress", in));
     if (contact.kind != ContactKind::contact)
       refuse_cone(prm, contact, in);
     return contact;
   }
+
+  namespace
+  {
+    void
+    add_fluid(const dealii::ParameterHandler               &prm,
+              const unsigned int                            dim,
+              const std::vector<const bodies::Structure *> &structures,
+              const std::vector<std::string>               &names,
+              const std::string                            &in,
+              Contact                                      &contact)
+    {
+      const std::string entry = in + "Penetrating pressure";
+      if (contact.kind != ContactKind::contact)
+        throw InputError(entry + ": a contact with Kind = " + prm.get("Kind") +
+                         " never opens. Leave the entry empty, or choose Kind "
+                         "= contact.");
+      if (contact.second_friction)
+        throw InputError(entry + ": an elliptic cone knows no fluid. Leave the "
+                                 "entry or Second friction coefficient empty.");
+      if (contact.layer && contact.layer->wears())
+        throw InputError(entry + ": what wears is not wet. Leave the entry or "
+                                 "Wear coefficient empty.");
+      contact.fluid = std::make_shared<FluidLaw>(prm,
+                                                 dim,
+                                                 *structures[contact.body],
+                                                 names[contact.body],
+                                                 contact.ids,
+                                                 in);
+      contact.fluid->pressure(0);
+    }
+  } // namespace
 
   Contact
   create_contact(dealii::ParameterHandler                     &prm,
@@ -327,6 +388,8 @@ namespace conetact::pairing
                                         *structures[contact.body],
                                         bodies[contact.body],
                                         in + "Boundary ids");
+    if (has_fluid(prm, in))
+      add_fluid(prm, dim, structures, bodies, in, contact);
     if (prm.get("Master body").empty())
       {
         contact.obstacle = &find_obstacle(prm.get("Obstacle"), obstacles, in);

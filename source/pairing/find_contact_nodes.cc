@@ -59,8 +59,12 @@ namespace conetact::pairing
                            in + "Friction coefficient");
       node.layer           = contact.layer;
       node.active          = contact.active;
+      node.bond            = contact.bond;
+      node.fluid           = contact.fluid;
       if (contact.layer)
         contact.layer->check(node.position);
+      if (contact.bond)
+        contact.bond->check(node.position);
       Situation here;
       here.position = node.position;
       if (const double most = contact.friction->largest_force(here, 1.);
@@ -68,7 +72,8 @@ namespace conetact::pairing
         throw InputError(in + "Shear limit: it is " + to_text(most) + " at " +
                          to_text(node.position) + ". Give 0 or more.");
       // layers and wear ask for slips, with friction or without
-      if (!contact.friction->is_constant() || contact.layer || contact.active)
+      if (!contact.friction->is_constant() || contact.layer || contact.bond ||
+          contact.fluid || contact.active)
         {
           node.friction = contact.friction;
           node.mu_1     = node.mu_1 > 0 ? node.mu_1 : 1.;
@@ -80,8 +85,9 @@ namespace conetact::pairing
                     node.mu_1;
       node.prestress =
         value_at(*contact.prestress, node.position, in + "Prestress");
-      node.cohesion =
-        value_at(*contact.cohesion, node.position, in + "Cohesion");
+      if (contact.path_cohesion)
+        node.cohesion =
+          value_at(*contact.path_cohesion, node.position, in + "Cohesion");
     }
 
     /** Positions are known to their rounding: a gap below it is none. A body

@@ -18,7 +18,7 @@ namespace conetact::pairing
   namespace
   {
     /** Of a face: so far a node that touches it at the start may be inside. */
-    constexpr double touches = 2e-3;
+    constexpr double touching = 2e-3;
     /** Of a face: so far beside it what crosses its plane goes through it. */
     constexpr double overlap = 1e-3;
     /** Of its way inside: what is no deeper on half the way slides along. */
@@ -161,7 +161,7 @@ namespace conetact::pairing
   {
     const Face &face   = faces[f];
     double      before = height(face, node, 0);
-    if (before < 0 && before > -touches * face.size)
+    if (before < 0 && before > -touching * face.size)
       before = 0;
     for (unsigned int k = 1; k < n_places; ++k)
       {

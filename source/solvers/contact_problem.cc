@@ -111,8 +111,8 @@ namespace conetact::solvers
       if (!problem.laws || !problem.laws->has_layers() ||
           problem.laws->layer(i, r_n, slip).is_none())
         return true;
-      return r_t >=
-             (1 - at_limit) * friction_limit(problem, i, r_n, slip).value;
+      const double s = r_n + problem.laws->bond(i, slip, 0).value;
+      return r_t >= (1 - at_limit) * friction_limit(problem, i, s, slip).value;
     }
 
     /** Residual of the linear relation, as forces. */
@@ -129,6 +129,27 @@ namespace conetact::solvers
       residual.head(n)     = rho.cwiseProduct(
         without_rounding(residual.head(n), velocity_rounding(problem, state)));
       return residual;
+    }
+
+    /** r - P(r - factor v) of a node with a bond, at v as the law sees it:
+     * not the nearest point, but friction is cut back to its limit. */
+    SmallVector
+    bonded_residual(const ContactProblem &problem,
+                    const Index           i,
+                    const double          factor,
+                    SmallVector           r,
+                    const SmallVector    &v)
+    {
+      const Index  nt   = v.size() - 1;
+      const double slip = v.head(nt).norm(), gap = std::max(v(nt), 0.);
+      r(nt) += problem.laws->bond(i, slip, gap).value;
+      SmallVector  z     = r - factor * v;
+      const double zn    = std::max(z(nt), 0.);
+      const double limit = friction_limit(problem, i, zn, slip, gap).value;
+      if (const double norm = z.head(nt).norm(); norm > limit)
+        z.head(nt) *= limit / norm;
+      z(nt) = zn;
+      return r - z;
     }
 
     /** Residual of the contact law, as forces; that of motions is balance. */
@@ -155,6 +176,12 @@ namespace conetact::solvers
           if (factor * slip > longest_slip * r.norm() && r.norm() > 0)
             // Slip fixes no more than the direction of friction.
             factor = longest_slip * r.norm() / slip;
+          if (problem.laws && problem.laws->is_bonded(i))
+            {
+              result.segment(first, nt + 1) =
+                bonded_residual(problem, i, factor, r, v);
+              continue;
+            }
           // With g + mu |du_t| in place of g the whole law is one projection on
           // the cone (de Saxce and Feng).
           v(nt) += mu * slip;
@@ -185,11 +212,12 @@ namespace conetact::solvers
   friction_limit(const ContactProblem &problem,
                  const Index           i,
                  const double          r_n,
-                 const double          slip)
+                 const double          slip,
+                 const double          gap)
   {
     eigen_assert(i < problem.system->n_nodes());
     if (problem.laws)
-      return problem.laws->limit(i, r_n, slip);
+      return problem.laws->limit(i, r_n, slip, gap);
     const double mu = problem.system->mu(i);
     return {mu * r_n, mu, 0};
   }
@@ -211,7 +239,7 @@ namespace conetact::solvers
       state.v.segment(first, size),
       state.r.segment(first, size));
     const double        slip  = seen.head(size - 1).norm();
-    const FrictionLimit limit = problem.laws->limit(i, r_n, slip);
+    const FrictionLimit limit = problem.laws->limit(i, r_n, slip, 0);
     return r_n > 0 ? limit.value / r_n : limit.by_force;
   }
 
@@ -396,6 +424,12 @@ namespace conetact::solvers
       seen_by_law(problem, state.v.head(n), state.r.head(n));
     const double limit =
       tolerance * std::max(largest(seen), largest(problem.gap));
+    // a closed node with a bond has no gap to the last digit, but for a layer
+    const double rounding =
+      1e-10 * std::max(largest(state.v.head(n)), largest(problem.gap));
+    const auto limit_of_gap = [&](const Index i) {
+      return problem.laws->layer(i, 0, 0).is_none() ? 0. : rounding;
+    };
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
@@ -404,9 +438,12 @@ namespace conetact::solvers
         const double r_n  = state.r(first + nt);
         const double r_t  = state.r.segment(first, nt).norm();
         const bool slips = slip > limit && may_slip(problem, i, r_n, r_t, slip);
-        result[static_cast<std::size_t>(i)] = r_n <= 0 ? NodeState::open :
-                                              slips    ? NodeState::slip :
-                                                         NodeState::stick;
+        const bool opens = problem.laws && problem.laws->is_bonded(i) ?
+                             seen(first + nt) > limit_of_gap(i) :
+                             r_n <= 0;
+        result[static_cast<std::size_t>(i)] = opens ? NodeState::open :
+                                              slips ? NodeState::slip :
+                                                      NodeState::stick;
       }
     return result;
   }

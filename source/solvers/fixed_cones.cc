@@ -34,15 +34,20 @@ namespace conetact::solvers
         const ContactState     start  = state;
         SolverReport           sum;
         double                 before = std::numeric_limits<double>::infinity();
+        if (problem.laws->has_bonds())
+          {
+            sum.reason = "this method knows no cohesion";
+            return sum;
+          }
+        if (problem.laws->has_layers() &&
+            problem.system->form == Form::stiffness)
+          {
+            sum.reason = "this method knows layers that give way in the "
+                         "compliance form only";
+            return sum;
+          }
         for (unsigned int i = 0; i < most; ++i)
           {
-            if (problem.laws->has_layers() &&
-                problem.system->form == Form::stiffness)
-              {
-                sum.reason = "this method knows layers that give way in the "
-                             "compliance form only";
-                return sum;
-              }
             const ContactProblem cones = with_coefficients_of(state, problem);
             ContactState         trial = start;
             trial.r                    = state.r;

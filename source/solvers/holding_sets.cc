@@ -32,8 +32,11 @@ namespace conetact::solvers
     double               most      = 0;
     for (std::size_t i = 0; i < sets.size(); ++i)
       {
-        const auto   k    = static_cast<Index>(i);
-        const double hold = relation.limit(k, r(system.normal(k)), 0).value;
+        const auto   k = static_cast<Index>(i);
+        const double hold =
+          relation
+            .limit(k, r(system.normal(k)) + relation.bond(k, 0, 0).value, 0, 0)
+            .value;
         if (sets[i].state == NodeState::slip && hold > most)
           {
             most      = hold;
@@ -64,7 +67,8 @@ namespace conetact::solvers
         const Index    first = system.first[i], nt = system.n_tangents(i);
         if (set.state == NodeState::open)
           continue;
-        add(N.row(first + nt));
+        if (!set.is_lifted)
+          add(N.row(first + nt));
         const Eigen::MatrixXd slip = N.middleRows(first, nt);
         if (set.state == NodeState::stick)
           add(slip);
@@ -76,5 +80,26 @@ namespace conetact::solvers
       resistance, Eigen::EigenvaluesOnly);
     return modes.eigenvalues().minCoeff() >
            rounding * modes.eigenvalues().maxCoeff();
+  }
+
+
+
+  std::string
+  signature(const NodeSets &sets)
+  {
+    std::string result;
+    result.reserve(sets.size());
+    for (const NodeSet &set : sets)
+      {
+        const bool backwards = set.state == NodeState::slip &&
+                               set.direction.size() == 1 &&
+                               set.direction(0) < 0;
+        result += backwards ?
+                    '-' :
+                    static_cast<char>('0' + static_cast<int>(set.state));
+        if (set.is_lifted)
+          result += '+';
+      }
+    return result;
   }
 } // namespace conetact::solvers

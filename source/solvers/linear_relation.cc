@@ -129,6 +129,7 @@ namespace conetact::solvers
   LinearRelation::set_load(const ContactProblem &problem)
   {
     laws = problem.laws;
+    set_steps();
     // Both M = S A S and l = +-S load with S = diag(scale)
     const Index n = contact_system->n_contact_unknowns();
     const Index k = contact_system->n_motions;
@@ -166,18 +167,55 @@ namespace conetact::solvers
   FrictionLimit
   LinearRelation::limit(const Index  i,
                         const double r_n,
-                        const double slip) const
+                        const double slip,
+                        const double gap) const
   {
     if (!laws)
       {
         const double mu = contact_system->mu(i);
         return {mu * r_n, mu, 0};
       }
-    const double  force = unit_of_force(i), length = unit_of_length(i);
-    FrictionLimit result = laws->limit(i, force * r_n, length * slip);
+    const double  force  = unit_of_force(i);
+    const double  length = unit_of_length(i) / step(i);
+    FrictionLimit result =
+      laws->limit(i, force * r_n, length * slip, length * gap);
     result.value /= force;
     result.by_slip *= length / force;
+    result.by_gap *= length / force;
     return result;
+  }
+
+
+
+  Bond
+  LinearRelation::bond(const Index i, const double slip, const double gap) const
+  {
+    if (!laws)
+      return {};
+    const double force  = unit_of_force(i);
+    const double length = unit_of_length(i) / step(i);
+    Bond         result = laws->bond(i, length * slip, length * gap);
+    result.value /= force;
+    result.by_slip *= length / force;
+    result.by_gap *= length / force;
+    return result;
+  }
+
+
+
+  LinearRelation::Array
+  LinearRelation::add_bonds(const Array &r, const Array &v) const
+  {
+    eigen_assert(r.size() == v.size());
+    Array seen = r;
+    for (Index i = 0; i < contact_system->n_nodes(); ++i)
+      {
+        const Index first = contact_system->first[i];
+        const Index n     = contact_system->normal(i);
+        seen(n) +=
+          bond(i, v.segment(first, n - first).norm(), std::max(v(n), 0.)).value;
+      }
+    return seen;
   }
 
 
@@ -200,13 +238,18 @@ namespace conetact::solvers
 
 
 
-  double
-  LinearRelation::step(const Index i) const
+  /* Scaled compliances do not depend on the scale of loads. */
+  void
+  LinearRelation::set_steps()
   {
     if (!has_layers())
-      return 1;
-    const Layer stiffest = layer(i, 0, 0);
-    return 1 / (1 + std::max(stiffest.shear, stiffest.by_force));
+      return;
+    steps.resize(contact_system->n_nodes());
+    for (Index i = 0; i < steps.size(); ++i)
+      {
+        const Layer unloaded = layer(i, 0, 0);
+        steps(i) = 1 / (1 + std::max(unloaded.shear, unloaded.by_force));
+      }
   }
 
 

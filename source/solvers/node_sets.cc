@@ -21,20 +21,40 @@ namespace conetact::solvers
 
     /** Displacements, as the law sees them, and reactions of a point, whichever
      * is p. */
-    struct Fields
+    class Fields
     {
-      VectorXd        v;
-      const VectorXd &r;
+    public:
       Fields(const LinearRelation &relation,
              const VectorXd       &p,
              const VectorXd       &d)
         : v(relation.displacements(p, d))
-        , r(relation.reactions(p, d))
+        , r(relation.has_bonds() ? bonded : relation.reactions(p, d))
       {
         if (relation.has_layers())
-          relation.add_layers(r, v);
+          relation.add_layers(relation.reactions(p, d), v);
+        if (relation.has_bonds())
+          bonded = relation.add_bonds(relation.reactions(p, d), v);
       }
+      Fields(const Fields &) = delete;
+
+    private:
+      VectorXd bonded;
+
+    public:
+      VectorXd        v;
+      const VectorXd &r;
     };
+
+    /** At v, as the law sees it, and pressed by s. */
+    FrictionLimit
+    limit_at(const LinearRelation &relation,
+             const Index           i,
+             const double          s,
+             const SmallVector    &v)
+    {
+      const Index nt = v.size() - 1;
+      return relation.limit(i, s, v.head(nt).norm(), std::max(v(nt), 0.));
+    }
 
     /**
      * Slip as the last increment left it. Its size is not known if the
@@ -145,6 +165,12 @@ namespace conetact::solvers
         return {zero, one, -r};
       // Closed, and stuck as long as nothing else is said.
       Law law{one, zero, -v};
+      if (set.is_lifted)
+        {
+          law.A(nt, nt) = 0;
+          law.B(nt, nt) = 1;
+          law.h(nt)     = -r(nt);
+        }
       if (set.state == NodeState::stick || nt == 0)
         return law;
 
@@ -160,14 +186,28 @@ namespace conetact::solvers
       if (limit.by_slip != 0 && slip > 0)
         law.A.topLeftCorner(nt, nt) -=
           limit.by_slip / slip * set.direction * v.head(nt).transpose();
+      law.A.topRightCorner(nt, 1) -= limit.by_gap * set.direction;
       // A first guess of the states may not go with z: then the law is asked
       // for at the end of the step.
-      if (zn > 0)
+      if (zn > 0 || set.is_lifted)
         law.h.head(nt) = limit.value * set.direction - r.head(nt);
       else
         law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
       return law;
     }
+
+    /** A law of r + bond as one of r itself. */
+    void
+    see_bond(const Bond &bond, const SmallVector &v, Law &law)
+    {
+      const Index  nt   = v.size() - 1;
+      const double slip = v.head(nt).norm();
+      if (slip > 0)
+        law.A.leftCols(nt) +=
+          bond.by_slip / slip * law.B.col(nt) * v.head(nt).transpose();
+      law.A.col(nt) += bond.by_gap * law.B.col(nt);
+    }
+
     /** A law of what is seen as one of v itself: dv' = step (T dv + C dr). */
     void
     see_through(const Layer       &layer,
@@ -224,13 +264,14 @@ namespace conetact::solvers
           set.state = NodeState::slip;
         else if (set.state == NodeState::slip)
           {
-            const SmallVector slip =
-              state.v.segment(first, nt) / relation.unit_of_length(i);
+            const SmallVector slip = relation.step(i) *
+                                     state.v.segment(first, nt) /
+                                     relation.unit_of_length(i);
             const SmallVector r =
               state.r.segment(first, nt + 1) / relation.unit_of_force(i);
             set = slip_of_state(slip,
                                 r.head(nt),
-                                relation.limit(i, r(nt), slip.norm()).value);
+                                relation.limit(i, r(nt), slip.norm(), 0).value);
           }
       }
     return sets;
@@ -250,17 +291,18 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index       first = system.first[i], nt = system.n_tangents(i);
-        const SmallVector z =
-          x.r.segment(first, nt + 1) - x.v.segment(first, nt + 1);
-        NodeSet &set  = sets[at(i)];
-        set.direction = SmallVector::Zero(nt);
-        if (!(z(nt) > 0))
+        const SmallVector v   = x.v.segment(first, nt + 1);
+        const SmallVector z   = x.r.segment(first, nt + 1) - v;
+        NodeSet          &set = sets[at(i)];
+        set.direction         = SmallVector::Zero(nt);
+        if (!(z(nt) > 0) && !relation.is_bonded(i))
           continue;
         const double norm = z.head(nt).norm();
         const double limit =
-          relation
-            .limit(i, z(nt), x.v.segment(first, nt).norm() / relation.step(i))
-            .value;
+          limit_at(relation, i, std::max(z(nt), 0.), v).value;
+        set.is_lifted = !(z(nt) > 0);
+        if (set.is_lifted && !(limit > 0))
+          continue;
         set.state = NodeState::stick;
         if (nt == 0 || (norm <= limit && limit > 0))
           continue;
@@ -306,16 +348,16 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index first = system.first[i], dim = system.n_tangents(i) + 1;
-        const SmallVector v     = x.v.segment(first, dim);
-        const SmallVector r     = x.r.segment(first, dim);
-        const double      zn    = r(dim - 1) - v(dim - 1);
-        const double      step  = relation.step(i);
-        const double      slip  = v.head(dim - 1).norm() / step;
-        FrictionLimit     limit = relation.limit(i, zn, slip);
-        limit.by_slip /= step;
-        Law law = law_of(sets[at(i)], limit, v, r, definite);
-        if (relation.has_layers())
-          see_through(relation.layer(i, r(dim - 1), slip), step, v, law);
+        const SmallVector v    = x.v.segment(first, dim);
+        const SmallVector r    = x.r.segment(first, dim);
+        const double      zn   = r(dim - 1) - v(dim - 1);
+        const double      slip = v.head(dim - 1).norm();
+        Law               law =
+          law_of(sets[at(i)], limit_at(relation, i, zn, v), v, r, definite);
+        if (relation.is_bonded(i))
+          see_bond(relation.bond(i, slip, std::max(v(dim - 1), 0.)), v, law);
+        if (const double step = relation.step(i); relation.has_layers())
+          see_through(relation.layer(i, r(dim - 1), slip / step), step, v, law);
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
         result[at(i)].d = relation.stiffness() ? law.B : law.A;
         result[at(i)].h = law.h;
@@ -348,9 +390,7 @@ namespace conetact::solvers
         SmallVector       z  = r - near_reaction(v.segment(first, nt + 1), r);
         const double      zn = std::max(z(nt), 0.);
         const double      limit =
-          relation
-            .limit(i, zn, x.v.segment(first, nt).norm() / relation.step(i))
-            .value;
+          limit_at(relation, i, zn, x.v.segment(first, nt + 1)).value;
         const double norm = z.head(nt).norm();
         if (norm > limit)
           z.head(nt) *= limit / norm;
@@ -386,7 +426,9 @@ namespace conetact::solvers
           const Index       first = system.first[i], nt = system.n_tangents(i);
           const SmallVector slip   = x.v.segment(first, nt);
           const double      length = slip.norm();
-          const double limit = relation.limit(i, x.r(first + nt), length).value;
+          const double      limit =
+            limit_at(relation, i, x.r(first + nt), x.v.segment(first, nt + 1))
+              .value;
           if (length > rounding * largest)
             askew =
               std::max(askew,
@@ -406,7 +448,9 @@ namespace conetact::solvers
     eigen_assert(p.size() == d.size());
     const ContactSystem &system = relation.system();
     VectorXd            &r      = relation.stiffness() ? d : p;
-    const auto           stop   = [&](const Index first, const Index size) {
+    const VectorXd       v =
+      relation.has_bonds() ? Fields(relation, p, d).v : VectorXd();
+    const auto stop = [&](const Index first, const Index size) {
       // v = p + o in stiffness form
       if (relation.stiffness())
         p.segment(first, size) = -relation.offset().segment(first, size);
@@ -420,6 +464,14 @@ namespace conetact::solvers
         if (node != NodeState::open && relation.has_layers() &&
             !relation.layer(i, r(first + nt), 0).is_none())
           continue; // its zeros are not those of displacements
+        if (sets[at(i)].is_lifted ||
+            (relation.is_bonded(i) && node == NodeState::open &&
+             relation
+                 .bond(i,
+                       v.segment(first, nt).norm(),
+                       std::max(v(first + nt), 0.))
+                 .value != 0))
+          continue; // nor those of reactions
         if (node == NodeState::open)
           r.segment(first, nt + 1).setZero();
         else
@@ -429,24 +481,5 @@ namespace conetact::solvers
         if (node == NodeState::slip && relation.is_frictionless(i))
           r.segment(first, nt).setZero();
       }
-  }
-
-
-
-  std::string
-  signature(const NodeSets &sets)
-  {
-    std::string result;
-    result.reserve(sets.size());
-    for (const NodeSet &set : sets)
-      {
-        const bool backwards = set.state == NodeState::slip &&
-                               set.direction.size() == 1 &&
-                               set.direction(0) < 0;
-        result += backwards ?
-                    '-' :
-                    static_cast<char>('0' + static_cast<int>(set.state));
-      }
-    return result;
   }
 } // namespace conetact::solvers

@@ -31,9 +31,44 @@ namespace conetact::verification
     struct Seen
     {
       double   limit; ///< of friction [force]
+      double   pull;  ///< of its bond, at most [force]
       double   gap;   ///< with what layers and wear take [length]
       VectorXd slip;  ///< without what layers give way by [length]
     };
+
+    /** What is left of its bond: of a brittle one that of the start. */
+    void
+    add_bond(const pairing::ContactNode &node,
+             const pairing::Situation   &here,
+             Seen                       &seen)
+    {
+      const pairing::BondLaw &law   = *node.bond;
+      const bool              now   = !law.is_brittle();
+      const double            gap   = std::max(seen.gap, 0.);
+      const double            least = node.least_opening();
+      const double opened  = now ? std::max(here.opened, gap) : here.opened;
+      const double slipped = here.slipped + (now ? seen.slip.norm() : 0.);
+      const double force =
+        law.rest(opened, slipped, least) * node.bonded_area();
+      seen.pull =
+        force * law.strength(here) * law.unloading(gap, here.opened, least);
+      seen.limit += force * law.cohesion(here);
+    }
+
+    /** Its part of the reaction has no friction. */
+    void
+    add_fluid(const pairing::ContactNode &node,
+              const double                r_n,
+              pairing::Situation          here,
+              Seen                       &seen)
+    {
+      const double area  = node.covered_area();
+      const double force = node.fluid->pressure(here.t) * area;
+      here.pressure      = std::max(r_n - force, 0.) / area;
+      seen.pull -= force;
+      seen.limit = std::min(node.friction->coefficient(here) * (r_n - force),
+                            node.friction->largest_force(here, area));
+    }
 
     /** `slip` and `gap` are those of the bodies. */
     Seen
@@ -46,24 +81,33 @@ namespace conetact::verification
                  VectorXd                    slip)
     {
       const contact::IncrementLaws &laws = *claim.laws;
-      const double       area = node.meets_nothing() ? 0. : node.area;
-      pairing::Situation here = laws.known(i);
+      const double                  area = node.covered_area();
+      pairing::Situation            here = laws.known(i);
       if (area > 0)
         here.pressure = std::max(r_n, 0.) / area;
       if (node.layer && area > 0)
         slip +=
           node.layer->shear(here) / area * (r_t - laws.friction_at_start(i));
       here.speed = slip.norm() / laws.duration();
-      Seen seen{0, gap + claim.worn[static_cast<Index>(i)], slip};
+      Seen seen{0, 0, gap + claim.worn[static_cast<Index>(i)], slip};
       if (node.layer)
-        seen.gap += here.pressure * node.layer->closing_by_pressure(here);
+        seen.gap +=
+          (node.bond && r_n < 0 && area > 0 ? r_n / area : here.pressure) *
+          node.layer->closing_by_pressure(here);
       if (node.layer && node.layer->wears_at_once())
         seen.gap +=
           here.pressure * node.layer->wear_by_pressure(here) * slip.norm();
+      seen.limit = node.friction->coefficient(here) * r_n;
       if (!laws.sees(i))
         seen.gap = std::numeric_limits<double>::infinity();
-      seen.limit = std::min(node.friction->coefficient(here) * r_n,
-                            node.friction->largest_force(here, area));
+      else if (node.bond)
+        add_bond(node, here, seen);
+      seen.limit =
+        std::min(seen.limit, node.friction->largest_force(here, area));
+      if (laws.is_wet(i))
+        add_fluid(node, r_n, here, seen);
+      if (node.bond)
+        seen.limit = std::max(seen.limit, 0.);
       return seen;
     }
   } // namespace
@@ -198,6 +242,7 @@ namespace conetact::verification
     const VectorXd r_t  = claim.r.segment(point.first, nt);
     Seen           seen = {point.mu * r_n +
                              node.cohesion, // which holds at open nodes, too
+                           0,
                            node.gap + out.displacements[n],
                            (claim.incremental ? out.change : out.displacements)
                              .segment(point.first, nt)};
@@ -206,18 +251,26 @@ namespace conetact::verification
     const double    limit = seen.limit, gap = seen.gap;
     const VectorXd &slip = seen.slip;
 
+    const double s = r_n + seen.pull;
     if (limit < 0 && r_n > 0)
       errors.force(-limit, "has a coefficient of friction below 0");
-    errors.force(-r_n, "is pulled by its contact");
+    errors.force(-s,
+                 seen.pull > 0 ? "is pulled by more than its bond bears" :
+                 seen.pull < 0 ? "carries less than the fluid there" :
+                                 "is pulled by its contact");
     errors.force(r_t.norm() - std::max(limit, 0.),
                  "carries more than friction");
     if (claim.states[i] == solvers::NodeState::open)
       {
         // The zeros of open nodes are exact: all of what exceeds rounding
         // counts.
-        errors.force(std::abs(r_n) > errors.past ? std::abs(r_n) + errors.past :
+        if (seen.pull != 0)
+          errors.force(s,
+                       "is open and carries more than its bond or its fluid");
+        else
+          errors.force(std::abs(s) > errors.past ? std::abs(s) + errors.past :
                                                    0.,
-                     "is open and carries a force");
+                       "is open and carries a force");
         errors.length(-gap, "penetrates");
       }
     else
@@ -227,9 +280,12 @@ namespace conetact::verification
     if (claim.whole && nt > 0 && point.mu > 0 &&
         claim.states[i] == solvers::NodeState::stick)
       errors.length(slip.norm(), "sticks and slips");
-    if (claim.whole && nt > 0 && claim.states[i] == solvers::NodeState::slip)
+    const bool slips = claim.states[i] == solvers::NodeState::slip;
+    const bool opens = claim.states[i] == solvers::NodeState::open;
+    if (claim.whole && nt > 0 && (slips || (opens && node.bond)))
       {
-        errors.force(limit - r_t.norm(), "slips below the limit of friction");
+        if (slips)
+          errors.force(limit - r_t.norm(), "slips below the limit of friction");
         const double shortest =
           errors.position +
           (errors.k > 0 ? tolerance * errors.F / errors.k : 0.);

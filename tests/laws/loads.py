@@ -58,9 +58,84 @@ def whole_forces(laws):
     laws.check("axisymmetric: a force along the axis", abs(laws.run(ring).increments[-1]["load_press_f_y"] + 7), 1e-12)
 
 
+def weights(laws):
+    """Gravity of what has a density, centrifugal loads, forces of pins: against integrals in closed form."""
+    g, rho, thickness = 9.81, 2.5, .4
+    for dim, backend in ((2, "condensed"), (2, "iterative"), (3, "condensed"), (3, "iterative")):
+        what, down = f"{dim}D, {backend}", "y" if dim == 2 else "z"
+        scene = {"Dimension": dim, "Gravity": f"0, -{g}" if dim == 2 else f"0, 0, -{g}",
+                 "Body block": box((4, 3, 2)[:dim], (2.0, 1.0, .5)[:dim]),
+                 "Obstacle floor": floor(dim), "Contact bottom": contact(ids=2 if dim == 2 else 4, mu=.3),
+                 "Support left": support(0, "x"), "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+        scene["Body block"]["Material"]["Density"] = rho
+        if dim == 2:
+            scene["Body block"]["Material"]["Thickness"] = thickness
+        else:
+            scene["Support front"] = support(2, "y")
+        mass = rho * 2 * (thickness if dim == 2 else .5)
+        run = laws.run(scene)
+        row = run.increments[-1]
+        laws.check(f"{what}: a weight", abs(row[f"load_weight_block_f_{down}"] / (-mass * g) - 1), 1e-12)
+        laws.check("  on its contact", abs(row[f"bottom_f_{down}"] / (mass * g) - 1), 1e-9)
+        plain = merge(scene, {"Gravity": None, "Load own": load("body force", f"0 ; -{rho * g!r}" if dim == 2 else f"0 ; 0 ; -{rho * g!r}")})
+        laws.same("  a body force", laws.run(plain), run, 1e-10)
+        w = 3.0  # about the corner: rho w^2 times the integral of x
+        spun = merge(scene, {"Gravity": None, "Load spin": load("centrifugal", w), "Obstacle floor": None, "Contact bottom": None,
+                             "Support bottom": support(2 if dim == 2 else 4, down)})
+        row = laws.run(spun).increments[-1]
+        laws.check(f"{what}: centrifugal, m w^2 r", math.dist((row["load_spin_f_x"], row["load_spin_f_y"]), (mass * w * w * 1.0, mass * w * w * .5))
+                   / (mass * w * w), 1e-12)
+    about_x = merge(spun, {"Load spin": {"Axis": "2, 0, 0", "Point": "5, 0.2, 0"}})
+    row = laws.run(about_x).increments[-1]
+    laws.check("3D: about an axis along x", math.dist([row[f"load_spin_f_{c}"] for c in "xyz"], (0, mass * w * w * .3, mass * w * w * .25))
+               / (mass * w * w), 1e-12)
+    ring = {"Dimension": 2, "Body block": merge(box((4, 3), (1.0, 1.0), (1.0, 0.0)), {"Material": {"Plane": "axisymmetric", "Density": 2}}),
+            "Gravity": "0, -3", "Support low": support(2, "x, y"), "Load spin": load("centrifugal", 5), "Output": {"VTU": 0}}
+    run = laws.run(ring)
+    volume = math.pi * 3
+    laws.check("axisymmetric: a weight", abs(run.increments[-1]["load_weight_block_f_y"] / (-6 * volume) - 1), 1e-12)
+    # a thin ring of radius r that is free: u = rho w^2 r^3 / E
+    thin = {"Dimension": 2, "Body block": merge(box((1, 4), (.002, 1.0), (1.0, 0.0), young=1000.0, poisson=0.0),
+                                                {"Material": {"Plane": "axisymmetric", "Density": 2}}),
+            "Support low": support(2, "y"), "Load spin": load("centrifugal", 1), "Output": {"VTU": 0, "Probes": "p: 1.001, 0.5"}}
+    laws.check("axisymmetric: a thin ring that spins", abs(laws.run(thin, bounds=False).probe("p")[0] / (2 * 1.001**3 / 1000) - 1), 1e-5)
+    for dim in (2, 3):
+        mesh = {"Generator": "hyper_cube_with_cylindrical_hole", "Arguments": "0.4 : 1 : 1 : 2 : true", "Global refinements": 2}
+        plate = {"Dimension": dim, "Body block": {"Mesh": mesh, "Material": {"Young modulus": 1000, "Poisson ratio": .3}},
+                 "Support sides": support(0, "x, y" if dim == 2 else "x, y, z"), "Output": {"VTU": 0}}
+        force = (3.0, 4.0, 0.0)[:dim]
+        bore = 4 if dim == 2 else 6
+        plate["Load pin"] = load("bearing", " ; ".join(map(repr, force)), bore)
+        row = laws.run(plate, bounds=False).increments[-1]
+        laws.check(f"{dim}D: a pin's force", math.dist((row["load_pin_f_x"], row["load_pin_f_y"]), (3, 4)) / 5, 1e-12)
+        laws.check("  through the axis of its bore", abs(row["load_pin_m_z"]) / 5, 1e-12)
+
+
+def stages(laws):
+    """Loads that come and go, and a support that is released: a block that hangs on its top until it stands on the floor."""
+    for dim, backend in ((2, "condensed"), (3, "condensed"), (3, "iterative")):
+        bottom, top = (2, 3) if dim == 2 else (4, 5)
+        up = "x, y" if dim == 2 else "x, y, z"
+        scene = {"Dimension": dim, "Body block": box((3,) * dim, (1.0,) * dim, poisson=0.0), "Obstacle floor": floor(dim),
+                 "Contact bottom": contact(ids=bottom, mu=.3), "Support press": support(top, up, "0 ; -0.01" if dim == 2 else "0 ; 0 ; -0.01", Active="t < 2.5"),
+                 "Load own": load("body force", "0 ; -2" if dim == 2 else "0 ; 0 ; -2", Active="t > 1.5"),
+                 "Time": {"End": 4, "Increments": 4}, "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+        run = laws.run(scene)
+        down = "y" if dim == 2 else "z"
+        for record, floor_bears, load_there in zip(run.increments, (10.0, 11.0, 2.0, 2.0), (0, -2, -2, -2)):
+            t = record["time"]
+            laws.check(f"{dim}D, {backend}, t = {t}: the floor bears", abs(record[f"bottom_f_{down}"] - floor_bears) / 11, 1e-9)
+            laws.check("  the load", abs(record[f"load_own_f_{down}"] - load_there) / 2, 1e-12)
+            held = abs(record[f"support_press_f_{down}"])
+            laws.demand("  the support holds, or is released", (held > 1) == (t < 2.5))
+        laws.demand("  four increments in one table", [row["increment"] for row in run.increments] == [1, 2, 3, 4])
+
+
 def loads(laws):
     beam_between_nodes(laws)
     whole_forces(laws)
+    weights(laws)
+    stages(laws)
     thickness, n, p = .5, 8, 6.0
     base = {"Dimension": 2, "Body block": box((n, 4), (2.0, 1.0)), "Obstacle floor": floor(2),
             "Contact bottom": contact(mu=.3), "Support left": support(0, "x"), "Output": {"VTU": 0}}

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Coefficients of friction by expressions: each node obeys the law that the scene has, computed anew from the tables."""
 import math
+from pathlib import Path
 
 from support.scenes import load, press_and_shear
 
@@ -85,7 +86,19 @@ def temperature(laws):
     laws.admissible("mu(T)", run, Mu(run, lambda row, s, p, v: .2 + .1 * (row["time"] - 1) * row["x"]))
 
 
+def brake(laws):
+    """The shipped brake that fades: forces by its own law of each node, and by hand for an even pressure."""
+    run = laws.run(Path(__file__).resolve().parents[2] / "parameter-files/brake-fade.prm", "-s", "Output/VTU=0")
+    for time, even in ((1, 648), (5, 324), (6, 576)):
+        record = next(record for record in run.increments if record["time"] == time)
+        hot = 100 * min(max(time - 1, 0), 4)
+        law = sum(row["r_n"] * .45 * (1 - hot / 800) * (1 - row["pressure"] / 20) for row in run.rows if row["time"] == time)
+        laws.check(f"brake, t = {time}: friction by its law", abs(record["lining_f_x"] / law - 1), 1e-10)
+        laws.check("  and by hand", abs(record["lining_f_x"] / even - 1), .04)
+
+
 def varying_friction(laws):
+    brake(laws)
     by_tables(laws)
     by_methods(laws)
     temperature(laws)

@@ -6,7 +6,7 @@ import re
 
 from support.vectors import plus, scaled, tangents
 
-TEXTS = ("contact", "state", "solver", "determinate")
+TEXTS = ("contact", "state", "solver", "determinate", "unique")
 REACTION = ("r_n", "r_t1", "r_t2")
 MOTION = ("u_n", "u_t1", "u_t2")
 STEP = (None, "du_t1", "du_t2")

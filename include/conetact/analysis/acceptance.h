@@ -32,6 +32,15 @@ namespace conetact::analysis
     /** `w`: deformation of all dofs at the end of the increment. */
     verification::Finding
     judge(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
+    /** The end of the increment that came last. */
+    double
+    accepted_time() const
+    {
+      return verification.accepted_time();
+    }
+    /** What its table would have of an increment that is not completed. */
+    std::vector<output::ContactRow>
+    rows_of(const PendingIncrement &increment, const Eigen::VectorXd &w) const;
 
     /**
      * Completes the record of the increment, with its displacements where

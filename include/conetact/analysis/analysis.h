@@ -111,6 +111,9 @@ namespace conetact::analysis
     /** Loads and prestress at the increment's time, and what they reduce to. */
     void
     apply_loads(PendingIncrement &increment);
+    /** Those of its contacts, with what is wet in it. */
+    void
+    set_laws(PendingIncrement &increment);
     void
     turn_loads(const Eigen::VectorXd &others, PendingIncrement &increment);
     /** Its record. Returns why it is not accepted; empty: it is. */

@@ -7,12 +7,15 @@
 #include "conetact/analysis/analysis.h"
 #include "conetact/analysis/contact_search.h"
 #include "conetact/analysis/increment_parts.h"
+#include "conetact/contact/fluid.h"
 #include "conetact/contact/open_motions.h"
 #include "conetact/solvers/contact_solver.h"
 #include "conetact/solvers/existence.h"
+#include "conetact/solvers/uniqueness.h"
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -120,6 +123,24 @@ namespace conetact::analysis
      * sentence; empty: that is not known. */
     std::string
     why_it_leaves(const unsigned int k);
+    /** Whether a fluid gets to more of its contacts than it was solved with,
+     * which it takes from here on. */
+    bool
+    fluid_enters(PendingIncrement &increment);
+    /** Solves the increment again until that is all. */
+    void
+    let_fluid_in(PendingIncrement            &increment,
+                 const solvers::ContactState &guess,
+                 solvers::ContactProblem     &problem);
+    void
+    say_leaks(const PendingIncrement &increment);
+    /** How many solutions it has, and another one. */
+    void
+    judge_uniqueness(PendingIncrement              &increment,
+                     const solvers::ContactProblem &problem);
+    /** Rows of that one, before those of the increment are. */
+    std::vector<output::ContactRow>
+    rows_of_another(const PendingIncrement &increment);
     void
     solve_motions(const solvers::ContactProblem &problem,
                   solvers::ContactState         &state,
@@ -163,6 +184,10 @@ namespace conetact::analysis
     std::unique_ptr<solvers::ContactSolver>  solver;
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
     ContactSearch                            search;
+    std::optional<contact::Fluid>            fluid; ///< once it is asked for
+    std::set<unsigned int>                   said_leaks; ///< contacts
+    std::optional<solvers::UniquenessCheck>  uniqueness;
+    Eigen::VectorXd                          uniqueness_mu; ///< of which it is
     IncrementParts                           parts; ///< of the one that is next
     bool lost_contacts = false; ///< that slide, in what failed last
     bool unsolved      = false; ///< what failed last, by its solver

@@ -9,6 +9,13 @@
 
 namespace conetact::analysis
 {
+  /** What an increment was found to have, and the problem that it solves. */
+  struct AnotherSolution
+  {
+    solvers::ContactProblem problem;
+    solvers::ContactState   end;
+  };
+
   /** An increment whose displacements are still to be recovered. */
   struct PendingIncrement
   {
@@ -26,6 +33,8 @@ namespace conetact::analysis
     contact::BoundState     bound   = {}; ///< ties and bilateral contacts
     solvers::ContactState   end     = {}; ///< as the solver left it
     Eigen::VectorXd         thermal = {}; ///< nodal forces, or none
+    std::vector<bool>       wet     = {}; ///< candidates; empty: none
+    std::shared_ptr<const AnotherSolution> another = {}; ///< or none
   };
 } // namespace conetact::analysis
 

@@ -128,6 +128,7 @@ namespace conetact::application
       vtu_every = 0;
       fclib_increments.clear();
       text_increments.clear();
+      judges_uniqueness = false;
     }
     /** A run that is continued, from its last checkpoint on. */
     struct Restart
@@ -137,6 +138,18 @@ namespace conetact::application
       unsigned int          n_done = 0; ///< increments
     };
     std::optional<Restart> restart;
+    /** Ends of the stages in which the same supports are active: the last time,
+     * and those after which others are. */
+    std::vector<double>
+    stage_ends() const;
+    /** Runs until then only, from the checkpoint in a folder where it is not
+     * empty, with the supports of that stage. */
+    void
+    take_stage(const double end, const std::filesystem::path &folder);
+    /** Why a later stage cannot begin anew with contacts that slide far, a
+     * sentence. */
+    std::string
+    why_not_anew(const std::map<unsigned int, std::string> &sliding) const;
     /** Increments that are done already; `times` begins with theirs. */
     unsigned int
     n_done() const
@@ -159,11 +172,13 @@ namespace conetact::application
     std::string automatic_text;
     /** A run that continues this one must take contacts as it does. */
     void
-                           save_kinematics(Archive &archive) const;
-    unsigned int           checkpoint_every = 0; ///< 0: never
-    unsigned int           threads          = 1;
-    std::set<unsigned int> fclib_increments; ///< with a file of their own
-    std::set<unsigned int> text_increments;  ///< or stages of a load path
+                            save_kinematics(Archive &archive) const;
+    unsigned int            checkpoint_every = 0; ///< 0: never
+    unsigned int            threads          = 1;
+    std::set<unsigned int>  fclib_increments; ///< with a file of their own
+    std::set<unsigned int>  text_increments;  ///< or stages of a load path
+    bool                    judges_uniqueness = false;
+    std::vector<Expression> activity; ///< of each support, of t
 
   private:
     void
@@ -171,6 +186,9 @@ namespace conetact::application
               const bool                skip_undefined) const;
     void
     read_names();
+    /** Loads of bodies that have a density under Gravity. */
+    void
+    add_weights(const std::vector<double> &densities);
     void
     add_contact(dealii::ParameterHandler &entries,
                 const std::string        &name,
@@ -188,7 +206,7 @@ namespace conetact::application
     void
     check_path() const;
     void
-    check_friction();
+    settle_friction();
     void
     check_turning_supports() const;
     void
@@ -208,6 +226,11 @@ namespace conetact::application
     keep_nodes();
     void
     continue_from(const std::filesystem::path &folder);
+    void
+    read_activity();
+    /** Whether each support is active at time t. */
+    std::vector<bool>
+    active_supports(const double t) const;
     void
     refuse_changes(const Restart &run) const;
     void

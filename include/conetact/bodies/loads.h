@@ -26,9 +26,11 @@ namespace conetact::bodies
       traction,      ///< [force/area] on boundary ids
       pressure,      ///< [force/area] against the outward normal
       body_force,    ///< [force/volume]
+      centrifugal,   ///< angular velocity [rad/time] about a point and an axis
       point_force,   ///< [force] at a point of the body
       force,         ///< [force] in all, spread over boundary ids
       moment,        ///< [force x length] in all, the same
+      bearing,       ///< [force] in all, as a pin presses on its bore
       nodal_force,   ///< [force] at each node of boundary ids, with moments
                      ///< where values follow
       line_load,     ///< [force/length] on members of boundary ids
@@ -38,16 +40,25 @@ namespace conetact::bodies
     std::string  name;
     unsigned int body = 0; ///< index
     Kind         kind = Kind::traction;
-    BoundaryIds  ids;   ///< of kinds that have them
-    Point<3>     point; ///< point force; force: where it acts
+    BoundaryIds  ids;         ///< of kinds that have them
+    Point<3>     point;       ///< point force; force: where it acts; of an axis
+    Tensor<1, 3> axis;        ///< unit, of a centrifugal load
+    double       density = 0; ///< of its body, for that [mass/length^3]
     /** Of a force or a moment that is spread. */
     std::shared_ptr<const SpreadForce> spread;
     std::vector<Expression>            value; ///< a component each, or one
+    std::optional<Expression> active;         ///< of t: 0 where it is not there
     /** Of initial strains: the axes of each component. */
     std::vector<std::pair<unsigned int, unsigned int>> axes;
 
     bool
     uses_time() const;
+    /** Whether it is there at time t. */
+    bool
+    is_active(const double t) const
+    {
+      return !active || (*active)(Point<3>(), t) != 0;
+    }
     /** Whether it strains its body: nodal forces that balance by themselves. */
     bool
     strains() const
@@ -77,9 +88,20 @@ namespace conetact::bodies
   private:
     Tensor<1, 3>
     spread_traction(const Point<3> &p, const double t) const;
+    Tensor<1, 3>
+    centrifugal_force(const Point<3> &p, const double t) const;
     InitialStrain
     initial_strain(const Point<3> &p, const double t) const;
   };
+
+  /** The weight of a body of this density [mass/volume] under gravity
+   * [length/time^2]. */
+  Load
+  weight_of(const unsigned int  body,
+            const std::string  &name,
+            const double        density,
+            const Tensor<1, 3> &gravity,
+            const unsigned int  dim);
 
   /** Entries of `subsection Load NAME`; the handler stands inside it. */
   void

@@ -6,6 +6,8 @@
 
 #include "conetact/bodies/structure.h"
 
+#include <string>
+
 namespace conetact::bodies
 {
   /**
@@ -28,6 +30,15 @@ namespace conetact::bodies
              const Tensor<1, 3> &force,
              const Tensor<1, 3> &moment) const;
 
+    /**
+     * The same force as a pressure c_+ on faces whose inward normal has the
+     * cosine c with it, as a pin presses on its half of a bore; what that
+     * lacks, where the faces are no half of a circle, is spread evenly. Throws
+     * InputError where no face looks that way.
+     */
+    SurfaceField
+    bearing(const Tensor<1, 3> &force) const;
+
     const Point<3> &
     centroid() const
     {
@@ -35,9 +46,12 @@ namespace conetact::bodies
     }
 
   private:
-    double       area = 0;
-    Point<3>     centre;
-    Tensor<2, 3> inertia; ///< inverse of J
+    const Structure &body; ///< which outlives it
+    BoundaryIds      ids;
+    std::string      where; ///< what errors begin with
+    double           area = 0;
+    Point<3>         centre;
+    Tensor<2, 3>     inertia; ///< inverse of J
   };
 } // namespace conetact::bodies
 

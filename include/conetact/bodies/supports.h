@@ -66,6 +66,9 @@ namespace conetact::bodies
     std::vector<Held>
     directions_at(const SurfaceNode &node) const;
 
+    /** From here on it holds nothing. */
+    void
+    release();
     /** Whether it holds the body where it is at all times. */
     bool
     is_still() const;

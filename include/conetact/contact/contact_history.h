@@ -92,9 +92,12 @@ namespace conetact::contact
      */
     using Temperature =
       std::function<double(unsigned int body, const Point<3> &p)>;
-    /** Laws of the increment until t; none where contacts have none. */
+    /** Laws of the increment until t; none where contacts have none. `wet`:
+     * candidates that a fluid has reached. */
     std::shared_ptr<const IncrementLaws>
-    laws_until(const double t, const Temperature &temperature) const;
+    laws_until(const double             t,
+               const Temperature       &temperature,
+               const std::vector<bool> &wet = {}) const;
 
     /** Relative displacements of all contact unknowns since the start. */
     const Eigen::VectorXd &
@@ -128,6 +131,24 @@ namespace conetact::contact
     {
       return depth;
     }
+    /** Work against bonds of each node so far [force x length]. */
+    const Eigen::VectorXd &
+    fracture() const
+    {
+      return broken;
+    }
+    /** Largest openings of bonded nodes so far, never_closed of what was open
+     * at the start, and ways of slip [length]. */
+    const Eigen::VectorXd &
+    openings() const
+    {
+      return opened;
+    }
+    const Eigen::VectorXd &
+    slips() const
+    {
+      return slipped;
+    }
     /** Largest reaction or load so far [force]. */
     double
     largest_force() const
@@ -150,6 +171,9 @@ namespace conetact::contact
     double          largest = 0; ///< reaction or load so far [force]
     Eigen::VectorXd slipped;     ///< way of each node so far [length]
     Eigen::VectorXd depth;       ///< of wear, which opens its gap [length]
+    Eigen::VectorXd opened;      ///< of bonds, the most so far [length]
+    Eigen::VectorXd parted;      ///< and now [length]
+    Eigen::VectorXd broken;      ///< their work so far [force x length]
     double          time = 0;    ///< at the end of the last increment
   };
 } // namespace conetact::contact

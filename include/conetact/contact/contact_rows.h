@@ -17,6 +17,15 @@ namespace conetact::contact
    * gap, normal and tangential displacement, slip, reaction and state in each
    * node's frame. Remembers displacements from increment to increment.
    */
+  /** What laws of contact nodes have kept of all candidates; or nothing. */
+  struct KeptByLaws
+  {
+    Eigen::VectorXd   worn;     ///< depths [length]
+    Eigen::VectorXd   fracture; ///< work against bonds [force x length]
+    std::vector<bool> whole;    ///< bonds
+    std::vector<bool> wet;      ///< what a fluid has reached
+  };
+
   class ContactRows
   {
   public:
@@ -33,7 +42,7 @@ namespace conetact::contact
      * of all its parts. `state`: end of the increment; `q`: displacements of
      * the contact unknowns since the start; `r_bound`: reactions of what is
      * bound, whose rows stand behind those of candidates; `u`: all dofs; `t`:
-     * time; `worn`: depths of all candidates, or none [length].
+     * time.
      */
     std::vector<output::ContactRow>
     rows(const solvers::ContactState &state,
@@ -42,7 +51,7 @@ namespace conetact::contact
          const Eigen::VectorXd       &u,
          const double                 t,
          const bool                   whole = true,
-         const Eigen::VectorXd       &worn  = {});
+         const KeptByLaws            &kept  = {});
 
     /**
      * Contacts were found again: their frames and feet, and what they moved by
@@ -73,10 +82,10 @@ namespace conetact::contact
                   const Eigen::VectorXd       &q,
                   const Tensor<1, 3>          &other,
                   output::ContactRow          &row) const;
-    static void
-    set_wear(const pairing::ContactNode &node,
-             const double                depth,
-             output::ContactRow         &row);
+    void
+    set_kept(const std::size_t   i,
+             const KeptByLaws   &kept,
+             output::ContactRow &row) const;
     static void
     set_bound(const ContactPoint &point,
               const Tensor<1, 3> &other,

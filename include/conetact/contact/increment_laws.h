@@ -17,16 +17,21 @@ namespace conetact::contact
   public:
     /**
      * `known` of each candidate: pressure and speed are still 0. `r` are the
-     * reactions at the start [force]; the increment lasts `duration`. The
-     * points must outlive the object.
+     * reactions at the start [force]; the increment lasts `duration`. `wet`:
+     * candidates that a fluid has reached, or none. The points must outlive
+     * the object.
      */
     IncrementLaws(const ContactPoints            &points,
                   std::vector<pairing::Situation> known,
                   const Eigen::VectorXd          &r,
-                  const double                    duration);
+                  const double                    duration,
+                  const std::vector<bool>        &wet = {});
 
     solvers::FrictionLimit
-    limit(const Index i, const double r_n, const double slip) const override;
+    limit(const Index  i,
+          const double s,
+          const double slip,
+          const double gap) const override;
     solvers::Layer
     layer(const Index i, const double r_n, const double slip) const override;
     bool
@@ -35,6 +40,19 @@ namespace conetact::contact
     has_layers() const override
     {
       return soft;
+    }
+    solvers::Bond
+    bond(const Index i, const double slip, const double gap) const override;
+    bool
+    is_bonded(const Index i) const override
+    {
+      return bonds[static_cast<std::size_t>(i)] ||
+             is_wet(static_cast<std::size_t>(i));
+    }
+    bool
+    has_bonds() const override
+    {
+      return bonded;
     }
 
     /** Of all candidates at the end of the increment: coefficients, slips,
@@ -45,7 +63,29 @@ namespace conetact::contact
     slips(const solvers::ContactState &end) const;
     Eigen::VectorXd
     wear(const solvers::ContactState &end) const;
+    /** Of nodes that were bonded: openings at the end, without what a layer
+     * stretches by, 0 if closed [length]. */
+    Eigen::VectorXd
+    openings(const solvers::ContactState &end) const;
+    /** Work against bonds in the increment, from openings at its start [force x
+     * length]. */
+    Eigen::VectorXd
+    fracture(const Eigen::VectorXd       &openings,
+             const solvers::ContactState &end) const;
 
+    /** Whether a candidate is whole after a largest opening and a way of slip
+     * [length]. */
+    bool
+    is_whole(const std::size_t i,
+             const double      opened,
+             const double      slipped) const;
+
+    /** Whether a fluid presses both sides of a candidate apart. */
+    bool
+    is_wet(const std::size_t i) const
+    {
+      return fluids[i] > 0;
+    }
     /** Whether both sides of a candidate see each other. */
     bool
     sees(const std::size_t i) const
@@ -68,15 +108,31 @@ namespace conetact::contact
     }
 
   private:
-    /** 0: it covers nothing. */
-    double
-    area(const std::size_t i) const;
     pairing::Situation
     situation(const std::size_t i, const double r_n, const double slip) const;
     double
     coefficient(const std::size_t i, const pairing::Situation &at) const;
+    /** Of what presses by r_n, without a bond. */
+    solvers::FrictionLimit
+    friction(const std::size_t i, const double r_n, const double slip) const;
+    /** What little is, to a bond [length]. */
+    double
+    step_of(const std::size_t i) const;
     double
     slip(const std::size_t i, const solvers::ContactState &end) const;
+    Eigen::VectorXd
+    seen(const std::size_t i, const solvers::ContactState &end) const;
+    /** What is left of a bond. */
+    double
+    rest(const std::size_t i, const double slip, const double gap) const;
+    /** Its largest pull at this gap [force]. */
+    double
+    pull(const std::size_t i, const double slip, const double gap) const;
+    double
+    fracture(const std::size_t i,
+             const double      gap_at_start,
+             const double      gap_at_end,
+             const double      slip) const;
 
     const ContactPoints            &points;
     std::vector<pairing::Situation> start;
@@ -84,7 +140,11 @@ namespace conetact::contact
     double                          time;
     std::vector<double>             constant; ///< mu where it is known
     std::vector<bool>               active;
-    bool                            soft; ///< something gives way
+    std::vector<double>             strength, cohesion; ///< whole [force]
+    std::vector<double>             fluids; ///< of what is wet [force]
+    std::vector<bool>               bonds;
+    bool                            soft;   ///< something gives way
+    bool                            bonded; ///< something is bonded or wet
   };
 
   /** Whether any candidate has laws of its own. */

@@ -12,7 +12,7 @@ namespace conetact::contact
 {
   /** Whether a normal reaction is the rounding of the largest force so far. */
   bool
-  presses_nothing(const double reaction, const double largest_force);
+  carries_nothing(const double reaction, const double largest_force);
 
   /** Whether what sticks with such friction may slip. */
   bool

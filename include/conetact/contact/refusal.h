@@ -17,6 +17,13 @@ namespace conetact::contact
   solvers::ExistenceCheck
   make_existence_check(ContactModel &model);
 
+  /** Whether a load of the contact unknowns drives free motions that the nodes
+   * which hold anything do not see. */
+  bool
+  drives_what_is_not_held(const std::vector<bool> &holding,
+                          const Eigen::VectorXd   &load,
+                          ContactModel            &model);
+
   /** The same by those contact nodes alone that hold anything; nothing: they do
    * not see all free motions. */
   std::optional<solvers::Existence>

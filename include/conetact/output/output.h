@@ -36,13 +36,22 @@ namespace conetact::output
     solvers::NodeState state  = solvers::NodeState::open;
     bool               master = false; ///< the other side of a pair of bodies
     double             wear   = 0;     ///< depth that this side has lost
-    double             wear_opposite = 0; ///< and the other one [length]
+    double             wear_opposite = 0;     ///< and the other one [length]
+    bool               bonded        = false; ///< sticks, and would bear a pull
+    bool               wet           = false; ///< a fluid is between its sides
+    double             fracture = 0; ///< work against its bond [force x length]
 
     /** Of a master: reactions and areas that add up without the signs of their
      * weights. On faces of second degree areas of corners cancel out. */
     Tensor<1, 3> pressing;
     double       covered = 0;
 
+    /** As pictures have it: 3 is bonded, 4 is wet. */
+    double
+    state_number() const
+    {
+      return wet ? 4. : bonded ? 3. : static_cast<double>(state);
+    }
     /** A force and the area that it presses on. */
     std::pair<Tensor<1, 3>, double>
     pressed() const
@@ -131,10 +140,12 @@ namespace conetact::output
 
     double strain_energy = 0; ///< at the end [force x length]
     // of the increment [force x length]
-    double external_work       = 0; ///< of loads and moving supports
-    double dissipation         = 0; ///< mean tangential reactions times slips
-    double contact_work_normal = 0; ///< the same of the normal part
-    bool   determinate         = true; ///< false: displacements are not unique
+    double      external_work = 0; ///< of loads and moving supports
+    double      dissipation   = 0; ///< mean tangential reactions times slips
+    double      contact_work_normal = 0; ///< the same of the normal part
+    bool        determinate = true; ///< false: displacements are not unique
+    std::string unique;             ///< yes, no or open; empty: nobody asked
+    std::vector<ContactRow> other_rows; ///< of another solution, if there is
 
     /**
      * Of increments that are drawn, one a body: displacements of all its dofs,
@@ -161,7 +172,9 @@ namespace conetact::output
     std::vector<std::string>  obstacles; ///< names of those that are free
     std::vector<std::string>  preloads;  ///< names of contacts that have one
     std::vector<unsigned int> wearing;   ///< indices of contacts that wear
-    std::vector<std::string>  probes;    ///< names of chosen points
+    std::vector<unsigned int> breaking;  ///< of those whose bonds may be lost
+    bool                      judges_uniqueness = false;
+    std::vector<std::string>  probes; ///< names of chosen points
     std::vector<const bodies::Structure *> structures;
     unsigned int                           dim = 2;
     unsigned int n_increments                  = 0; ///< 0: not known yet

@@ -10,12 +10,14 @@
 #include "conetact/output/reaction_table.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace conetact::output
 {
   /**
    * `reactions.csv` and `increments.csv`, which grow together, once for
-   * increments that finish together. The constructor writes them without rows,
+   * increments that finish together, and `reactions-2.csv` of increments that
+   * have another solution. The constructor writes them without rows,
    * or with those of the run that is continued, so that old tables do not pass
    * for those of this run.
    */
@@ -33,7 +35,9 @@ namespace conetact::output
     ReactionTable  reactions;
     IncrementTable increments;
     GrowingFile    reactions_file, increments_file;
-    std::uint64_t  beginning = 0; ///< bytes that the constructor wrote
+    /** Other solutions, where they are looked for. */
+    std::optional<GrowingFile> others_file;
+    std::uint64_t beginning = 0; ///< bytes that the constructor wrote
   };
 } // namespace conetact::output
 

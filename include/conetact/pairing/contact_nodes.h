@@ -6,6 +6,8 @@
 
 #include "conetact/base/expression.h"
 #include "conetact/bodies/structure.h"
+#include "conetact/pairing/bond_law.h"
+#include "conetact/pairing/fluid_law.h"
 #include "conetact/pairing/friction_law.h"
 #include "conetact/pairing/layer_law.h"
 #include "conetact/pairing/obstacles.h"
@@ -77,11 +79,16 @@ namespace conetact::pairing
     std::shared_ptr<const Expression> active;
     /** What gives way or wears; none. */
     std::shared_ptr<const LayerLaw> layer;
+    /** What holds its sides together; none. */
+    std::shared_ptr<const BondLaw> bond;
+    /** What presses its sides apart; none. */
+    std::shared_ptr<const FluidLaw> fluid;
     /** Along the second axis; none: isotropic. */
     std::optional<Expression> second_friction;
     double                    friction_angle = 0; ///< first axis from t1 [rad]
-    /** At each node, functions of position [force]. */
-    std::optional<Expression> prestress, cohesion;
+    /** At each node, functions of position [force]; cohesion of a load path
+     * only. */
+    std::optional<Expression> prestress, path_cohesion;
   };
 
   /**
@@ -166,15 +173,43 @@ namespace conetact::pairing
      * then, and above 0. */
     std::shared_ptr<const FrictionLaw> friction;
     std::shared_ptr<const LayerLaw>    layer;  ///< or none
+    std::shared_ptr<const BondLaw>     bond;   ///< or none
+    std::shared_ptr<const FluidLaw>    fluid;  ///< or none
     std::shared_ptr<const Expression>  active; ///< of the contact; or none
     double       friction_angle = 0;           ///< of axis_1 from t1 [rad]
     Tensor<1, 3> axis_1, axis_2;
 
     /** Presses the two sides together from the start [force]. */
     double prestress = 0;
-    /** Friction that needs no pressure: |r_t| <= mu r_n + cohesion [force]. */
+    /** Friction that needs no pressure, of a load path: |r_t| <= mu r_n +
+     * cohesion [force]. */
     double cohesion = 0;
 
+    /** Tributary area of what it meets: 0 where it meets nothing [length^2]. */
+    double
+    covered_area() const
+    {
+      return meets_nothing() ? 0. : area;
+    }
+    /** What strengths of a bond count for: areas, or forces of single nodes. */
+    double
+    bonded_area() const
+    {
+      return outward.empty() && !meets_nothing() ? 1. :
+                                                   std::max(covered_area(), 0.);
+    }
+    /** Where a bond is still whole [length]. */
+    double
+    least_opening() const
+    {
+      return 1e-9 * spacing;
+    }
+    /** Whether both sides see each other at time t. */
+    bool
+    is_active(const double t) const
+    {
+      return !active || (*active)(Point<3>(), t) != 0;
+    }
     /** Whether an equation holds it to its opponent, whatever the reaction. */
     bool
     is_bound() const
@@ -270,6 +305,11 @@ namespace conetact::pairing
   /** Entries of a contact that do not name its sides. */
   void
   declare_contact_law(dealii::ParameterHandler &prm);
+  /** On a load path, Cohesion is a force at each node, for ever. */
+  void
+  take_cohesion_of_path(dealii::ParameterHandler &prm,
+                        const std::string        &in,
+                        Contact                  &contact);
   /** A contact without sides. `in` is what an error begins with. */
   Contact
   read_contact_law(dealii::ParameterHandler &prm, const std::string &in);

@@ -23,6 +23,8 @@ namespace conetact::pairing
     double           slipped     = 0; ///< way so far, at the start [length]
     double           pressure    = 0; ///< [stress]
     double           speed       = 0; ///< slip of the increment over its time
+    /** Largest opening so far, at the start, or never_closed [length]. */
+    double opened = 0;
   };
 
   /** The names of its numbers in expressions, but for places and t. */

@@ -38,6 +38,14 @@ namespace conetact::solvers
     SolverReport
     polish(const ContactProblem &problem, ContactState &state);
 
+    /** Starts from the states of the nodes, and from nothing else. */
+    SolverReport
+    solve_from(const ContactProblem &problem, ContactState &state)
+    {
+      attach(problem);
+      return solve_from_states(problem, state);
+    }
+
   private:
     using Index = Eigen::Index;
     using Array = Eigen::VectorXd;

@@ -165,12 +165,13 @@ namespace conetact::solvers
     Eigen::VectorXd nearby = {};
   };
 
-  /** Of node i at this reaction and slip. */
+  /** Of node i at this reaction, with its bond, and slip and gap. */
   FrictionLimit
   friction_limit(const ContactProblem &problem,
                  const Eigen::Index    i,
                  const double          r_n,
-                 const double          slip);
+                 const double          slip,
+                 const double          gap = 0);
 
   /** What is mu of node i in a state: the limit of friction over r_n. */
   double

@@ -76,15 +76,19 @@ namespace conetact::solvers
       return stiffness() ? alpha / s : alpha * s;
     }
 
-    /** Of node i, at a reaction and a slip in scaled variables, and so is the
-     * result. */
+    /** Of node i, at a reaction, a slip and a gap in scaled variables, as the
+     * law sees them, and so is the result. */
     FrictionLimit
-    limit(const Index i, const double r_n, const double slip) const;
+    limit(const Index  i,
+          const double r_n,
+          const double slip,
+          const double gap) const;
     /** Whether node i has no friction, however it is pressed. */
     bool
     is_frictionless(const Index i) const
     {
-      return limit(i, 0, 0).by_force <= 0;
+      const FrictionLimit least = limit(i, 0, 0, 0);
+      return least.by_force <= 0 && least.value <= 0;
     }
     /** Whether all limits are linear in r_n, and do not depend on slips. */
     bool
@@ -97,14 +101,34 @@ namespace conetact::solvers
     {
       return laws && laws->has_layers();
     }
+    bool
+    has_bonds() const
+    {
+      return laws && laws->has_bonds();
+    }
+    bool
+    is_bonded(const Index i) const
+    {
+      return laws && laws->is_bonded(i);
+    }
+    /** Of node i, as limit(). */
+    Bond
+    bond(const Index i, const double slip, const double gap) const;
+    /** What the law sees of r at v, of which it sees what is given. */
+    Array
+    add_bonds(const Array &r, const Array &v) const;
     /** What the law sees of v, times step(i), so that it is no larger than what
      * reactions change. */
     void
     add_layers(const Array &r, Array &v) const;
     /** 1 over the compliance of node i with its layer; 1 without one. */
     double
-    step(const Index i) const;
-    /** The same of what gives way at node i. */
+    step(const Index i) const
+    {
+      return has_layers() ? steps(i) : 1.;
+    }
+    /** What gives way at node i, at a reaction and a slip in scaled variables.
+     */
     Layer
     layer(const Index i, const double r_n, const double slip) const;
 
@@ -169,12 +193,16 @@ namespace conetact::solvers
     from_scaled(const Array &p, const Array &d, ContactState &state) const;
 
   private:
+    void
+    set_steps();
+
     std::shared_ptr<const ContactSystem> contact_system;
     std::shared_ptr<const NodalLaws>     laws; ///< of the increment; or none
     bool                                 has_units;
     Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
     double alpha = 1; ///< sqrt(force x length)
     Array  scaled_load, scaled_offset;
+    Array  steps; ///< of each node, where there are layers
     bool   has_offset = false;
     double load_force = 0; ///< that is known before anything is solved
   };

@@ -14,6 +14,16 @@ namespace conetact::solvers
     double value    = 0; ///< [force]
     double by_force = 0; ///< with the normal reaction [-]
     double by_slip  = 0; ///< with the slip of the increment [force/length]
+    double by_gap   = 0; ///< with the gap, of what is bonded [force/length]
+  };
+
+  /** How much pull a node bears before it opens, r_n >= -value, or while it
+   * does, and how that changes. */
+  struct Bond
+  {
+    double value   = 0; ///< [force]
+    double by_slip = 0; ///< with the slip of the increment [force/length]
+    double by_gap  = 0; ///< with the gap [force/length]
   };
 
   /**
@@ -58,6 +68,10 @@ namespace conetact::solvers
    * @f$\mu r_n@f$ everywhere, so that no solver needs a cone that is none.
    * f(0, .) = 0. Layers give way under forces alone: closing is 0 where
    * r_n <= 0.
+   *
+   * Where a bond @f$b(|\Delta u_t|, g)@f$ holds both sides together, s = r_n +
+   * b stands in place of r_n: @f$s \ge 0,\ g \ge 0,\ s g = 0@f$, and f(0, .)
+   * may be above 0, so that what opens has friction, too.
    */
   class NodalLaws
   {
@@ -66,9 +80,12 @@ namespace conetact::solvers
 
     virtual ~NodalLaws() = default;
 
-    /** What does not press, r_n <= 0, has the slope of r_n = 0. */
+    /** What does not press, s <= 0, has the slope of s = 0. */
     virtual FrictionLimit
-    limit(const Index node, const double r_n, const double slip) const = 0;
+    limit(const Index  node,
+          const double s,
+          const double slip,
+          const double gap) const = 0;
     virtual Layer
     layer(const Index node, const double r_n, const double slip) const = 0;
 
@@ -79,6 +96,27 @@ namespace conetact::solvers
     /** Whether anything has a layer. */
     virtual bool
     has_layers() const = 0;
+
+    /** At a gap that is not negative. */
+    virtual Bond
+    bond(const Index /*node*/,
+         const double /*slip*/,
+         const double /*gap*/) const
+    {
+      return {};
+    }
+    /** Whether a bond holds the node, or friction without pressure. */
+    virtual bool
+    is_bonded(const Index /*node*/) const
+    {
+      return false;
+    }
+    /** Whether that is so of any node. */
+    virtual bool
+    has_bonds() const
+    {
+      return false;
+    }
   };
 } // namespace conetact::solvers
 

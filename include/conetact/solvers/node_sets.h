@@ -21,7 +21,9 @@ namespace conetact::solvers
    */
   struct NodeSet
   {
-    NodeState   state = NodeState::open;
+    NodeState state = NodeState::open;
+    /** Open, but friction that needs no pressure sticks or slips as said. */
+    bool        is_lifted = false;
     SmallVector direction; ///< unit, of z_t; zero without friction
     double      ratio = 0; ///< mu z_n / |z_t|, at most 1
   };

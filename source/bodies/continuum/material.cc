@@ -333,6 +333,11 @@ namespace conetact::bodies
       "Near 0.5 the elements Q1 become too stiff (locking); see "
       "Element. [-]");
     declare_orthotropic(prm);
+    prm.declare_entry("Density",
+                      "0",
+                      Patterns::Double(0),
+                      "Mass over volume, of all materials of the body; Gravity "
+                      "makes a load of it. [mass/length^3]");
     prm.declare_entry("Plane",
                       "strain",
                       Patterns::Selection("strain|stress|axisymmetric"),

@@ -27,7 +27,7 @@ namespace
     contact.reach      = 100;
     contact.friction   = std::make_shared<FrictionLaw>("0", "", "test");
     contact.prestress.emplace("0", "test");
-    contact.cohesion.emplace("0", "test");
+
     return contact;
   }
 

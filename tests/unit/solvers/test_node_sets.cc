@@ -37,7 +37,7 @@ namespace
       {
         SmallVector along = SmallVector::Zero(dim - 1);
         along(0)          = 1;
-        sets.push_back({state, along, .5});
+        sets.push_back({state, false, along, .5});
       }
     return sets;
   }
@@ -50,7 +50,10 @@ namespace
   {
   public:
     FrictionLimit
-    limit(const Index, const double r_n, const double slip) const override
+    limit(const Index,
+          const double r_n,
+          const double slip,
+          const double) const override
     {
       const double mu = .3 + .1 * std::exp(-slip), soft = 1 + .1 * r_n;
       return {mu * r_n / soft,
@@ -92,7 +95,7 @@ namespace
           v,
           r);
     const SmallVector z    = r - step * seen;
-    const double      most = laws.limit(0, z(2), seen.head(2).norm()).value;
+    const double      most = laws.limit(0, z(2), seen.head(2).norm(), 0).value;
     SmallVector       law  = step * seen;
     law.head(2)            = r.head(2) - most * z.head(2).normalized();
     return law;
@@ -120,7 +123,7 @@ TEST(NodeSets, LawsAreDerivatives)
 
       // slips by .7 under 2, with the friction that it has there
       SmallVector  v(3), r(3);
-      const double most = laws.limit(0, 2, .7).value;
+      const double most = laws.limit(0, 2, .7, 0).value;
       r << .6 * most, -.8 * most, 2;
       v << -.7 * .6 - .1 * r(0), .7 * .8 - .1 * r(1),
         -laws.layer(0, 2, .7).closing;
@@ -145,6 +148,126 @@ TEST(NodeSets, LawsAreDerivatives)
             EXPECT_LT((slope - (of_p ? law.p : law.d).col(k)).norm(), 1e-8);
           }
     }
+}
+
+namespace
+{
+  /** A bond that gives way with the slip and with the gap, and friction of
+   * what is pressed beyond it, with cohesion. */
+  class AnyBonds : public NodalLaws
+  {
+  public:
+    FrictionLimit
+    limit(const Index  node,
+          const double s,
+          const double slip,
+          const double gap) const override
+    {
+      const Bond pull = bond(node, slip, gap);
+      return {.3 * (std::max(s, 0.) - pull.value) + .4 - .05 * slip - .03 * gap,
+              s > 0 ? .3 : 0.,
+              -.05 - .3 * pull.by_slip,
+              -.03 - .3 * pull.by_gap};
+    }
+    Layer
+    layer(const Index, const double, const double) const override
+    {
+      return {};
+    }
+    Bond
+    bond(const Index, const double slip, const double gap) const override
+    {
+      return {.5 - .1 * slip - .2 * gap, -.1, -.2};
+    }
+    bool
+    has_cones() const override
+    {
+      return false;
+    }
+    bool
+    has_layers() const override
+    {
+      return false;
+    }
+    bool
+    is_bonded(const Index) const override
+    {
+      return true;
+    }
+    bool
+    has_bonds() const override
+    {
+      return true;
+    }
+  };
+
+  /** r_t less the friction along z, and the gap, or what its bond lacks. */
+  SmallVector
+  broken_bond(const AnyBonds &laws, const SmallVector &v, SmallVector r)
+  {
+    const double slip = v.head(2).norm(), gap = std::max(v(2), 0.);
+    r(2) += laws.bond(0, slip, gap).value;
+    const SmallVector z    = r - v;
+    const double      most = laws.limit(0, z(2), slip, gap).value;
+    SmallVector       law(3);
+    law.head(2) = r.head(2) - most * z.head(2).normalized();
+    law(2)      = z(2) > 0 ? v(2) : r(2);
+    return law;
+  }
+} // namespace
+
+// Pressed or pulled, slipping: with all their slopes.
+TEST(NodeSets, LawsOfBondsAreDerivatives)
+{
+  const AnyBonds laws;
+  for (const Form form : {Form::stiffness, Form::compliance})
+    for (const double gap : {0., .6})
+      {
+        auto system    = std::make_shared<ContactSystem>();
+        system->form   = form;
+        system->matrix = Eigen::MatrixXd::Identity(3, 3);
+        system->first  = {0, 3};
+        system->mu     = Eigen::VectorXd::Ones(1);
+        ContactProblem problem;
+        problem.system = system;
+        problem.load   = Eigen::VectorXd::Zero(3);
+        problem.gap    = Eigen::VectorXd::Zero(1);
+        problem.laws   = std::make_shared<AnyBonds>();
+        LinearRelation relation(system, false);
+        relation.set_load(problem);
+
+        const double slip = .7, bond = laws.bond(0, slip, gap).value;
+        const double pressing = gap > 0 ? -bond : 2.;
+        const double most     = laws.limit(0, pressing + bond, slip, gap).value;
+        SmallVector  v(3), r(3);
+        r << .6 * most, -.8 * most, pressing;
+        v << -.6 * slip, .8 * slip, gap;
+        const Eigen::VectorXd p    = form == Form::stiffness ? v : r;
+        const Eigen::VectorXd d    = form == Form::stiffness ? r : v;
+        const NodeSets        sets = sets_of_point(relation, p, d);
+        ASSERT_EQ(sets[0].state, NodeState::slip);
+        ASSERT_EQ(sets[0].is_lifted, gap > 0);
+        const NodeLaw law = linearized_laws(relation, sets, p, d).front();
+        EXPECT_LT(law.h.norm(), 1e-14);
+        EXPECT_LT(law_residual(relation, p, d), 1e-14);
+        constexpr double step = 1e-6;
+        for (Eigen::Index k = 0; k < 3; ++k)
+          for (const bool moves : {false, true})
+            {
+              if (gap == 0 && moves && k == 2)
+                continue; // a gap has a kink there
+              const SmallVector unit  = step * SmallVector::Unit(3, k);
+              const SmallVector zero  = SmallVector::Zero(3);
+              const SmallVector dv    = moves ? unit : zero,
+                                dr    = moves ? zero : unit;
+              const SmallVector slope = (broken_bond(laws, v + dv, r + dr) -
+                                         broken_bond(laws, v - dv, r - dr)) /
+                                        (2 * step);
+              const bool of_p = moves == (form == Form::stiffness);
+              EXPECT_LT((slope - (of_p ? law.p : law.d).col(k)).norm(), 1e-8)
+                << k << moves << gap;
+            }
+      }
 }
 
 TEST(NodeSets, WhatSticksOrTurnsHoldsABody)

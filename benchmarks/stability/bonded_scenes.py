@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Random scenes with bonds and with fluids, judged by statics and by the law of each node, from tables alone.
+
+usage: bonded_scenes.py [--build FOLDER] [--scenes N] [--seed N]
+
+A block on a floor is pressed, pulled and sheared at random by its top. Of each increment: forces of contact and support
+cancel out; no node is pulled by more than what is left of its strength, and where it opens, by that; friction is within
+mu p + c; what is wet carries the fluid at least. What is left of a bond is computed here from gaps and slips of the
+tables. Runs without equilibrium are counted; increments before are judged.
+"""
+import argparse
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+sys.path.append(str(TOP / "tests"))
+from support.scenes import box, contact, floor, support, write_scene  # noqa: E402
+from support.tables import Run  # noqa: E402
+
+
+def table(values):
+    return "table(t; 0 : 0; " + "; ".join(f"{i + 1} : {v!r}" for i, v in enumerate(values)) + ")"
+
+
+def scene_of(chance, fluid):
+    dim = chance.choice((2, 2, 3))
+    bottom, top = (2, 3) if dim == 2 else (4, 5)
+    law = {"mu": chance.choice((0, .1, .3, .7))}
+    if fluid:
+        law.update({"Penetrating pressure": table([chance.uniform(0, 12) for _ in range(6)]), "Fluid from boundary ids": 0})
+    else:
+        lost = chance.choice(("never", "opening", "slip"))
+        law.update({"Tensile strength": chance.choice((0, .5, 2)), "Cohesion": chance.choice((.3, 1, 3)), "Cohesion lost": lost})
+        if lost != "never" and chance.random() < .7:
+            law["Softening length"] = chance.choice((.005, .01, .03))
+    up = [chance.uniform(-.01, .006) for _ in range(6)]
+    side = [chance.uniform(-.008, .008) for _ in range(6)]
+    where = f"{table(side)} ; {table(up)}" if dim == 2 else f"{table(side)} ; {table(side[::-1])} ; {table(up)}"
+    n = (chance.randint(2, 8), chance.randint(1, 4), chance.randint(1, 3))[:dim]
+    return law, {"Dimension": dim, "Body block": box(n, (2.0, 1.0, 1.0)[:dim], poisson=chance.choice((0.0, .3))),
+                 "Obstacle floor": floor(dim), "Contact bottom": contact(ids=bottom, **law),
+                 "Support top": support(top, "x, y" if dim == 2 else "x, y, z", where),
+                 "Solver": {"Backend": chance.choice(("condensed", "iterative"))},
+                 "Time": {"End": 6, "Increments": 6}, "Output": {"VTU": 0}}
+
+
+def rest(law, opened, slipped):
+    lost, length = law["Cohesion lost"], law.get("Softening length")
+    way = opened if lost == "opening" else math.hypot(opened, slipped)
+    if lost == "never":
+        return 1.0
+    return max(0.0, 1 - way / length) if length else float(way <= 1e-9)
+
+
+def faults(run, law, fluid):
+    """Largest violations over the largest force, of all increments."""
+    worst, opened, slipped = {}, {}, {}
+    scale = max(abs(row[c]) for row in run.rows for c in ("r_n", "r_t1", "r_t2")) or 1.0
+
+    def note(what, error):
+        worst[what] = max(worst.get(what, 0.0), error / scale)
+    for record in run.increments:
+        for c in "xyz"[:run.dim]:
+            note("statics", abs(record[f"bottom_f_{c}"] + record[f"support_top_f_{c}"]))
+        for row in (row for row in run.rows if row["increment"] == record["increment"]):
+            k, area = row["node"], row["area"]
+            before = opened.get(k, 0.0), slipped.get(k, 0.0)
+            slip, gap = math.hypot(row["du_t1"], row["du_t2"]), max(row["gap"], 0.0)
+            friction = math.hypot(row["r_t1"], row["r_t2"])
+            note("penetrates", max(0.0, -row["gap"]) * 1000)
+            if fluid:
+                p = row["r_n"] if row["state"] != "wet" else row["r_n"] - pressure_at(law, record["time"]) * area
+                note("carries less than its fluid", max(0.0, -p))
+                note("friction", max(0.0, friction - law["mu"] * max(p, 0.0)))
+                continue
+            softens = "Softening length" in law
+            moved = slip if row["state"] in ("slip", "open") else 0.0
+            left = rest(law, max(before[0], gap), before[1] + moved) if softens else rest(law, *before)
+            pull = law["Tensile strength"] * area * left
+            if softens and 0 < gap < before[0]:
+                pull *= gap / before[0]
+            elif softens and before[0] > 0 and gap == 0:
+                pull = 0.0
+            note("is pulled", max(0.0, -row["r_n"] - pull))
+            note("friction", max(0.0, friction - max(0.0, law["mu"] * row["r_n"] + law["Cohesion"] * area * left)))
+            if row["state"] == "open":
+                note("opens below its strength", max(0.0, row["r_n"] + pull))
+            opened[k], slipped[k] = max(before[0], gap), before[1] + moved
+    return worst
+
+
+def pressure_at(law, t):
+    values = [float(part.split(":")[1]) for part in law["Penetrating pressure"].rstrip(")").split(";")[1:]]
+    return values[int(t)]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=Path, default=TOP / "build")
+    parser.add_argument("--scenes", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    all_wrong = 0
+    for fluid in (False, True):
+        chance, wrong, refused, judged = random.Random(options.seed), 0, 0, 0
+        for number in range(options.scenes):
+            law, scene = scene_of(chance, fluid)
+            with tempfile.TemporaryDirectory() as folder:
+                file, out = Path(folder) / "scene.prm", Path(folder) / "out"
+                write_scene(scene, file)
+                done = subprocess.run([options.build / "conetact", file, "-o", out, "--quiet"], capture_output=True, text=True)
+                refused += done.returncode == 2
+                if done.returncode not in (0, 2):
+                    raise SystemExit(f"scene {number}: exit code {done.returncode}: {done.stderr}")
+                run = Run(out)
+            judged += len(run.increments)
+            bad = {what: error for what, error in faults(run, law, fluid).items() if error > 1e-8} if run.rows else {}
+            wrong += bool(bad)
+            if bad or done.returncode:
+                print(f"{'fluid' if fluid else 'bond'} {number}: {bad} {done.stderr.strip()}")
+        print(f"{'fluids' if fluid else 'bonds'}: {options.scenes} scenes, {judged} increments judged, {wrong} scenes wrong, "
+              f"{refused} without equilibrium or not converged")
+        all_wrong += wrong
+    raise SystemExit(all_wrong > 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_application_stages_h
+#define conetact_application_stages_h
+
+#include "conetact/bodies/supports.h"
+#include "conetact/pairing/contact_nodes.h"
+
+#include <vector>
+
+namespace conetact::application
+{
+  /** Whether a support is there at some of the times only. */
+  bool
+  changes(const Expression &active, const std::vector<double> &times);
+
+  /** Contact nodes must have the same unknowns in all stages: throws InputError
+   * where supports that change hold one. */
+  void
+  refuse_changing_contacts(const std::vector<bodies::Support>      &changing,
+                           const std::vector<pairing::ContactNode> &nodes,
+                           const std::vector<pairing::Contact>     &contacts);
+} // namespace conetact::application
+
+#endif

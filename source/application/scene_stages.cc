@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Stages of a scene: supports that are there in some of its increments only.
+
+#include "conetact/application/scene.h"
+#include "conetact/application/stages.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/text.h"
+
+#include <algorithm>
+
+namespace conetact::application
+{
+  bool
+  changes(const Expression &active, const std::vector<double> &times)
+  {
+    const auto at = [&](const double t) { return active(Point<3>(), t) != 0; };
+    return std::any_of(times.begin(), times.end(), [&](const double t) {
+      return at(t) != at(times.front());
+    });
+  }
+
+  void
+  refuse_changing_contacts(const std::vector<bodies::Support>      &changing,
+                           const std::vector<pairing::ContactNode> &nodes,
+                           const std::vector<pairing::Contact>     &contacts)
+  {
+    for (const bodies::Support &support : changing)
+      for (const pairing::ContactNode &node : nodes)
+        for (const bodies::SurfaceNode &held : support.surface.nodes)
+          if (!support.stiffness && support.body == node.body &&
+              held.node == node.node)
+            throw InputError(
+              "Support '" + support.name + "', Active: it holds the node at " +
+              to_text(node.position) + " of contact '" +
+              contacts[node.contact].name +
+              "' in some stages only, and nodes of contacts must be held "
+              "alike in all of them. Leave that node out of the Boundary ids "
+              "of one of them.");
+  }
+
+
+
+  void
+  Scene::read_activity()
+  {
+    for (const std::string &name : support_names)
+      {
+        const std::string entry = "Support '" + name + "', Active";
+        prm.enter_subsection("Support " + name);
+        activity.emplace_back(prm.get("Active"), entry);
+        prm.leave_subsection();
+        if (activity.back().uses_space())
+          throw InputError(entry + ": it depends on the place. Use t only.");
+      }
+    if (stage_ends().size() < 2)
+      return;
+    if (path.follows)
+      throw InputError("Support, Active: a load path has the same supports all "
+                       "along. Leave the entry at 1, or choose another "
+                       "Solver/Method.");
+    if (adaptive.cycles > 0)
+      throw InputError("Support, Active: a scene with Adaptive refinement has "
+                       "the same supports all along. Leave the entry at 1, or "
+                       "set Cycles to 0.");
+  }
+
+
+
+  std::vector<bool>
+  Scene::active_supports(const double t) const
+  {
+    std::vector<bool> active;
+    for (const Expression &of : activity)
+      active.push_back(of(Point<3>(), t) != 0);
+    return active;
+  }
+
+
+
+  std::vector<double>
+  Scene::stage_ends() const
+  {
+    std::vector<double> ends;
+    for (std::size_t k = 0; k + 1 < times.size(); ++k)
+      if (active_supports(times[k]) != active_supports(times[k + 1]))
+        ends.push_back(times[k]);
+    if (!times.empty())
+      ends.push_back(times.back());
+    return ends;
+  }
+
+
+
+  void
+  Scene::take_stage(const double end, const std::filesystem::path &folder)
+  {
+    times.erase(std::remove_if(times.begin(),
+                               times.end(),
+                               [end](const double t) { return t > end; }),
+                times.end());
+    if (checkpoint_every == 0) // at its end only
+      checkpoint_every = static_cast<unsigned int>(times.size());
+    if (!folder.empty())
+      continue_from(folder);
+  }
+
+
+
+  std::string
+  Scene::why_not_anew(const std::map<unsigned int, std::string> &sliding) const
+  {
+    const auto &[contact, why] = *sliding.begin();
+    return "Contact '" + contact_names[contact] +
+           "' needs finite sliding in a stage of other supports: " + why +
+           ". Set Kinematics = finite sliding for it";
+  }
+} // namespace conetact::application

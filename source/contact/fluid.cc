@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/contact/fluid.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <map>
+
+namespace conetact::contact
+{
+  namespace
+  {
+    /** Candidates of a contact by nodes of its body. */
+    using Candidates = std::map<unsigned int, std::size_t>;
+
+    std::map<unsigned int, Candidates>
+    candidates_with_fluid(const ContactPoints &points)
+    {
+      std::map<unsigned int, Candidates> contacts;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].node->fluid)
+          contacts[points[i].node->contact].emplace(points[i].node->node, i);
+      return contacts;
+    }
+
+    std::set<std::size_t>
+    on(const bodies::Structure   &structure,
+       const bodies::BoundaryIds &ids,
+       const Candidates          &candidates)
+    {
+      std::set<std::size_t> found;
+      if (!ids.empty())
+        for (const bodies::SurfaceNode &node : structure.surface(ids).nodes)
+          if (const auto at = candidates.find(node.node);
+              at != candidates.end())
+            found.insert(at->second);
+      return found;
+    }
+
+    std::set<std::size_t>
+    sources_of(const pairing::FluidLaw &fluid,
+               const bodies::Structure &structure,
+               const Candidates        &candidates,
+               const ContactPoints     &points)
+    {
+      std::set<std::size_t> found = on(structure, fluid.source(), candidates);
+      if (!fluid.source_point())
+        return found;
+      const auto next =
+        std::min_element(candidates.begin(),
+                         candidates.end(),
+                         [&](const auto &a, const auto &b) {
+                           const Point<3> &p = *fluid.source_point();
+                           return points[a.second].node->position.distance(p) <
+                                  points[b.second].node->position.distance(p);
+                         });
+      found.insert(next->second);
+      return found;
+    }
+
+    bool
+    is_supported(const Bodies      &bodies,
+                 const unsigned int body,
+                 const unsigned int id)
+    {
+      return std::any_of(bodies.supports.begin(),
+                         bodies.supports.end(),
+                         [&](const bodies::Support &support) {
+                           return support.body == body &&
+                                  support.ids.count(id) > 0;
+                         });
+    }
+  } // namespace
+
+  Fluid::Fluid(const Bodies &bodies, const ContactPoints &points)
+  {
+    const auto contacts = candidates_with_fluid(points);
+    if (contacts.empty())
+      return;
+    neighbours.resize(points.size());
+    exits.assign(points.size(), false);
+    for (const auto &[contact, candidates] : contacts)
+      {
+        const pairing::ContactNode &node =
+          *points[candidates.begin()->second].node;
+        const bodies::Structure &structure = *bodies.structures[node.body];
+        const pairing::FluidLaw &fluid     = *node.fluid;
+        for (const auto &face : structure.surface(fluid.surface()).faces)
+          for (const unsigned int a : face.nodes)
+            for (const unsigned int b : face.nodes)
+              if (a != b && candidates.count(a) > 0 && candidates.count(b) > 0)
+                neighbours[candidates.at(a)].push_back(candidates.at(b));
+        const auto starts = sources_of(fluid, structure, candidates, points);
+        sources.insert(sources.end(), starts.begin(), starts.end());
+        for (const unsigned int id : structure.boundary_ids())
+          {
+            const auto edge = on(structure, {id}, candidates);
+            const bool is_source =
+              std::any_of(edge.begin(), edge.end(), [&](const std::size_t i) {
+                return starts.count(i) > 0;
+              });
+            if (fluid.surface().count(id) == 0 && !is_source &&
+                !is_supported(bodies, node.body, id))
+              for (const std::size_t i : edge)
+                exits[i] = true;
+          }
+      }
+  }
+
+  std::vector<bool>
+  Fluid::wet(std::vector<bool>      before,
+             const Eigen::VectorXd &r,
+             const ContactPoints   &points,
+             const double           t) const
+  {
+    before.resize(points.size(), false);
+    const auto lets_in = [&](const std::size_t i) {
+      const pairing::ContactNode &node = *points[i].node;
+      const double force = node.fluid->pressure(t) * node.covered_area();
+      return before[i] || r[points[i].normal()] < force;
+    };
+    std::vector<std::size_t> front;
+    for (const std::size_t i : sources)
+      if (lets_in(i))
+        front.push_back(i);
+    std::vector<bool> reached(points.size(), false);
+    while (!front.empty())
+      {
+        const std::size_t i = front.back();
+        front.pop_back();
+        if (reached[i])
+          continue;
+        reached[i] = true;
+        for (const std::size_t j : neighbours[i])
+          if (!reached[j] && lets_in(j))
+            front.push_back(j);
+      }
+    return reached;
+  }
+
+  std::set<unsigned int>
+  Fluid::leaks(const std::vector<bool> &wet, const ContactPoints &points) const
+  {
+    std::set<unsigned int> contacts;
+    for (std::size_t i = 0; i < wet.size(); ++i)
+      if (wet[i] && exits[i])
+        contacts.insert(points[i].node->contact);
+    return contacts;
+  }
+} // namespace conetact::contact

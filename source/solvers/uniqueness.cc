@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/uniqueness.h"
+
+#include "conetact/solvers/active_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    using Eigen::Index;
+    using Eigen::MatrixXd;
+    using Eigen::VectorXd;
+
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+
+    /** K, or the inverse of W; empty where there is none. */
+    MatrixXd
+    definite_stiffness(const ContactSystem &system)
+    {
+      constexpr double least = 1e-10; // of the largest pivot
+      if (system.large || system.n_motions > 0 ||
+          system.n_unknowns() > UniquenessCheck::most)
+        return {};
+      const Eigen::LDLT<MatrixXd> factor(system.matrix);
+      const VectorXd              pivots = factor.vectorD();
+      if (factor.info() != Eigen::Success ||
+          !(pivots.minCoeff() > least * pivots.maxCoeff()))
+        return {};
+      if (system.form == Form::stiffness)
+        return system.matrix;
+      return factor.solve(MatrixXd::Identity(pivots.size(), pivots.size()));
+    }
+
+    bool
+    differ(const ContactProblem &problem,
+           const ContactState   &a,
+           const ContactState   &b)
+    {
+      constexpr double much  = 1e-6;
+      const Index      n     = problem.system->n_contact_unknowns();
+      const auto       apart = [&](const VectorXd &x, const VectorXd &y) {
+        return largest(x.head(n) - y.head(n)) >
+               much * std::max(largest(x.head(n)), largest(y.head(n)));
+      };
+      return apart(a.r, b.r) ||
+             (largest(a.r.head(n)) > 0 && apart(a.v, b.v) && apart(a.r, b.r));
+    }
+
+    /** A start in which nodes have these states; in the plane those that slip
+     * do so along `sign`. */
+    ContactState
+    start_with(const ContactProblem         &problem,
+               const ContactState           &solution,
+               const std::vector<NodeState> &nodes,
+               const std::vector<double>    &sign)
+    {
+      const ContactSystem &system = *problem.system;
+      ContactState         start  = solution;
+      start.node                  = nodes;
+      const double r              = std::max(largest(solution.r), 1e-300);
+      const double v              = std::max(largest(solution.v), 1e-300);
+      for (Index i = 0; i < system.n_nodes(); ++i)
+        {
+          const auto  k     = static_cast<std::size_t>(i);
+          const Index first = system.first[i], nt = system.n_tangents(i);
+          start.r.segment(first, nt + 1).setZero();
+          start.v.segment(first, nt + 1).setZero();
+          if (nodes[k] == NodeState::open)
+            continue;
+          start.r(first + nt) = r;
+          if (nt > 0 && nodes[k] == NodeState::slip)
+            {
+              start.v(first) = sign[k] * v;
+              start.r(first) = -sign[k] * system.mu(i) * r;
+            }
+        }
+      start.u = VectorXd();
+      return start;
+    }
+
+    /** Calls visit(states, signs) until it returns true. */
+    template <typename Visit>
+    void
+    visit_all(const std::size_t n, const Visit &visit)
+    {
+      std::vector<NodeState> states(n);
+      std::vector<double>    signs(n);
+      std::size_t            many = 1;
+      for (std::size_t i = 0; i < n; ++i)
+        many *= 4;
+      for (std::size_t code = 0; code < many; ++code)
+        {
+          std::size_t rest = code;
+          for (std::size_t i = 0; i < n; ++i, rest /= 4)
+            {
+              states[i] = rest % 4 == 0 ? NodeState::stick :
+                          rest % 4 == 1 ? NodeState::open :
+                                          NodeState::slip;
+              signs[i]  = rest % 4 == 2 ? 1. : -1.;
+            }
+          if (visit(states, signs))
+            return;
+        }
+    }
+
+    /** The same for some: all alike, and some by chance. */
+    template <typename Visit>
+    void
+    visit_some(const std::size_t n, const Visit &visit)
+    {
+      constexpr unsigned int by_chance = 40;
+      std::mt19937           random(1);
+      for (const NodeState all :
+           {NodeState::stick, NodeState::open, NodeState::slip})
+        for (const double sign : {1., -1.})
+          if (visit(std::vector<NodeState>(n, all),
+                    std::vector<double>(n, sign)))
+            return;
+      for (unsigned int k = 0; k < by_chance; ++k)
+        {
+          std::vector<NodeState> states(n);
+          std::vector<double>    signs(n);
+          for (std::size_t i = 0; i < n; ++i)
+            {
+              states[i] = static_cast<NodeState>(random() % 3);
+              signs[i]  = random() % 2 == 0 ? 1. : -1.;
+            }
+          if (visit(states, signs))
+            return;
+        }
+    }
+  } // namespace
+
+  UniquenessCheck::UniquenessCheck(std::shared_ptr<const ContactSystem> s)
+    : system(std::move(s))
+    , K(definite_stiffness(*system))
+  {
+    if (system->mu.size() == 0 || system->mu.maxCoeff() <= 0)
+      factor = infinite;
+    else if (K.size() > 0)
+      factor = find_factor();
+  }
+
+  MatrixXd
+  UniquenessCheck::perturbation(const VectorXd &s) const
+  {
+    const Index n = system->n_nodes();
+    MatrixXd    normals(K.rows(), n);
+    VectorXd    diagonal = VectorXd::Zero(K.rows());
+    for (Index i = 0; i < n; ++i)
+      {
+        const double mu = system->mu(i);
+        normals.col(i)  = std::sqrt(mu * s(i)) * K.col(system->normal(i));
+        diagonal.segment(system->first[i], system->n_tangents(i))
+          .setConstant(mu / s(i));
+      }
+    MatrixXd sum = MatrixXd::Zero(K.rows(), K.rows());
+    sum.selfadjointView<Eigen::Lower>().rankUpdate(normals);
+    sum.diagonal() += diagonal;
+    return .5 * sum;
+  }
+
+  bool
+  UniquenessCheck::holds(const double c, const VectorXd &s) const
+  {
+    constexpr double least = 1e-12; // of the stiffness: rounding
+    MatrixXd         rest  = K - c * perturbation(s);
+    rest.diagonal() -= least * K.diagonal();
+    return Eigen::LLT<MatrixXd, Eigen::Lower>(rest).info() == Eigen::Success;
+  }
+
+  VectorXd
+  UniquenessCheck::perturb(const VectorXd &s, const VectorXd &x) const
+  {
+    VectorXd forces = VectorXd::Zero(x.size()), sum = forces;
+    for (Index i = 0; i < system->n_nodes(); ++i)
+      {
+        const double mu = system->mu(i);
+        const Index  n = system->normal(i), first = system->first[i];
+        forces(n)                     = mu * s(i) * K.col(n).dot(x);
+        sum.segment(first, n - first) = mu / s(i) * x.segment(first, n - first);
+      }
+    return .5 * (K * forces + sum);
+  }
+
+  /* Where the matrix is nearest to singular, both terms of each node are made
+     more alike, which is where their sum is least. */
+  VectorXd
+  UniquenessCheck::balanced(VectorXd s) const
+  {
+    constexpr unsigned int     rounds = 80, steps = 3;
+    constexpr double           most_change = 1.3;
+    const Eigen::LLT<MatrixXd> stiff(K);
+    VectorXd x = VectorXd::LinSpaced(K.rows(), 1, 2), best = s;
+    double   least = infinite;
+    for (unsigned int round = 0; round < rounds; ++round)
+      {
+        double size = 0;
+        for (unsigned int k = 0; k < steps; ++k)
+          {
+            x /= std::sqrt(x.dot(K * x));
+            const VectorXd y = stiff.solve(perturb(s, x));
+            size             = x.dot(K * y);
+            x                = y;
+          }
+        if (size < least)
+          best = s;
+        least            = std::min(least, size);
+        const VectorXd f = K * x;
+        for (Index i = 0; i < system->n_nodes(); ++i)
+          {
+            const double a = s(i) * std::abs(f(system->normal(i)));
+            const double b =
+              x.segment(system->first[i], system->n_tangents(i)).norm();
+            const double ratio = a > 0 ? b / a : most_change;
+            s(i) *= std::clamp(ratio, 1 / most_change, most_change);
+          }
+      }
+    return best;
+  }
+
+  double
+  UniquenessCheck::find_factor() const
+  {
+    constexpr double exact = 1e-4;
+    const MatrixXd   W = K.llt().solve(MatrixXd::Identity(K.rows(), K.rows()));
+    VectorXd         alone(system->n_nodes()); // best for nodes of their own
+    for (Index i = 0; i < alone.size(); ++i)
+      {
+        const Index first = system->first[i], n = system->normal(i);
+        alone(i) = n > first ? std::sqrt(W(first, first) / K(n, n)) : 1.;
+      }
+    double best = 0;
+    for (const VectorXd &s : {alone, balanced(alone)})
+      {
+        double low = 0, high = 1;
+        while (holds(high, s) && high < 1e6)
+          {
+            low = high;
+            high *= 2;
+          }
+        while (high - low > exact * high && high > 1e-9)
+          {
+            const double middle             = .5 * (low + high);
+            (holds(middle, s) ? low : high) = middle;
+          }
+        best = std::max(best, low);
+      }
+    return best;
+  }
+
+  std::optional<ContactState>
+  find_another(const ContactProblem &problem,
+               const ContactState   &state,
+               const double          tolerance)
+  {
+    constexpr std::size_t       few    = 6;
+    const ContactSystem        &system = *problem.system;
+    const auto                  n = static_cast<std::size_t>(system.n_nodes());
+    std::optional<ContactState> other;
+    SolverOptions               options;
+    options.tolerance = tolerance;
+    const auto visit  = [&](const std::vector<NodeState> &states,
+                           const std::vector<double>    &signs) {
+      ContactState       trial  = start_with(problem, state, states, signs);
+      const SolverReport report = ActiveSet(options).solve_from(problem, trial);
+      if (report.converged && differ(problem, state, trial))
+        other = trial;
+      return other.has_value();
+    };
+    bool is_plane = true;
+    for (Index i = 0; i < system.n_nodes(); ++i)
+      is_plane = is_plane && system.n_tangents(i) < 2;
+    if (is_plane && n <= few)
+      visit_all(n, visit);
+    else
+      visit_some(n, visit);
+    return other;
+  }
+} // namespace conetact::solvers

@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether increments have one solution: a single node, whose solutions are known (Klarbring, Ing. Arch. 60 (1990) 529-541), and blocks."""
+import math
+import re
+
+from support.scenes import beam, contact, floor, load, merge, press_and_shear, support
+from support.logs import log_of
+from support.tables import read
+
+YOUNG, HEIGHT, DEGREES = 1000.0, .1, 45.0
+
+
+def stiffness():
+    """k_tt, k_nn and k_tn of the tip of a clamped bar of length 1 that leans by 45 degrees."""
+    axial, across = YOUNG * HEIGHT**2, 3 * YOUNG * HEIGHT**4 / 12
+    c, s = math.cos(math.radians(DEGREES)), math.sin(math.radians(DEGREES))
+    return axial * c * c + across * s * s, axial * s * s + across * c * c, (axial - across) * c * s
+
+
+def solutions(mu, ft, fn):
+    """All (r_n, r_t) of the tip on the floor, from no force at all."""
+    ktt, knn, ktn = stiffness()
+    found = []
+    if ktt * fn - ktn * ft > 0:  # it opens
+        found.append((0.0, 0.0))
+    if fn < 0 and abs(ft) <= -mu * fn:
+        found.append((-fn, -ft))
+    for sign in (1, -1):
+        t = (ft + sign * mu * fn) / (ktt + sign * mu * ktn)
+        r = ktn * t - fn
+        if t * sign > 0 and r > 0:
+            found.append((r, -sign * mu * r))
+    return found
+
+
+def leaning(mu, ft, fn):
+    c, s = math.cos(math.radians(DEGREES)), math.sin(math.radians(DEGREES))
+    return {"Dimension": 2, "Body bar": beam((c, s), (0.0, 0.0), 1, YOUNG, HEIGHT), "Obstacle floor": floor(2),
+            "Contact tip": contact("bar", 2, mu=mu), "Support wall": support(1, "clamped", body="bar"),
+            "Load push": load("nodal force", f"{ft} ; {fn}", 2, body="bar"),
+            "Time": {"Increments": 1}, "Output": {"VTU": 0, "Uniqueness": "yes"}}
+
+
+def single_node(laws):
+    ktt, knn, ktn = stiffness()
+    limit = 2 * math.sqrt(ktt * knn - ktn * ktn) / knn
+    told = several = 0
+    for mu in (.5 * limit, .95 * limit, 1.5 * limit, .9, 1.2, 2.0, 5.0, 20.0):
+        for k in range(24):
+            ft, fn = math.cos(math.pi * k / 12 + .05), math.sin(math.pi * k / 12 + .05)
+            right = solutions(mu, ft, fn)
+            run = laws.run(leaning(mu, ft, fn))
+            record, row = run.increments[-1], run.last()[0]
+            near = min(math.hypot(row["r_n"] - n, row["r_t1"] - t) for n, t in right)
+            bound = re.search(r"proved up to a coefficient of friction of ([0-9.e+-]+)", log_of(run))
+            ok = near < 1e-9 and abs(float(bound[1]) / limit - 1) < 1e-3
+            if len(right) > 1:
+                several += 1
+                others = read(run.folder / "reactions-2.csv")
+                ok = ok and record["unique"] == "no" and len(others) == 1
+                other = (others[0]["r_n"], others[0]["r_t1"]) if others else (math.nan, math.nan)
+                ok = ok and min(math.hypot(other[0] - n, other[1] - t) for n, t in right) < 1e-9
+                ok = ok and math.hypot(other[0] - row["r_n"], other[1] - row["r_t1"]) > 1e-6
+            else:
+                ok = ok and record["unique"] == ("yes" if mu < limit else "open")
+            told += not ok
+            if not ok:
+                print(f"  mu = {mu}, f = {ft}, {fn}: {right}, found {row['r_n']}, {row['r_t1']}, {record['unique']}")
+    laws.check("single nodes that are judged wrong", told, .5)
+    laws.demand(f"some of them have several solutions: {several}", several > 5)
+
+
+def blocks(laws):
+    for dim in (2, 3):
+        for mu, proved in ((.1, True), (20.0, False)):
+            scene = merge(press_and_shear(dim, mu=mu), {"Output": {"Uniqueness": "yes", "VTU": 0}})
+            run = laws.run(scene)
+            found = {record["unique"] for record in run.increments}
+            bound = float(re.search(r"proved up to a coefficient of friction of ([0-9.e+-]+)", log_of(run))[1])
+            laws.demand(f"{dim}D, mu = {mu}: {found}, proved up to {bound}", (found == {"yes"}) == (bound >= mu) == proved)
+            laws.same("  and the same results", laws.run(merge(press_and_shear(dim, mu=mu), {"Output": {"VTU": 0}})), run, 1e-13)
+
+
+def uniqueness(laws):
+    single_node(laws)
+    blocks(laws)
