@@ -129,7 +129,7 @@ namespace conetact::contact
     AssertIndexRange(i, start.size());
     if (!bonds[i])
       return friction(i, s, slip);
-    const solvers::Bond pulled = bond(node, slip, gap); // and not wet
+    const solvers::Bond pulled = bond(node, slip, gap);
     const double        r_n    = std::max(s, 0.) - pulled.value;
     const double        c      = cohesion[i];
     // what does not press has the coefficient of p = 0, and less than cohesion

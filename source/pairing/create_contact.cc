@@ -359,6 +359,11 @@ namespace conetact::pairing
       if (contact.second_friction)
         throw InputError(entry + ": an elliptic cone knows no fluid. Leave the "
                                  "entry or Second friction coefficient empty.");
+      if (contact.bond)
+        throw InputError(entry +
+                         ": what is bonded keeps a fluid out. Leave the "
+                         "entry empty, or Cohesion and Tensile strength "
+                         "at 0.");
       if (contact.layer && contact.layer->wears())
         throw InputError(entry + ": what wears is not wet. Leave the entry or "
                                  "Wear coefficient empty.");
