@@ -8,6 +8,7 @@ from matplotlib.colors import to_rgb
 
 from drawing.colours import ARROWS, OBSTACLE
 from drawing.screen import remember
+from drawing.shapes import rectangle
 
 FINE = 2  # pixels are means of so many squared
 MAX_FACES_WITH_EDGES = 20000
@@ -198,18 +199,6 @@ def add_frame(stage, body, scale, size):
     stage.add(stage.mesh(body.points, body.faces), "0.7", width=FINE, shine=False)
     members = stage.mesh(body.x, body.faces, scale.values(body))
     stage.add(stage.after("vtkTubeFilter", members, Radius=.004 * size, NumberOfSides=12), scale=scale)
-
-
-def rectangle(contact, size):
-    """Corners on what is flat, a little larger than the contact."""
-    n = contact.normals[0]
-    a = np.eye(3)[np.abs(n).argmin()]
-    a = a - (a @ n) * n
-    a, middle = a / np.linalg.norm(a), contact.feet.mean(axis=0)
-    b = np.cross(n, a)
-    (a0, a1), (b0, b1) = ((c.min() - .06 * size, c.max() + .06 * size)
-                          for c in ((contact.feet - middle) @ a, (contact.feet - middle) @ b))
-    return np.array([middle + p * a + q * b for p, q in ((a0, b0), (a1, b0), (a1, b1), (a0, b1))])
 
 
 def add_obstacle(stage, contact, size):

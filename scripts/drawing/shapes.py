@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from conetact.report.fields import split
+from conetact.report.meshes import PARTS as PARTS_OF_FACES
 from conetact.vtu import HEXAHEDRON, LINE, QUADRILATERAL, TETRAHEDRON, TRIANGLE
 
 # corners of faces of a cell, those of simplices repeat one in space
@@ -20,8 +21,7 @@ GRID = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2,
         (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2), (0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1),
         (0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)]
 # cells of second degree as cells of first degree between their nodes
-PARTS = {22: (TRIANGLE, [(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)]),
-         28: (QUADRILATERAL, [(0, 4, 8, 7), (4, 1, 5, 8), (8, 5, 2, 6), (7, 8, 6, 3)]),
+PARTS = {22: PARTS_OF_FACES[22], 28: PARTS_OF_FACES[28],
          24: (TETRAHEDRON, [(0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3),
                             (4, 9, 5, 6), (4, 9, 6, 7), (4, 9, 7, 8), (4, 9, 8, 5)]),
          29: (HEXAHEDRON, [[GRID.index(tuple(a + b // 2 for a, b in zip(first, corner))) for corner in GRID[:8]]
@@ -237,3 +237,15 @@ def shapes_of(result, increment, factor):
                              f"{name}_master" in names)
                 for name in names if not (name.endswith("_master") and name[:-7] in names)]
     return Shapes(bodies, contacts, factor)
+
+
+def rectangle(contact, size):
+    """Corners on what is flat, a little larger than the contact: of an obstacle."""
+    n = contact.normals[0]
+    a = np.eye(3)[np.abs(n).argmin()]
+    a = a - (a @ n) * n
+    a, middle = a / np.linalg.norm(a), contact.feet.mean(axis=0)
+    b = np.cross(n, a)
+    (a0, a1), (b0, b1) = ((c.min() - .06 * size, c.max() + .06 * size)
+                          for c in ((contact.feet - middle) @ a, (contact.feet - middle) @ b))
+    return np.array([middle + p * a + q * b for p, q in ((a0, b0), (a1, b0), (a1, b1), (a0, b1))])

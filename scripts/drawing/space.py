@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from drawing.colours import ARROWS, OBSTACLE
+from drawing.shapes import rectangle
 
 MAX_FACES_WITH_EDGES = 8000
 PARTS = 4000  # into about so many polygons the faces of coarse meshes are cut
@@ -65,23 +66,10 @@ def add_bodies(polygons, bodies, scale, sight):
             add_edges(polygons, body.x[body.faces], n, EDGE, sight)
 
 
-def rectangle(contact, size):
-    """Of what is flat, a little larger than the contact, in parts."""
-    n = contact.normals[0]
-    a = np.eye(3)[np.abs(n).argmin()]
-    a = a - (a @ n) * n
-    a, middle = a / np.linalg.norm(a), contact.feet.mean(axis=0)
-    b = np.cross(n, a)
-    (a0, a1), (b0, b1) = ((c.min() - .06 * size, c.max() + .06 * size)
-                          for c in ((contact.feet - middle) @ a, (contact.feet - middle) @ b))
-    corners = [middle + p * a + q * b for p, q in ((a0, b0), (a1, b0), (a1, b1), (a0, b1))]
-    return cut(np.array([corners]), 12)
-
-
 def add_obstacle(polygons, contact, size):
     """A rectangle, or the surface opposite to the faces of the contact."""
     if contact.is_flat:
-        parts, colour = rectangle(contact, size), to_rgba(OBSTACLE, .45)
+        parts, colour = cut(np.array([rectangle(contact, size)]), 12), to_rgba(OBSTACLE, .45)
     else:
         near = np.abs(contact.feet - contact.points).max(axis=1) < .5 * size
         parts, colour = [contact.feet[face] for face in contact.faces if near[face].all()], to_rgba(OBSTACLE, .2)

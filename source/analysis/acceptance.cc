@@ -56,6 +56,8 @@ namespace conetact::analysis
         }
       return states;
     }
+
+    /** Of an increment that is accepted. */
     contact::KeptByLaws
     kept_by_laws(const PendingIncrement       &increment,
                  const contact::ContactPoints &points)

@@ -211,11 +211,13 @@ namespace conetact::analysis
     for (const contact::Cut &cut : model.bodies.cuts)
       description.preloads.push_back(scene.contact_names[cut.contact]);
     for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
-      if (scene.contact(c).layer && scene.contact(c).layer->wears())
-        description.wearing.push_back(c);
-    for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
-      if (scene.contact(c).bond)
-        description.breaking.push_back(c);
+      {
+        const pairing::Contact &contact = scene.contact(c);
+        if (contact.layer && contact.layer->wears())
+          description.wearing.push_back(c);
+        if (contact.bond)
+          description.breaking.push_back(c);
+      }
     description.judges_uniqueness = scene.judges_uniqueness;
     for (const bodies::Probe &probe : scene.probes)
       description.probes.push_back(probe.name);

@@ -43,12 +43,9 @@ namespace conetact::analysis
     const solvers::ContactProblem cones =
       solvers::with_coefficients_of(increment.end, problem);
     const Eigen::VectorXd &mu = cones.system->mu;
-    if (!uniqueness || uniqueness_mu.size() != mu.size() ||
-        uniqueness_mu != mu || search.is_needed())
-      {
-        uniqueness.emplace(cones.system);
-        uniqueness_mu = mu;
-      }
+    if (!uniqueness || uniqueness->mu().size() != mu.size() ||
+        uniqueness->mu() != mu || search.is_needed())
+      uniqueness.emplace(cones.system);
     const std::optional<double> factor = uniqueness->proof_factor();
     if (factor && *factor >= 1)
       return tell("yes", "the solution is unique, " + up_to(*factor, mu));

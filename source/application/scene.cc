@@ -213,18 +213,12 @@ namespace conetact::application
       bodies.supports.push_back(bodies::create_support(
         prm, name, dim, bodies.names, bodies.structures));
     });
+    const std::vector<bodies::Support> changing =
+      changing_supports(prm, activity, bodies.supports);
     const std::vector<bool> active = active_supports(times.back());
-    prm.enter_subsection("Time");
-    const std::vector<double> all_times = create_times(prm); // of all stages
-    prm.leave_subsection();
-    std::vector<bodies::Support> changing; // in some stages there only
     for (std::size_t k = 0; k < active.size(); ++k)
-      {
-        if (changes(activity[k], all_times))
-          changing.push_back(bodies.supports[k]);
-        if (!active[k])
-          bodies.supports[k].release();
-      }
+      if (!active[k])
+        bodies.supports[k].release();
     create_each(prm, "Load", load_names, [&](const std::string &name) {
       loads.push_back(
         bodies::create_load(prm, name, dim, bodies.names, bodies.structures));

@@ -3,6 +3,7 @@
 
 // Stages of a scene: supports that are there in some of its increments only.
 
+#include "conetact/application/load_history.h"
 #include "conetact/application/scene.h"
 #include "conetact/application/stages.h"
 #include "conetact/base/errors.h"
@@ -12,13 +13,45 @@
 
 namespace conetact::application
 {
-  bool
-  changes(const Expression &active, const std::vector<double> &times)
+  namespace
   {
-    const auto at = [&](const double t) { return active(Point<3>(), t) != 0; };
-    return std::any_of(times.begin(), times.end(), [&](const double t) {
-      return at(t) != at(times.front());
-    });
+    /** At some of the times only. */
+    bool
+    changes(const Expression &active, const std::vector<double> &times)
+    {
+      const auto at = [&](const double t) {
+        return active(Point<3>(), t) != 0;
+      };
+      return std::any_of(times.begin(), times.end(), [&](const double t) {
+        return at(t) != at(times.front());
+      });
+    }
+
+    /** Else there is one stage. */
+    bool
+    depend_on_time(const std::vector<Expression> &activity)
+    {
+      return std::any_of(activity.begin(),
+                         activity.end(),
+                         [](const Expression &of) { return of.uses_time(); });
+    }
+  } // namespace
+
+  std::vector<bodies::Support>
+  changing_supports(dealii::ParameterHandler           &prm,
+                    const std::vector<Expression>      &activity,
+                    const std::vector<bodies::Support> &supports)
+  {
+    std::vector<bodies::Support> found;
+    if (!depend_on_time(activity))
+      return found;
+    prm.enter_subsection("Time");
+    const std::vector<double> times = create_times(prm); // of all stages
+    prm.leave_subsection();
+    for (std::size_t k = 0; k < activity.size(); ++k)
+      if (changes(activity[k], times))
+        found.push_back(supports[k]);
+    return found;
   }
 
   void
@@ -83,7 +116,8 @@ namespace conetact::application
   Scene::stage_ends() const
   {
     std::vector<double> ends;
-    for (std::size_t k = 0; k + 1 < times.size(); ++k)
+    const bool          may_change = depend_on_time(activity);
+    for (std::size_t k = 0; may_change && k + 1 < times.size(); ++k)
       if (active_supports(times[k]) != active_supports(times[k + 1]))
         ends.push_back(times[k]);
     if (!times.empty())

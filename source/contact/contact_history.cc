@@ -282,8 +282,6 @@ namespace conetact::contact
            dealii::ExcMessage("Only finite states become history."));
     const solvers::ContactSystem &layout = model->points.layout();
     const Eigen::Index            n      = layout.n_unknowns();
-    if (laws != nullptr)
-      broken += laws->fracture(parted, end);
     q += end.v.head(n);
     for (Eigen::Index i = 0; i < layout.n_nodes(); ++i)
       // v has slips of the increment, but the gap itself.
@@ -296,9 +294,15 @@ namespace conetact::contact
       {
         slipped += laws->slips(end);
         depth += laws->wear(end);
+      }
+    if (laws != nullptr && laws->has_bonds())
+      {
+        broken += laws->fracture(parted, end);
         parted = laws->openings(end);
         opened = opened.cwiseMax(parted);
       }
+    else
+      parted.setZero();
     if (n > 0)
       largest = std::max(largest, r.cwiseAbs().maxCoeff());
   }

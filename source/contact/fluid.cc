@@ -110,12 +110,12 @@ namespace conetact::contact
   }
 
   std::vector<bool>
-  Fluid::wet(std::vector<bool>      before,
-             const Eigen::VectorXd &r,
-             const ContactPoints   &points,
-             const double           t) const
+  Fluid::wet(const std::vector<bool> &before,
+             const Eigen::VectorXd   &r,
+             const ContactPoints     &points,
+             const double             t) const
   {
-    before.resize(points.size(), false);
+    AssertDimension(before.size(), points.size());
     const auto lets_in = [&](const std::size_t i) {
       const pairing::ContactNode &node = *points[i].node;
       const double force = node.fluid->pressure(t) * node.covered_area();

@@ -406,8 +406,7 @@ namespace conetact::contact
     return std::any_of(points.begin(),
                        points.end(),
                        [](const ContactPoint &point) {
-                         return point.node->friction || point.node->layer ||
-                                point.node->bond || point.node->active;
+                         return point.node->friction != nullptr;
                        });
   }
 } // namespace conetact::contact

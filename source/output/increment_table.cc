@@ -36,26 +36,32 @@ namespace conetact::output
       return n;
     }
 
-    /** What is rubbed off both sides of a contact [length^3]. */
+    /** The sum of value(row) over the rows of a contact. */
+    template <typename Value>
     double
-    worn_volume(const std::vector<ContactRow> &rows, const unsigned int contact)
+    sum_over(const std::vector<ContactRow> &rows,
+             const unsigned int             contact,
+             const Value                   &value)
     {
-      double volume = 0;
+      double sum = 0;
       for (const ContactRow &row : rows)
         if (row.contact == contact)
-          volume += (row.wear + row.wear_opposite) * row.area;
-      return volume;
+          sum += value(row);
+      return sum;
     }
 
-    /** Work against bonds of a contact [force x length]. */
+    /** What is rubbed off both sides of a contact node [length^3]. */
     double
-    fracture_of(const std::vector<ContactRow> &rows, const unsigned int contact)
+    worn_volume(const ContactRow &row)
     {
-      double work = 0;
-      for (const ContactRow &row : rows)
-        if (row.contact == contact)
-          work += row.fracture;
-      return work;
+      return (row.wear + row.wear_opposite) * row.area;
+    }
+
+    /** Work against its bond [force x length]. */
+    double
+    fracture(const ContactRow &row)
+    {
+      return row.fracture;
     }
 
     /** Adds forces and moments, those that are noise as 0. */
@@ -194,9 +200,9 @@ namespace conetact::output
         csv.add("the shortening by a preload", preload.shortening);
       }
     for (const unsigned int contact : run.wearing)
-      csv.add("the worn volume", worn_volume(record.rows, contact));
+      csv.add("the worn volume", sum_over(record.rows, contact, worn_volume));
     for (const unsigned int contact : run.breaking)
-      csv.add("the work of fracture", fracture_of(record.rows, contact));
+      csv.add("the work of fracture", sum_over(record.rows, contact, fracture));
     if (run.judges_uniqueness)
       csv.add(record.unique);
     csv.end();

@@ -39,19 +39,16 @@ namespace conetact::solvers
       return factor.solve(MatrixXd::Identity(pivots.size(), pivots.size()));
     }
 
+    /** By their reactions: where these are alike, so are displacements. */
     bool
     differ(const ContactProblem &problem,
            const ContactState   &a,
            const ContactState   &b)
     {
-      constexpr double much  = 1e-6;
-      const Index      n     = problem.system->n_contact_unknowns();
-      const auto       apart = [&](const VectorXd &x, const VectorXd &y) {
-        return largest(x.head(n) - y.head(n)) >
-               much * std::max(largest(x.head(n)), largest(y.head(n)));
-      };
-      return apart(a.r, b.r) ||
-             (largest(a.r.head(n)) > 0 && apart(a.v, b.v) && apart(a.r, b.r));
+      constexpr double much = 1e-6;
+      const Index      n    = problem.system->n_contact_unknowns();
+      return largest(a.r.head(n) - b.r.head(n)) >
+             much * std::max(largest(a.r.head(n)), largest(b.r.head(n)));
     }
 
     /** A start in which nodes have these states; in the plane those that slip
@@ -169,10 +166,10 @@ namespace conetact::solvers
   }
 
   bool
-  UniquenessCheck::holds(const double c, const VectorXd &s) const
+  UniquenessCheck::holds(const double c, const MatrixXd &M) const
   {
     constexpr double least = 1e-12; // of the stiffness: rounding
-    MatrixXd         rest  = K - c * perturbation(s);
+    MatrixXd         rest  = K - c * M;
     rest.diagonal() -= least * K.diagonal();
     return Eigen::LLT<MatrixXd, Eigen::Lower>(rest).info() == Eigen::Success;
   }
@@ -241,8 +238,9 @@ namespace conetact::solvers
     double best = 0;
     for (const VectorXd &s : {alone, balanced(alone)})
       {
-        double low = 0, high = 1;
-        while (holds(high, s) && high < 1e6)
+        const MatrixXd M   = perturbation(s);
+        double         low = 0, high = 1;
+        while (holds(high, M) && high < 1e6)
           {
             low = high;
             high *= 2;
@@ -250,7 +248,7 @@ namespace conetact::solvers
         while (high - low > exact * high && high > 1e-9)
           {
             const double middle             = .5 * (low + high);
-            (holds(middle, s) ? low : high) = middle;
+            (holds(middle, M) ? low : high) = middle;
           }
         best = std::max(best, low);
       }

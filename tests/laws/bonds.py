@@ -44,7 +44,6 @@ def pulled(laws):
     table = "table(t; 0 : 0; " + "; ".join(f"{i + 1} : {u}" for i, u in enumerate(ways)) + ")"
     for dim, backend in ((2, "condensed"), (2, "iterative"), (3, "condensed"), (3, "iterative")):
         what = f"{dim}D, {backend}, pulled"
-        up = f"0 ; {table}" if dim == 2 else f"0 ; 0 ; {table}"
         run = laws.run(merge(glued(dim, table, times, **softens), {"Solver": {"Backend": backend}}))
         opened, stress, gap = 0.0, 0.0, 0.0
         for i, u in enumerate(ways):

@@ -187,7 +187,6 @@ namespace conetact::analysis
     std::optional<contact::Fluid>            fluid; ///< once it is asked for
     std::set<unsigned int>                   said_leaks; ///< contacts
     std::optional<solvers::UniquenessCheck>  uniqueness;
-    Eigen::VectorXd                          uniqueness_mu; ///< of which it is
     IncrementParts                           parts; ///< of the one that is next
     bool lost_contacts = false; ///< that slide, in what failed last
     bool unsolved      = false; ///< what failed last, by its solver

@@ -7,13 +7,18 @@
 #include "conetact/bodies/supports.h"
 #include "conetact/pairing/contact_nodes.h"
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <vector>
 
 namespace conetact::application
 {
-  /** Whether a support is there at some of the times only. */
-  bool
-  changes(const Expression &active, const std::vector<double> &times);
+  /** Those that are there at some times of a scene only; `activity` is that of
+   * each. */
+  std::vector<bodies::Support>
+  changing_supports(dealii::ParameterHandler           &prm,
+                    const std::vector<Expression>      &activity,
+                    const std::vector<bodies::Support> &supports);
 
   /** Contact nodes must have the same unknowns in all stages: throws InputError
    * where supports that change hold one. */

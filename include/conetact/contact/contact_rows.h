@@ -12,11 +12,6 @@
 
 namespace conetact::contact
 {
-  /**
-   * Translates the solver's unknowns of contact nodes into the terms of users:
-   * gap, normal and tangential displacement, slip, reaction and state in each
-   * node's frame. Remembers displacements from increment to increment.
-   */
   /** What laws of contact nodes have kept of all candidates; or nothing. */
   struct KeptByLaws
   {
@@ -26,6 +21,11 @@ namespace conetact::contact
     std::vector<bool> wet;      ///< what a fluid has reached
   };
 
+  /**
+   * Translates the solver's unknowns of contact nodes into the terms of users:
+   * gap, normal and tangential displacement, slip, reaction and state in each
+   * node's frame. Remembers displacements from increment to increment.
+   */
   class ContactRows
   {
   public:

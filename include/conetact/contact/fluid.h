@@ -30,10 +30,10 @@ namespace conetact::contact
      * increment they grow only, so that few repetitions find all.
      */
     std::vector<bool>
-    wet(std::vector<bool>      before,
-        const Eigen::VectorXd &r,
-        const ContactPoints   &points,
-        const double           t) const;
+    wet(const std::vector<bool> &before,
+        const Eigen::VectorXd   &r,
+        const ContactPoints     &points,
+        const double             t) const;
 
     /** Contacts of which wet candidates are at an edge that is no source and
      * that no support holds. */

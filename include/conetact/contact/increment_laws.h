@@ -147,7 +147,8 @@ namespace conetact::contact
     bool                            bonded; ///< something is bonded or wet
   };
 
-  /** Whether any candidate has laws of its own. */
+  /** Whether any candidate has laws of its own: each of them, whatever it is,
+   * comes with a law of friction. */
   bool
   has_nodal_laws(const ContactPoints &points);
 } // namespace conetact::contact

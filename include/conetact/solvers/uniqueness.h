@@ -37,15 +37,24 @@ namespace conetact::solvers
       return factor;
     }
 
+    /** The coefficients that they are factors of. */
+    const Eigen::VectorXd &
+    mu() const
+    {
+      return system->mu;
+    }
+
     static constexpr Eigen::Index most = 2000;
 
   private:
+    /** Whether K - c M is positive definite, beyond rounding. */
     bool
-    holds(const double c, const Eigen::VectorXd &s) const;
+    holds(const double c, const Eigen::MatrixXd &M) const;
     Eigen::VectorXd
     balanced(Eigen::VectorXd s) const;
     Eigen::VectorXd
     perturb(const Eigen::VectorXd &s, const Eigen::VectorXd &x) const;
+    /** M of these weights, and (next) M x. */
     Eigen::MatrixXd
     perturbation(const Eigen::VectorXd &s) const;
     double
