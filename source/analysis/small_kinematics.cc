@@ -152,7 +152,8 @@ namespace conetact::analysis
         const bool open = i < points.size() && end.increment.state.node[i] ==
                                                  solvers::NodeState::open;
         // A node that is tied to an obstacle goes with it, wherever that goes.
-        if (node.obstacle == nullptr || node.kind == pairing::ContactKind::tie)
+        if (node.obstacle == nullptr || node.spring ||
+            node.kind == pairing::ContactKind::tie)
           continue;
         // A closed node claims a gap of zero, but for what gives way.
         moved[node.contact].push_back(
@@ -285,7 +286,7 @@ namespace conetact::analysis
                         model.bodies.dim};
         for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
           if (const pairing::Contact &contact = scene.contact(c);
-              contact.kind != pairing::ContactKind::tie &&
+              (contact.kind != pairing::ContactKind::tie || contact.active) &&
               (contact.body == b ||
                (contact.obstacle == nullptr && contact.master == b)))
             {
@@ -306,6 +307,8 @@ namespace conetact::analysis
                                   const IncrementEnd         &end) const
   {
     Tensor<1, 3> change;
+    if (node.spring)
+      return change;
     if (node.obstacle != nullptr)
       {
         const auto motion =

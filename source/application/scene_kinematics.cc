@@ -149,7 +149,7 @@ namespace conetact::application
     // told, but no reason yet: what is curved and pressed only is right to the
     // order of the angle by which its normals turn, and always found
     if (chosen.asked != pairing::Kinematics::finite_sliding &&
-        contact.kind != pairing::ContactKind::tie)
+        !contact.spring && contact.kind != pairing::ContactKind::tie)
       chosen.why_not_plane = pairing::why_not_plane(
         contact, c, bodies.contact_nodes, bodies.structures, bodies.dim);
     contact.slides = chosen.slides();

@@ -59,6 +59,33 @@ namespace conetact::application
 
 
 
+  namespace
+  {
+    /** Whether reactions of its nodes may have any sign by a law. */
+    bool
+    may_be_joined(const pairing::Contact &contact)
+    {
+      return (contact.spring && contact.spring->acts_both_ways()) ||
+             (contact.kind == pairing::ContactKind::tie && contact.active);
+    }
+  } // namespace
+
+  void
+  Scene::refuse_joints_of_other_methods() const
+  {
+    const bool newton =
+      solver.method == "automatic" || solver.method == "active set";
+    for (const pairing::Contact &contact : contacts)
+      if ((contact.spring || may_be_joined(contact)) &&
+          (path.follows || (!newton && may_be_joined(contact))))
+        throw InputError("Contact '" + contact.name + "', Kind: Solver/Method "
+                         "= " + (path.follows ? "load path" : solver.method) +
+                         " knows no springs and no ties that begin or end. "
+                         "Choose automatic.");
+  }
+
+
+
   /* Friction that changes is one of increments; their parts have no speed. */
   void
   Scene::settle_friction()
@@ -66,8 +93,9 @@ namespace conetact::application
     for (const pairing::Contact &contact : contacts)
       if (contact.friction->uses_speed() ||
           (contact.layer && contact.layer->uses_speed()) || contact.bond ||
-          contact.fluid)
+          contact.fluid || may_be_joined(contact))
         solver.max_substeps = 1;
+    refuse_joints_of_other_methods();
     for (const pairing::Contact &contact : contacts)
       if ((contact.bond || contact.fluid) && solver.method != "automatic" &&
           solver.method != "active set" && !path.follows)

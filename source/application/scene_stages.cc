@@ -70,7 +70,8 @@ namespace conetact::application
               contacts[node.contact].name +
               "' in some stages only, and nodes of contacts must be held "
               "alike in all of them. Leave that node out of the Boundary ids "
-              "of one of them.");
+              "of one of them, or hold it by a Contact of Kind = tie with an "
+              "Obstacle, which may have an Active of its own.");
   }
 
 

@@ -51,6 +51,7 @@ namespace conetact::contact
     , r(q)
     , slipped(Eigen::VectorXd::Zero(initial_gap.size()))
     , depth(slipped)
+    , packed(slipped)
     , opened(slipped)
     , parted(slipped)
     , broken(slipped)
@@ -148,6 +149,7 @@ namespace conetact::contact
     archive.put("contact/largest", largest);
     archive.put("contact/slipped", slipped);
     archive.put("contact/worn", depth);
+    archive.put("contact/packed", packed);
     archive.put("contact/opened", opened);
     archive.put("contact/parted", parted);
     archive.put("contact/broken", broken);
@@ -178,6 +180,7 @@ namespace conetact::contact
     archive.fill("contact/largest", largest);
     archive.fill("contact/slipped", slipped);
     archive.fill("contact/worn", depth);
+    archive.fill("contact/packed", packed);
     archive.fill("contact/opened", opened);
     archive.fill("contact/parted", parted);
     archive.fill("contact/broken", broken);
@@ -255,6 +258,7 @@ namespace conetact::contact
     if (!has_nodal_laws(points))
       return {};
     Assert(t > time, dealii::ExcMessage("Time goes on."));
+    const Eigen::VectorXd           gap = gaps();
     std::vector<pairing::Situation> known(points.size());
     for (std::size_t i = 0; i < known.size(); ++i)
       {
@@ -263,6 +267,8 @@ namespace conetact::contact
         known[i].t                       = t;
         known[i].slipped = slipped[static_cast<Eigen::Index>(i)];
         known[i].opened  = opened[static_cast<Eigen::Index>(i)];
+        known[i].packed  = packed[static_cast<Eigen::Index>(i)];
+        known[i].gap     = gap[static_cast<Eigen::Index>(i)];
         if ((node.friction && node.friction->uses_temperature()) ||
             (node.layer && node.layer->uses_temperature()) ||
             (node.bond && node.bond->uses_temperature()))
@@ -294,6 +300,7 @@ namespace conetact::contact
       {
         slipped += laws->slips(end);
         depth += laws->wear(end);
+        packed = packed.cwiseMax(laws->pressures(end));
       }
     if (laws != nullptr && laws->has_bonds())
       {

@@ -33,7 +33,7 @@ namespace conetact::contact
       if (bodies.frames.empty())
         return;
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].kind == pairing::ContactKind::tie)
+        if (nodes[i].is_tied())
           for (const auto direction : {&pairing::ContactNode::n,
                                        &pairing::ContactNode::t1,
                                        &pairing::ContactNode::t2,

@@ -349,6 +349,8 @@ namespace conetact::contact
     const NodeRule                 *rule = supports.find(node.body, node.node);
     const std::vector<Tensor<1, 3>> held =
       rule != nullptr ? directions(rule->held) : std::vector<Tensor<1, 3>>();
+    if (node.spring)
+      return add_spring(node, held);
     // Its gap cannot change by deformation: no unknown.
     if (is_spanned(node.n, held))
       {
@@ -371,6 +373,24 @@ namespace conetact::contact
                       bodies.dim == 2 ? node.t1 :
                                         cross_product_3d(node.n, held[0]));
     // the normal comes last, as solvers want it
+    add_cone(point, node.n, 1);
+    points.push_back(std::move(point));
+  }
+
+
+
+  /* Supports hold its point or not: it may move all the same, and the other end
+     anyway. */
+  void
+  ContactPoints::add_spring(const pairing::ContactNode      &node,
+                            const std::vector<Tensor<1, 3>> &held)
+  {
+    prescribed_slip = prescribed_slip || !held.empty();
+    ContactPoint point;
+    point.node                               = &node;
+    const std::vector<Tensor<1, 3>> tangents = {node.t1, node.t2};
+    point.frictionless.assign(tangents.begin(),
+                              tangents.begin() + bodies.dim - 1);
     add_cone(point, node.n, 1);
     points.push_back(std::move(point));
   }

@@ -115,8 +115,7 @@ namespace conetact::contact
     for (std::size_t i = 0; i < nodes.size(); ++i)
       // Of a tie no node is given up: which of its rows a support implies is
       // found where they are eliminated (BoundUnknowns).
-      if (held[i] && nodes[i].is_mean &&
-          nodes[i].kind != pairing::ContactKind::tie)
+      if (held[i] && nodes[i].is_mean && !nodes[i].is_tied())
         for (std::size_t j = 0; j < nodes.size(); ++j)
           if (!held[j] && nodes[j].contact == nodes[i].contact &&
               nodes[j].n * nodes[i].n > cosine_of_side &&

@@ -41,6 +41,13 @@ namespace conetact::contact
       return layer;
     }
 
+    solvers::Layer
+    of_spring(const pairing::ContactNode &node, const double r_n)
+    {
+      const double C = node.spring->compliance();
+      return {C * (node.is_joined() ? r_n : std::max(r_n, 0.)), C, 0, 0, {}};
+    }
+
     /** Of f(situation) along its pressure or its speed, in steps of a part of
      * it, or of what is little. */
     template <typename Function>
@@ -70,6 +77,7 @@ namespace conetact::contact
     , time(duration)
     , constant(start.size(), not_known)
     , active(start.size(), true)
+    , joined(start.size(), false)
     , strength(start.size(), 0.)
     , cohesion(start.size(), 0.)
     , fluids(start.size(), 0.)
@@ -87,6 +95,7 @@ namespace conetact::contact
         else if (node.friction->is_known())
           constant[i] = coefficient(i, start[i]);
         active[i] = node.is_active(start[i].t);
+        joined[i] = active[i] && node.is_joined();
         if (active[i] && node.bond)
           {
             strength[i] = node.bond->strength(start[i]) * node.bonded_area();
@@ -95,8 +104,9 @@ namespace conetact::contact
           }
         if (i < wet.size() && wet[i])
           fluids[i] = node.fluid->pressure(start[i].t) * node.covered_area();
-        bonded = bonded || bonds[i] || is_wet(i);
-        soft   = soft || !active[i] || (node.layer && node.layer->is_soft());
+        bonded = bonded || bonds[i] || is_wet(i) || joined[i];
+        soft   = soft || !active[i] || joined[i] || node.spring ||
+               (node.layer && node.layer->is_soft());
       }
   }
 
@@ -192,18 +202,27 @@ namespace conetact::contact
     const double        a     = points[i].node->covered_area();
     if (!active[i])
       return out_of_sight(*point.node);
+    if (point.node->may_part()) // its sides stay as the increment finds them
+      return {-start[i].gap, 0, 0, 0, {}};
+    if (point.node->spring)
+      return of_spring(*point.node, r_n);
     if (!point.node->layer || !point.node->layer->is_soft() || a == 0)
       return {};
     const pairing::LayerLaw &law  = *point.node->layer;
     const Situation          here = situation(i, r_n, slip);
     const bool               now  = law.wears_at_once();
-    const auto               C    = [&](const Situation &at) {
-      return law.closing_by_pressure(at) +
-             (now ? slip * law.wear_by_pressure(at) : 0.);
+    const bool               back = law.is_unloaded(here);
+    const auto               worn = [&](const Situation &at) {
+      return now ? slip * law.wear_by_pressure(at) : 0.;
+    };
+    const auto C = [&](const Situation &at) {
+      return (back ? law.unloading_by_pressure(at) :
+                     law.closing_by_pressure(at)) +
+             worn(at);
     };
     const double   p = here.pressure;
     solvers::Layer result;
-    result.closing = C(here) * p;
+    result.closing = law.closing(here) + p * worn(here);
     result.by_force =
       (C(here) + p * slope(C, here, &Situation::pressure, 0)) / a;
     if (result.by_force < 0)
@@ -341,6 +360,16 @@ namespace conetact::contact
         depth[k] *= law ? here.pressure * law->wear_by_pressure(here) : 0.;
       }
     return depth;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::pressures(const solvers::ContactState &end) const
+  {
+    Eigen::VectorXd p(static_cast<Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      p[static_cast<Index>(i)] =
+        situation(i, end.r[points[i].normal()], 0).pressure;
+    return p;
   }
 
   Eigen::VectorXd

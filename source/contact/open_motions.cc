@@ -96,6 +96,12 @@ namespace conetact::contact
     for (Index i = 0; i < points.layout().n_nodes(); ++i)
       {
         const Index first = points[i].first, n = points[i].normal();
+        if (points[i].node->is_joined())
+          {
+            for (Index k = first; k <= n; ++k)
+              opposed.push_back(seen.row(k));
+            continue;
+          }
         if (carries_nothing(state.r[n], largest_force))
           {
             bound(seen.row(n), state.v[n]);

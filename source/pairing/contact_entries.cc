@@ -112,7 +112,7 @@ namespace conetact::pairing
         };
       declare("Preload",
               "",
-              "Kind = tie only: the tension across it, a function of t, as of "
+              "Kind = tie: the tension across it, a function of t, as of "
               "a bolt that is cut in two and tightened. The sides slip over "
               "each other along Preload axis, all nodes by the same length, "
               "until this force draws them together; they stay tied in all "
@@ -196,7 +196,9 @@ namespace conetact::pairing
                       Anything(),
                       "An expression of t: at the end of an increment where it "
                       "is 0 both sides do not see each other, as a part that "
-                      "is not mounted yet. For Kind = contact.");
+                      "is not mounted yet. A tie holds its sides as the "
+                      "increment finds in which it begins, and lets go of "
+                      "them where it ends. Not for Kind = bilateral.");
   }
 
   void
@@ -228,5 +230,6 @@ namespace conetact::pairing
                       "stop: these nodes meet the body's faces.");
     declare_contact_law(prm);
     declare_preload(prm);
+    declare_spring(prm);
   }
 } // namespace conetact::pairing

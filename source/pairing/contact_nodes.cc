@@ -83,7 +83,11 @@ namespace conetact::pairing
       {ContactKind::bilateral,
        "bilateral",
        "they slide without friction and never lift off",
-       "mortar"}};
+       "mortar"},
+      {ContactKind::spring,
+       "spring",
+       "two points, with a Stiffness between them; see Point",
+       "node to face"}};
     return rows;
   }
 

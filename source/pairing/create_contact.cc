@@ -8,6 +8,7 @@
 #include "conetact/bodies/face_nodes.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/node_to_face.h"
+#include "conetact/pairing/pair_spring.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +132,9 @@ namespace conetact::pairing
       const auto refuse = [&](const char *entry) {
         throw InputError(
           in + entry + ": a contact with Kind = " + prm.get("Kind") + " has " +
-          (contact.kind == ContactKind::tie ?
+          (contact.kind == ContactKind::spring ?
+             "no friction, for it acts along one line" :
+           contact.kind == ContactKind::tie ?
              "no friction cone, it carries any reaction" :
              "no friction, for a reaction that may pull has no cone") +
           ". Leave the entry at its default, or choose Kind = contact.");
@@ -140,6 +143,7 @@ namespace conetact::pairing
         refuse("Friction coefficient");
       for (const char *entry : {"Shear limit",
                                 "Compliance",
+                                "Unloading compliance",
                                 "Shear compliance",
                                 "Wear coefficient"})
         if (!prm.get(entry).empty())
@@ -148,11 +152,15 @@ namespace conetact::pairing
         if (!Expression(prm.get(entry), in + entry, names_of_situation())
                .is_zero())
           refuse(entry);
-      if (contact.active)
+      if (contact.active && contact.kind == ContactKind::bilateral)
         throw InputError(in +
                          "Active: a contact with Kind = " + prm.get("Kind") +
                          " is an equation that always holds. Leave the entry "
                          "at its default, or choose Kind = contact.");
+      if (contact.active && !prm.get("Gap").empty())
+        throw InputError(in + "Gap: a tie that begins or ends holds its sides "
+                              "as it finds them. Leave the entry empty, or "
+                              "Active at its default.");
       const std::pair<const char *, const std::optional<Expression> *>
         entries[] = {{"Second friction coefficient", &contact.second_friction},
                      {"Prestress", &contact.prestress}};
@@ -199,6 +207,8 @@ namespace conetact::pairing
                  const Contact                  &contact,
                  const std::string              &in)
     {
+      if (contact.spring) // whose Preload is its force at the start
+        return {};
       if (prm.get("Preload").empty())
         {
           for (const char *key : {"Preload axis", "Preload locked from"})
@@ -215,6 +225,9 @@ namespace conetact::pairing
       if (contact.gap)
         throw InputError(in + "Gap: a tie with a Preload finds by itself how "
                               "far its sides move. Remove one of both.");
+      if (contact.active)
+        throw InputError(in + "Preload: a tie that it tightens lasts. Leave "
+                              "Active at its default, or the entry empty.");
       Preload preload{Expression(prm.get("Preload"), in + "Preload"), {}, {}};
       if (preload.force.uses_space())
         throw InputError(in + "Preload: '" + prm.get("Preload") +
@@ -328,6 +341,10 @@ namespace conetact::pairing
       throw InputError(in + "Second friction coefficient: an elliptic cone has "
                             "neither layer nor wear, and is always active. "
                             "Leave the entry empty, or those of the others.");
+    if (contact.bond && !prm.get("Unloading compliance").empty())
+      throw InputError(in + "Unloading compliance: what is glued springs back "
+                            "as it closed. Leave the entry empty, or Cohesion "
+                            "and Tensile strength at 0.");
     if (contact.second_friction && contact.bond)
       throw InputError(in + "Second friction coefficient: an elliptic cone has "
                             "no cohesion. Leave the entry empty, or Cohesion "
@@ -377,6 +394,36 @@ namespace conetact::pairing
     }
   } // namespace
 
+  namespace
+  {
+    /** Of a spring; the ground is an obstacle that nobody names. */
+    void
+    find_ends(const dealii::ParameterHandler &prm,
+              const unsigned int              dim,
+              const std::vector<std::string> &bodies,
+              const std::vector<Obstacle>    &obstacles,
+              const std::string              &in,
+              Contact                        &contact)
+    {
+      for (const char *entry : {"Boundary ids", "Master boundary ids", "Reach"})
+        if (!prm.get(entry).empty())
+          throw InputError(in + entry +
+                           ": a spring ends at points. Leave the entry empty, "
+                           "and give Point and Master point.");
+      contact.spring = std::make_shared<SpringLaw>(prm, dim, in);
+      if (prm.get("Master body").empty())
+        contact.obstacle = prm.get("Obstacle").empty() ?
+                             &ground() :
+                             &find_obstacle(prm.get("Obstacle"), obstacles, in);
+      else if (!prm.get("Obstacle").empty())
+        throw InputError(in + "Obstacle: there is a Master body too. Leave one "
+                              "of them empty.");
+      else
+        contact.master =
+          bodies::find_body(prm.get("Master body"), bodies, in + "Master body");
+    }
+  } // namespace
+
   Contact
   create_contact(dealii::ParameterHandler                     &prm,
                  const std::string                            &name,
@@ -389,6 +436,12 @@ namespace conetact::pairing
     Contact contact = read_contact_law(prm, in);
     contact.name    = name;
     contact.body    = bodies::find_body(prm.get("Body"), bodies, in + "Body");
+    if (contact.kind == ContactKind::spring)
+      {
+        find_ends(prm, dim, bodies, obstacles, in, contact);
+        return contact;
+      }
+    refuse_spring_entries(prm, in);
     contact.ids     = bodies::find_boundary(prm.get("Boundary ids"),
                                         *structures[contact.body],
                                         bodies[contact.body],

@@ -53,6 +53,7 @@ namespace conetact::pairing
     set_friction(ContactNode &node, const Contact &contact)
     {
       const std::string in = "Contact '" + contact.name + "', ";
+      node.spring          = contact.spring;
       node.friction_angle  = contact.friction_angle;
       node.mu_1            = value_at(contact.friction->expression(),
                            node.position,
@@ -73,10 +74,11 @@ namespace conetact::pairing
                          to_text(node.position) + ". Give 0 or more.");
       // layers and wear ask for slips, with friction or without
       if (!contact.friction->is_constant() || contact.layer || contact.bond ||
-          contact.fluid || contact.active)
+          contact.fluid || contact.active || contact.spring)
         {
           node.friction = contact.friction;
-          node.mu_1     = node.mu_1 > 0 ? node.mu_1 : 1.;
+          if (!contact.spring) // which has no sides that slip
+            node.mu_1 = node.mu_1 > 0 ? node.mu_1 : 1.;
         }
       node.mu_2 = contact.second_friction ?
                     value_at(*contact.second_friction,
@@ -97,7 +99,7 @@ namespace conetact::pairing
                      const std::vector<const bodies::Structure *> &structures)
     {
       constexpr double eps = std::numeric_limits<double>::epsilon();
-      if (contact.gap ||
+      if (contact.gap || contact.spring ||
           (contact.obstacle && contact.obstacle->shape->states_gaps()))
         return 0; // gaps that are written down
       const double other =
@@ -133,7 +135,7 @@ namespace conetact::pairing
     meet_the_same(const ContactNode &one, const ContactNode &other)
     {
       return one.obstacle != nullptr && other.obstacle != nullptr &&
-             one.n * other.n > 1 - 1e-12;
+             !one.spring && !other.spring && one.n * other.n > 1 - 1e-12;
     }
 
     /** Throws InputError where a body is inside of its obstacle: a normal that
@@ -145,7 +147,7 @@ namespace conetact::pairing
                   const PairedNodes              &found)
     {
       constexpr double away = .5; // as a cosine
-      if (contact.obstacle == nullptr ||
+      if (contact.obstacle == nullptr || contact.spring ||
           contact.obstacle->shape->states_gaps() || found.nodes.empty())
         return;
       const bodies::Surface surface = body.surface(contact.ids);

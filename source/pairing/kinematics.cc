@@ -87,6 +87,10 @@ namespace conetact::pairing
       return "bilateral contacts stay with what they met at the start";
     if (contact.kind == ContactKind::tie && contact.obstacle != nullptr)
       return "what is tied to an obstacle moves with it, and turns little";
+    if (contact.spring)
+      return "a spring keeps its direction";
+    if (contact.kind == ContactKind::tie && contact.active)
+      return "a tie that begins or ends keeps its directions";
     if (contact.kind == ContactKind::tie && contact.preload)
       return "a Preload keeps its direction, but ties turn where bodies turn "
              "far";

@@ -7,12 +7,15 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace conetact::pairing
 {
   namespace
   {
+    const char *const unloads = "Unloading compliance";
+
     std::optional<Expression>
     read(const dealii::ParameterHandler &prm,
          const std::string              &entry,
@@ -57,6 +60,7 @@ namespace conetact::pairing
   LayerLaw::LayerLaw(const dealii::ParameterHandler &prm, const std::string &in)
     : where(in)
     , compliance(read(prm, "Compliance", in))
+    , unloading(read(prm, unloads, in))
     , shear_compliance(read(prm, "Shear compliance", in))
     , wear(read(prm, "Wear coefficient", in))
     , share(to_number(prm.get("Wear share"), in + "Wear share"))
@@ -64,6 +68,10 @@ namespace conetact::pairing
     , at_once(prm.get("Wear integration") == "implicit")
   {
     allow_only(compliance, "p", in + "Compliance");
+    allow_only(unloading, "p", in + "Unloading compliance");
+    if (unloading && !compliance)
+      throw InputError(in + "Unloading compliance: nothing has closed. Give a "
+                            "Compliance, too, or leave the entry empty.");
     allow_only(shear_compliance, "", in + "Shear compliance");
     if (share < 0 || share > 1)
       throw InputError(in + "Wear share: " + prm.get("Wear share") +
@@ -82,6 +90,8 @@ namespace conetact::pairing
     Situation at;
     at.position = p;
     closing_by_pressure(at);
+    if (unloading)
+      unloading_by_pressure(at);
     shear(at);
     wear_by_pressure(at);
   }
@@ -91,6 +101,33 @@ namespace conetact::pairing
   {
     return compliance ? not_negative(*compliance, at, where + "Compliance") :
                         0.;
+  }
+
+  double
+  LayerLaw::closing(const Situation &at) const
+  {
+    if (!is_unloaded(at))
+      return closing_by_pressure(at) * at.pressure;
+    Situation most = at;
+    most.pressure  = at.packed;
+    return closing_by_pressure(most) * at.packed -
+           unloading_by_pressure(at) * (at.packed - at.pressure);
+  }
+
+  double
+  LayerLaw::unloading_by_pressure(const Situation &at) const
+  {
+    Situation most     = at;
+    most.pressure      = at.packed;
+    const double back  = not_negative(*unloading, most, where + unloads);
+    const double there = closing_by_pressure(most);
+    if (back > there * (1 + 1e-12))
+      throw InputError(where + unloads + ": it is " + to_text(back) +
+                       " after p = " + to_text(at.packed) +
+                       ", more than the Compliance of " + to_text(there) +
+                       ": the layer would be thicker than at the start. Give "
+                       "no more than that.");
+    return std::min(back, there);
   }
 
   double
@@ -133,6 +170,15 @@ namespace conetact::pairing
       "table(p; 0 : 2e-3; 10 : 1e-3), whose product with p must not fall. A "
       "closed contact then has a negative "
       "gap. Empty: none. [length/stress]");
+    prm.declare_entry(
+      unloads,
+      "",
+      Anything(),
+      "Of a layer that stays compressed, as a gasket: where the pressure falls "
+      "below the largest so far, P, it springs back by this times the change, "
+      "and closes by it again up to P; an expression of x, y, z, and p, which "
+      "is P here, at most the Compliance. Empty: it springs back as it closed. "
+      "[length/stress]");
     prm.declare_entry(
       "Shear compliance",
       "",

@@ -5,6 +5,7 @@
 #include "conetact/pairing/face_to_node.h"
 #include "conetact/pairing/mortar.h"
 #include "conetact/pairing/node_to_face.h"
+#include "conetact/pairing/pair_spring.h"
 
 #include <algorithm>
 
@@ -49,6 +50,12 @@ namespace conetact::pairing
                                      "the master's nodes meet faces",
                                      pair_faces_with_nodes,
                                      false};
+    static const PairingRow points = {"points",
+                                      "a spring joins two points",
+                                      pair_spring,
+                                      false};
+    if (contact.spring)
+      return points;
     if (has_nodes_as_masters(contact, structures))
       return nodes;
     const auto has_faces = [&](const unsigned int         body,

@@ -124,7 +124,7 @@ namespace conetact::pairing
         return !node.is_mean && !node.slides && !node.masters.empty();
       };
       for (ContactNode &node : nodes)
-        if (node.kind == ContactKind::tie && is_alone(node) && !node.opening)
+        if (node.is_tied() && is_alone(node) && !node.opening)
           ties.emplace(std::make_pair(node.body, node.node), &node);
       if (ties.empty())
         return;

@@ -176,6 +176,11 @@ namespace conetact::solvers
           if (factor * slip > longest_slip * r.norm() && r.norm() > 0)
             // Slip fixes no more than the direction of friction.
             factor = longest_slip * r.norm() / slip;
+          if (problem.laws && problem.laws->is_joined(i))
+            {
+              result.segment(first, nt + 1) = rho(first) * v;
+              continue;
+            }
           if (problem.laws && problem.laws->is_bonded(i))
             {
               result.segment(first, nt + 1) =
@@ -433,6 +438,11 @@ namespace conetact::solvers
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
+        if (problem.laws && problem.laws->is_joined(i))
+          {
+            result[static_cast<std::size_t>(i)] = NodeState::stick;
+            continue;
+          }
         const Index  first = system.first[i], nt = system.n_tangents(i);
         const double slip = seen.segment(first, nt).norm();
         const double r_n  = state.r(first + nt);

@@ -257,7 +257,9 @@ namespace conetact::solvers
         const Index first = system.first[i], nt = system.n_tangents(i);
         set.state = state.node.empty() ? NodeState::stick : state.node[at(i)];
         set.direction = SmallVector::Zero(nt);
-        if (set.state == NodeState::open || nt == 0)
+        if (relation.is_joined(i))
+          set.state = NodeState::stick;
+        if (set.state == NodeState::open || nt == 0 || relation.is_joined(i))
           continue;
         // Without friction what is closed slips; stuck it would take shear.
         if (relation.is_frictionless(i))
@@ -295,7 +297,9 @@ namespace conetact::solvers
         const SmallVector z   = x.r.segment(first, nt + 1) - v;
         NodeSet          &set = sets[at(i)];
         set.direction         = SmallVector::Zero(nt);
-        if (!(z(nt) > 0) && !relation.is_bonded(i))
+        if (relation.is_joined(i))
+          set.state = NodeState::stick;
+        if (relation.is_joined(i) || (!(z(nt) > 0) && !relation.is_bonded(i)))
           continue;
         const double norm = z.head(nt).norm();
         const double limit =
@@ -387,8 +391,13 @@ namespace conetact::solvers
       {
         const Index       first = system.first[i], nt = system.n_tangents(i);
         const SmallVector r  = x.r.segment(first, nt + 1);
-        SmallVector       z  = r - near_reaction(v.segment(first, nt + 1), r);
-        const double      zn = std::max(z(nt), 0.);
+        if (relation.is_joined(i))
+          {
+            sum += v.segment(first, nt + 1).squaredNorm();
+            continue;
+          }
+        SmallVector  z  = r - near_reaction(v.segment(first, nt + 1), r);
+        const double zn = std::max(z(nt), 0.);
         const double      limit =
           limit_at(relation, i, zn, x.v.segment(first, nt + 1)).value;
         const double norm = z.head(nt).norm();

@@ -91,9 +91,11 @@ namespace conetact::verification
       here.speed = slip.norm() / laws.duration();
       Seen seen{0, 0, gap + claim.worn[static_cast<Index>(i)], slip};
       if (node.layer)
-        seen.gap +=
-          (node.bond && r_n < 0 && area > 0 ? r_n / area : here.pressure) *
-          node.layer->closing_by_pressure(here);
+        seen.gap += node.bond && r_n < 0 && area > 0 ?
+                      r_n / area * node.layer->closing_by_pressure(here) :
+                      node.layer->closing(here);
+      if (node.spring)
+        seen.gap += std::max(r_n, 0.) * node.spring->compliance();
       if (node.layer && node.layer->wears_at_once())
         seen.gap +=
           here.pressure * node.layer->wear_by_pressure(here) * slip.norm();
@@ -246,6 +248,16 @@ namespace conetact::verification
                            node.gap + out.displacements[n],
                            (claim.incremental ? out.change : out.displacements)
                              .segment(point.first, nt)};
+    if (claim.laws && claim.laws->sees(i) && node.is_joined())
+      {
+        if (node.spring)
+          errors.length(std::abs(seen.gap + r_n * node.spring->compliance()),
+                        "is a spring and has another force than its way");
+        else
+          errors.length(out.change.segment(point.first, nt + 1).norm(),
+                        "is tied and moves against what it is tied to");
+        return errors;
+      }
     if (claim.laws && node.friction)
       seen = seen_by_laws(claim, i, node, r_t, r_n, seen.gap, seen.slip);
     const double    limit = seen.limit, gap = seen.gap;

@@ -208,6 +208,8 @@ namespace conetact::application
     void
     settle_friction();
     void
+    refuse_joints_of_other_methods() const;
+    void
     check_turning_supports() const;
     void
     check_preloads() const;

@@ -171,6 +171,7 @@ namespace conetact::contact
     double          largest = 0; ///< reaction or load so far [force]
     Eigen::VectorXd slipped;     ///< way of each node so far [length]
     Eigen::VectorXd depth;       ///< of wear, which opens its gap [length]
+    Eigen::VectorXd packed;      ///< largest pressure so far [stress]
     Eigen::VectorXd opened;      ///< of bonds, the most so far [length]
     Eigen::VectorXd parted;      ///< and now [length]
     Eigen::VectorXd broken;      ///< their work so far [force x length]

@@ -54,6 +54,11 @@ namespace conetact::contact
     {
       return bonded;
     }
+    bool
+    is_joined(const Index i) const override
+    {
+      return joined[static_cast<std::size_t>(i)];
+    }
 
     /** Of all candidates at the end of the increment: coefficients, slips,
      * without what layers give way by [length], and depths of wear [length]. */
@@ -63,6 +68,9 @@ namespace conetact::contact
     slips(const solvers::ContactState &end) const;
     Eigen::VectorXd
     wear(const solvers::ContactState &end) const;
+    /** Pressures of all candidates at the end; 0 without areas [stress]. */
+    Eigen::VectorXd
+    pressures(const solvers::ContactState &end) const;
     /** Of nodes that were bonded: openings at the end, without what a layer
      * stretches by, 0 if closed [length]. */
     Eigen::VectorXd
@@ -139,12 +147,12 @@ namespace conetact::contact
     Eigen::VectorXd                 r_start;
     double                          time;
     std::vector<double>             constant; ///< mu where it is known
-    std::vector<bool>               active;
+    std::vector<bool>               active, joined;
     std::vector<double>             strength, cohesion; ///< whole [force]
     std::vector<double>             fluids; ///< of what is wet [force]
     std::vector<bool>               bonds;
     bool                            soft;   ///< something gives way
-    bool                            bonded; ///< something is bonded or wet
+    bool bonded; ///< something is bonded, wet or joined
   };
 
   /** Whether any candidate has laws of its own: each of them, whatever it is,

@@ -11,6 +11,7 @@
 #include "conetact/pairing/friction_law.h"
 #include "conetact/pairing/layer_law.h"
 #include "conetact/pairing/obstacles.h"
+#include "conetact/pairing/spring_law.h"
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -27,9 +28,10 @@ namespace conetact::pairing
   /** What holds between the two sides of a contact. */
   enum class ContactKind
   {
-    contact,  ///< they touch or not, with friction
-    tie,      ///< no relative motion
-    bilateral ///< none along the normal, all of it across
+    contact,   ///< they touch or not, with friction
+    tie,       ///< no relative motion
+    bilateral, ///< none along the normal, all of it across
+    spring     ///< of two points, along the line through them
   };
 
   /** What `Kind` in a contact may be; the first one is the default. */
@@ -83,6 +85,8 @@ namespace conetact::pairing
     std::shared_ptr<const BondLaw> bond;
     /** What presses its sides apart; none. */
     std::shared_ptr<const FluidLaw> fluid;
+    /** What is between its points, where it is a spring. */
+    std::shared_ptr<const SpringLaw> spring;
     /** Along the second axis; none: isotropic. */
     std::optional<Expression> second_friction;
     double                    friction_angle = 0; ///< first axis from t1 [rad]
@@ -175,6 +179,7 @@ namespace conetact::pairing
     std::shared_ptr<const LayerLaw>    layer;  ///< or none
     std::shared_ptr<const BondLaw>     bond;   ///< or none
     std::shared_ptr<const FluidLaw>    fluid;  ///< or none
+    std::shared_ptr<const SpringLaw>   spring; ///< or none
     std::shared_ptr<const Expression>  active; ///< of the contact; or none
     double       friction_angle = 0;           ///< of axis_1 from t1 [rad]
     Tensor<1, 3> axis_1, axis_2;
@@ -214,7 +219,26 @@ namespace conetact::pairing
     bool
     is_bound() const
     {
-      return kind != ContactKind::contact;
+      return kind == ContactKind::bilateral || is_tied();
+    }
+    /** Whether it is tied at all times, */
+    bool
+    is_tied() const
+    {
+      return kind == ContactKind::tie && !active;
+    }
+    /** or while it is active, and free else. */
+    bool
+    may_part() const
+    {
+      return kind == ContactKind::tie && active;
+    }
+    /** Whether its reaction may have any sign, as a law and not an equation has
+     * it. */
+    bool
+    is_joined() const
+    {
+      return may_part() || (spring && spring->acts_both_ways());
     }
     /** Of the opponent without any strain: obstacles move, Gaps grow. */
     Tensor<1, 3>

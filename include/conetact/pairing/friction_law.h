@@ -25,6 +25,8 @@ namespace conetact::pairing
     double           speed       = 0; ///< slip of the increment over its time
     /** Largest opening so far, at the start, or never_closed [length]. */
     double opened = 0;
+    double gap    = 0; ///< at the start [length]
+    double packed = 0; ///< largest pressure so far, at the start [stress]
   };
 
   /** The names of its numbers in expressions, but for places and t. */

@@ -29,9 +29,23 @@ namespace conetact::pairing
     void
     check(const dealii::Point<3> &p) const;
 
-    /** C: closing over pressure [length/stress]. */
+    /** C: closing over pressure, of what has not borne more yet
+     * [length/stress]. */
     double
     closing_by_pressure(const Situation &at) const;
+    /** How far pressure has closed it, C(p) p; below the largest pressure P so
+     * far C(P) P less the way back [length]. */
+    double
+    closing(const Situation &at) const;
+    /** Whether it is on that way back, and how much that is over the change of
+     * pressure [length/stress]. */
+    bool
+    is_unloaded(const Situation &at) const
+    {
+      return unloading && at.pressure < at.packed;
+    }
+    double
+    unloading_by_pressure(const Situation &at) const;
     /** Displacement along the traction over that [length/stress]. */
     double
     shear(const Situation &at) const;
@@ -76,7 +90,7 @@ namespace conetact::pairing
 
   private:
     std::string               where; ///< what errors begin with
-    std::optional<Expression> compliance, shear_compliance, wear;
+    std::optional<Expression> compliance, unloading, shear_compliance, wear;
     double                    share = 1, cycles = 1;
     bool                      at_once = false;
   };

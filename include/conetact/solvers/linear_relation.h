@@ -107,6 +107,11 @@ namespace conetact::solvers
       return laws && laws->has_bonds();
     }
     bool
+    is_joined(const Index i) const
+    {
+      return laws && laws->is_joined(i);
+    }
+    bool
     is_bonded(const Index i) const
     {
       return laws && laws->is_bonded(i);

@@ -66,8 +66,8 @@ namespace conetact::solvers
    * @f$|r_t| \le f(r_n, |\Delta u_t|)@f$, and what slips has
    * @f$r_t = -f\,\Delta u_t/|\Delta u_t|@f$: f takes the place of
    * @f$\mu r_n@f$ everywhere, so that no solver needs a cone that is none.
-   * f(0, .) = 0. Layers give way under forces alone: closing is 0 where
-   * r_n <= 0.
+   * f(0, .) = 0. Layers give way under forces alone: closing stays
+   * as it is where r_n <= 0.
    *
    * Where a bond @f$b(|\Delta u_t|, g)@f$ holds both sides together, s = r_n +
    * b stands in place of r_n: @f$s \ge 0,\ g \ge 0,\ s g = 0@f$, and f(0, .)
@@ -111,9 +111,16 @@ namespace conetact::solvers
     {
       return false;
     }
-    /** Whether that is so of any node. */
+    /** Whether that is so of any node, or one is joined. */
     virtual bool
     has_bonds() const
+    {
+      return false;
+    }
+    /** Whether both sides of a node stay together whatever the reaction: v, as
+     * its layer leaves it, is 0. */
+    virtual bool
+    is_joined(const Index /*node*/) const
     {
       return false;
     }
