@@ -85,10 +85,12 @@ def cases(n):
 class Ended:
     """A run: CPU seconds, exit code and sentence, tables."""
 
-    def __init__(self, build, scene, backend, folder):
+    def __init__(self, build, scene, backend, folder, *entries):
         folder.mkdir()
         write_scene(scene, folder / "scene.prm")
         command = [build / "conetact", folder / "scene.prm", "-q", "-o", folder / "result", "-s", f"Solver/Backend={backend}"]
+        for entry in entries:
+            command += ["-s", entry]
         before = os.times()
         done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
         after = os.times()
@@ -97,8 +99,9 @@ class Ended:
         self.sentence = re.sub(r"^conetact: |The increments before it are on disk\.$", "", done.stderr.strip()).strip()
         self.run = Run(folder / "result") if self.code == 0 else None
         log = folder / "result" / "log.txt"
-        found = re.search(r"(\d+) linear iterations", log.read_text()) if log.exists() else None
-        self.linear = int(found[1]) if found else 0
+        text = log.read_text() if log.exists() else ""
+        self.linear, self.megabytes = (int(found[1]) if (found := re.search(pattern, text)) else 0
+                                       for pattern in (r"(\d+) linear iterations", r"memory: (\d+) MB"))
 
 
 def agreement(a, b):

@@ -22,7 +22,7 @@ BELOW = {"base": (), "solvers": (), "load_path": ("solvers",),
          "output": ("base", "bodies", "condensed", "solvers"), "exchange": ("base", "solvers"),
          "contact": ("base", "bodies", "pairing", "condensed", "iterative", "output", "solvers"),
          "verification": ("base", "output", "contact"),
-         "application": ("base", "bodies", "pairing", "condensed", "output", "contact", "solvers", "load_path"),
+         "application": ("base", "bodies", "pairing", "condensed", "iterative", "output", "contact", "solvers", "load_path"),
          "analysis": ("base", "bodies", "pairing", "condensed", "iterative", "output", "contact", "verification",
                       "solvers", "load_path", "application")}
 

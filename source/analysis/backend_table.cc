@@ -26,6 +26,8 @@ namespace conetact::analysis
     processes_that_iterate(const application::Scene &,
                            const contact::ContactModel &model)
     {
+      if (model.preconditioner != iterative::Preconditioner::aggregation)
+        return 1;
       return iterative::useful_processes(model.coordinates.n_unknowns());
     }
 

@@ -124,10 +124,11 @@ namespace conetact::application
     times = create_times(prm);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
-    solver    = create_solver_options(prm);
-    condenser = &chosen_condenser(prm);
-    path      = create_path_settings(prm);
-    threads   = static_cast<unsigned int>(prm.get_integer("Threads"));
+    solver         = create_solver_options(prm);
+    condenser      = &chosen_condenser(prm);
+    preconditioner = iterative::preconditioner_named(prm.get("Preconditioner"));
+    path           = create_path_settings(prm);
+    threads        = static_cast<unsigned int>(prm.get_integer("Threads"));
     prm.leave_subsection();
     prm.enter_subsection("Output");
     vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));

@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/iterative/preconditioner.h"
 #include "conetact/solvers/solver_table.h"
 
 namespace conetact::application
@@ -78,6 +79,21 @@ namespace conetact::application
     void
     declare_backend(dealii::ParameterHandler &prm)
     {
+      std::string names, text;
+      for (const auto &row : iterative::preconditioner_table())
+        {
+          names += (names.empty() ? "" : "|") + std::string(row.name);
+          text += "; " + std::string(row.name) + ": " + row.description;
+        }
+      prm.declare_entry(
+        "Preconditioner",
+        iterative::preconditioner_table().front().name,
+        dealii::Patterns::Selection(names),
+        "Backend = iterative: what corrects where the smoother of the mesh "
+        "hardly does" +
+          text +
+          ". Results do not depend on it but for "
+          "rounding.");
       prm.declare_entry(
         "Backend",
         "automatic",

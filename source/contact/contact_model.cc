@@ -45,9 +45,10 @@ namespace conetact::contact
     }
   } // namespace
 
-  ContactModel::ContactModel(const Bodies               &b,
-                             const std::vector<double>  &at,
-                             const condensed::Condenser &by)
+  ContactModel::ContactModel(const Bodies                   &b,
+                             const std::vector<double>      &at,
+                             const condensed::Condenser     &by,
+                             const iterative::Preconditioner levels)
     : own_bodies(b)
     , bodies(own_bodies)
     , rules(bodies, at)
@@ -56,6 +57,7 @@ namespace conetact::contact
     , elastic(bodies)
     , motions(bodies, rules, points)
     , frames(own_bodies, rules, points, motions)
+    , preconditioner(levels)
     , times(at)
     , condenser(by)
     , form(needs_compliance() ? solvers::Form::compliance :

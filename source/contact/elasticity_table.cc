@@ -41,10 +41,8 @@ namespace conetact::contact
     std::unique_ptr<Elasticity>
     make_levels(const ContactModel &m, const condensed::Condenser &)
     {
-      return std::make_unique<IterativeElasticity>(m.elastic,
-                                                   m.rules,
-                                                   m.points,
-                                                   m.motions);
+      return std::make_unique<IterativeElasticity>(
+        m.elastic, m.rules, m.points, m.motions, m.preconditioner);
     }
   } // namespace
 

@@ -29,7 +29,8 @@ namespace conetact::contact
   IterativeElasticity::IterativeElasticity(const ElasticSystem &e,
                                            const NodeRules     &supports,
                                            const ContactPoints &contact_points,
-                                           const RigidMotions  &m)
+                                           const RigidMotions  &m,
+                                           const iterative::Preconditioner by)
     : elastic(e)
     , points(contact_points)
     , motions(m)
@@ -59,6 +60,7 @@ namespace conetact::contact
     given.modes          = common_motions(elastic.bodies, coordinates);
     given.contact        = points.layout();
     SpecialNodes special = special_nodes(elastic, coordinates, points);
+    given.preconditioner = by;
     given.surface        = std::move(special.together);
     given.position       = [&](const unsigned int block) {
       const auto [body, node] = coordinates.locate(number_of_node(block));

@@ -4,6 +4,7 @@
 #include "conetact/iterative/block_system.h"
 
 #include "conetact/base/index.h"
+#include "conetact/iterative/trilinos_levels.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -44,7 +45,7 @@ namespace conetact::iterative
     find_near_contact();
     find_scale();
     make_smoother(given.surface);
-    make_levels(given.modes);
+    make_levels(given.modes, given.preconditioner);
   }
 
 
@@ -187,19 +188,27 @@ namespace conetact::iterative
 
   template <int block>
   void
-  BlockSystem<block>::make_levels(const Eigen::MatrixXd &modes)
+  BlockSystem<block>::make_levels(const Eigen::MatrixXd &modes,
+                                  const Preconditioner   kind)
   {
     if (first.back() <= small_enough)
       {
         whole.compute(held_matrix());
         return;
       }
-    levels = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(
-      LevelAbove<block>{K, scale, D, largest_of_blocks, modes}, processes);
     std::vector<int> nodes;
     for (const std::vector<int> &node : contact)
       nodes.push_back(node[0] / block);
-    levels->follow(A, nodes, first_node);
+    if (kind == Preconditioner::trilinos_ml)
+      {
+        levels = std::make_unique<TrilinosLevels<block>>(
+          K, scale, exists, modes, nodes);
+        return;
+      }
+    auto own = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(
+      LevelAbove<block>{K, scale, D, largest_of_blocks, modes}, processes);
+    own->follow(A, nodes, first_node);
+    levels = std::move(own);
   }
 
   /* 1 for all unknowns but those of contact. */

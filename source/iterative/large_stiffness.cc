@@ -156,7 +156,9 @@ namespace conetact::iterative
     {
     public:
       FirstPart(LargeStiffness &given, const unsigned int dim)
-        : n_parts(useful_processes(static_cast<Index>(given.node_of.size())))
+        : n_parts(given.preconditioner == Preconditioner::aggregation ?
+                    useful_processes(static_cast<Index>(given.node_of.size())) :
+                    1)
         , number(n_parts > 1 ? ++n_made : 0)
         , places(find_places(given, static_cast<int>(dim), n_parts))
       {
@@ -288,9 +290,10 @@ namespace conetact::iterative
       to_whole(LargeStiffness &given) const
       {
         WholeSystem whole;
-        whole.elements = std::move(given.elements);
-        whole.places   = places.of;
-        whole.first    = places.first;
+        whole.elements       = std::move(given.elements);
+        whole.places         = places.of;
+        whole.first          = places.first;
+        whole.preconditioner = given.preconditioner;
         whole.modes.resize(places.first.back(), given.modes.cols());
         for (Index j = 0; j < given.modes.cols(); ++j)
           whole.modes.col(j) = scatter(given.modes.col(j));

@@ -196,10 +196,11 @@ namespace conetact::iterative
         own.contact.first.push_back(own.contact.first.back() +
                                     given.contact.first[at(i) + 1] -
                                     given.contact.first[at(i)]);
-      own.contact.mu = given.contact.mu(part.nodes);
-      own.surface    = given.surface;
-      own.position   = given.position;
-      own.elements   = part_of(given.elements, number);
+      own.contact.mu     = given.contact.mu(part.nodes);
+      own.surface        = given.surface;
+      own.position       = given.position;
+      own.preconditioner = given.preconditioner;
+      own.elements       = part_of(given.elements, number);
       return own;
     }
   } // namespace

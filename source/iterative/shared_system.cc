@@ -115,13 +115,14 @@ namespace conetact::iterative
           sizes.push_back(static_cast<Index>(node.size()));
         take_contact(contact_share.places, whole.contact);
         BlockShare<block> share;
-        share.processes = processes;
-        share.first     = first;
-        share.contact   = std::move(contact_share.places);
-        share.surface   = deal_surface(std::move(whole.surface));
-        share.exists    = deal_places(whole.places);
-        share.modes     = deal_modes(std::move(whole.modes));
-        share.K         = rows_of_elements<block>(whole.elements,
+        share.processes      = processes;
+        share.first          = first;
+        share.contact        = std::move(contact_share.places);
+        share.surface        = deal_surface(std::move(whole.surface));
+        share.exists         = deal_places(whole.places);
+        share.modes          = deal_modes(std::move(whole.modes));
+        share.preconditioner = whole.preconditioner;
+        share.K              = rows_of_elements<block>(whole.elements,
                                           whole.places,
                                           first,
                                           processes);

@@ -250,6 +250,9 @@ namespace conetact::verification
                              .segment(point.first, nt)};
     if (claim.laws && claim.laws->sees(i) && node.is_joined())
       {
+        if (claim.states[i] != solvers::NodeState::stick)
+          errors.take(std::numeric_limits<double>::infinity(),
+                      "is joined and called open or slipping");
         if (node.spring)
           errors.length(std::abs(seen.gap + r_n * node.spring->compliance()),
                         "is a spring and has another force than its way");

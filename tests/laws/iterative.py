@@ -3,7 +3,8 @@
 """Both backends give the same tables; linear iterations are bounded on any mesh."""
 import re
 
-from support.scenes import ELEMENTS, SHIPPED, beam, box, contact, floor, joint, load, merge, press_and_shear, support, with_element
+from support.scenes import (ELEMENTS, SHIPPED, beam, box, contact, floor, joint, load, merge, press_and_shear, simplices, stack, support,
+                            with_element)
 
 SHIPPED_SCENES = ("block-press-shear", "inclined-obstacle", "partial-slip", "shrink-fit", "sphere-on-layer")
 
@@ -47,6 +48,18 @@ def obstacles(laws):
             "Time": {"End": 6, "Increments": 6}}))
     compare(laws, "anisotropic friction", merge(press_and_shear(3), {
         "Contact bottom": {"Second friction coefficient": .1, "Friction angle": 30}}))
+
+
+def preconditioners(laws):
+    """Trilinos' levels and those of the program lead to the same tables."""
+    scenes = {"a block": press_and_shear(3, cells=(8, 8, 8)), "in the plane": press_and_shear(2, cells=(40, 20)),
+              "tetrahedra": merge(press_and_shear(3, cells=(6, 6, 6)), {"Body block": simplices(box((6, 6, 6), (1.5, 1.0, 1.0)))}),
+              "a ball on a layer": SHIPPED / "sphere-on-layer.prm", "stacked": stack(3, ((6, 4, 4), (5, 4, 3)), (1.0, .6), .4, .3)}
+    for what, scene in scenes.items():
+        own, ml = (laws.run(scene, *backend("iterative"), "-s", f"Solver/Preconditioner={kind}", "-s", "Output/VTU=0")
+                   for kind in ("aggregation", "trilinos ml"))
+        laws.same(f"trilinos ml, {what}", own, ml, 1e-8)
+        laws.check("  its iterations over those of aggregation", iterations(ml) / iterations(own), 4)
 
 
 def sizes(laws):
@@ -283,6 +296,7 @@ def tied(laws):
 def iterative(laws):
     obstacles(laws)
     sizes(laws)
+    preconditioners(laws)
 
 
 def iterative_pairs(laws):

@@ -13,6 +13,7 @@
 #include "conetact/bodies/nodal_loads.h"
 #include "conetact/bodies/probes.h"
 #include "conetact/contact/node_rules.h"
+#include "conetact/iterative/preconditioner.h"
 #include "conetact/pairing/kinematics.h"
 #include "conetact/pairing/obstacles.h"
 #include "conetact/pairing/sliding.h"
@@ -110,11 +111,13 @@ namespace conetact::application
     std::vector<double>                     times;
     solvers::SolverOptions                  solver;
     const condensed::Condenser *condenser = &condensed::default_condenser();
-    Backend                     backend   = Backend::automatic;
-    PathSettings                path;
-    AdaptiveSettings            adaptive;
-    std::vector<bodies::Probe>  probes;
-    unsigned int                vtu_every = 1;
+    iterative::Preconditioner   preconditioner =
+      iterative::Preconditioner::aggregation;
+    Backend                    backend = Backend::automatic;
+    PathSettings               path;
+    AdaptiveSettings           adaptive;
+    std::vector<bodies::Probe> probes;
+    unsigned int               vtu_every = 1;
     /** Increments that are drawn. */
     std::size_t
     n_drawings() const

@@ -10,6 +10,7 @@
 #include "conetact/contact/elasticity_row.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/contact/rigid_motions.h"
+#include "conetact/iterative/preconditioner.h"
 
 #include <memory>
 
@@ -29,7 +30,9 @@ namespace conetact::contact
     ContactModel(
       const Bodies               &bodies,
       const std::vector<double>  &times,
-      const condensed::Condenser &condenser = condensed::default_condenser());
+      const condensed::Condenser &condenser = condensed::default_condenser(),
+      const iterative::Preconditioner preconditioner =
+        iterative::Preconditioner::aggregation);
 
     const Bodies       &bodies;
     const NodeRules     rules;       ///< what supports and hanging nodes leave
@@ -38,6 +41,8 @@ namespace conetact::contact
     const ElasticSystem elastic;
     RigidMotions        motions;
     BodyFrames          frames;
+    /** Of large systems. */
+    const iterative::Preconditioner preconditioner;
 
     /** A bound node of which supports or other bound contacts hold what its
      * own contact does; null: there is none. */

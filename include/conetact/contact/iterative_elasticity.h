@@ -8,6 +8,7 @@
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/elasticity.h"
 #include "conetact/contact/rigid_motions.h"
+#include "conetact/iterative/preconditioner.h"
 
 namespace conetact::contact
 {
@@ -21,10 +22,11 @@ namespace conetact::contact
   {
   public:
     /** Arguments must outlive the object. */
-    IterativeElasticity(const ElasticSystem &elastic,
-                        const NodeRules     &supports,
-                        const ContactPoints &points,
-                        const RigidMotions  &motions);
+    IterativeElasticity(const ElasticSystem            &elastic,
+                        const NodeRules                &supports,
+                        const ContactPoints            &points,
+                        const RigidMotions             &motions,
+                        const iterative::Preconditioner preconditioner);
 
     Eigen::MatrixXd
     expand(const std::vector<const LoadCase *> &loads,

@@ -6,6 +6,7 @@
 
 #include "conetact/iterative/flexible_gmres.h"
 #include "conetact/iterative/multigrid.h"
+#include "conetact/iterative/preconditioner.h"
 #include "conetact/iterative/row_runs.h"
 #include "conetact/iterative/surface_smoother.h"
 #include "conetact/solvers/large_system.h"
@@ -33,6 +34,7 @@ namespace conetact::iterative
     /** Nodes of all processes that are smoothed together, ascending. */
     std::vector<int> surface;
     Eigen::MatrixXd  modes;
+    Preconditioner   preconditioner = Preconditioner::aggregation;
   };
 
   /**
@@ -106,7 +108,7 @@ namespace conetact::iterative
     void
     make_smoother(const std::vector<int> &surface_nodes);
     void
-    make_levels(const Eigen::MatrixXd &modes);
+    make_levels(const Eigen::MatrixXd &modes, const Preconditioner kind);
     Array
     without_contact() const;
     /** Of a system of few unknowns, with all contact nodes held. */
@@ -156,8 +158,8 @@ namespace conetact::iterative
     std::unique_ptr<SurfaceSmoother<block>> surface; ///< none: not needed
     float largest_of_blocks = 1;                     ///< eigenvalue of D A
     float largest           = 1; ///< of the smoother, with the surface
-    std::unique_ptr<CoarseLevels<block, 3 * (block - 1)>> levels;
-    Eigen::LDLT<Eigen::MatrixXd>                          whole; ///< of few
+    std::unique_ptr<CoarseCorrection<block>> levels;
+    Eigen::LDLT<Eigen::MatrixXd>             whole; ///< of few
     /** Memory for solve(): to ask for it each time takes longer than sums. */
     struct Vectors
     {

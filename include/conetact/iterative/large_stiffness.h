@@ -28,6 +28,8 @@ namespace conetact::iterative
     std::set<unsigned int> surface;
     /** Of a node, to share nodes among processes. */
     std::function<std::array<double, 3>(const unsigned int node)> position;
+    /** Any but the first is of one process. */
+    Preconditioner preconditioner = Preconditioner::aggregation;
   };
 
   /**

@@ -4,8 +4,7 @@
 #ifndef conetact_iterative_multigrid_h
 #define conetact_iterative_multigrid_h
 
-#include "conetact/iterative/contact_change.h"
-#include "conetact/iterative/node_blocks.h"
+#include "conetact/iterative/coarse_correction.h"
 #include "conetact/iterative/row_runs.h"
 #include "conetact/iterative/smoothed_aggregation.h"
 
@@ -179,7 +178,7 @@ namespace conetact::iterative
    * all of them and does the same, which takes less time than messages.
    */
   template <int fine, int coarse>
-  class CoarseLevels
+  class CoarseLevels : public CoarseCorrection<fine>
   {
   public:
     CoarseLevels(const LevelAbove<fine> &finest, const Communicator &processes);
@@ -198,10 +197,11 @@ namespace conetact::iterative
      * finest level alone has these then, which takes no iteration more.
      */
     void
-    set_states(const std::vector<NodeState<fine>> &states, const bool exactly);
+    set_states(const std::vector<NodeState<fine>> &states,
+               const bool                          exactly) override;
     /** x = P (cycle of the levels below) P^T r. */
     void
-    correct(const FloatVector &r, FloatVector &x);
+    correct(const FloatVector &r, FloatVector &x) override;
 
   private:
     struct Level

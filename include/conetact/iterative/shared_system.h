@@ -6,6 +6,7 @@
 
 #include "conetact/base/communicator.h"
 #include "conetact/iterative/elements.h"
+#include "conetact/iterative/preconditioner.h"
 #include "conetact/solvers/large_system.h"
 
 #include <memory>
@@ -26,6 +27,7 @@ namespace conetact::iterative
     std::vector<std::vector<int>> contact;
     /** Places of nodes that are smoothed together. */
     std::vector<int> surface;
+    Preconditioner   preconditioner = Preconditioner::aggregation;
   };
 
   /**

@@ -213,6 +213,44 @@ namespace
                                   " set Fluid from boundary ids = 0\n");
   }
 
+  /** A block on springs, and one that is tied to it for the time being. */
+  std::string
+  joined(const bool space)
+  {
+    const auto spring = [&](const std::string &name, const double x) {
+      const std::string place = std::to_string(x) + (space ? ", 0.4" : "");
+      return "subsection Contact " + name +
+             "\n set Kind = spring\n set Body = low\n set Stiffness = 300\n"
+             " set Point = " +
+             place + ", 0\n set Master point = " + place +
+             ", -1\n set Acts = " +
+             (name == "stop" ? "push\n" : "push and pull\n") + "end\n";
+    };
+    const std::string low = space ? "4" : "2", high = space ? "5" : "3";
+    std::string       text =
+      std::string(space ? "set Dimension = 3\n" : "") +
+      "set Bodies = low, high\nset Contacts = joint, stop, coil\n"
+      "set Supports = left, soft\nset Loads = press\n" +
+      (space ? block("low", "3, 2, 2 : 0, 0, 0 : 1, 1, 1", 1000) +
+                 block("high", "2, 2, 2 : 0, 0, 1 : 1, 1, 2", 1000) :
+               block("low", "4, 3 : 0, 0 : 1, 1", 1000) +
+                 block("high", "3, 3 : 0, 1 : 1, 2", 1000)) +
+      "subsection Contact joint\n set Body = high\n set Boundary ids = " + low +
+      "\n set Master body = low\n set Master boundary ids = " + high +
+      "\n set Kind = tie\n set Active = t > 0\nend\n" + spring("stop", .3) +
+      spring("coil", .8) +
+      "subsection Support left\n set Body = low\n set Boundary ids = 0\n"
+      " set Directions = x" +
+      (space ? ", y" : "") +
+      "\nend\nsubsection Support soft\n set Body = low\n"
+      " set Boundary ids = 1\n set Directions = normal\n set Stiffness = 50\n"
+      "end\nsubsection Load press\n set Body = high\n set Kind = traction\n"
+      " set Boundary ids = " +
+      high + "\n set Value = 0.4*t ; " + (space ? "0.1*t ; -t" : "-t") +
+      "\nend\n";
+    return text + time;
+  }
+
   /** Two blocks that are tied at a side, and held at the same end. */
   std::string
   tied_and_held()
@@ -255,6 +293,8 @@ namespace
   bool
   turn(Claim &c, const ContactPoint &p, std::size_t)
   {
+    if (p.dual.size() < 2)
+      return false;
     // in the plane the tangential reaction turns towards the normal
     const double a = c.r[p.first], b = c.r[p.first + 1];
     c.r[p.first]     = a - 1e-3 * b;
@@ -268,8 +308,9 @@ namespace
       p.mu * c.r[p.first + static_cast<Eigen::Index>(p.dual.size()) - 1];
     const double r_t =
       c.r.segment(p.first, static_cast<Eigen::Index>(p.dual.size()) - 1).norm();
-    if (c.states[i] == NodeState::stick && r_t > .99 * limit)
-      return false; // biactive
+    if (c.states[i] == NodeState::stick && !p.node->may_part() &&
+        r_t >= .99 * limit)
+      return false; // biactive, or without friction
     c.states[i] =
       c.states[i] == NodeState::stick ? NodeState::slip : NodeState::stick;
     return true;
@@ -283,11 +324,12 @@ namespace
   }
 
   bool
-  wear_more(Claim &c, const ContactPoint &, const std::size_t i)
+  wear_more(Claim &c, const ContactPoint &p, const std::size_t i)
   {
-    if (c.laws)
+    const bool counts = c.laws && !p.node->may_part(); // which keeps its gap
+    if (counts)
       c.worn[static_cast<Eigen::Index>(i)] += 1e-7;
-    return c.laws != nullptr;
+    return counts;
   }
 
   void
@@ -352,6 +394,7 @@ TEST(Verification, PlantedFaultsAreFoundWhateverTheLaw)
     {
       plant_faults(held_by_laws(space), n);
       plant_faults(held_wet(space), n);
+      plant_faults(joined(space), n);
       for (const bool pulled : {false, true})
         plant_faults(held_by_bonds(space, pulled), n);
     }
