@@ -100,8 +100,8 @@ class Ended:
         self.run = Run(folder / "result") if self.code == 0 else None
         log = folder / "result" / "log.txt"
         text = log.read_text() if log.exists() else ""
-        self.linear, self.megabytes = (int(found[1]) if (found := re.search(pattern, text)) else 0
-                                       for pattern in (r"(\d+) linear iterations", r"memory: (\d+) MB"))
+        self.linear, self.megabytes = (round(float(found[1])) if (found := re.search(pattern, text)) else 0
+                                       for pattern in (r"(\d+) linear iterations", r"memory: ([\d.]+) MB"))
 
 
 def agreement(a, b):

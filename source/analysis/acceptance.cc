@@ -33,7 +33,8 @@ namespace conetact::analysis
     states_by_motion(const contact::ContactPoints &points,
                      const solvers::ContactState  &state,
                      const Eigen::VectorXd        &worn,
-                     const verification::Finding  &finding)
+                     const verification::Finding  &finding,
+                     const double                  t)
     {
       using solvers::NodeState;
       std::vector<NodeState> states = state.node;
@@ -48,6 +49,8 @@ namespace conetact::analysis
             state.v
               .segment(points[i].first, points[i].normal() - points[i].first)
               .norm();
+          if (!node.is_active(t))
+            continue;
           if (states[i] == NodeState::open && gap <= rounding)
             states[i] = NodeState::slip;
           else if (states[i] == NodeState::slip && slip <= rounding &&
@@ -370,11 +373,13 @@ namespace conetact::analysis
     record.determinate =
       warnings.is_determinate(increment.state,
                               std::max(increment.after.largest_force(),
-                                       solvers::largest(increment.state.r))) &&
+                                       solvers::largest(increment.state.r)),
+                              increment.load.laws.get()) &&
       warnings.are_forces_determinate(states_by_motion(model.points,
                                                        increment.state,
                                                        increment.before.worn(),
-                                                       finding),
+                                                       finding,
+                                                       record.time),
                                       increment.state.r);
     warnings.check_size(amounts(increment), w);
     records.observe(record, finding.u);

@@ -219,6 +219,7 @@ namespace conetact::analysis
           description.breaking.push_back(c);
       }
     description.judges_uniqueness = scene.judges_uniqueness;
+    description.follows_branches  = scene.follows_branches;
     for (const bodies::Probe &probe : scene.probes)
       description.probes.push_back(probe.name);
     if (scene.restart)

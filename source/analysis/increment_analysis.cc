@@ -36,6 +36,7 @@ namespace conetact::analysis
     , solver(backend->create_solver(scene, model))
     , search(scene.sliding_contacts(), model)
   {
+    check_branches();
     if (scene.restart)
       restore_state();
   }
@@ -78,8 +79,8 @@ namespace conetact::analysis
   std::size_t
   IncrementAnalysis::batch_size(const unsigned int n_finished) const
   {
-    if (one_by_one || search.is_needed() || !backend->batches ||
-        contact::has_nodal_laws(model.points))
+    if (one_by_one || scene.follows_branches || search.is_needed() ||
+        !backend->batches || contact::has_nodal_laws(model.points))
       return 1;
     std::size_t most = most_at_once();
     if (const unsigned int every = scene.checkpoint_every; every > 0)
@@ -214,7 +215,7 @@ namespace conetact::analysis
         std::string why = report.reason.empty() ?
                             "the residual is " + to_text(report.residual) :
                             report.reason;
-        if (problem.laws && problem.laws->has_bonds())
+        if (problem.has_bonds())
           why += "; where bonds give way, or fluids press bodies apart, "
                  "nothing may hold at this load: move bodies by supports, or "
                  "take smaller increments";
@@ -223,6 +224,8 @@ namespace conetact::analysis
     if (scene.judges_uniqueness)
       judge_uniqueness(increment, problem);
     take_result(increment, problem);
+    if (scene.follows_branches)
+      follow_branches(increment, problem);
     if (start_is_known)
       shorten_way(increment, problem);
     return "";
@@ -406,7 +409,10 @@ namespace conetact::analysis
       }
     const unsigned int k = increment.record.increment;
     if (increment.another)
-      increment.record.other_rows = rows_of_another(increment);
+      increment.record.other_rows =
+        rows_of_solution(increment, increment.before, *increment.another);
+    if (scene.follows_branches)
+      increment.record.branches = rows_of_branches(increment);
     const std::string why = complete(increment, finding, w);
     unsolved              = !(error_of(finding) <= scene.solver.tolerance);
     if (!why.empty())

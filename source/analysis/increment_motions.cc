@@ -13,7 +13,8 @@ namespace conetact::analysis
     return {model.motions,
             model.points,
             increment.state,
-            history.largest_force()};
+            history.largest_force(),
+            increment.load.laws.get()};
   }
 
   /* Any end that open motions lead to is a solution; the shortest way is what

@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/increment_analysis.h"
 #include "conetact/base/text.h"
+#include "conetact/solvers/all_solutions.h"
 
 #include <cmath>
 
@@ -27,7 +28,8 @@ namespace conetact::analysis
   IncrementAnalysis::judge_uniqueness(PendingIncrement              &increment,
                                       const solvers::ContactProblem &problem)
   {
-    const std::string when =
+    constexpr std::size_t few = 5000; // sets of states
+    const std::string     when =
       "increment " + std::to_string(increment.record.increment) + ": ";
     const auto tell = [&](const std::string &verdict, const std::string &why) {
       increment.record.unique = verdict;
@@ -54,6 +56,16 @@ namespace conetact::analysis
                "there is no bound for bodies that float, for contacts that are "
                "redundant and for more than " +
                  std::to_string(solvers::UniquenessCheck::most) + " unknowns";
+    if (solvers::has_finite_solutions(cones))
+      if (const auto all =
+            solvers::find_all_solutions(cones, scene.solver.tolerance, few);
+          all.open.empty() && all.found.size() <= 1)
+        return tell("yes",
+                    "the solution is unique: of " +
+                      std::to_string(all.n_tried) +
+                      " sets of states no other one has one; for all loads it "
+                      "is " +
+                      up_to(factor.value_or(0), mu));
     auto other =
       solvers::find_another(cones, increment.end, scene.solver.tolerance);
     if (!other)
@@ -68,14 +80,16 @@ namespace conetact::analysis
   }
 
   std::vector<output::ContactRow>
-  IncrementAnalysis::rows_of_another(const PendingIncrement &increment)
+  IncrementAnalysis::rows_of_solution(const PendingIncrement        &increment,
+                                      const contact::ContactHistory &before,
+                                      const AnotherSolution         &solution)
   {
     const contact::ContactHistory now   = history;
     PendingIncrement              other = increment;
-    history                             = increment.before;
+    history = other.before = before;
     history.linearise_at(increment.base);
-    other.end = increment.another->end;
-    take_result(other, increment.another->problem);
+    other.end = solution.end;
+    take_result(other, solution.problem);
     history = now;
     const Eigen::VectorXd w =
       model.elasticity().expand({&other.load}, {other.primal});

@@ -130,6 +130,7 @@ namespace conetact::analysis
     add_wrong_gaps(end, found);
     add_wrong_feet(end, found);
     add_wrong_turns(end, found);
+    add_turned_springs(end, found);
     return found;
   }
 
@@ -215,8 +216,8 @@ namespace conetact::analysis
           node.is_bound() ? 0. : end.increment.state.v[point.normal()];
         // The weights of the masters belong to the foot at the start.
         // What an obstacle's shape does beside the foot add_wrong_gaps() knows.
-        if (node.masters.empty() || node.obstacle != nullptr || node.slides ||
-            gap > nearby * node.spacing)
+        if (node.masters.empty() || node.obstacle != nullptr || node.spring ||
+            node.slides || gap > nearby * node.spacing)
           continue;
         Tensor<1, 3> slid =
           contact::relative_displacement(node, at, end.increment.record.time);
@@ -231,6 +232,30 @@ namespace conetact::analysis
                           " along its master, more than a cell (" +
                           to_text(node.spacing) + ")");
       }
+  }
+
+  void
+  SmallKinematics::add_turned_springs(const IncrementEnd &end,
+                                      Found              &found) const
+  {
+    const auto at = [&](const unsigned int body, const unsigned int i) {
+      return model.displacement(end.finding.u, body, i);
+    };
+    for (const contact::ContactPoint &point : model.points)
+      if (const pairing::ContactNode &node = *point.node; node.spring)
+        {
+          const Tensor<1, 3> moved =
+            contact::relative_displacement(node, at, end.increment.record.time);
+          const double across = (moved - (moved * node.n) * node.n).norm();
+          const double length =
+            node.spring->point().distance(node.spring->end());
+          if (across > largest_turn * length && length > 0)
+            found.emplace(node.contact,
+                          "the spring at " + to_text(node.position) +
+                            " turns by " + to_text(std::atan2(across, length)) +
+                            " rad, and pulls or pushes along its undeformed "
+                            "direction");
+        }
   }
 
   /* Friction acts between a node and its foot, which are apart before they

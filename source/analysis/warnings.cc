@@ -37,13 +37,12 @@ namespace conetact::analysis
 
   bool
   Warnings::is_determinate(const solvers::ContactState &state,
-                           const double                 largest_force)
+                           const double                 largest_force,
+                           const solvers::NodalLaws    *laws)
   {
-    const contact::OpenMotions open(model.motions,
-                                    model.points,
-                                    state,
-                                    largest_force);
-    const Eigen::VectorXd      elsewhere = open.elsewhere();
+    const contact::OpenMotions open(
+      model.motions, model.points, state, largest_force, laws);
+    const Eigen::VectorXd elsewhere = open.elsewhere();
     if (elsewhere.size() == 0)
       return true;
     const contact::RigidMotions::Motion motion =

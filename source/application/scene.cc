@@ -128,7 +128,8 @@ namespace conetact::application
     condenser      = &chosen_condenser(prm);
     preconditioner = iterative::preconditioner_named(prm.get("Preconditioner"));
     path           = create_path_settings(prm);
-    threads        = static_cast<unsigned int>(prm.get_integer("Threads"));
+    follows_branches = application::follows_branches(prm);
+    threads          = static_cast<unsigned int>(prm.get_integer("Threads"));
     prm.leave_subsection();
     prm.enter_subsection("Output");
     vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));

@@ -81,6 +81,10 @@ namespace conetact::application
       throw InputError("Output, Checkpoint: a load path cannot be continued, "
                        "for its follower keeps more than a state. Set it to 0, "
                        "or choose another Solver/Method.");
+    if (follows_branches)
+      throw InputError("Output, Checkpoint: Solver/Method = all solutions "
+                       "keeps more than one state. Set it to 0, or choose "
+                       "another Solver/Method.");
     if (adaptive.cycles > 0)
       throw InputError("Output, Checkpoint: a scene with Adaptive refinement "
                        "runs its history on several meshes and cannot be "

@@ -57,6 +57,12 @@ namespace conetact::application
       "growing load, the incremental law jumps to another equilibrium under "
       "the same load; in 3D loads only grow";
 
+    const std::string all_solutions = "all solutions";
+    const std::string all_solutions_text =
+      "in the plane, for up to some 30 contact nodes: every solution of each "
+      "increment, followed from every one of the increment before "
+      "(solutions.csv); the tables are those of the first";
+
     void
     declare_condensation(dealii::ParameterHandler &prm)
     {
@@ -132,6 +138,8 @@ namespace conetact::application
       }
     methods.push_back(load_path);
     lines.push_back(load_path + ": " + load_path_text);
+    methods.push_back(all_solutions);
+    lines.push_back(all_solutions + ": " + all_solutions_text);
     prm.declare_entry("Method",
                       defaults.method,
                       Selection(join(methods, "|")),
@@ -170,7 +178,7 @@ namespace conetact::application
   {
     solvers::SolverOptions options;
     options.may_be_rigid = false;
-    if (prm.get("Method") != load_path)
+    if (prm.get("Method") != load_path && !follows_branches(prm))
       options.method = prm.get("Method");
     options.tolerance = prm.get_double("Tolerance");
     prm.enter_subsection("Smoothing");
@@ -180,6 +188,12 @@ namespace conetact::application
       static_cast<int>(prm.get_integer("Maximal iterations"));
     prm.leave_subsection();
     return options;
+  }
+
+  bool
+  follows_branches(const dealii::ParameterHandler &prm)
+  {
+    return prm.get("Method") == all_solutions;
   }
 
   const condensed::Condenser &

@@ -108,11 +108,13 @@ namespace conetact::contact
     // in one contact, with an obstacle, and all of its slip is elastic. Bodies
     // that float lose digits in it, equal bodies would be condensed several
     // times.
+    // A layer that is much softer than the body is added to W without loss.
     const bool pairs =
       std::any_of(bodies.contact_nodes.begin(),
                   bodies.contact_nodes.end(),
                   [](const pairing::ContactNode &node) {
-                    return !node.masters.empty() || !node.slaves.empty();
+                    return !node.masters.empty() || !node.slaves.empty() ||
+                           (node.layer && node.layer->is_soft());
                   });
     // What slides far has other rows over the same bodies in each increment.
     // Mechanisms are found in a stiffness only, which there is where contacts

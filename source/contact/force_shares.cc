@@ -51,6 +51,13 @@ namespace conetact::contact
       return closed;
     }
 
+    /** Its force follows from where its sides are. */
+    bool
+    gives_way(const pairing::ContactNode &node)
+    {
+      return node.spring || (node.layer && node.layer->is_soft());
+    }
+
     /**
      * Only contacts of which each node stands in another one, too, can exchange
      * forces: the others are taken away until none is left to take. Few remain,
@@ -165,7 +172,7 @@ namespace conetact::contact
       return nullptr;
     std::vector<Closed> closed;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (states[i] != solvers::NodeState::open)
+      if (states[i] != solvers::NodeState::open && !gives_way(*points[i].node))
         closed.push_back(make_closed(points[i], states[i], r));
     const bool only_bound = closed.empty();
     for (std::size_t i = points.size(); i < points.all().size() && !only_bound;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace conetact::contact
@@ -24,6 +25,23 @@ namespace conetact::contact
       for (const ContactPoint &point : points.all())
         if (!nodes.insert({point.node->body, point.node->node}).second)
           return point.node;
+      return nullptr;
+    }
+
+    /** A spring at a point within a cell, at a node that another contact has,
+     * or that a support holds. */
+    const ContactPoint *
+    entangled_spring(const ContactPoints &points, const NodeRules &supports)
+    {
+      std::map<std::pair<unsigned int, unsigned int>, unsigned int> n_at;
+      for (const ContactPoint &point : points.all())
+        ++n_at[{point.node->body, point.node->node}];
+      for (const ContactPoint &point : points)
+        if (const pairing::ContactNode &node = *point.node;
+            node.spring && (node.slaves.size() > 1 || node.masters.size() > 1 ||
+                            n_at[{node.body, node.node}] > 1 ||
+                            supports.find(node.body, node.node) != nullptr))
+          return &point;
       return nullptr;
     }
 
@@ -144,6 +162,14 @@ namespace conetact::contact
       if (!is_bound_or_held(points.all()[i], supports, bodies))
         return "knows no ties and no bilateral contacts of nodes that supports "
                "hold askew, or where these do not hold what it meets";
+    if (const ContactPoint *point = entangled_spring(points, supports);
+        point != nullptr &&
+        (shared_node(points) != nullptr || points.have_prescribed_slip() ||
+         has_tangled_means(bodies, points, supports)))
+      return "knows springs at nodes that no other contact has and no support "
+             "holds, and that at " +
+             to_text(point->node->position) + " of " +
+             bodies.called(point->node->body) + " is not at such a one";
     if (const pairing::ContactNode *node = shared_node(points))
       return "wants each node in one contact, and that at " +
              to_text(node->position) + " of " + bodies.called(node->body) +

@@ -81,7 +81,8 @@ namespace conetact::contact
   OpenMotions::OpenMotions(const RigidMotions          &m,
                            const ContactPoints         &points,
                            const solvers::ContactState &state,
-                           const double                 largest_force)
+                           const double                 largest_force,
+                           const solvers::NodalLaws    *laws)
     : motions(m)
   {
     if (motions.unresisted().cols() == 0)
@@ -96,7 +97,9 @@ namespace conetact::contact
     for (Index i = 0; i < points.layout().n_nodes(); ++i)
       {
         const Index first = points[i].first, n = points[i].normal();
-        if (points[i].node->is_joined())
+        if (laws != nullptr && laws->is_apart(i))
+          continue;
+        if (laws != nullptr && laws->is_joined(i))
           {
             for (Index k = first; k <= n; ++k)
               opposed.push_back(seen.row(k));
@@ -104,7 +107,9 @@ namespace conetact::contact
           }
         if (carries_nothing(state.r[n], largest_force))
           {
-            bound(seen.row(n), state.v[n]);
+            const double set = // of what stays compressed
+              laws != nullptr ? laws->layer(i, 0, 0).closing : 0.;
+            bound(seen.row(n), state.v[n] + set);
             continue;
           }
         opposed.push_back(seen.row(n));

@@ -9,6 +9,36 @@
 
 namespace conetact::output
 {
+  namespace
+  {
+    /** Each line with what stands before it. */
+    std::string
+    with_prefix(const std::string &prefix, const std::string &lines)
+    {
+      std::string result;
+      for (std::size_t begin = 0; begin < lines.size();)
+        {
+          const std::size_t end = lines.find('\n', begin) + 1;
+          result += prefix + lines.substr(begin, end - begin);
+          begin = end;
+        }
+      return result;
+    }
+
+    /** A table of something that only some runs look for. */
+    std::filesystem::path
+    begin_table(const std::filesystem::path &file,
+                const bool                   is_wanted,
+                const std::string           &header)
+    {
+      if (is_wanted)
+        write_atomically(file, header);
+      else
+        std::filesystem::remove(file);
+      return file;
+    }
+  } // namespace
+
   Tables::Tables(const RunDescription &run)
     : reactions(run)
     , increments(run)
@@ -29,14 +59,18 @@ namespace conetact::output
                                         first_increments);
                      });
     beginning = first_reactions.size() + first_increments.size();
-    const std::filesystem::path others = run.folder / "reactions-2.csv";
+    const std::filesystem::path others =
+      begin_table(run.folder / "reactions-2.csv",
+                  run.judges_uniqueness,
+                  reactions.header());
     if (run.judges_uniqueness)
-      {
-        write_atomically(others, reactions.header());
-        others_file.emplace(others);
-      }
-    else
-      std::filesystem::remove(others);
+      others_file.emplace(others);
+    const std::filesystem::path all =
+      begin_table(run.folder / "solutions.csv",
+                  run.follows_branches,
+                  "branch,parent," + reactions.header());
+    if (run.follows_branches)
+      branches_file.emplace(all);
   }
 
 
@@ -44,7 +78,7 @@ namespace conetact::output
   void
   Tables::write(const std::vector<IncrementRecord> &finished)
   {
-    std::string new_reactions, new_increments, new_others;
+    std::string new_reactions, new_increments, new_others, new_branches;
     const auto  publish = [&] {
       try
         {
@@ -52,11 +86,12 @@ namespace conetact::output
           increments_file.add(new_increments);
           reactions_file.publish();
           increments_file.publish();
-          if (others_file)
-            {
-              others_file->add(new_others);
-              others_file->publish();
-            }
+          for (auto *const file : {&others_file, &branches_file})
+            if (*file)
+              {
+                (*file)->add(file == &others_file ? new_others : new_branches);
+                (*file)->publish();
+              }
         }
       catch (const WriteError &)
         {
@@ -72,12 +107,17 @@ namespace conetact::output
             const std::string rows = reactions.rows(record);
             new_increments += increments.row(record);
             new_reactions += rows;
+            const auto of_solution = [&](const std::vector<ContactRow> &own) {
+              IncrementRecord other = record;
+              other.rows            = own;
+              return reactions.rows(other);
+            };
             if (!record.other_rows.empty())
-              {
-                IncrementRecord other = record;
-                other.rows            = record.other_rows;
-                new_others += reactions.rows(other);
-              }
+              new_others += of_solution(record.other_rows);
+            for (const BranchRows &branch : record.branches)
+              new_branches += with_prefix(std::to_string(branch.number) + ',' +
+                                            std::to_string(branch.parent) + ',',
+                                          of_solution(branch.rows));
           }
       }
     catch (const AnalysisError &)

@@ -157,7 +157,8 @@ namespace conetact::pairing
                          "Active: a contact with Kind = " + prm.get("Kind") +
                          " is an equation that always holds. Leave the entry "
                          "at its default, or choose Kind = contact.");
-      if (contact.active && !prm.get("Gap").empty())
+      if (contact.active && contact.kind == ContactKind::tie &&
+          !prm.get("Gap").empty())
         throw InputError(in + "Gap: a tie that begins or ends holds its sides "
                               "as it finds them. Leave the entry empty, or "
                               "Active at its default.");
@@ -442,7 +443,7 @@ namespace conetact::pairing
         return contact;
       }
     refuse_spring_entries(prm, in);
-    contact.ids     = bodies::find_boundary(prm.get("Boundary ids"),
+    contact.ids = bodies::find_boundary(prm.get("Boundary ids"),
                                         *structures[contact.body],
                                         bodies[contact.body],
                                         in + "Boundary ids");

@@ -53,7 +53,6 @@ namespace conetact::pairing
     set_friction(ContactNode &node, const Contact &contact)
     {
       const std::string in = "Contact '" + contact.name + "', ";
-      node.spring          = contact.spring;
       node.friction_angle  = contact.friction_angle;
       node.mu_1            = value_at(contact.friction->expression(),
                            node.position,
@@ -127,6 +126,13 @@ namespace conetact::pairing
         ". Move them apart, or for a press fit give " +
         (contact.obstacle ? "" : "the Gap or ") +
         "a Largest interference of at least " + depth + ".");
+    }
+
+    /** A tie that begins or ends leaves its place to a contact. */
+    bool
+    parts(const Contact &contact)
+    {
+      return contact.kind == ContactKind::tie && contact.active;
     }
 
     /** Two obstacles that a node meets along one normal: nothing tells which
@@ -253,7 +259,9 @@ namespace conetact::pairing
             const auto key          = std::make_pair(node.body, node.node);
             const auto [begin, end] = known.equal_range(key);
             for (auto other = begin; other != end; ++other)
-              if (meet_the_same(result.nodes[other->second], node))
+              if (meet_the_same(result.nodes[other->second], node) &&
+                  !parts(contact) &&
+                  !parts(contacts[result.nodes[other->second].contact]))
                 throw InputError(
                   "Contact '" +
                   contacts[result.nodes[other->second].contact].name +

@@ -60,9 +60,10 @@ namespace conetact::pairing
             moments = std::max(moments, std::abs(part));
       // members share out a force by moments, too
       if (moments > 1e-12 || weights.empty())
-        throw InputError(in + to_text(p) +
-                         " is within a member of a frame. Springs of frames "
-                         "stand at nodes: give the position of one, or add it.");
+        throw InputError(
+          in + to_text(p) +
+          " is within a member of a frame. Springs of frames "
+          "stand at nodes: give the position of one, or add it.");
       return weights;
     }
 
@@ -98,6 +99,7 @@ namespace conetact::pairing
     const bodies::Structure &body   = *structures[contact.body];
     const std::string        in     = "Contact '" + contact.name + "', ";
     ContactNode              node;
+    node.spring   = contact.spring;
     node.body     = contact.body;
     node.position = spring.point();
     node.slaves   = weights_at(spring.point(), body, in + "Point: ");
@@ -108,11 +110,10 @@ namespace conetact::pairing
     node.spacing  = size_of(body, body) / 100;
     if (contact.obstacle == nullptr)
       {
-        node.master = contact.master;
-        node.masters =
-          weights_at(spring.end(),
-                     *structures[contact.master],
-                     in + "Master point: ");
+        node.master  = contact.master;
+        node.masters = weights_at(spring.end(),
+                                  *structures[contact.master],
+                                  in + "Master point: ");
       }
     if (body.is_axisymmetric() && std::abs(node.n[1]) < 1 - 1e-12)
       throw InputError(in + "Master point: a body of revolution feels springs "

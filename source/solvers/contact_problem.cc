@@ -176,12 +176,17 @@ namespace conetact::solvers
           if (factor * slip > longest_slip * r.norm() && r.norm() > 0)
             // Slip fixes no more than the direction of friction.
             factor = longest_slip * r.norm() / slip;
-          if (problem.laws && problem.laws->is_joined(i))
+          if (problem.is_apart(i))
+            {
+              result.segment(first, nt + 1) = r;
+              continue;
+            }
+          if (problem.is_joined(i))
             {
               result.segment(first, nt + 1) = rho(first) * v;
               continue;
             }
-          if (problem.laws && problem.laws->is_bonded(i))
+          if (problem.is_bonded(i))
             {
               result.segment(first, nt + 1) =
                 bonded_residual(problem, i, factor, r, v);
@@ -438,9 +443,10 @@ namespace conetact::solvers
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        if (problem.laws && problem.laws->is_joined(i))
+        if (problem.is_joined(i) || problem.is_apart(i))
           {
-            result[static_cast<std::size_t>(i)] = NodeState::stick;
+            result[static_cast<std::size_t>(i)] =
+              problem.is_apart(i) ? NodeState::open : NodeState::stick;
             continue;
           }
         const Index  first = system.first[i], nt = system.n_tangents(i);
@@ -448,9 +454,8 @@ namespace conetact::solvers
         const double r_n  = state.r(first + nt);
         const double r_t  = state.r.segment(first, nt).norm();
         const bool slips = slip > limit && may_slip(problem, i, r_n, r_t, slip);
-        const bool opens = problem.laws && problem.laws->is_bonded(i) ?
-                             seen(first + nt) > limit_of_gap(i) :
-                             r_n <= 0;
+        const bool opens =
+          problem.is_bonded(i) ? seen(first + nt) > limit_of_gap(i) : r_n <= 0;
         result[static_cast<std::size_t>(i)] = opens ? NodeState::open :
                                               slips ? NodeState::slip :
                                                       NodeState::stick;

@@ -259,6 +259,8 @@ namespace conetact::solvers
         set.direction = SmallVector::Zero(nt);
         if (relation.is_joined(i))
           set.state = NodeState::stick;
+        if (relation.is_apart(i))
+          set.state = NodeState::open;
         if (set.state == NodeState::open || nt == 0 || relation.is_joined(i))
           continue;
         // Without friction what is closed slips; stuck it would take shear.
@@ -299,7 +301,8 @@ namespace conetact::solvers
         set.direction         = SmallVector::Zero(nt);
         if (relation.is_joined(i))
           set.state = NodeState::stick;
-        if (relation.is_joined(i) || (!(z(nt) > 0) && !relation.is_bonded(i)))
+        if (relation.is_joined(i) || relation.is_apart(i) ||
+            (!(z(nt) > 0) && !relation.is_bonded(i)))
           continue;
         const double norm = z.head(nt).norm();
         const double limit =
@@ -390,7 +393,12 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index       first = system.first[i], nt = system.n_tangents(i);
-        const SmallVector r  = x.r.segment(first, nt + 1);
+        const SmallVector r = x.r.segment(first, nt + 1);
+        if (relation.is_apart(i))
+          {
+            sum += r.squaredNorm();
+            continue;
+          }
         if (relation.is_joined(i))
           {
             sum += v.segment(first, nt + 1).squaredNorm();
@@ -398,7 +406,7 @@ namespace conetact::solvers
           }
         SmallVector  z  = r - near_reaction(v.segment(first, nt + 1), r);
         const double zn = std::max(z(nt), 0.);
-        const double      limit =
+        const double limit =
           limit_at(relation, i, zn, x.v.segment(first, nt + 1)).value;
         const double norm = z.head(nt).norm();
         if (norm > limit)

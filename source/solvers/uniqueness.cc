@@ -4,6 +4,7 @@
 #include "conetact/solvers/uniqueness.h"
 
 #include "conetact/solvers/active_set.h"
+#include "conetact/solvers/all_solutions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,32 +84,8 @@ namespace conetact::solvers
       return start;
     }
 
-    /** Calls visit(states, signs) until it returns true. */
-    template <typename Visit>
-    void
-    visit_all(const std::size_t n, const Visit &visit)
-    {
-      std::vector<NodeState> states(n);
-      std::vector<double>    signs(n);
-      std::size_t            many = 1;
-      for (std::size_t i = 0; i < n; ++i)
-        many *= 4;
-      for (std::size_t code = 0; code < many; ++code)
-        {
-          std::size_t rest = code;
-          for (std::size_t i = 0; i < n; ++i, rest /= 4)
-            {
-              states[i] = rest % 4 == 0 ? NodeState::stick :
-                          rest % 4 == 1 ? NodeState::open :
-                                          NodeState::slip;
-              signs[i]  = rest % 4 == 2 ? 1. : -1.;
-            }
-          if (visit(states, signs))
-            return;
-        }
-    }
-
-    /** The same for some: all alike, and some by chance. */
+    /** Calls visit(states, signs) until it returns true: for states that are
+     * all alike, and for some by chance. */
     template <typename Visit>
     void
     visit_some(const std::size_t n, const Visit &visit)
@@ -260,27 +237,23 @@ namespace conetact::solvers
                const ContactState   &state,
                const double          tolerance)
   {
-    constexpr std::size_t       few    = 6;
-    const ContactSystem        &system = *problem.system;
-    const auto                  n = static_cast<std::size_t>(system.n_nodes());
+    if (has_finite_solutions(problem))
+      for (ContactState &one : find_all_solutions(problem, tolerance).found)
+        if (differ(problem, state, one))
+          return std::move(one);
     std::optional<ContactState> other;
     SolverOptions               options;
     options.tolerance = tolerance;
-    const auto visit  = [&](const std::vector<NodeState> &states,
-                           const std::vector<double>    &signs) {
-      ContactState       trial  = start_with(problem, state, states, signs);
-      const SolverReport report = ActiveSet(options).solve_from(problem, trial);
-      if (report.converged && differ(problem, state, trial))
-        other = trial;
-      return other.has_value();
-    };
-    bool is_plane = true;
-    for (Index i = 0; i < system.n_nodes(); ++i)
-      is_plane = is_plane && system.n_tangents(i) < 2;
-    if (is_plane && n <= few)
-      visit_all(n, visit);
-    else
-      visit_some(n, visit);
+    visit_some(static_cast<std::size_t>(problem.system->n_nodes()),
+               [&](const std::vector<NodeState> &states,
+                   const std::vector<double>    &signs) {
+                 ContactState trial = start_with(problem, state, states, signs);
+                 const SolverReport report =
+                   ActiveSet(options).solve_from(problem, trial);
+                 if (report.converged && differ(problem, state, trial))
+                   other = trial;
+                 return other.has_value();
+               });
     return other;
   }
 } // namespace conetact::solvers

@@ -17,13 +17,6 @@ namespace conetact::solvers
 
     /** Of the largest interference: what is less is rounding. */
     constexpr double rounding = 1e-14;
-
-    /** What bonds hold, or fluids press, does not just stay where it is. */
-    bool
-    is_bonded(const ContactProblem &problem)
-    {
-      return problem.laws && problem.laws->has_bonds();
-    }
   } // namespace
 
   /* Rows join that the motion pushes in, until there are none. */
@@ -73,11 +66,12 @@ namespace conetact::solvers
     const bool           held   = k == 0; // in stiffness form, too
     const VectorXd      &v      = stiff ? problem.offset : problem.load;
     const bool loaded = !(stiff ? problem.load : VectorXd(v.tail(k))).isZero(0);
-    if (v.size() == 0 || loaded || is_bonded(problem) ||
+    // what bonds hold, or fluids press, does not just stay where it is
+    if (v.size() == 0 || loaded || problem.has_bonds() ||
         (held && !start.r.isZero(0)))
       return {};
     for (Index i = 0; i < system.n_nodes(); ++i)
-      if (v(system.normal(i)) < 0)
+      if (v(system.normal(i)) < 0 && !problem.is_apart(i))
         return {};
     ContactState state;
     state.v = v;
@@ -94,13 +88,14 @@ namespace conetact::solvers
   {
     const ContactSystem &system = *problem.system;
     const Index          k = system.n_motions, n = system.n_contact_unknowns();
-    if (k == 0 || is_bonded(problem) || !problem.load.tail(k).isZero(0) ||
+    if (k == 0 || problem.has_bonds() || !problem.load.tail(k).isZero(0) ||
         !system.matrix.bottomRightCorner(k, k).isZero(0) ||
         !start.r.head(n).isZero(0)) // what is pressed already may be jammed
       return {};
     std::vector<Index> normals;
     for (Index i = 0; i < system.n_nodes(); ++i)
-      normals.push_back(system.normal(i));
+      if (!problem.is_apart(i))
+        normals.push_back(system.normal(i));
     const auto a = shortest_way_out(system.matrix(normals, Eigen::seqN(n, k)),
                                     problem.load(normals));
     if (!a)

@@ -138,9 +138,22 @@ namespace conetact::analysis
     void
     judge_uniqueness(PendingIncrement              &increment,
                      const solvers::ContactProblem &problem);
-    /** Rows of that one, before those of the increment are. */
+    /** Rows of another solution of an increment that begins with `before`, to
+     * be asked for before those of the increment. */
     std::vector<output::ContactRow>
-    rows_of_another(const PendingIncrement &increment);
+    rows_of_solution(const PendingIncrement        &increment,
+                     const contact::ContactHistory &before,
+                     const AnotherSolution         &solution);
+    /** Throws InputError where the scene asks for all solutions of what has no
+     * finite number of them. */
+    void
+    check_branches() const;
+    /** All solutions of the increment, from all of the one before. */
+    void
+    follow_branches(PendingIncrement              &increment,
+                    const solvers::ContactProblem &problem);
+    std::vector<output::BranchRows>
+    rows_of_branches(const PendingIncrement &increment);
     void
     solve_motions(const solvers::ContactProblem &problem,
                   solvers::ContactState         &state,
@@ -183,11 +196,12 @@ namespace conetact::analysis
 
     std::unique_ptr<solvers::ContactSolver>  solver;
     std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
-    ContactSearch                            search;
-    std::optional<contact::Fluid>            fluid; ///< once it is asked for
-    std::set<unsigned int>                   said_leaks; ///< contacts
-    std::optional<solvers::UniquenessCheck>  uniqueness;
-    IncrementParts                           parts; ///< of the one that is next
+    std::vector<Branch>                     branches; ///< of the last increment
+    ContactSearch                           search;
+    std::optional<contact::Fluid>           fluid; ///< once it is asked for
+    std::set<unsigned int>                  said_leaks; ///< contacts
+    std::optional<solvers::UniquenessCheck> uniqueness;
+    IncrementParts                          parts; ///< of the one that is next
     bool lost_contacts = false; ///< that slide, in what failed last
     bool unsolved      = false; ///< what failed last, by its solver
     bool in_parts = false; ///< increments that are too large to be condensed

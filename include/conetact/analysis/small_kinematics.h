@@ -63,6 +63,8 @@ namespace conetact::analysis
     add_wrong_feet(const IncrementEnd &end, Found &found) const;
     void
     add_wrong_turns(const IncrementEnd &end, Found &found) const;
+    void
+    add_turned_springs(const IncrementEnd &end, Found &found) const;
     pairing::RigidMotion
     obstacle_motion(const pairing::ContactNode &node,
                     const Eigen::VectorXd      &amounts,

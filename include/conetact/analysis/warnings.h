@@ -29,7 +29,8 @@ namespace conetact::analysis
      */
     bool
     is_determinate(const solvers::ContactState &state,
-                   const double                 largest_force);
+                   const double                 largest_force,
+                   const solvers::NodalLaws    *laws);
     /**
      * False where contacts of a node may share its force otherwise: the law
      * holds for many shares, of which the solver found one.

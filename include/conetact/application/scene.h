@@ -132,6 +132,7 @@ namespace conetact::application
       fclib_increments.clear();
       text_increments.clear();
       judges_uniqueness = false;
+      follows_branches  = false;
     }
     /** A run that is continued, from its last checkpoint on. */
     struct Restart
@@ -181,6 +182,7 @@ namespace conetact::application
     std::set<unsigned int>  fclib_increments; ///< with a file of their own
     std::set<unsigned int>  text_increments;  ///< or stages of a load path
     bool                    judges_uniqueness = false;
+    bool                    follows_branches  = false; ///< of all solutions
     std::vector<Expression> activity; ///< of each support, of t
 
   private:

@@ -34,6 +34,9 @@ namespace conetact::application
   /** Throws InputError. */
   solvers::SolverOptions
   create_solver_options(dealii::ParameterHandler &prm);
+  /** Whether all solutions are asked for. */
+  bool
+  follows_branches(const dealii::ParameterHandler &prm);
   const condensed::Condenser &
   chosen_condenser(dealii::ParameterHandler &prm);
   /**

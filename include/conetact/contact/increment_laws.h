@@ -55,6 +55,11 @@ namespace conetact::contact
       return bonded;
     }
     bool
+    is_apart(const Index i) const override
+    {
+      return !active[static_cast<std::size_t>(i)];
+    }
+    bool
     is_joined(const Index i) const override
     {
       return joined[static_cast<std::size_t>(i)];
@@ -151,7 +156,7 @@ namespace conetact::contact
     std::vector<double>             strength, cohesion; ///< whole [force]
     std::vector<double>             fluids; ///< of what is wet [force]
     std::vector<bool>               bonds;
-    bool                            soft;   ///< something gives way
+    bool                            soft; ///< something gives way
     bool bonded; ///< something is bonded, wet or joined
   };
 

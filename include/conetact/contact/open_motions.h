@@ -29,11 +29,13 @@ namespace conetact::contact
   class OpenMotions
   {
   public:
-    /** `state` of all candidates; `largest_force` so far. */
+    /** `state` of all candidates; `largest_force` so far; laws of the
+     * increment, or none. */
     OpenMotions(const RigidMotions          &motions,
                 const ContactPoints         &points,
                 const solvers::ContactState &state,
-                const double                 largest_force);
+                const double                 largest_force,
+                const solvers::NodalLaws    *laws = nullptr);
 
     bool
     exist() const

@@ -112,6 +112,14 @@ namespace conetact::output
       solution; ///< none if it was solved in parts
   };
 
+  /** One of all solutions of an increment: its number, and that of the one that
+   * it follows in the increment before. */
+  struct BranchRows
+  {
+    unsigned int            number = 1, parent = 1;
+    std::vector<ContactRow> rows;
+  };
+
   /** All that is known of a finished increment. */
   struct IncrementRecord
   {
@@ -146,6 +154,7 @@ namespace conetact::output
     bool        determinate = true; ///< false: displacements are not unique
     std::string unique;             ///< yes, no or open; empty: nobody asked
     std::vector<ContactRow> other_rows; ///< of another solution, if there is
+    std::vector<BranchRows> branches;   ///< all solutions, if asked for
 
     /**
      * Of increments that are drawn, one a body: displacements of all its dofs,
@@ -174,6 +183,7 @@ namespace conetact::output
     std::vector<unsigned int> wearing;   ///< indices of contacts that wear
     std::vector<unsigned int> breaking;  ///< of those whose bonds may be lost
     bool                      judges_uniqueness = false;
+    bool                      follows_branches  = false;
     std::vector<std::string>  probes; ///< names of chosen points
     std::vector<const bodies::Structure *> structures;
     unsigned int                           dim = 2;

@@ -17,9 +17,9 @@ namespace conetact::output
   /**
    * `reactions.csv` and `increments.csv`, which grow together, once for
    * increments that finish together, and `reactions-2.csv` of increments that
-   * have another solution. The constructor writes them without rows,
-   * or with those of the run that is continued, so that old tables do not pass
-   * for those of this run.
+   * have another solution, `solutions.csv` of all of them. The constructor
+   * writes them without rows, or with those of the run that is continued, so
+   * that old tables do not pass for those of this run.
    */
   class Tables : public Output
   {
@@ -37,6 +37,7 @@ namespace conetact::output
     GrowingFile    reactions_file, increments_file;
     /** Other solutions, where they are looked for. */
     std::optional<GrowingFile> others_file;
+    std::optional<GrowingFile> branches_file; ///< the same, of all
     std::uint64_t beginning = 0; ///< bytes that the constructor wrote
   };
 } // namespace conetact::output

@@ -135,6 +135,28 @@ namespace conetact::solvers
      * problem stands alone.
      */
     double reference_force = 0;
+
+    /** Whether a bond, or a fluid, acts at any node, or one is joined. */
+    bool
+    has_bonds() const
+    {
+      return laws && laws->has_bonds();
+    }
+    bool
+    is_bonded(const Eigen::Index node) const
+    {
+      return laws && laws->is_bonded(node);
+    }
+    bool
+    is_apart(const Eigen::Index node) const
+    {
+      return laws && laws->is_apart(node);
+    }
+    bool
+    is_joined(const Eigen::Index node) const
+    {
+      return laws && laws->is_joined(node);
+    }
   };
 
   enum class NodeState : unsigned char

@@ -107,6 +107,11 @@ namespace conetact::solvers
       return laws && laws->has_bonds();
     }
     bool
+    is_apart(const Index i) const
+    {
+      return laws && laws->is_apart(i);
+    }
+    bool
     is_joined(const Index i) const
     {
       return laws && laws->is_joined(i);

@@ -117,6 +117,13 @@ namespace conetact::solvers
     {
       return false;
     }
+    /** Whether both sides of a node do not see each other: r is 0, whatever v.
+     * A method without this sees them by their layers, far apart. */
+    virtual bool
+    is_apart(const Index /*node*/) const
+    {
+      return false;
+    }
     /** Whether both sides of a node stay together whatever the reaction: v, as
      * its layer leaves it, is 0. */
     virtual bool

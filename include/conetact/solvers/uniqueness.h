@@ -66,8 +66,8 @@ namespace conetact::solvers
   };
 
   /**
-   * Another solution than `state`: from all states of its nodes where there are
-   * few in the plane, else from some starts. None: none was found.
+   * Another solution than `state`: in the plane of all of them, else from some
+   * starts. None: none was found.
    */
   std::optional<ContactState>
   find_another(const ContactProblem &problem,
