@@ -52,7 +52,7 @@ include(CPack)
 
 add_custom_target(deb COMMAND ${CMAKE_CPACK_COMMAND} -G DEB WORKING_DIRECTORY ${CMAKE_BINARY_DIR} VERBATIM)
 add_dependencies(deb conetact conetact-reproductions)
-foreach(TARGET conetact-fclib man)
+foreach(TARGET conetact-fclib man editors)
   if(TARGET ${TARGET})
     add_dependencies(deb ${TARGET})
   endif()

@@ -6,23 +6,24 @@
 #include "conetact/analysis/make_analysis.h"
 #include "conetact/application/batch.h"
 #include "conetact/application/command_line.h"
+#include "conetact/application/compare_runs.h"
+#include "conetact/application/entry_texts.h"
 #include "conetact/application/located.h"
 #include "conetact/application/manual.h"
 #include "conetact/application/scene.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/folder_lock.h"
+#include "conetact/base/interruption.h"
 #include "conetact/base/log.h"
 #include "conetact/base/process.h"
+#include "conetact/base/results_folder.h"
 #include "conetact/base/text.h"
 #include "conetact/base/workers.h"
 
 #include <deal.II/base/exceptions.h>
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -34,70 +35,12 @@ namespace
 {
   using namespace conetact;
 
-  [[noreturn]] void
-  refuse_folder(const std::filesystem::path &folder, const std::string &why)
-  {
-    throw WriteError("The folder " + folder.string() + " cannot be made: " +
-                     why + ". Choose another one with -o.");
-  }
-
-  /** Finds out early, and without writing, that a folder cannot be made or is
-   * in use. */
-  void
-  check_folder(const std::filesystem::path &folder)
-  {
-    std::error_code       error;
-    std::filesystem::path existing = std::filesystem::absolute(folder, error);
-    while (!error && !std::filesystem::exists(existing, error) && !error &&
-           existing.has_relative_path())
-      existing = existing.parent_path();
-    if (error)
-      refuse_folder(folder, error.message());
-    if (!std::filesystem::is_directory(existing, error) ||
-        access(existing.c_str(), W_OK | X_OK) != 0)
-      refuse_folder(folder,
-                    existing.string() +
-                      " is not a folder that can be written to");
-    FolderLock::check(folder);
-  }
-
-  void
-  make_folder(const std::filesystem::path &folder)
-  {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error || !std::filesystem::is_directory(folder))
-      refuse_folder(folder, error.message());
-  }
-
   /** What was asked for, and nothing else is done. */
   void
   print(const std::string &text)
   {
     if (!(std::cout << text << std::flush))
       throw WriteError("Standard output cannot be written: is the disk full?");
-  }
-
-  void
-  note_work(const analysis::Analysis &analysis, Log &log)
-  {
-    log.note("memory: " + analysis::megabytes(analysis::peak_memory()) +
-             " at most");
-    if (Together::is_possible())
-      {
-        const Together together({Command::report});
-        std::string    memory, time;
-        for (const Needs &needs : needs_of_processes())
-          {
-            const char *const comma = memory.empty() ? "" : ", ";
-            memory += comma + analysis::megabytes(needs.peak_memory);
-            time +=
-              comma + to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
-          }
-        log.note("memory of processes: " + memory);
-        log.note("CPU of processes: " + time);
-      }
-    log.note(describe(analysis.work()));
   }
 
   /** The contacts of `Contacts = automatic`, to be included or pasted. */
@@ -146,7 +89,20 @@ namespace
     log.note(describe(analysis.work()));
   }
 
-  /** Runs the history on the mesh at hand. */
+  /** What is said of a run that ends before its time. */
+  void
+  end_early(const std::exception     &why,
+            const analysis::Analysis &analysis,
+            Log                      &log)
+  {
+    log.note(why.what());
+    if (analysis.has_results())
+      analysis.say_closing();
+    analysis::note_work(analysis.work(), log);
+  }
+
+  /** Runs the history on the mesh at hand. mpirun ends many processes, whatever
+   * they would like to do first. */
   void
   run_history(analysis::Analysis             &analysis,
               const std::filesystem::path    &folder,
@@ -157,14 +113,19 @@ namespace
       {
         if (line.verify)
           analysis.verify();
+        std::optional<Interruption> interruption;
+        if (ProcessSession::n_processes() == 1)
+          interruption.emplace();
         analysis.run(folder, line.quiet);
       }
     catch (const AnalysisError &error)
       {
-        log.note(error.what());
-        if (analysis.has_results())
-          analysis.say_closing();
-        note_work(analysis, log);
+        end_early(error, analysis, log);
+        throw;
+      }
+    catch (const Interrupted &stop)
+      {
+        end_early(stop, analysis, log);
         throw;
       }
   }
@@ -275,7 +236,7 @@ namespace
       adaptive.advance(scene, analysis->last_increment(), folder, log);
     if (last)
       analysis->say_closing();
-    note_work(*analysis, log);
+    analysis::note_work(analysis->work(), log);
     return !last;
   }
 
@@ -380,6 +341,15 @@ namespace
                        ". Leave one of them out.");
   }
 
+  /** Whether two runs have the same results: 0, else 2. */
+  int
+  compare(const application::CommandLine &line)
+  {
+    const application::RunComparison found = application::compare_runs(line);
+    print(found.text);
+    return found.are_equal ? 0 : 2;
+  }
+
   /** The exit code; only the first of many processes is here. */
   int
   run_program(int argc, char *const argv[])
@@ -390,6 +360,10 @@ namespace
         line = application::parse_command_line(argc, argv);
         if (!line.answer.empty())
           print(line.answer);
+        else if (!line.compared.empty())
+          return compare(line);
+        else if (!line.entry_text.empty())
+          print(application::entry_text(line));
         else if (!line.batch.empty())
           throw InputError("A batch is no run of another one.");
         else if (!line.new_scene.empty())
@@ -410,6 +384,10 @@ namespace
     catch (const AnalysisError &error)
       {
         return say(error.what(), 2);
+      }
+    catch (const Interrupted &stop)
+      {
+        return say(stop.what(), Interrupted::exit_code);
       }
     catch (const WriteError &error)
       {
@@ -494,6 +472,12 @@ main(int argc, char *argv[])
   const application::CommandLine line = batch_of(argc, argv);
   if (!line.batch.empty())
     return run_batch(line);
-  const ProcessSession process;
-  return run_process(argc, argv);
+  int code = 0;
+  {
+    const ProcessSession process;
+    code = run_process(argc, argv);
+  }
+  if (code == Interrupted::exit_code)
+    Interruption::end_process();
+  return code;
 }

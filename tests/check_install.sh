@@ -53,6 +53,19 @@ if grep -q '^HELP2MAN:FILEPATH=/' "$build/CMakeCache.txt" && [ -d "$build/man" ]
   gzip -dc "$prefix/share/man/man1/conetact.1.gz" | grep -q 'restart'
 fi
 quietly "$bin/conetact-reproductions" --help
+
+# for shells and editors
+if [ -d "$build/editors" ]; then
+  share=$prefix/share
+  for text in bash-completion/completions/conetact vim/vimfiles/syntax/conetact.vim vim/vimfiles/ftdetect/conetact.vim \
+    conetact/vscode/package.json conetact/vscode/language-configuration.json \
+    conetact/vscode/syntaxes/conetact.tmLanguage.json conetact/schema/scene.schema.json; do
+    [ -s "$share/$text" ] || { echo "$text is missing"; exit 1; }
+  done
+  bash -n "$share/bash-completion/completions/conetact"
+  /usr/bin/python3 -c "import json, sys; [json.load(open(f)) for f in sys.argv[1:]]" \
+    "$share"/conetact/vscode/*.json "$share"/conetact/vscode/syntaxes/*.json "$share"/conetact/schema/*.json
+fi
 [ ! -x "$bin/conetact-fclib" ] || quietly "$bin/conetact-fclib" --help
 
 # the solvers, for other programs

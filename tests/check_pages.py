@@ -6,7 +6,7 @@
 usage: check_pages.py PROGRAM [PAGE...]
 
 All blocks of a page that say sh run as one script of bash which ends at the first error, those that say python as
-programs, in an empty folder that has ./conetact and some folders of the source tree. Those that say prm are parts of
+programs, in an empty folder that has ./conetact and some folders of the source tree, and is the home. Those that say prm are parts of
 scenes: each entry must be one of the manual.
 """
 import os
@@ -24,7 +24,7 @@ PHRASES = {  # what pages say that a command prints
     "doc/python.md": ("Scene(3D: bodies lower, upper; contacts joint", "False joint 1", "Mesh(2D: 231 points", "coefficient = 0.75"),
     "doc/site/tutorials/press-fit.md": ("body 'shaft' slides along (0, 1, 0)", "exit code 2"),
 }
-FOLDERS = ("parameter-files", "scripts", "doc", "tests")  # that pages name in commands
+FOLDERS = ("parameter-files", "scripts", "doc", "tests", "cmake")  # that pages name in commands
 ENTRY = re.compile(r"^\s*set\s+([^=]+?)\s*=", re.MULTILINE)
 
 
@@ -61,6 +61,7 @@ def faults_of(page, phrases, program):
     printed = ""
     with tempfile.TemporaryDirectory() as folder:
         make_folder(Path(folder), program)
+        environment["HOME"] = folder
         for command in programs(text):
             run = subprocess.run(command, cwd=folder, env=environment, text=True, stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT)

@@ -8,6 +8,7 @@
 #include "conetact/analysis/scene_report.h"
 #include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/joined_warnings.h"
 #include "conetact/base/text.h"
 #include "conetact/output/closing.h"
 #include "conetact/output/output_table.h"
@@ -31,14 +32,16 @@ namespace conetact::analysis
                          const contact::ContactModel &model,
                          Log                         &log)
     {
-      std::vector<bool> empty(scene.contact_names.size(), true);
+      std::vector<bool>        empty(scene.contact_names.size(), true);
+      std::vector<std::string> sentences;
       for (const contact::ContactPoint &point : model.points.all())
         empty[point.node->contact] = false;
       for (std::size_t c = 0; c < empty.size(); ++c)
         if (empty[c] && scene.pairings[c].n_paired == 0)
-          log.say("warning: contact '" + scene.contact_names[c] +
-                  "': nothing touches, for no node faces the master within its "
-                  "Reach. Check Master boundary ids and the bodies' places.");
+          sentences.push_back(
+            "contact '" + scene.contact_names[c] +
+            "': nothing touches, for no node faces the master within its "
+            "Reach. Check Master boundary ids and the bodies' places.");
         else if (const unsigned int n = scene.pairings[c].n_paired;
                  empty[c] && pairing::n_shared(static_cast<unsigned int>(c),
                                                n,
@@ -47,6 +50,7 @@ namespace conetact::analysis
             "Contact '" + scene.contact_names[c] +
             "' has no node that may touch: supports or ties hold all of them along "
             "its normal. Take them out of these, or remove the contact.");
+      warn(sentences, log);
     }
 
     /** Sides that are tied across a gap pass shear on without its couple. */
@@ -66,13 +70,16 @@ namespace conetact::analysis
             widest[node.contact] =
               std::max(widest[node.contact], std::abs(node.gap));
         }
+      std::vector<std::string> sentences;
       for (std::size_t c = 0; c < widest.size(); ++c)
         if (widest[c] > 0)
-          log.say("warning: contact '" + scene.contact_names[c] +
-                  "': it binds sides that are up to " + to_text(widest[c]) +
-                  " apart. Forces along them make a couple, force times gap, "
-                  "that nothing carries. Move the bodies together, or give the "
-                  "contact a Gap that closes.");
+          sentences.push_back(
+            "contact '" + scene.contact_names[c] +
+            "': it binds sides that are up to " + to_text(widest[c]) +
+            " apart. Forces along them make a couple, force times gap, that "
+            "nothing carries. Move the bodies together, or give the contact a "
+            "Gap that closes.");
+      warn(sentences, log);
     }
 
     /** The model is solved by it from here on. */

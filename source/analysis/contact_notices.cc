@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/contact_notices.h"
 
+#include "conetact/base/joined_warnings.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/face_nodes.h"
 #include "conetact/pairing/adjusted_gaps.h"
@@ -122,6 +123,7 @@ namespace conetact::analysis
   void
   ContactNotices::say_start(Log &log) const
   {
+    std::vector<std::string> interferences;
     for (unsigned int c = 0; c < facets.size(); ++c)
       {
         const double one   = facets[c].largest_of_slave();
@@ -131,17 +133,20 @@ namespace conetact::analysis
                    ": facets stand off curved surfaces by up to " +
                    to_text(one) + " on the body and " + to_text(other) +
                    " on the other side");
-        say_interference(c, log);
+        if (const std::string sentence = interference(c, log);
+            !sentence.empty())
+          interferences.push_back(sentence);
       }
+    warn(interferences, log);
   }
 
-  void
-  ContactNotices::say_interference(const unsigned int c, Log &log) const
+  std::string
+  ContactNotices::interference(const unsigned int c, Log &log) const
   {
     const Contact &contact = contacts.contact(c);
     if (contact.kind != pairing::ContactKind::contact || contact.gap ||
         (contact.obstacle && contact.obstacle->shape->states_gaps()))
-      return;
+      return "";
     unsigned int       n       = 0;
     const ContactNode *deepest = nullptr;
     for (const ContactNode &node : scene.bodies.contact_nodes)
@@ -155,7 +160,7 @@ namespace conetact::analysis
             deepest = &node;
         }
     if (deepest == nullptr)
-      return;
+      return "";
     const std::string depth = to_text(-deepest->gap);
     const std::string what  = "nodes of contact '" + contact.name +
                              "' start up to " + depth + " inside " +
@@ -163,14 +168,16 @@ namespace conetact::analysis
                              std::to_string(n) + " of them, the deepest at " +
                              to_text(deepest->position) + ")";
     if (contact.interference)
-      log.say(what + ", an interference that Largest interference = " +
-              to_text(*contact.interference) + " lets pass");
-    else
-      log.say("warning: " + what +
-              ": that is taken for an interference, which presses without any "
-              "load. Move them apart, or, where it is meant, say so by a "
-              "Largest interference of at least " +
-              depth + ".");
+      {
+        log.say(what + ", an interference that Largest interference = " +
+                to_text(*contact.interference) + " lets pass");
+        return "";
+      }
+    return what +
+           ": that is taken for an interference, which presses without any "
+           "load. Move them apart, or, where it is meant, say so by a "
+           "Largest interference of at least " +
+           depth + ".";
   }
 
   void
@@ -318,8 +325,10 @@ namespace conetact::analysis
   void
   ContactNotices::say_end(const bool is_whole, Log &log) const
   {
+    std::vector<std::string> all;
     for (const auto &[contact, sentence] : sentences)
-      log.say("warning: " + sentence);
+      all.push_back(sentence);
+    warn(all, log);
     if (is_whole)
       say_never_closed(log);
   }

@@ -6,6 +6,7 @@
 #include "conetact/analysis/cost.h"
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/interruption.h"
 #include "conetact/base/text.h"
 #include "conetact/solvers/large_newton.h"
 
@@ -59,9 +60,11 @@ namespace conetact::analysis
         switch (step.outcome)
           {
             case Outcome::accepted:
+              stop_if_asked(next);
               break;
             case Outcome::corrected:
               one_by_one = true;
+              stop_if_asked(next);
               break;
             case Outcome::failed:
               if (!leaves_small().empty())
@@ -96,8 +99,11 @@ namespace conetact::analysis
     unsigned int      k    = first;
     if (lock_is_due(k))
       lock(k);
-    for (; k <= scene.times.size() && batch.size() < size && !lock_is_due(k);
-         ++k)
+    const auto is_full = [&] {
+      return batch.size() >= size ||
+             (!batch.empty() && Interruption::is_wanted());
+    };
+    for (; k <= scene.times.size() && !is_full() && !lock_is_due(k); ++k)
       {
         batch.push_back(start(k));
         std::string why = search.turns_too_far(batch.back().record.time);

@@ -5,6 +5,8 @@
 
 #include "conetact/analysis/checkpoint.h"
 #include "conetact/analysis/increment_analysis.h"
+#include "conetact/base/interruption.h"
+#include "conetact/base/text.h"
 #include "conetact/output/former_rows.h"
 
 namespace conetact::analysis
@@ -26,6 +28,12 @@ namespace conetact::analysis
             take(search.accepted());
           }
       }
+    write_checkpoint();
+  }
+
+  void
+  IncrementAnalysis::write_checkpoint()
+  {
     Archive archive;
     archive.put_text("scene", scene.values());
     archive.put("times",
@@ -40,6 +48,29 @@ namespace conetact::analysis
     acceptance.save(archive);
     archive.write(description.folder / "checkpoint.bin");
     n_saved = n_on_disk;
+  }
+
+  /* Parts of the increment that is running follow first. */
+  void
+  IncrementAnalysis::stop_if_asked(const unsigned int next)
+  {
+    if (!Interruption::is_wanted() || parts.others_follow() ||
+        next > scene.times.size() || n_on_disk == 0)
+      return;
+    const std::string folder  = description.folder.string();
+    const bool        goes_on = scene.checkpoint_every > 0;
+    if (goes_on && n_on_disk != n_saved)
+      write_checkpoint();
+    Interruption::stop(
+      "Interrupted after increment " + std::to_string(n_on_disk) +
+      ", t = " + to_text(scene.times[n_on_disk - 1]) +
+      ": it and all before it are on disk in " + folder + ". " +
+      (goes_on ?
+         "Run the same command with --restart " + folder + " to go on." :
+       scene.adaptive.cycles > 0 ?
+         "A scene with Adaptive refinement cannot be continued." :
+         "This run cannot be continued; one with Output/Checkpoint = 1 or more "
+         "can, by --restart."));
   }
 
   void

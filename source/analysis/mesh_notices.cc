@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/mesh_notices.h"
 
+#include "conetact/base/joined_warnings.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/doubled_nodes.h"
 #include "conetact/contact/pieces.h"
@@ -57,6 +58,7 @@ namespace conetact::analysis
   void
   say_doubled_nodes(const application::Scene &scene, Log &log)
   {
+    std::vector<std::string> sentences;
     for (unsigned int b = 0; b < scene.bodies.n_elastic(); ++b)
       {
         const bodies::Structure &body    = *scene.bodies.structures[b];
@@ -66,16 +68,18 @@ namespace conetact::analysis
         if (doubled.empty())
           continue;
         const unsigned int n = contact::n_pieces(body);
-        log.say("warning: body '" + scene.bodies.names[b] + "'" +
-                (n > 1 ? " is of " + std::to_string(n) +
-                           " pieces that are not joined" :
-                         " has nodes that are not joined") +
-                "; nodes at " + to_text(body.position(doubled[0].first)) +
-                " coincide, " + std::to_string(doubled.size()) +
-                (doubled.size() == 1 ? " pair" : " pairs") +
-                " in all. Nothing passes between them. Join them by Merge = "
-                "1e-6 in Mesh or in the program that wrote the mesh (in Gmsh "
-                "by BooleanFragments or Coherence), or put a Contact there.");
+        sentences.push_back(
+          "body '" + scene.bodies.names[b] + "'" +
+          (n > 1 ?
+             " is of " + std::to_string(n) + " pieces that are not joined" :
+             " has nodes that are not joined") +
+          "; nodes at " + to_text(body.position(doubled[0].first)) +
+          " coincide, " + std::to_string(doubled.size()) +
+          (doubled.size() == 1 ? " pair" : " pairs") +
+          " in all. Nothing passes between them. Join them by Merge = "
+          "1e-6 in Mesh or in the program that wrote the mesh (in Gmsh "
+          "by BooleanFragments or Coherence), or put a Contact there.");
       }
+    warn(sentences, log);
   }
 } // namespace conetact::analysis

@@ -6,6 +6,7 @@
 #include "conetact/analysis/mechanism_files.h"
 #include "conetact/analysis/path_outcome.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/interruption.h"
 #include "conetact/base/text.h"
 #include "conetact/output/csv.h"
 #include "conetact/output/problem_texts.h"
@@ -22,9 +23,6 @@ namespace conetact::analysis
   {
     /** Reactions below this part of the largest are those of open nodes. */
     constexpr double path_noise = 1e-12;
-
-    /** Over the spacing of nodes: smaller gaps are closed. */
-    constexpr double touching = 1e-9;
 
     bool
     numbers_are_unique(const contact::ContactPoints &points)
@@ -80,35 +78,6 @@ namespace conetact::analysis
     scene.check_stages();
     Analysis::check_history();
     refuse_falling();
-  }
-
-
-
-  /* A path follows rates, and there is none at which a body falls. */
-  void
-  PathAnalysis::refuse_falling() const
-  {
-    if (model.motions.unresisted().cols() == 0)
-      return;
-    std::vector<bool> touches(scene.bodies.names.size(), false);
-    const auto        first = [&](const unsigned int body) {
-      return model.motions.first_tied(body);
-    };
-    for (const contact::ContactPoint &point : model.points)
-      if (const pairing::ContactNode &node = *point.node;
-          node.gap <= touching * node.spacing)
-        {
-          touches[first(node.body)] = true;
-          if (!node.masters.empty())
-            touches[first(node.master)] = true;
-        }
-    for (const unsigned int body : model.motions.body_of_free())
-      if (!touches[body])
-        throw InputError("Solver/Method: body '" + scene.bodies.names[body] +
-                         "' touches nothing at the start, so that it falls "
-                         "under the first load. A load path needs bodies that "
-                         "rest on their contacts: close the gap, add a "
-                         "Support, or choose automatic.");
   }
 
 
@@ -341,8 +310,11 @@ namespace conetact::analysis
     if (point.jump || point.plateau)
       on_the_way += std::string(" after a ") +
                     (point.jump ? "jump" : "plateau") + " at p = " + to_text(t);
-    if (waiting.size() >= most_at_once())
+    const bool stops = Interruption::is_wanted();
+    if (stops || waiting.size() >= most_at_once())
       flush();
+    if (stops)
+      Interruption::stop(interrupted_path(n_records, t, folder));
   }
 
 

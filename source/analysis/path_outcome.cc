@@ -175,4 +175,17 @@ namespace conetact::analysis
       }
     return "";
   }
+
+
+
+  std::string
+  interrupted_path(const unsigned int           point,
+                   const double                 t,
+                   const std::filesystem::path &folder)
+  {
+    return "Interrupted at point " + std::to_string(point) +
+           " of the path, t = " + to_text(t) +
+           ": it and all before it are on disk in " + folder.string() +
+           ". A load path cannot be continued: run it from its start.";
+  }
 } // namespace conetact::analysis

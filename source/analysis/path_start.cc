@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/path_analysis.h"
 #include "conetact/analysis/path_outcome.h"
+#include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
 #include <algorithm>
@@ -22,7 +23,39 @@ namespace conetact::analysis
      * how many times more the loads do that they are applied with.
      */
     constexpr double small_interference = 1e-4, larger = 100;
+
+    /** Over the spacing of nodes: smaller gaps are closed. */
+    constexpr double touching = 1e-9;
   } // namespace
+
+  /* A path follows rates, and there is none at which a body falls. */
+  void
+  PathAnalysis::refuse_falling() const
+  {
+    if (model.motions.unresisted().cols() == 0)
+      return;
+    std::vector<bool> touches(scene.bodies.names.size(), false);
+    const auto        first = [&](const unsigned int body) {
+      return model.motions.first_tied(body);
+    };
+    for (const contact::ContactPoint &point : model.points)
+      if (const pairing::ContactNode &node = *point.node;
+          node.gap <= touching * node.spacing)
+        {
+          touches[first(node.body)] = true;
+          if (!node.masters.empty())
+            touches[first(node.master)] = true;
+        }
+    for (const unsigned int body : model.motions.body_of_free())
+      if (!touches[body])
+        throw InputError("Solver/Method: body '" + scene.bodies.names[body] +
+                         "' touches nothing at the start, so that it falls "
+                         "under the first load. A load path needs bodies that "
+                         "rest on their contacts: close the gap, add a "
+                         "Support, or choose automatic.");
+  }
+
+
 
   /* Bodies that are moved or turned until they touch miss each other by what
      their coordinates are known to, which must not press them. */

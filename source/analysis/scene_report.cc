@@ -4,6 +4,7 @@
 #include "conetact/analysis/scene_report.h"
 
 #include "conetact/analysis/cost.h"
+#include "conetact/base/joined_warnings.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
 #include "conetact/pairing/shared_nodes.h"
@@ -66,14 +67,17 @@ namespace conetact::analysis
     void
     warn_of_idle_obstacles(const application::Scene &scene, Log &log)
     {
+      std::vector<std::string> sentences;
       for (const pairing::Obstacle *obstacle : scene.idle_obstacles())
-        log.say("warning: Contacts = automatic: obstacle '" + obstacle->name +
-                "' is in no contact, bodies pass through it. " +
-                (obstacle->shape->states_gaps() ?
-                   "Shape = prescribed gap does not say where it is: write "
-                   "a Contact for it." :
-                   "Set Automatic contact/Largest gap to what is between it "
-                   "and the body that is to touch it."));
+        sentences.push_back(
+          "Contacts = automatic: obstacle '" + obstacle->name +
+          "' is in no contact, bodies pass through it. " +
+          (obstacle->shape->states_gaps() ?
+             "Shape = prescribed gap does not say where it is: write "
+             "a Contact for it." :
+             "Set Automatic contact/Largest gap to what is between it "
+             "and the body that is to touch it."));
+      warn(sentences, log);
     }
 
     /** What `Contacts = automatic` has found, and how a scene would say it. */
@@ -172,18 +176,19 @@ namespace conetact::analysis
                 (cut.locked_from ?
                    ", locked from t = " + to_text(*cut.locked_from) :
                    ""));
-      for (const std::string &caution : scene.cautions())
-        log.say("warning: " + caution);
+      warn(scene.cautions(), log);
       for (std::size_t b = 0; b < bodies.names.size(); ++b)
         if (bodies.is_at_rest(b))
           log.note(
             "skipped: " + std::to_string(bodies.structures[b]->n_dofs()) +
             " dofs of body " + bodies.names[b] +
             ", which no load, support motion or contact reaches");
+      std::vector<std::string> cautions;
       for (std::size_t b = 0; b < bodies.names.size(); ++b)
         if (const std::string caution = bodies.structures[b]->caution();
             !caution.empty())
-          log.say("warning: body '" + bodies.names[b] + "': " + caution);
+          cautions.push_back("body '" + bodies.names[b] + "': " + caution);
+      warn(cautions, log);
       for (std::size_t b = 0; b < bodies.names.size(); ++b)
         if (const auto [elements, matrices] =
               bodies.structures[b]->matrix_count();

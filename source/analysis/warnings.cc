@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/warnings.h"
 
+#include "conetact/base/joined_warnings.h"
 #include "conetact/base/text.h"
 #include "conetact/contact/force_shares.h"
 #include "conetact/contact/open_motions.h"
@@ -150,6 +151,12 @@ namespace conetact::analysis
   void
   Warnings::check_size(const Eigen::VectorXd &amounts, const Eigen::VectorXd &w)
   {
+    std::vector<std::string> sentences;
+    const auto               first = [&](const std::string &kind,
+                           const std::string &sentence) {
+      if (said.insert(kind).second)
+        sentences.push_back(sentence);
+    };
     for (unsigned int body = 0; body < model.bodies.names.size(); ++body)
       {
         const std::string name   = model.bodies.called(body) + " ";
@@ -162,19 +169,20 @@ namespace conetact::analysis
           "undeformed body.";
         if (const double angle = model.motions.rotation(amounts, body);
             angle > large_rotation)
-          once("rotation " + name,
-               name + "turns by " + to_text(angle) + " rad." + theory);
+          first("rotation " + name,
+                name + "turns by " + to_text(angle) + " rad." + theory);
         if (most > large_deformation * size)
-          once("deformation " + name,
-               name + "deforms by " + to_text(most) + ", " +
-                 to_text(most / size) + " of its size." + theory);
+          first("deformation " + name,
+                name + "deforms by " + to_text(most) + ", " +
+                  to_text(most / size) + " of its size." + theory);
         // cells may be small: only where the deformation allows for it
         if (most > 1e-4 * size && said.count("strain " + name) == 0)
           if (const double strain = largest_strain(body, w);
               strain > large_strain)
-            once("strain " + name,
-                 name + "is strained by about " + to_text(strain) + "." +
-                   theory);
+            first("strain " + name,
+                  name + "is strained by about " + to_text(strain) + "." +
+                    theory);
       }
+    warn(sentences, log);
   }
 } // namespace conetact::analysis

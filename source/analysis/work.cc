@@ -3,6 +3,11 @@
 
 #include "conetact/analysis/work.h"
 
+#include "conetact/analysis/cost.h"
+#include "conetact/base/text.h"
+#include "conetact/base/workers.h"
+
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -38,5 +43,28 @@ namespace conetact::analysis
       text +=
         (text.empty() ? "work: " : ", ") + std::to_string(count) + " " + what;
     return text;
+  }
+
+
+
+  void
+  note_work(const Work &work, Log &log)
+  {
+    log.note("memory: " + megabytes(peak_memory()) + " at most");
+    if (Together::is_possible())
+      {
+        const Together together({Command::report});
+        std::string    memory, time;
+        for (const Needs &needs : needs_of_processes())
+          {
+            const char *const comma = memory.empty() ? "" : ", ";
+            memory += comma + megabytes(needs.peak_memory);
+            time +=
+              comma + to_text(std::round(10 * needs.cpu_seconds) / 10) + " s";
+          }
+        log.note("memory of processes: " + memory);
+        log.note("CPU of processes: " + time);
+      }
+    log.note(describe(work));
   }
 } // namespace conetact::analysis

@@ -165,8 +165,7 @@ namespace conetact::application
     std::error_code   ignored;
     const CommandLine line =
       parse_command_line(static_cast<int>(argv.size()) - 1, argv.data());
-    if (!line.answer.empty() || !line.batch.empty() || line.print_parameters ||
-        !line.new_scene.empty())
+    if (line.scene.empty() || line.print_parameters || !line.entry_text.empty())
       throw InputError("A line of a batch runs a scene. Leave --batch, "
                        "--parameters, --new, --version and --help out.");
     run.writes = !line.dry_run;

@@ -3,54 +3,39 @@
 
 #include "conetact/application/command_line.h"
 
+#include "conetact/application/option_table.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/numbers.h"
+#include "conetact/base/text.h"
 
 #include <getopt.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace conetact::application
 {
   namespace
   {
-    constexpr const char *help = R"(usage: conetact SCENE.prm [OPTION]...
+    constexpr const char *usage =
+      R"(usage: conetact SCENE.prm [OPTION]...
        conetact --batch FILE [--jobs N]
+       conetact compare FOLDER FOLDER [--tolerance REL]
 
 Quasi-static frictional contact of linear elastic bodies with the exact
 Coulomb cone.
 
-  -o, --output FOLDER           write there (default: output/SCENE)
-  -s, --set SECTION/ENTRY=VALUE
-                                replace an entry of the scene; may be repeated
-      --restart FOLDER          go on from the last checkpoint in the FOLDER of
-                                results (Output/Checkpoint) with what the scene
-                                has beyond its time; loads, supports and times
-                                may be others
-      --parameters              print all entries of the scene with their
-                                documentation; without a scene the whole manual
-      --new NAME                write a commented scene to start from, NAME.prm
-      --dry-run                 read, check and mesh the scene; report sizes,
-                                memory, time and what will be skipped
-      --verify                  condense all bodies once more by an independent
-                                solver (Trilinos' Amesos), print by how much the
-                                stiffness differs, stop beyond 1e-10
-      --processes N             share the linear algebra of large scenes among N
-                                processes (mpirun -n N)
-      --batch FILE              run what each line of the FILE says, SCENE.prm
-                                [OPTION]..., with the quotes and # of a shell
-                                (> FILE and 2> FILE take what a run prints, which
-                                is lost else; -: lines of standard input as they
-                                arrive). Libraries are loaded once, and a table
-                                tells exit codes and what was wrong
-      --jobs N                  do N runs of a batch side by side (default: 1)
-  -q, --quiet                   print errors only
-      --version                 print the version
-  -h, --help                    print this text
+)";
 
+    constexpr const char *exit_codes = R"(
 Exit codes: 0 done; 1 wrong input, nothing was written; 2 no equilibrium or not
 converged, all increments before it are on disk; 3 cannot write. A batch has the
-largest one of its runs.
+largest one of its runs. Runs that are compared: 0 equal, 2 different. Ctrl-C
+lets the increment that is running end, and a second one ends all at once: 130.
 )";
+
+    /** The word in place of a scene that compares two runs. */
+    constexpr const char *compare_word = "compare";
 
     constexpr const char *see_help = " See conetact --help.";
 
@@ -70,6 +55,17 @@ largest one of its runs.
       return n;
     }
 
+    /** Whether there is an option that runs or prints something. */
+    bool
+    says_more(const CommandLine &line)
+    {
+      return !line.folder.empty() || !line.restart.empty() ||
+             !line.overrides.empty() || !line.new_scene.empty() ||
+             !line.entry_text.empty() || line.tolerance ||
+             line.print_parameters || line.dry_run || line.verify ||
+             line.quiet || line.processes > 0;
+    }
+
     /** Whether this is a batch; what its lines say cannot stand beside it. */
     bool
     is_batch(const CommandLine &line, const bool has_scene)
@@ -79,31 +75,66 @@ largest one of its runs.
                          see_help);
       if (line.batch.empty())
         return false;
-      if (has_scene || !line.folder.empty() || !line.restart.empty() ||
-          !line.overrides.empty() || !line.new_scene.empty() ||
-          line.print_parameters || line.dry_run || line.verify || line.quiet ||
-          line.processes > 0)
+      if (has_scene || says_more(line))
         throw InputError("--batch takes scenes and their options from the "
                          "lines of its file. Write them there; only --jobs "
                          "may stand beside it.");
       return true;
     }
 
-    const option long_options[] = {
-      {"output", required_argument, nullptr, 'o'},
-      {"set", required_argument, nullptr, 's'},
-      {"restart", required_argument, nullptr, 'r'},
-      {"new", required_argument, nullptr, 'n'},
-      {"parameters", no_argument, nullptr, 'p'},
-      {"dry-run", no_argument, nullptr, 'd'},
-      {"processes", required_argument, nullptr, 'P'},
-      {"batch", required_argument, nullptr, 'b'},
-      {"jobs", required_argument, nullptr, 'j'},
-      {"verify", no_argument, nullptr, 'V'},
-      {"quiet", no_argument, nullptr, 'q'},
-      {"version", no_argument, nullptr, 'v'},
-      {"help", no_argument, nullptr, 'h'},
-      {nullptr, 0, nullptr, 0}};
+    /** Options as getopt wants them, with an end. */
+    std::vector<option>
+    long_options()
+    {
+      std::vector<option> options;
+      for (const OptionRow &row : option_table())
+        options.push_back({row.name,
+                           row.value == OptionRow::Value::none ?
+                             no_argument :
+                             required_argument,
+                           nullptr,
+                           row.letter});
+      options.push_back({nullptr, 0, nullptr, 0});
+      return options;
+    }
+
+    std::string
+    short_options()
+    {
+      std::string letters = ":";
+      for (const OptionRow &row : option_table())
+        if (row.is_short)
+          letters += std::string(1, row.letter) +
+                     (row.value == OptionRow::Value::none ? "" : ":");
+      return letters;
+    }
+
+    /** One of those that the table has for the option. */
+    std::string
+    word_of(const char letter, const std::string &value)
+    {
+      const auto row = std::find_if(option_table().begin(),
+                                    option_table().end(),
+                                    [letter](const OptionRow &r) {
+                                      return r.letter == letter;
+                                    });
+      if (std::find(row->words.begin(), row->words.end(), value) ==
+          row->words.end())
+        throw InputError(std::string("Option --") + row->name + ": '" + value +
+                         "' is not possible. Give one of: " + join(row->words) +
+                         ".");
+      return value;
+    }
+
+    double
+    tolerance_of(const std::string &text)
+    {
+      const double tolerance = to_number(text, "Option --tolerance");
+      if (tolerance < 0)
+        throw InputError("Option --tolerance: " + text +
+                         " is negative. Give 0 or more, as 1e-9.");
+      return tolerance;
+    }
 
     std::string
     not_empty(const char *const value, const std::string &what)
@@ -148,6 +179,16 @@ largest one of its runs.
           case 'j':
             line.jobs = number_of("runs", "--jobs", optarg);
             break;
+          case 't':
+            line.tolerance = tolerance_of(optarg);
+            break;
+          case 'c':
+          case 'g':
+            line.entry_text = word_of(static_cast<char>(c), optarg);
+            break;
+          case 'S':
+            line.entry_text = "schema";
+            break;
           case 'V':
             line.verify = true;
             break;
@@ -158,7 +199,7 @@ largest one of its runs.
             line.answer = "conetact " CONETACT_VERSION "\n";
             break;
           case 'h':
-            line.answer = help;
+            line.answer = usage + help_on_options() + exit_codes;
             break;
           case ':':
             throw InputError(std::string("Option ") + argv[optind - 1] +
@@ -167,6 +208,43 @@ largest one of its runs.
             throw InputError(std::string("Option ") + argv[optind - 1] +
                              " is not known." + see_help);
         }
+    }
+
+    /** What is said beside the folders of two runs that are compared. */
+    void
+    take_folders(const int argc, char *const argv[], CommandLine &line)
+    {
+      if (argc - optind != 3)
+        throw InputError(std::string("compare takes two folders of results") +
+                         (argc - optind < 3 ? ", and there are fewer." :
+                                              ", and there are more.") +
+                         see_help);
+      CommandLine others = line; // which may stand beside it
+      others.quiet       = false;
+      others.tolerance.reset();
+      if (says_more(others))
+        throw InputError(std::string("compare runs no scene. Only --tolerance "
+                                     "and --quiet may stand beside it.") +
+                         see_help);
+      line.compared = {argv[optind + 1], argv[optind + 2]};
+    }
+
+    /** Texts of all entries have no scene, those of a scene have one. */
+    void
+    check_entry_text(const CommandLine &line, const bool has_scene)
+    {
+      const bool wants_scene = line.entry_text == "entries";
+      if (wants_scene && !has_scene)
+        throw InputError(std::string("Option --completion entries: it needs "
+                                     "the scene whose entries are asked for.") +
+                         see_help);
+      if (!line.entry_text.empty() && !wants_scene && has_scene)
+        throw InputError("Option --" +
+                         (line.entry_text == "schema" ? "schema" :
+                          line.entry_text == "bash"   ? "completion" :
+                                                        std::string("grammar")) +
+                         ": it is the same for all scenes. Leave the scene "
+                         "out.");
     }
 
     /** The one scene that is left on the line. Throws InputError. */
@@ -196,10 +274,13 @@ largest one of its runs.
   CommandLine
   parse_command_line(const int argc, char *const argv[])
   {
-    CommandLine line;
+    CommandLine               line;
+    const std::vector<option> options = long_options();
+    const std::string         letters = short_options();
     opterr = optind = 0; // another line may have been parsed before
     for (int c;
-         (c = getopt_long(argc, argv, ":o:s:qh", long_options, nullptr)) != -1;)
+         (c = getopt_long(
+            argc, argv, letters.c_str(), options.data(), nullptr)) != -1;)
       {
         take_option(c, argv, line);
         if (!line.answer.empty())
@@ -207,7 +288,18 @@ largest one of its runs.
       }
     if (is_batch(line, optind < argc))
       return line;
-    if (optind < argc || (!line.print_parameters && line.new_scene.empty()))
+    if (optind < argc && argv[optind] == std::string(compare_word))
+      {
+        take_folders(argc, argv, line);
+        return line;
+      }
+    if (line.tolerance)
+      throw InputError(std::string("--tolerance is for runs that are compared, "
+                                   "conetact compare FOLDER FOLDER.") +
+                       see_help);
+    check_entry_text(line, optind < argc);
+    if (optind < argc || (!line.print_parameters && line.new_scene.empty() &&
+                          line.entry_text.empty()))
       take_scene(argc, argv, line);
     return line;
   }

@@ -3,7 +3,7 @@
 
 #include "conetact/application/manual.h"
 
-#include "conetact/application/scene_entries.h"
+#include "conetact/application/entry_list.h"
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
@@ -139,11 +139,7 @@ end
   manual()
   {
     dealii::ParameterHandler prm;
-    declare_scene(prm, {{"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}, {"NAME"}});
-    prm.enter_subsection("Body NAME");
-    prm.set("Sections", std::string("NAME")); // declares Section NAME
-    prm.set("Sections", std::string());
-    prm.leave_subsection();
+    declare_any_scene(prm);
     std::ostringstream stream;
     prm.print_parameters(stream,
                          dealii::ParameterHandler::Text |

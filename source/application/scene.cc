@@ -444,6 +444,12 @@ namespace conetact::application
     return stream.str();
   }
 
+  std::vector<EntryDescription>
+  Scene::entries() const
+  {
+    return list_entries(prm);
+  }
+
   std::string
   Scene::name() const
   {

@@ -3,6 +3,7 @@
 
 #include "conetact/application/scene_mistakes.h"
 
+#include "conetact/application/value_kind.h"
 #include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
 
@@ -140,45 +141,40 @@ namespace conetact::application
       return text + ". Option --parameters lists what may stand there.";
     }
 
-    /** "[Double 0...1 (inclusive)]" as a request. */
+    /** " from 0 to 1" */
     std::string
-    request(std::string pattern, const std::string &value)
+    range(const ValueKind &kind)
     {
-      pattern = trim(pattern);
-      if (pattern.size() > 1 && pattern.front() == '[' && pattern.back() == ']')
-        pattern = trim(pattern.substr(1, pattern.size() - 2));
-      const auto behind = [&](const std::string &start) {
-        return trim(pattern.substr(start.size()));
-      };
-      const auto is = [&](const std::string &start) {
-        return pattern.rfind(start, 0) == 0;
-      };
-      const auto range = [](std::string text) {
-        text            = text.substr(0, text.find(" (inclusive)"));
-        const auto dots = text.find("...");
-        if (dots == text.npos)
-          return std::string();
-        const std::string upper = text.substr(dots + 3);
-        return upper == "2147483647" || upper == "MAX_DOUBLE" ?
-                 ", " + text.substr(0, dots) + " or more" :
-                 " from " + text.substr(0, dots) + " to " + upper;
-      };
-      if (is("Selection"))
+      if (kind.least.empty())
+        return kind.most.empty() ? "" : ", " + kind.most + " or less";
+      return kind.most.empty() ? ", " + kind.least + " or more" :
+                                 " from " + kind.least + " to " + kind.most;
+    }
+
+    /** A pattern as a request. */
+    std::string
+    request(const std::string &pattern, const std::string &value)
+    {
+      using Type           = ValueKind::Type;
+      const ValueKind kind = value_kind(pattern);
+      switch (kind.type)
         {
-          const auto        names = split(behind("Selection"), '|');
-          const std::string other = nearest(value, names);
-          return (other.empty() ? "" : "Did you mean '" + other + "'? ") +
-                 "Give one of: " + join(names) + ".";
+          case Type::word:
+            {
+              const std::string other = nearest(value, kind.words);
+              return (other.empty() ? "" : "Did you mean '" + other + "'? ") +
+                     "Give one of: " + join(kind.words) + ".";
+            }
+          case Type::integer:
+            return "Give a whole number" + range(kind) + ".";
+          case Type::number:
+            return "Give a number" + range(kind) + ".";
+          case Type::boolean:
+            return "Give true or false.";
+          case Type::text:
+            break;
         }
-      if (is("Integer range"))
-        return "Give a whole number" + range(behind("Integer range")) + ".";
-      if (is("Integer"))
-        return "Give a whole number.";
-      if (is("Double"))
-        return "Give a number" + range(behind("Double")) + ".";
-      if (is("Bool"))
-        return "Give true or false.";
-      return "Give what fits the pattern " + pattern + ".";
+      return "Give what fits the pattern " + trim(pattern) + ".";
     }
 
     /** The value and the pattern that it does not match, of deal.II's text. */

@@ -5,6 +5,7 @@
 
 #include "conetact/base/child_process.h"
 #include "conetact/base/file_mesh.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
 
 #include <gmsh.h>
@@ -120,7 +121,7 @@ namespace conetact
       return result;
     }
 
-    std::string
+    std::vector<std::string>
     known_groups(const std::set<int> &dimensions)
     {
       std::vector<std::string> names;
@@ -131,7 +132,21 @@ namespace conetact
             gmsh::model::getPhysicalName(dim, tag, name);
             names.push_back(name.empty() ? std::to_string(tag) : name);
           }
-      return names.empty() ? "none" : join(names);
+      return names;
+    }
+
+    [[noreturn]] void
+    refuse_group(const std::string &name, const std::set<int> &dimensions)
+    {
+      const std::vector<std::string> names = known_groups(dimensions);
+      const std::string              other = nearest(name, names);
+      throw FileFault{"the drawing has no group '" + name +
+                        "'. It has: " + (names.empty() ? "none" : join(names)) +
+                        (other.empty() ?
+                           std::string() :
+                           "; the name that is most like it is '" + other +
+                             "'"),
+                      "Size near"};
     }
 
     /** Only these volumes and what bounds them is meshed. */
@@ -171,9 +186,7 @@ namespace conetact
           const std::set<int> any = {0, 1, 2, 3};
           const Entities      own = entities_of(name, any);
           if (own.empty())
-            throw FileFault{"the drawing has no group '" + name +
-                              "'. It has: " + known_groups(any),
-                            "Size near"};
+            refuse_group(name, any);
           Entities bounds;
           gmsh::model::getBoundary(own, bounds, false, false, true);
           Entities curves;

@@ -52,4 +52,13 @@ namespace conetact
       }
     return best;
   }
+
+
+
+  std::string
+  did_you_mean(const std::string &name, const std::vector<std::string> &names)
+  {
+    const std::string other = name.empty() ? "" : nearest(name, names);
+    return other.empty() ? "" : " Did you mean '" + other + "'?";
+  }
 } // namespace conetact

@@ -4,6 +4,7 @@
 #include "conetact/bodies/entries.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/groups.h"
@@ -22,7 +23,7 @@ namespace conetact::bodies
       throw InputError(
         entry + ": " +
         (body.empty() ? "it is empty" : "there is no body '" + body + "'") +
-        ". Give one of: " + join(bodies) + ".");
+        ". Give one of: " + join(bodies) + "." + did_you_mean(body, bodies));
     return static_cast<unsigned int>(found - bodies.begin());
   }
 

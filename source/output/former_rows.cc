@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/output/table_cells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +18,10 @@ namespace conetact::output
   namespace
   {
     std::vector<std::string>
-    cells_of(const std::string &line)
+    names_in(const std::string &line)
     {
-      std::vector<std::string> cells(1);
-      for (const char c : line)
-        if (c == ',')
-          cells.emplace_back();
-        else
-          cells.back() += c;
-      return cells;
+      const auto cells = cells_of(line);
+      return {cells.begin(), cells.end()};
     }
 
     /** Where each column of `now` stands in `then`; its size: nowhere. */
@@ -43,11 +39,11 @@ namespace conetact::output
     std::string
     rearranged(const std::string &line, const std::vector<std::size_t> &at)
     {
-      const std::vector<std::string> cells = cells_of(line);
-      std::string                    text;
+      const auto  cells = cells_of(line);
+      std::string text;
       for (const std::size_t place : at)
-        text += (text.empty() ? "" : ",") +
-                (place < cells.size() ? cells[place] : std::string("0"));
+        text.append(text.empty() ? "" : ",")
+          .append(place < cells.size() ? cells[place] : "0");
       return text;
     }
 
@@ -61,16 +57,6 @@ namespace conetact::output
       return column == "contact" || column == "state" || column == "solver" ||
              column == "determinate" || column == "unique" || ends("_body") ||
              ends("_contact");
-    }
-
-    /** As this program writes them: strtod also reads 0x10 and blanks. */
-    bool
-    is_finite_number(const std::string &text)
-    {
-      char        *end   = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      return !text.empty() && *end == 0 && std::isfinite(value) &&
-             text.find_first_not_of("0123456789+-.eE") == std::string::npos;
     }
 
     [[noreturn]] void
@@ -92,7 +78,7 @@ namespace conetact::output
       {
         if (!std::getline(stream, line))
           refuse(file, "is missing or empty");
-        columns = cells_of(line);
+        columns = names_in(line);
       }
 
       const std::vector<std::string> &
@@ -149,7 +135,7 @@ namespace conetact::output
       check_cells() const
       {
         const std::string where = "has in line " + std::to_string(number) + ' ';
-        const std::vector<std::string> cells = cells_of(line);
+        const auto        cells = cells_of(line);
         if (cells.size() != columns.size())
           refuse(file,
                  where + std::to_string(cells.size()) + " columns instead of " +
@@ -157,10 +143,10 @@ namespace conetact::output
         if (stream.eof())
           refuse(file, where + "no end of the line");
         for (std::size_t i = 0; i < cells.size(); ++i)
-          if (!is_text(columns[i]) && !is_finite_number(cells[i]))
+          if (!is_text(columns[i]) && !finite_number(cells[i]))
             refuse(file,
-                   where + '\'' + cells[i] + "' for " + columns[i] +
-                     ", which is no finite number");
+                   where + '\'' + std::string(cells[i]) + "' for " +
+                     columns[i] + ", which is no finite number");
       }
 
       std::filesystem::path    file;
@@ -181,7 +167,7 @@ namespace conetact::output
     if (run.n_former == 0)
       return {};
     FormerTable former(run.former / table, run.n_former);
-    const auto  now  = cells_of(trim(header));
+    const auto  now  = names_in(trim(header));
     const auto  at   = places(now, former.header());
     const bool  same = now == former.header();
     std::string rows;

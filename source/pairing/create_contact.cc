@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/base/errors.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
@@ -39,7 +40,7 @@ namespace conetact::pairing
         in + "Obstacle: " +
         (name.empty() ? "it is empty" : "there is no obstacle '" + name + "'") +
         ". Give " + (names.empty() ? "" : "one of " + join(names) + ", or ") +
-        "a Master body.");
+        "a Master body." + did_you_mean(name, names));
     }
 
     void

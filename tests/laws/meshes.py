@@ -197,6 +197,23 @@ def interference(laws):
     laws.demand("an interference that is meant: what passes is told", "start up to 0.02 inside body 'lower'" in log_of(run))
 
 
+def joined(laws):
+    """Four warnings of one kind are one; three are three, and each stands in the log."""
+    for n in (3, 4):
+        blocks = {f"Body block {k}": box((2, 1), (2.0, 1.0), (3.0 * k, -.01 * k)) for k in range(1, n + 1)}
+        scene = {"Dimension": 2, **blocks, "Obstacle floor": floor(2), "Output": {"VTU": 0},
+                 **{f"Contact sole {k}": contact(f"block {k}", 2) for k in range(1, n + 1)},
+                 **{f"Support top {k}": support(3, "x, y", body=f"block {k}") for k in range(1, n + 1)}}
+        run = laws.run(scene)
+        found = warnings_of(run)
+        laws.demand(f"{n} blocks start inside the floor: {len(found)} warnings", len(found) == (n if n < 4 else 1))
+        for k in range(1, n + 1):
+            laws.demand(f"  block {k} by how much", f"nodes of contact 'sole {k}' start up to {.01 * k:g} inside" in log_of(run))
+        if n == 4:
+            laws.demand("  one names all of them", "'sole 1' start up to 0.01" in found[0] and
+                        "The same holds for 'sole 2', 'sole 3', 'sole 4'" in found[0])
+
+
 def names(laws):
     """A name that no group has: the one that is meant is in the sentence."""
     (laws.folder / "tower.msh").write_bytes(gmsh_file(*tower(2, 2, (1.0, .5), ("rubber", "steel"))))
@@ -218,6 +235,7 @@ def meshes(laws):
     planks(laws)
     never_closed(laws)
     interference(laws)
+    joined(laws)
 
 
 def quarter(inner, outer, cells, refinements, young=1e9, poisson=.2):

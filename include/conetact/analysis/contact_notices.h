@@ -54,8 +54,9 @@ namespace conetact::analysis
       std::vector<Tensor<1, 3>> normals;
       pairing::PressurePattern::Pressures pressures;
     };
-    void
-    say_interference(const unsigned int contact, Log &log) const;
+    /** What a warning says of one that is not meant; empty: there is none. */
+    std::string
+    interference(const unsigned int contact, Log &log) const;
     void
     judge_facets(const unsigned int contact, const Closed &closed);
     /** What facets do to pressures; empty: nothing. */

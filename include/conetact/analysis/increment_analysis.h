@@ -53,6 +53,11 @@ namespace conetact::analysis
     void
     save_state(const bool at_end);
     void
+    write_checkpoint();
+    /** Throws Interrupted between increments. */
+    void
+    stop_if_asked(const unsigned int next);
+    void
     restore_state();
     std::size_t
     batch_size(const unsigned int n_finished) const;

@@ -8,6 +8,7 @@
 #include "conetact/contact/mechanism.h"
 #include "conetact/load_path/load_path.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -46,6 +47,12 @@ namespace conetact::analysis
   outcome_sentence(const PathEnd               &end,
                    const contact::ContactModel &model,
                    const application::Scene    &scene);
+
+  /** What is on disk of a path that was interrupted, a sentence. */
+  std::string
+  interrupted_path(const unsigned int           point,
+                   const double                 t,
+                   const std::filesystem::path &folder);
 } // namespace conetact::analysis
 
 #endif

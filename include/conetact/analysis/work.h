@@ -4,6 +4,7 @@
 #ifndef conetact_analysis_work_h
 #define conetact_analysis_work_h
 
+#include "conetact/base/log.h"
 #include "conetact/condensed/schur_solver.h"
 #include "conetact/output/output.h"
 #include "conetact/solvers/contact_problem.h"
@@ -32,6 +33,10 @@ namespace conetact::analysis
   /** "work: 1 factorisations of the elastic system, ...", in one line. */
   std::string
   describe(const Work &work);
+
+  /** The same with memory, and what other processes needed, to the log. */
+  void
+  note_work(const Work &work, Log &log);
 } // namespace conetact::analysis
 
 #endif

@@ -26,6 +26,9 @@ namespace conetact::application
     std::filesystem::path    batch; ///< file of its lines, "-": standard input
     unsigned int             jobs = 0;  ///< runs of it at a time, 0: not said
     std::string              new_scene; ///< name of a scene to be written
+    std::vector<std::filesystem::path> compared;  ///< folders of two runs
+    std::optional<double>              tolerance; ///< of these
+    std::string entry_text; ///< to be printed: bash, vim, schema, ...
     /** Text to print instead of doing anything: help, version. */
     std::string answer;
   };

@@ -7,6 +7,7 @@
 #include "conetact/application/adaptive_settings.h"
 #include "conetact/application/automatic_contacts.h"
 #include "conetact/application/command_line.h"
+#include "conetact/application/entry_list.h"
 #include "conetact/application/scene_file.h"
 #include "conetact/application/solver_options.h"
 #include "conetact/base/archive.h"
@@ -56,6 +57,8 @@ namespace conetact::application
     documentation() const;
     std::string
     values() const;
+    std::vector<EntryDescription>
+    entries() const;
 
     /** The scene file's name without folder and ending. */
     std::string

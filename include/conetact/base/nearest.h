@@ -19,6 +19,11 @@ namespace conetact
    */
   std::string
   nearest(const std::string &name, const std::vector<std::string> &names);
+
+  /** " Did you mean 'sole'?", behind another sentence; empty: that is not
+   * known. */
+  std::string
+  did_you_mean(const std::string &name, const std::vector<std::string> &names);
 } // namespace conetact
 
 #endif

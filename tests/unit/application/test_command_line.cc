@@ -107,3 +107,38 @@ TEST(BatchFile, WordsAreThoseOfAShell)
   EXPECT_EQ(files.out, "o u t");
   EXPECT_EQ(files.err, "err");
 }
+
+
+
+TEST(CommandLine, RunsToBeCompared)
+{
+  const CommandLine line =
+    parse({"compare", "one", "--tolerance", "1e-6", "an other", "-q"});
+  EXPECT_EQ(line.compared,
+            (std::vector<std::filesystem::path>{"one", "an other"}));
+  EXPECT_EQ(line.tolerance, 1e-6);
+  EXPECT_TRUE(line.quiet && line.scene.empty());
+  EXPECT_FALSE(parse({"compare", "a", "b"}).tolerance);
+  EXPECT_EQ(parse({"./compare"}).scene, "./compare");
+  EXPECT_NE(refused({"compare", "one"}).find("there are fewer"),
+            std::string::npos);
+  EXPECT_NE(refused({"compare", "one", "two", "-s", "A=1"})
+              .find("compare runs no scene"),
+            std::string::npos);
+}
+
+
+
+TEST(CommandLine, TextsOfEntries)
+{
+  EXPECT_EQ(parse({"--completion", "bash"}).entry_text, "bash");
+  EXPECT_EQ(parse({"--grammar=vim"}).entry_text, "vim");
+  EXPECT_EQ(parse({"--schema"}).entry_text, "schema");
+  EXPECT_EQ(parse({"--completion", "entries", "a.prm"}).scene, "a.prm");
+  EXPECT_NE(refused({"--completion", "entries"}).find("needs the scene"),
+            std::string::npos);
+  EXPECT_NE(refused({"--grammar", "ed"}).find("Give one of: vim, vscode."),
+            std::string::npos);
+  EXPECT_EQ(refused({"--batch", "runs.txt", "--schema"}),
+            refused({"--batch", "runs.txt", "-q"}));
+}
