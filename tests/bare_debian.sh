@@ -18,36 +18,10 @@ usage() {
 }
 [ $# -ge 2 ] || usage
 top=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd -P)
-folder=$1 case=$2 deb=${3-}
-root=$folder/$case
+. "$top/scripts/roots.sh"
+roots=$1 case=$2 deb=${3-}
+root=$roots/$case
 scene=inclined-obstacle
-
-make_base() {
-  local mirror
-  mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' \
-    'Release: bookworm' 'Component: main' | head -n 1)
-  [ -n "$mirror" ] || { echo "apt knows no mirror of Debian 12 (bookworm) here" >&2; exit 1; }
-  mkdir -p "$folder"
-  rm -rf "$folder/base.new"
-  debootstrap --variant=minbase bookworm "$folder/base.new" "$mirror"
-  mv "$folder/base.new" "$folder/base"
-}
-
-inside() { # COMMAND [ARGUMENT]..., with nothing of this machine's environment
-  chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root "$@"
-}
-
-fresh_root() {
-  [ -d "$folder/base" ] || make_base
-  rm -rf "$root"
-  cp -a "$folder/base" "$root"
-}
-
-use_proc() { # as any running system has it
-  mount -t proc proc "$root/proc"
-  mount -t sysfs -o ro sysfs "$root/sys"
-  trap 'umount "$root/proc" "$root/sys"' EXIT
-}
 
 compare() { # FOLDER of results
   /usr/bin/python3 "$top/tests/compare_reference.py" 5.2 "$1"
@@ -56,26 +30,21 @@ compare() { # FOLDER of results
 case $case in
   package)
     [ -f "$deb" ] || usage
-    fresh_root
-    use_proc
+    fresh_root package
     cp "$deb" "$root/tmp/conetact.deb"
-    inside apt-get update
-    inside apt-get install -y --no-install-recommends /tmp/conetact.deb
-    inside sh -c "cd /tmp && conetact --version && conetact /usr/share/conetact/parameter-files/$scene.prm"
+    install_inside package /tmp/conetact.deb
+    inside package sh -c "cd /tmp && conetact --version && conetact /usr/share/conetact/parameter-files/$scene.prm"
     compare "$root/tmp/output/$scene"
     ;;
   sources)
-    fresh_root
-    use_proc
+    fresh_root sources
     git clone --quiet --no-local "$top" "$root/conetact"
-    inside nice sh -c "cd /conetact && ./conetact parameter-files/$scene.prm"
+    inside sources nice sh -c "cd /conetact && ./conetact parameter-files/$scene.prm"
     compare "$root/conetact/output/$scene"
     ;;
   tests)
-    root=$folder/sources
-    [ -x "$root/conetact/build/conetact" ] || usage
-    use_proc
-    inside nice sh -c "cd /conetact && ./test"
+    [ -x "$roots/sources/conetact/build/conetact" ] || usage
+    inside sources nice sh -c "cd /conetact && ./test"
     ;;
   *) usage ;;
 esac

@@ -243,6 +243,8 @@ def shapes(laws):
     units = Units("N, mm, MPa (any consistent ones)")
     laws.demand("units", [units.label(name) for name in ("r_n", "x", "pressure", "bottom_m_z", "slip")] ==
                 ["r_n [N]", "x [mm]", "pressure [MPa]", "bottom_m_z [N mm]", "slip"])
+    laws.demand("stresses by force and length", [Units(words).label("pressure") for words in ("N, mm, s, K", "kip, ft")]
+                == ["pressure [MPa]", "pressure [kip/ft²]"])
     laws.demand("odd units, none", Units("m and 205.8 MN").label("r_n") == "r_n [205.8 MN]" and Units("").label("r_n") == "r_n")
 
 

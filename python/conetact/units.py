@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Units of a scene, as its head comment tells them ("Units: N, mm, MPa."), and labels with them."""
+"""Units of a scene, as Output/Units or its head comment tells them ("Units: N, mm, MPa."), and labels with them."""
 import re
 from pathlib import Path
 
 TOP = Path(__file__).resolve().parents[2]
 LENGTHS = ("nm", "um", "mm", "cm", "dm", "m", "km", "in", "ft")
 STRESSES = ("Pa", "kPa", "MPa", "GPa", "psi", "ksi")
+NAMED = {("N", "m"): "Pa", ("N", "mm"): "MPa", ("kN", "m"): "kPa", ("kN", "mm"): "GPa", ("MN", "m"): "MPa",
+         ("lbf", "in"): "psi"}  # stresses by force and length, as the program calls them in VTU files
 FORCES = ("mN", "N", "daN", "kN", "MN", "GN", "lbf", "kip")
 
 # columns of tables by kind; the first that matches
@@ -25,7 +27,8 @@ class Units:
                  for kind, names in (("length", LENGTHS), ("force", FORCES), ("stress", STRESSES))}
         length, force = named["length"], named["force"]
         self.names = {**named, "area": length and f"{length}²", "moment": force and length and f"{force} {length}",
-                      "stress": named["stress"] or (force and length and f"{force}/{length}²")}
+                      "stress": named["stress"] or NAMED.get((force, length))
+                      or (force and length and f"{force}/{length}²")}
 
     def label(self, name, kind=None):
         """A name with its unit; the kind follows from the name of a column."""
@@ -43,6 +46,7 @@ def scene_file(result):
 
 def units_of(result, words=None):
     """Of the scene of a result, or those given: "mm, N, MPa"."""
+    words = words if words is not None else result.entries.get("Output/Units") or None
     file = scene_file(result)
     if words is None and file:
         comments = " ".join(line[1:].strip() for line in file.read_text().splitlines() if line.startswith("#"))

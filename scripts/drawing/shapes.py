@@ -8,7 +8,7 @@ touches its obstacle does so in the picture.
 from dataclasses import dataclass
 
 import numpy as np
-from conetact.report.fields import split
+from conetact.report.fields import of_body, split
 from conetact.report.meshes import PARTS as PARTS_OF_FACES
 from conetact.vtu import HEXAHEDRON, LINE, QUADRILATERAL, TETRAHEDRON, TRIANGLE
 
@@ -65,7 +65,7 @@ def merged(mesh):
     both = np.hstack((mesh.points, mesh.arrays["displacement"]))
     first, node = same_rows(both)
     return (mesh.points[first], {kind: node[corners] for kind, corners in mesh.cells.items()},
-            {name: values[first] for name, values in mesh.arrays.items()})
+            {name: values[first] for name, values in of_body(mesh.arrays).items()})
 
 
 def same_rows(rows):
@@ -112,7 +112,7 @@ def with_components(arrays):
 def make_body(name, mesh, factor):
     corner_faces = None
     if LINE in mesh.cells:
-        points, cells, arrays = mesh.points, mesh.cells, mesh.arrays
+        points, cells, arrays = mesh.points, mesh.cells, of_body(mesh.arrays)
         faces = cells[LINE]
     else:
         points, cells, arrays = merged(mesh)

@@ -238,6 +238,7 @@ namespace conetact::analysis
     description.n_increments     = static_cast<unsigned int>(n_increments);
     description.end              = scene.times.empty() ? 0 : scene.times.back();
     description.vtu_every        = scene.vtu_every;
+    description.units            = scene.units;
     description.fclib_increments = scene.fclib_increments;
     if (!scene.path.follows) // whose stages are no increments
       description.text_increments = scene.text_increments;

@@ -133,6 +133,7 @@ namespace conetact::application
     prm.leave_subsection();
     prm.enter_subsection("Output");
     vtu_every        = static_cast<unsigned int>(prm.get_integer("VTU"));
+    units            = {prm.get("Units"), "Output, Units"};
     checkpoint_every = static_cast<unsigned int>(prm.get_integer("Checkpoint"));
     prm.leave_subsection();
   }

@@ -61,6 +61,14 @@ namespace conetact::application
                         "Write VTU files for ParaView at every n-th increment; "
                         "0: none.");
       prm.declare_entry(
+        "Units",
+        "",
+        dealii::Patterns::Anything(),
+        "Names of the units of force, length, time and temperature that this "
+        "scene is in, such as N, mm, s, K (the last two may be left out). VTU "
+        "files, pictures and reports show them; nothing is computed with them. "
+        "Empty: not told.");
+      prm.declare_entry(
         "Probes",
         "",
         dealii::Patterns::Anything(),

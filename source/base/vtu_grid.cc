@@ -139,6 +139,16 @@ namespace conetact
       return text;
     }
 
+    /** As VTK's own writer does it: ParaView shows it beside the name. */
+    std::string
+    information(const std::string &unit)
+    {
+      return unit.empty() ? "" :
+                            "<InformationKey name=\"UNITS_LABEL\" "
+                            "location=\"vtkDataArray\">" +
+                              unit + "</InformationKey>\n";
+    }
+
     /** Text and arrays, one behind the other. */
     class Writer
     {
@@ -153,22 +163,26 @@ namespace conetact
       }
       template <typename T>
       void
-      add_array(const std::string              &name,
-                const std::vector<T>           &values,
-                const unsigned int              n_components = 1,
-                const std::vector<std::string> &components   = {})
+      add_array(const std::string    &name,
+                const std::vector<T> &values,
+                const unsigned int    n_components = 1,
+                const std::string    &unit         = {})
       {
-        add(heading<T>("DataArray", name, n_components, components));
-        add_values(values);
+        add(heading<T>("DataArray", name, n_components));
+        add_values(values, unit);
       }
       void
-      add_arrays(const std::vector<VtuField> &fields)
+      add_arrays(const std::vector<VtuField> &fields,
+                 const std::vector<VtuIds>   &ids)
       {
         for (const VtuField &field : fields)
-          add_array(field.name,
-                    field.values,
-                    field.n_components,
-                    field.components);
+          {
+            add(heading<double>(
+              "DataArray", field.name, field.n_components, field.components));
+            add_values(field.values, field.unit);
+          }
+        for (const VtuIds &numbers : ids)
+          add_array(numbers.name, numbers.values);
       }
       /** What belongs to the file as a whole, with all digits. */
       template <typename T>
@@ -177,6 +191,15 @@ namespace conetact
       {
         add(begin_array<T>("DataArray", name) + " NumberOfTuples=\"1\"");
         add_values(std::vector<T>{value});
+      }
+      /** VTK ends each text with a zero. */
+      void
+      add_text(const std::string &name, const std::string &value)
+      {
+        add("<Array type=\"String\" Name=\"" + name +
+            "\" NumberOfTuples=\"1\"");
+        add_bytes(value.c_str(), value.size() + 1);
+        add("\n</Array>\n");
       }
       std::string
       rest()
@@ -187,13 +210,17 @@ namespace conetact
     private:
       template <typename T>
       void
-      add_values(const std::vector<T> &values)
+      add_values(const std::vector<T> &values, const std::string &unit = {})
+      {
+        add_bytes(values.data(), sizeof(T) * values.size());
+        add('\n' + information(unit) + "</DataArray>\n");
+      }
+      void
+      add_bytes(const void *data, const std::size_t size)
       {
         add(" format=\"binary\">\n");
-        visit(text,
-              reinterpret_cast<const unsigned char *>(values.data()),
-              sizeof(T) * values.size());
-        text = "\n</DataArray>\n";
+        visit(text, static_cast<const unsigned char *>(data), size);
+        text.clear();
       }
 
       const VtuGrid::ArrayVisitor &visit;
@@ -219,7 +246,8 @@ namespace conetact
       std::size_t bytes =
         sizeof(double) * 3 * grid.points.size() +
         sizeof(int) *
-          (n_connections + (2 + grid.cell_ids.size()) * grid.n_cells());
+          (n_connections + (2 + grid.cell_ids.size()) * grid.n_cells() +
+           grid.point_ids.size() * grid.points.size());
       for (const auto *fields : {&grid.point_fields, &grid.cell_fields})
         for (const VtuField &field : *fields)
           bytes += sizeof(double) * field.values.size();
@@ -254,8 +282,44 @@ namespace conetact
         result.push_back({field.name,
                           field.n_components,
                           of_some(field.values, field.n_components, some),
-                          field.components});
+                          field.components,
+                          field.unit});
       return result;
+    }
+
+    std::vector<VtuIds>
+    of_some(const std::vector<VtuIds>       &ids,
+            const std::vector<unsigned int> &some)
+    {
+      std::vector<VtuIds> result;
+      for (const VtuIds &numbers : ids)
+        result.push_back({numbers.name, of_some(numbers.values, 1, some)});
+      return result;
+    }
+
+    /** An array of parts, by what tells it from others. */
+    std::string
+    of_parts(const std::string &heading, const std::string &unit = {})
+    {
+      return heading + (unit.empty() ?
+                          "/>\n" :
+                          ">\n" + information(unit) + "</PDataArray>\n");
+    }
+
+    std::string
+    of_parts(const std::vector<VtuField> &fields,
+             const std::vector<VtuIds>   &ids)
+    {
+      std::string text;
+      for (const VtuField &field : fields)
+        text += of_parts(heading<double>("PDataArray",
+                                         field.name,
+                                         field.n_components,
+                                         field.components),
+                         field.unit);
+      for (const VtuIds &numbers : ids)
+        text += of_parts(heading<int>("PDataArray", numbers.name));
+      return text;
     }
   } // namespace
 
@@ -355,11 +419,13 @@ namespace conetact
                             nodes.data(),
                             nodes.data() + nodes.size());
       }
-    result.points       = of_some(points, 1, its_points);
-    result.point_fields = of_some(point_fields, its_points);
-    result.cell_fields  = of_some(cell_fields, cells);
-    for (const VtuIds &ids : cell_ids)
-      result.cell_ids.push_back({ids.name, of_some(ids.values, 1, cells)});
+    result.points         = of_some(points, 1, its_points);
+    result.point_fields   = of_some(point_fields, its_points);
+    result.point_ids      = of_some(point_ids, its_points);
+    result.cell_fields    = of_some(cell_fields, cells);
+    result.cell_ids       = of_some(cell_ids, cells);
+    result.units          = units;
+    result.unit_of_points = unit_of_points;
     return result;
   }
 
@@ -376,20 +442,20 @@ namespace conetact
     writer.add_single("TIME", time);
     writer.add_single("TimeValue", time);
     writer.add_single("CYCLE", static_cast<int>(increment));
+    if (!units.empty())
+      writer.add_text("units", units);
     writer.add("</FieldData>\n<Piece NumberOfPoints=\"" +
                std::to_string(points.size()) + "\" NumberOfCells=\"" +
                std::to_string(shapes.size()) + "\">\n<Points>\n");
-    writer.add_array("Points", coordinates(points), 3);
+    writer.add_array("Points", coordinates(points), 3, unit_of_points);
     writer.add("</Points>\n<Cells>\n");
     writer.add_array("connectivity", connectivity);
     writer.add_array("offsets", offsets);
     writer.add_array("types", shapes);
     writer.add("</Cells>\n<PointData>\n");
-    writer.add_arrays(point_fields);
+    writer.add_arrays(point_fields, point_ids);
     writer.add("</PointData>\n<CellData>\n");
-    writer.add_arrays(cell_fields);
-    for (const VtuIds &ids : cell_ids)
-      writer.add_array(ids.name, ids.values);
+    writer.add_arrays(cell_fields, cell_ids);
     writer.add("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
     return writer.rest();
   }
@@ -417,24 +483,13 @@ namespace conetact
   std::string
   VtuGrid::text_of_parts(const std::vector<std::string> &files) const
   {
-    std::string text = opening("PUnstructuredGrid") +
-                       "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
-                       heading<double>("PDataArray", "Points", 3) +
-                       "/>\n</PPoints>\n<PPointData>\n";
-    const auto add = [&](const std::vector<VtuField> &fields) {
-      for (const VtuField &field : fields)
-        text += heading<double>("PDataArray",
-                                field.name,
-                                field.n_components,
-                                field.components) +
-                "/>\n";
-    };
-    add(point_fields);
-    text += "</PPointData>\n<PCellData>\n";
-    add(cell_fields);
-    for (const VtuIds &ids : cell_ids)
-      text += heading<int>("PDataArray", ids.name) + "/>\n";
-    text += "</PCellData>\n";
+    std::string text =
+      opening("PUnstructuredGrid") +
+      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n" +
+      of_parts(heading<double>("PDataArray", "Points", 3), unit_of_points) +
+      "</PPoints>\n<PPointData>\n" + of_parts(point_fields, point_ids) +
+      "</PPointData>\n<PCellData>\n" + of_parts(cell_fields, cell_ids) +
+      "</PCellData>\n";
     for (const std::string &file : files)
       text += "<Piece Source=\"" + file + "\"/>\n";
     return text + "</PUnstructuredGrid>\n</VTKFile>\n";

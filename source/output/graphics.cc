@@ -208,20 +208,26 @@ namespace conetact::output
   {
     for (std::size_t b = skins.size(); b < record.displacements.size(); ++b)
       skins.push_back(make_skin(*run.structures.at(b)));
-    std::vector<Block> all;
-    const auto         collect = [&](const std::vector<Block> &blocks,
-                             const std::string        &kind,
-                             PvdFile                  &pvd) {
-      if (blocks.empty())
-        return;
-      pvd.add(record.time, blocks);
-      for (const auto &[name, file] : blocks)
-        all.emplace_back(name == kind ? kind : kind + ' ' + name, file);
+    const auto list = [&](const std::vector<Block> &blocks, PvdFile &pvd) {
+      if (!blocks.empty())
+        pvd.add(record.time, blocks);
     };
-    collect(write_bodies(record), "body", solution);
-    collect(write_surfaces(record), "surface", surface);
-    collect(write_contacts(record), "contact", contact);
-    scene.add(record.time, all);
+    std::vector<Block> bodies = write_bodies(record);
+    list(bodies, solution);
+    list(write_surfaces(record), surface);
+    list(write_contacts(record), contact);
+    for (Block &block : bodies)
+      block.first = "body " + block.first;
+    scene.add(record.time, bodies);
+  }
+
+
+
+  std::string
+  Graphics::text_of(VtuGrid grid, const IncrementRecord &record) const
+  {
+    run.units.label(grid);
+    return grid.text(record.time, record.increment);
   }
 
 
@@ -237,6 +243,8 @@ namespace conetact::output
                                                      record.actions.at(b));
         grid.cell_ids.push_back(
           {"body", std::vector<int>(grid.n_cells(), static_cast<int>(b))});
+        add_contact(run, record, b, grid);
+        run.units.label(grid);
         blocks.emplace_back(names.at(b), write_body(grid, record, b));
       }
     return blocks;
@@ -296,8 +304,8 @@ namespace conetact::output
                               vtu_name("surface-" + names[b],
                                        record.increment));
           write_atomically(run.folder / blocks.back().second,
-                           draw_skin(skins[b], run, record, b)
-                             .text(record.time, record.increment));
+                           text_of(draw_skin(skins[b], run, record, b),
+                                   record));
         }
     return blocks;
   }
@@ -310,9 +318,8 @@ namespace conetact::output
     if (record.rows.empty())
       return {};
     const std::string name = vtu_name("contact", record.increment);
-    write_atomically(
-      run.folder / name,
-      draw_contact_nodes(run, record).text(record.time, record.increment));
+    write_atomically(run.folder / name,
+                     text_of(draw_contact_nodes(run, record), record));
     return {{"contact", name}};
   }
 } // namespace conetact::output

@@ -45,7 +45,8 @@ namespace conetact::output
        "text",
        create<ProblemTexts>},
       {"graphics",
-       "solution.pvd, contact.pvd and VTU files of bodies and contact nodes",
+       "scene.pvd, surface.pvd, contact.pvd and VTU files of bodies, their "
+       "surfaces and contact nodes",
        create<Graphics>}};
     return table;
   }

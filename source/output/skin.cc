@@ -22,14 +22,22 @@ namespace conetact::output
                             Shape::quadrilateral;
     }
 
-    /** What contact does to a node of a skin. */
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    Tensor<1, 3>
+    slip_of(const ContactRow &row)
+    {
+      return row.du[1] * row.t1 + row.du[2] * row.t2;
+    }
+
+    /** What contact does to a node of a body. */
     struct ContactHere
     {
       double       pressure = 0;
-      double       gap      = std::numeric_limits<double>::quiet_NaN();
+      double       gap      = nan;
       double       state    = -1;
       double       wear     = 0;
-      Tensor<1, 3> traction;
+      Tensor<1, 3> traction, slip;
 
       void
       add(const ContactRow &row)
@@ -43,7 +51,19 @@ namespace conetact::output
           {
             pressure = p;
             state    = row.state_number();
+            slip     = slip_of(row);
           }
+      }
+
+      /** Of points of solids that nothing touches. */
+      static ContactHere
+      nothing()
+      {
+        ContactHere none;
+        none.pressure = none.wear = nan;
+        for (unsigned int d = 0; d < 3; ++d)
+          none.traction[d] = none.slip[d] = nan;
+        return none;
       }
     };
 
@@ -64,6 +84,51 @@ namespace conetact::output
     {
       for (unsigned int d = 0; d < 3; ++d)
         field.values.push_back(v[d]);
+    }
+
+    /** Of points that are nodes, or nothing: `elsewhere`. */
+    std::vector<ContactHere>
+    contact_at(const std::vector<unsigned int> &nodes,
+               const RunDescription            &run,
+               const IncrementRecord           &record,
+               const unsigned int               body,
+               const ContactHere               &elsewhere)
+    {
+      const auto               contact = contact_on(run, record, body);
+      std::vector<ContactHere> points;
+      points.reserve(nodes.size());
+      for (const unsigned int node : nodes)
+        {
+          const auto found = contact.find(node);
+          points.push_back(found == contact.end() ? elsewhere : found->second);
+        }
+      return points;
+    }
+
+    /** All but the state, which skins have as a field and solids as numbers. */
+    std::vector<VtuField>
+    fields_of(const std::vector<ContactHere> &points, const bool wears)
+    {
+      VtuField pressure{"contact_pressure", 1, {}};
+      VtuField traction{"contact_traction", 3, {}};
+      VtuField gap{"gap", 1, {}};
+      VtuField slip{"slip", 3, {}};
+      VtuField wear{"wear", 1, {}};
+      for (const ContactHere &here : points)
+        {
+          pressure.values.push_back(here.pressure);
+          append(traction, here.traction);
+          gap.values.push_back(here.gap);
+          append(slip, here.slip);
+          wear.values.push_back(here.wear);
+        }
+      std::vector<VtuField> fields = {std::move(pressure),
+                                      std::move(traction),
+                                      std::move(gap),
+                                      std::move(slip)};
+      if (wears)
+        fields.push_back(std::move(wear));
+      return fields;
     }
   } // namespace
 
@@ -130,36 +195,44 @@ namespace conetact::output
             const IncrementRecord &record,
             const unsigned int     body)
   {
-    const auto contact = contact_on(run, record, body);
-    VtuField   displacement{"displacement", 3, {}};
-    VtuField   pressure{"contact_pressure", 1, {}};
-    VtuField   traction{"contact_traction", 3, {}};
-    VtuField   gap{"gap", 1, {}};
-    VtuField   state{"state", 1, {}};
-    VtuField   wear{"wear", 1, {}};
+    const auto points =
+      contact_at(skin.nodes, run, record, body, ContactHere());
+    VtuField displacement{"displacement", 3, {}};
     for (const unsigned int node : skin.nodes)
-      {
-        const auto        found = contact.find(node);
-        const ContactHere here =
-          found == contact.end() ? ContactHere() : found->second;
-        append(displacement, displacement_of(run, record, body, node));
-        append(traction, here.traction);
-        pressure.values.push_back(here.pressure);
-        gap.values.push_back(here.gap);
-        state.values.push_back(here.state);
-        wear.values.push_back(here.wear);
-      }
+      append(displacement, displacement_of(run, record, body, node));
+    VtuField state{"state", 1, {}};
+    for (const ContactHere &here : points)
+      state.values.push_back(here.state);
     VtuGrid grid      = skin.grid;
-    grid.point_fields = {std::move(displacement),
-                         std::move(pressure),
-                         std::move(traction),
-                         std::move(gap),
-                         std::move(state)};
-    if (!run.wearing.empty())
-      grid.point_fields.push_back(std::move(wear));
+    grid.point_fields = fields_of(points, !run.wearing.empty());
+    grid.point_fields.insert(grid.point_fields.begin(),
+                             std::move(displacement));
+    grid.point_fields.push_back(std::move(state));
     grid.cell_ids.push_back(
       {"body", std::vector<int>(grid.n_cells(), static_cast<int>(body))});
     return grid;
+  }
+
+
+
+  void
+  add_contact(const RunDescription  &run,
+              const IncrementRecord &record,
+              const unsigned int     body,
+              VtuGrid               &grid)
+  {
+    if (run.contacts.empty())
+      return;
+    std::vector<unsigned int> nodes = grid.nodes_of_points;
+    nodes.resize(grid.points.size(), VtuGrid::no_node);
+    const auto points =
+      contact_at(nodes, run, record, body, ContactHere::nothing());
+    for (VtuField &field : fields_of(points, !run.wearing.empty()))
+      grid.point_fields.push_back(std::move(field));
+    VtuIds state{"state", {}};
+    for (const ContactHere &here : points)
+      state.values.push_back(static_cast<int>(here.state));
+    grid.point_ids.push_back(std::move(state));
   }
 
 
@@ -187,7 +260,7 @@ namespace conetact::output
         for (const Tensor<1, 3> &vector :
              {reaction,
               row.in_space(row.traction()),
-              row.du[1] * row.t1 + row.du[2] * row.t2,
+              slip_of(row),
               row.in_space(row.u),
               row.normal,
               displacement_of(run, record, body, row.node)})

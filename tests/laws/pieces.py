@@ -5,27 +5,28 @@ import subprocess
 
 import numpy as np
 
+from laws.scene_pictures import arrays_of, label, read
 from support.scenes import box, load, merge, press_and_shear, write_scene
 
 
 def drawn(file):
     """Fields of points by where they are, and the centres of cells with theirs, as VTK reads them."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
-    reader = (vtkXMLPUnstructuredGridReader if file.suffix == ".pvtu" else vtkXMLUnstructuredGridReader)()
-    reader.SetFileName(str(file))
-    reader.Update()
-    grid = reader.GetOutput()
+    grid = read(file)
     places = vtk_to_numpy(grid.GetPoints().GetData())
     corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(grid.GetNumberOfCells(), -1)
 
     def table(where, data):
-        """Once where pieces meet."""
+        """Once where pieces meet. Nothing touches where `state` says so, there are no numbers then."""
         arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
-        fields = np.column_stack([where.round(9) + 0.0] + [vtk_to_numpy(a).reshape(len(where), -1) for a in arrays])
+        fields = np.column_stack([where.round(9) + 0.0] + [np.nan_to_num(vtk_to_numpy(a).reshape(len(where), -1)) for a in arrays])
         _, first = np.unique(fields[:, :3], axis=0, return_index=True)
         return [a.GetName() for a in arrays], fields[first]
     return table(places, grid.GetPointData()), table(places[corners].mean(axis=1), grid.GetCellData())
+
+
+def units_of(file):
+    return {array.GetName(): label(array) for array in arrays_of(read(file))}
 
 
 def difference(a, b):
@@ -39,7 +40,7 @@ def difference(a, b):
 def pieces(laws):
     hot = merge(box((260, 240), (2.0, 1.0)), {"Material": {"Expansion coefficient": 1e-4}})
     scene = merge(press_and_shear(2, increments=2), {
-        "Body block": hot, "Load warmth": load("temperature", "3*x*t"), "Output": {"VTU": 2}})
+        "Body block": hot, "Load warmth": load("temperature", "3*x*t"), "Output": {"VTU": 2, "Units": "N, mm"}})
     one = laws.run(scene)
     for n in (2, 3):
         many = laws.run(scene, "--processes", str(n))
@@ -51,6 +52,7 @@ def pieces(laws):
                                                               drawn(many.folder / f"{stem}.pvtu")))
             laws.check(f"increment {increment}: fields of points", points, 1e-8)
             laws.check("and of cells", cells, 1e-14)
+            laws.demand("and units", units_of(one.folder / f"{stem}.vtu") == units_of(many.folder / f"{stem}.pvtu"))
         listed = (many.folder / "scene.pvd").read_text()
         laws.demand("scene.pvd names what joins them", f'file="{stem}.pvtu"' in listed and ".0.vtu" not in listed)
     small, large = laws.folder / "small.prm", laws.folder / "large.prm"

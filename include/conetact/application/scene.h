@@ -15,6 +15,7 @@
 #include "conetact/bodies/probes.h"
 #include "conetact/contact/node_rules.h"
 #include "conetact/iterative/preconditioner.h"
+#include "conetact/output/units.h"
 #include "conetact/pairing/kinematics.h"
 #include "conetact/pairing/obstacles.h"
 #include "conetact/pairing/sliding.h"
@@ -121,6 +122,7 @@ namespace conetact::application
     AdaptiveSettings           adaptive;
     std::vector<bodies::Probe> probes;
     unsigned int               vtu_every = 1;
+    output::Units              units;
     /** Increments that are drawn. */
     std::size_t
     n_drawings() const

@@ -21,9 +21,10 @@ namespace conetact
     std::vector<double> values;
     /** Of each component, where x, y, z would be wrong. */
     std::vector<std::string> components = {};
+    std::string              unit       = {}; ///< empty: not known
   };
 
-  /** Whole numbers of cells, such as ids. */
+  /** Whole numbers of cells or points, such as ids. */
   struct VtuIds
   {
     std::string      name;
@@ -41,7 +42,15 @@ namespace conetact
     std::vector<Point<3>> points;
     std::vector<VtuField> point_fields;
     std::vector<VtuField> cell_fields;
-    std::vector<VtuIds>   cell_ids;
+    std::vector<VtuIds>   point_ids, cell_ids;
+
+    /** Of each point of a body its node; it is not written. */
+    std::vector<unsigned int>     nodes_of_points;
+    static constexpr unsigned int no_node = -1;
+
+    /** Of the file as a whole, to be read by people, and of its points; empty:
+     * not known. */
+    std::string units, unit_of_points;
 
     /** VTK's numbers; those of second degree have bent edges. */
     enum class Shape : unsigned char

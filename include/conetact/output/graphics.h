@@ -44,7 +44,8 @@ namespace conetact::output
    *   `solution-BODY-0001.0.vtu`, `...1.vtu`;
    * - `surface.pvd` and `surface-BODY-0001.vtu`: their surfaces with contact;
    * - `contact.pvd` and `contact-0001.vtu`: the contact nodes as points;
-   * - `scene.pvd`: all of them.
+   * - `scene.pvd`: the bodies alone, which carry the fields of their contacts;
+   *   surfaces and nodes would lie where they are, and pictures flicker.
    * All have `displacement` and, for each cell, `body`, its place in the list
    * of bodies. Double precision.
    */
@@ -70,6 +71,9 @@ namespace conetact::output
     write_body(const VtuGrid         &grid,
                const IncrementRecord &record,
                const std::size_t      body);
+    /** With the units that the scene names. */
+    std::string
+    text_of(VtuGrid grid, const IncrementRecord &record) const;
     std::vector<Block>
     write_surfaces(const IncrementRecord &record) const;
     std::vector<Block>

@@ -5,6 +5,7 @@
 #define conetact_output_output_h
 
 #include "conetact/bodies/structure.h"
+#include "conetact/output/units.h"
 #include "conetact/solvers/contact_problem.h"
 
 #include <cstdint>
@@ -190,6 +191,7 @@ namespace conetact::output
     unsigned int n_increments                  = 0; ///< 0: not known yet
     double       end                           = 0; ///< time of the last one
     unsigned int vtu_every                     = 1; ///< 0: never
+    Units        units;
 
     /** The folder of a run that is continued, and how many increments of it. */
     std::filesystem::path former;

@@ -28,16 +28,27 @@ namespace conetact::output
 
   /**
    * A skin with the fields of its points: `displacement` [length],
-   * `contact_pressure` and the vector `contact_traction` [stress], `gap`
-   * [length] and `state`: -1 where nothing may touch (its gap is not a number),
-   * 0 open, 1 stick, 2 slip. A node in several contacts has the sum of their
-   * tractions, the largest pressure with its state, and the least gap.
+   * `contact_pressure` and the vector `contact_traction` [stress], `gap`, the
+   * vector `slip` of the increment [length] and `state`: -1 where nothing may
+   * touch (its gap is not a number), 0 open, 1 stick, 2 slip. A node in several
+   * contacts has the sum of their tractions, the largest pressure with its
+   * state and slip, and the least gap.
    */
   VtuGrid
   draw_skin(const Skin            &skin,
             const RunDescription  &run,
             const IncrementRecord &record,
             const unsigned int     body);
+
+  /**
+   * Gives the same fields, where there are contacts, to the points of a drawn
+   * body. They are no numbers where nothing may touch, `state` is -1 there.
+   */
+  void
+  add_contact(const RunDescription  &run,
+              const IncrementRecord &record,
+              const unsigned int     body,
+              VtuGrid               &grid);
 
   /**
    * Contact nodes at their undeformed places, with the vectors `reaction`

@@ -8,6 +8,7 @@ TITLES = {"von_mises": "von Mises stress", "contact_pressure": "contact pressure
           "contact_traction": "contact traction", "state": "contact state", "gap": "gap",
           "axial_force": "axial force", "moment": "bending moment"}
 OF_CONTACT = ("contact_pressure", "contact_traction", "gap", "state")
+ON_SOLIDS = (*OF_CONTACT, "slip", "wear")  # what bodies have of contact; surfaces have it, too
 LESS_WANTED = ("strain", "principal_strains")  # they are left out first
 FIRST = ("von_mises", *OF_CONTACT)
 
@@ -24,10 +25,15 @@ def split(name, values, dimension):
     return {f"{name}_{c}": values[:, i] for i, c in enumerate("xyz")}
 
 
+def of_body(arrays):
+    """Those that a body has everywhere."""
+    return {name: values for name, values in arrays.items() if name not in ON_SOLIDS}
+
+
 def values_of(body, surface, shape, dimension, without=()):
     """All of them by name; not a number where a node is on no contact."""
     found = {}
-    for name, values in body.arrays.items():
+    for name, values in of_body(body.arrays).items():
         if name != "displacement" and name not in without:
             at_nodes = np.where((shape.rows >= 0).reshape(-1, *[1] * (values.ndim - 1)), values[shape.rows], np.nan)
             found |= split(name, at_nodes, dimension)

@@ -294,7 +294,10 @@ namespace conetact::bodies
     {
       VtuGrid grid;
       for (const auto &place : points.places)
-        grid.points.push_back(to_space(mesh.nodes[place.node]));
+        {
+          grid.points.push_back(to_space(mesh.nodes[place.node]));
+          grid.nodes_of_points.push_back(place.node);
+        }
       const unsigned int n = mesh.n_cell_nodes;
       VtuIds             ids{"material_id", {}};
       auto               first = points.of_cells.begin();

@@ -51,6 +51,9 @@ namespace conetact::bodies
       for (unsigned int i = 0; i < n; ++i)
         {
           grid.points.push_back(member.point(double(i) / (n - 1)));
+          grid.nodes_of_points.push_back(i == 0     ? member.nodes()[0] :
+                                         i == n - 1 ? member.nodes()[1] :
+                                                      VtuGrid::no_node);
           for (unsigned int c = 0; c < 3; ++c)
             grid.point_fields[0].values.push_back(cuts[i].displacement[c]);
           for (std::size_t k = 0; k < fields.size(); ++k)

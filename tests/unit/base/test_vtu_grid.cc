@@ -127,3 +127,31 @@ TEST(VtuGrid, ComponentsMayHaveNames)
               "ComponentName1=\"least\""),
             std::string::npos);
 }
+
+TEST(VtuGrid, UnitsAreLabelsOfVtk)
+{
+  VtuGrid grid;
+  grid.points         = {Point<3>()};
+  grid.point_fields   = {{"gap", 1, {.5}, {}, "mm"}, {"ratio", 1, {2.}}};
+  grid.point_ids      = {{"state", {-1}}};
+  grid.units          = "N, mm";
+  grid.unit_of_points = "mm";
+  grid.add_cell(VtuGrid::Shape::vertex, {0});
+  const std::string label =
+    "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">mm"
+    "</InformationKey>";
+  const auto count = [&](const std::string &text) {
+    std::size_t n = 0;
+    for (auto at = text.find(label); at != text.npos;
+         at      = text.find(label, at + 1))
+      ++n;
+    return n;
+  };
+  const std::string text = grid.text(0, 0);
+  EXPECT_EQ(count(text), 2u); // points and gap
+  EXPECT_EQ(values<char>(text, "units"),
+            (std::vector<char>{'N', ',', ' ', 'm', 'm', '\0'}));
+  EXPECT_EQ(values<int>(text, "state"), std::vector<int>{-1});
+  EXPECT_EQ(count(grid.text_of_parts({"a.vtu"})), 2u);
+  EXPECT_EQ(grid.part({0}).text(0, 0), text);
+}

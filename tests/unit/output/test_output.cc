@@ -171,17 +171,18 @@ namespace
       return nullptr;
     }
 
-    /** The file of the sketch. */
-    static std::string
+    /** The file of the sketch, none of whose points is known to be a node. */
+    std::string
     drawn(const double       u,
           const double       w,
           const double       time,
-          const unsigned int increment)
+          const unsigned int increment) const
     {
       VtuGrid grid;
       grid.points       = {Point<3>(u, w, 0)};
       grid.point_fields = {{"displacement", 1, {u}}};
       grid.cell_ids     = {{"body", {}}};
+      add_contact(run, record(increment), 0, grid);
       return grid.text(time, increment);
     }
 
@@ -552,11 +553,15 @@ namespace
     graphics->begin(undeformed);
     EXPECT_EQ(graphics->work().drawings, 0u);
     const std::string pvd = test::read_file(run.folder / "scene.pvd");
-    for (const char *part :
-         {"timestep=\"0\" group=\"\" part=\"0\" name=\"body my_block\" "
-          "file=\"solution-my_block-0000.vtu\"",
-          "part=\"1\" name=\"contact\" file=\"contact-0000.vtu\""})
-      EXPECT_NE(pvd.find(part), std::string::npos) << pvd;
+    EXPECT_NE(pvd.find("timestep=\"0\" group=\"\" part=\"0\" name=\"body "
+                       "my_block\" file=\"solution-my_block-0000.vtu\""),
+              std::string::npos)
+      << pvd;
+    // what lies on bodies would flicker
+    EXPECT_EQ(pvd.find("contact"), std::string::npos) << pvd;
+    EXPECT_NE(
+      test::read_file(run.folder / "contact.pvd").find("contact-0000.vtu"),
+      std::string::npos);
   }
 
   TEST_F(OutputTest, SurfacesCarryTheirContact)
@@ -591,6 +596,79 @@ namespace
     create("graphics")->write({r});
     EXPECT_EQ(files().count("surface-my_block-0001.vtu"), 1u);
     EXPECT_EQ(files().count("surface.pvd"), 1u);
+  }
+
+
+
+  TEST_F(OutputTest, SolidsCarryTheirContact)
+  {
+    run.wearing       = {0};
+    IncrementRecord r = record(1);
+    r.rows.resize(1);
+    r.rows[0].wear = .5;
+    VtuGrid grid;
+    grid.points.resize(4); // a node for each of two materials, and no node
+    grid.nodes_of_points = {1 - r.rows[0].node,
+                            r.rows[0].node,
+                            r.rows[0].node,
+                            VtuGrid::no_node};
+    add_contact(run, r, 0, grid);
+    ASSERT_EQ(grid.point_ids.size(), 1u);
+    const int state = static_cast<int>(r.rows[0].state);
+    EXPECT_EQ(grid.point_ids[0].name, "state");
+    EXPECT_EQ(grid.point_ids[0].values,
+              (std::vector<int>{-1, state, state, -1}));
+    std::vector<std::string> names;
+    for (const VtuField &field : grid.point_fields)
+      {
+        names.push_back(field.name);
+        const std::size_t n = field.n_components;
+        ASSERT_EQ(field.values.size(), 4 * n);
+        for (const std::size_t i : {std::size_t{0}, 4 * n - 1})
+          EXPECT_TRUE(std::isnan(field.values[i])) << field.name;
+        EXPECT_FALSE(std::isnan(field.values[n])) << field.name;
+        EXPECT_EQ(field.values[n], field.values[2 * n]) << field.name;
+      }
+    EXPECT_EQ(
+      names,
+      (std::vector<std::string>{
+        "contact_pressure", "contact_traction", "gap", "slip", "wear"}));
+    EXPECT_EQ(grid.point_fields.back().values[1], .5);
+
+    run.contacts = {};
+    VtuGrid alone;
+    add_contact(run, r, 0, alone);
+    EXPECT_TRUE(alone.point_fields.empty() && alone.point_ids.empty());
+  }
+
+  TEST_F(OutputTest, PicturesNameTheUnitsOfTheScene)
+  {
+    run.units = {"kN, m", "Output, Units"};
+    create("graphics")->write({record(1)});
+    const auto unit = [&](const std::string &file, const std::string &field) {
+      const std::string vtu = test::read_file(run.folder / file);
+      const auto        at  = vtu.find("Name=\"" + field + '"');
+      const std::string array =
+        vtu.substr(at, vtu.find("</DataArray>", at) - at);
+      const auto begin = array.find("\"UNITS_LABEL\"");
+      return begin == std::string::npos ?
+               "none" :
+               array.substr(array.find('>', begin) + 1,
+                            array.rfind('<') - array.find('>', begin) - 1);
+    };
+    EXPECT_EQ(unit("contact-0001.vtu", "reaction"), "kN");
+    EXPECT_EQ(unit("contact-0001.vtu", "pressure"), "kPa");
+    EXPECT_EQ(unit("contact-0001.vtu", "Points"), "m");
+    EXPECT_EQ(unit("contact-0001.vtu", "state"), "none");
+    EXPECT_EQ(unit("solution-my_block-0001.vtu", "displacement"), "m");
+    EXPECT_EQ(unit("solution-my_block-0001.vtu", "slip"), "m");
+    const auto refusal = [](const std::string &text) {
+      return test::sentence_of([&] { Units(text, "Output, Units"); });
+    };
+    for (const char *wrong : {"mm", "N, mm, s, K, A", "N,, mm", "N, <mm>"})
+      EXPECT_TRUE(test::starts(refusal(wrong), "Output, Units: '")) << wrong;
+    for (const char *right : {"", "N, mm", "lbf, in, s", "N, mm, s, K"})
+      EXPECT_EQ(refusal(right), "accepted") << right;
   }
 
 
