@@ -209,6 +209,7 @@ namespace conetact::application
       prm.leave_subsection();
       bodies.structures.push_back(structures.back().get());
     });
+    obstacles.reserve(obstacle_names.size() + load_names.size()); // stay there
     create_each(prm, "Obstacle", obstacle_names, [&](const std::string &name) {
       obstacles.push_back(pairing::create_obstacle(prm, name, dim, folder));
     });
@@ -239,6 +240,7 @@ namespace conetact::application
     });
     if (finds_contacts)
       add_automatic_contacts();
+    const std::vector<std::string> couplings = add_couplings();
     if (dim == 2)
       check_axisymmetric(bodies.names, bodies.structures, obstacles, contacts);
     if (bodies.are_axisymmetric())
@@ -278,6 +280,7 @@ namespace conetact::application
     check_adaptive(adaptive, bodies.structures);
     for (auto &body : contact::add_free_obstacles(obstacles, bodies))
       structures.push_back(std::move(body));
+    act_on_couplings(couplings);
     check_preloads();
     for (auto &body : contact::add_preloads(contacts, bodies))
       structures.push_back(std::move(body));

@@ -46,6 +46,24 @@ namespace conetact::application
       return found == entries.end() ? "" : found->second;
     }
 
+    /** Of loads that are rigid: what makes their couplings. */
+    bool
+    must_stay(const std::string &path, const Entries &then, const Entries &now)
+    {
+      const auto        slash    = path.find('/');
+      const std::string load     = path.substr(0, slash);
+      const auto        is_rigid = [&](const Entries &entries) {
+        return value_in(entries, load + "/Coupling") == "rigid";
+      };
+      return path.rfind("Load ", 0) == 0 && slash != path.npos &&
+             std::set<std::string>{"/Coupling",
+                                   "/Body",
+                                   "/Boundary ids",
+                                   "/Point"}
+                 .count(path.substr(slash)) > 0 &&
+             (is_rigid(then) || is_rigid(now));
+    }
+
     /** Times of increments that are done: one at least, each behind the one
      * before. */
     void
@@ -101,11 +119,16 @@ namespace conetact::application
     Entries       both = then;
     both.insert(now.begin(), now.end());
     for (const auto &[entry, value] : both)
-      if (must_stay(entry) && value_in(then, entry) != value_in(now, entry))
+      if ((must_stay(entry) || must_stay(entry, then, now)) &&
+          value_in(then, entry) != value_in(now, entry))
         throw InputError("Option --restart: " + entry + " was '" +
                          value_in(then, entry) + "' in " + run.folder.string() +
                          " and is '" + value_in(now, entry) + "' here." +
-                         what_may_differ);
+                         what_may_differ +
+                         (must_stay(entry) ? "" :
+                                             " Of a load with Coupling = rigid "
+                                             "these are its Kind, its Value "
+                                             "and when it is Active."));
     for (const auto &[entry, value] : then)
       if (entry.rfind("Support ", 0) == 0 && !value.empty() &&
           entry.substr(entry.find('/')) == "/Stiffness" &&

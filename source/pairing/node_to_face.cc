@@ -94,7 +94,7 @@ namespace conetact::pairing
   {
     if (contact.obstacle == nullptr)
       master.emplace(*structures[contact.master], contact.master_ids);
-    else if (FacesOnObstacle::suits(surface))
+    else if (!contact.holds_every_node && FacesOnObstacle::suits(surface))
       on_obstacle.emplace(contact, body, surface);
   }
 

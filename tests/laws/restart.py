@@ -6,10 +6,10 @@ import signal
 import subprocess
 import time
 
-from laws.far_turns import bar, rolled
+from laws.far_turns import bar, rolled, shell
 from laws.kill import readable, rows_on_disk
-from laws.sliding import disc, slab
-from support.scenes import SHIPPED, box, contact, floor, load, merge, press_and_shear, stack, support, write_scene
+from laws.sliding import FAR, disc, slab
+from support.scenes import SHIPPED, box, contact, floor, joint, load, merge, press_and_shear, stack, support, write_scene
 from support.tables import TEXTS, Run, read
 
 # how a result was found, not what it is
@@ -85,12 +85,35 @@ def far_kinds():
     turning = merge(bar(2, 70.0, steps=10), {"Load end": load("traction", "3*t ; -2*t", 1, "bar")})
     cut_in_parts = disc(9, way=3.75, mu=.03)  # turns further than is taken at once
     cut_in_parts["Obstacle disc"]["Turn"] = "25*max(t - 1, 0)*9"
+    worn = disc(10, way=1.0)
+    worn["Contact top"]["Wear coefficient"] = 1e-5
     return {"swept disc": disc(10, way=1.0), "increments in parts": cut_in_parts, **pairs, "turned bar": turning,
-            "rolled disc": rolled(10, way=1.0, cells=3)}
+            "rolled disc": rolled(10, way=1.0, cells=3), "turned press fit": press_fit(11), "worn": worn,
+            "free roller": {"Dimension": 2, "Body layer": box((24, 3), (3.0, .6), (-1.5, -.6)),
+                            "Obstacle disc": {"Shape": "cylinder", "Point": (-.8, 4.0), "Radius": 4.0, "Free": "y, rz",
+                                              "Reference point": (-.8, 4.0), "Force": "0 ; -10*min(t, 1)",
+                                              "Displacement": "1.6*max(t - 1, 0) ; 0"},
+                            "Contact top": contact("layer", 3, "disc", .3, **FAR),
+                            "Support base": support(2, "x, y", body="layer"), "Time": {"Stages": "1 : 2, 2 : 10"}, "Output": {"VTU": 0}}}
+
+
+def press_fit(increments, degrees=5):
+    """A shaft that turns in a hub, with friction."""
+    return {"Dimension": 2, "Body shaft": shell(.5, 1.001, 32), "Body hub": shell(1.0, 2.0, 32),
+            "Contact fit": joint("shaft", 1, "hub", 0, **{"Friction coefficient": .2, **FAR}),
+            "Support drive": {"Body": "shaft", "Boundary ids": 0, "Turn": f"{degrees}*max(t - 1, 0)"},
+            "Support frame": support(1, "x, y", body="hub"),
+            "Time": {"Stages": f"1 : 1, {increments + 1} : {increments}"}, "Output": {"VTU": 0}}
+
+
+def far_without_condensing():
+    """The same by the iterative backend."""
+    return {f"{name}, iterative": merge(scene, {"Solver": {"Backend": "iterative"}}) for name, scene in far_kinds().items()
+            if name in ("swept disc", "increments in parts", "slab, mortar", "turned bar", "turned press fit")}
 
 
 def same_as_in_one_go(laws):
-    for name, scene in {**kinds(), **far_kinds()}.items():
+    for name, scene in {**kinds(), **far_kinds(), **far_without_condensing()}.items():
         scene = merge(scene, {"Output": {"Checkpoint": 5}})
         whole = laws.run(scene)
         plain = laws.run(merge(scene, {"Output": {"Checkpoint": 0}}))
@@ -106,6 +129,31 @@ def same_as_in_one_go(laws):
             laws.check(f"{name}: 7 increments and 5 more, difference from 12", difference(whole.folder, folder), 1e-12)
 
 
+def killed_far(laws):
+    """The same where contacts are found again and bodies turn, by both backends."""
+    for backend in ("condensed", "iterative"):
+        file = laws.folder / f"kill-far-{backend}.prm"
+        write_scene(merge(press_fit(40, degrees=4), {"Solver": {"Backend": backend}, "Output": {"Checkpoint": 3}}), file)
+        whole = laws.run(file)
+        goes_on_after_a_kill(laws, file, whole, random.Random().randrange(4, 34))
+
+
+def goes_on_after_a_kill(laws, file, whole, n):
+    """Where n increments are on disk. Returns the folder; none: it did not go on."""
+    folder = laws.folder / f"{file.stem}-{n}"
+    process = subprocess.Popen([laws.program, file, "-o", folder, "--quiet"], cwd=laws.folder)
+    while process.poll() is None and rows_on_disk(folder) < n:
+        time.sleep(.001)
+    process.kill()
+    ended = process.wait() != -signal.SIGKILL
+    laws.demand(f"{file.stem}: killed when {rows_on_disk(folder)} increments are on disk", not ended)
+    if not go_on(laws, file, folder):
+        return None
+    readable(laws, folder, "goes on after the kill")
+    laws.check("  difference from the whole run", difference(whole.folder, folder), 1e-12)
+    return folder
+
+
 def after_a_kill(laws):
     scene = merge(press_and_shear(3, cells=(6, 6, 6), increments=90), {
         "Output": {"VTU": 10, "Checkpoint": 4}, "Support top": {"Displacement": "0.001*max(t - 1, 0) ; 0 ; -0.01*min(t, 1)"}})
@@ -114,16 +162,8 @@ def after_a_kill(laws):
     whole = laws.run(file)
     chance = random.Random()
     for n in sorted(chance.sample(range(5, 85), 2)):
-        folder = laws.folder / f"kill-{n}"
-        process = subprocess.Popen([laws.program, file, "-o", folder, "--quiet"], cwd=laws.folder)
-        while process.poll() is None and rows_on_disk(folder) < n:
-            time.sleep(.001)
-        process.kill()
-        ended = process.wait() != -signal.SIGKILL
-        laws.demand(f"killed when {rows_on_disk(folder)} increments are on disk", not ended)
-        if go_on(laws, file, folder):
-            readable(laws, folder, "goes on after the kill")
-            laws.check("  difference from the whole run", difference(whole.folder, folder), 1e-12)
+        folder = goes_on_after_a_kill(laws, file, whole, n)
+        if folder is not None:
             names = sorted(p.name for p in folder.glob("*.vtu"))
             laws.demand("  the same pictures", names == sorted(p.name for p in whole.folder.glob("*.vtu")))
             for pvd in ("scene.pvd", "solution.pvd"):
@@ -160,7 +200,8 @@ def with_other_loads(laws):
 
 def by_the_other_backend(laws):
     """A state is that of either backend."""
-    for name, scene in kinds().items():
+    far = far_kinds()
+    for name, scene in {**kinds(), **{name: far[name] for name in ("slab, mortar", "swept disc", "turned bar")}}.items():
         if "Free" in str(scene):
             continue  # a rigid body, which is not solved iteratively
         whole = laws.run(scene)
@@ -168,7 +209,7 @@ def by_the_other_backend(laws):
             file = laws.folder / f"{laws.n_runs}-{first}.prm"
             folder = laws.folder / f"{laws.n_runs}-{then}"
             write_scene(merge(scene, {"Solver": {"Backend": first}, "Output": {"Checkpoint": 1},
-                                      "Time": {"End": None, "Increments": None,
+                                      "Time": {"End": None, "Increments": None, "Stages": None,
                                                "Times": [row["time"] for row in whole.increments[:7]]}}), file)
             laws.batch.run(file, "-o", folder, "--quiet").check_returncode()
             write_scene(merge(scene, {"Solver": {"Backend": then}}), file)
@@ -180,6 +221,7 @@ def restart(laws):
     same_as_in_one_go(laws)
     after_a_failure(laws)
     after_a_kill(laws)
+    killed_far(laws)
     with_other_loads(laws)
     by_the_other_backend(laws)
     refusals(laws)

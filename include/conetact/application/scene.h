@@ -205,6 +205,13 @@ namespace conetact::application
                 const std::string        &in);
     void
     add_automatic_contacts();
+    /** Loads that are rigid: an obstacle and a tie each. The name of that of
+     * each load, empty: it has none. */
+    std::vector<std::string>
+    add_couplings();
+    /** Once these obstacles are bodies: loads act on them. */
+    void
+    act_on_couplings(const std::vector<std::string> &names);
     void
     read_options();
     void

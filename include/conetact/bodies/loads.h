@@ -46,8 +46,11 @@ namespace conetact::bodies
     double       density = 0; ///< of its body, for that [mass/length^3]
     /** Of a force or a moment that is spread. */
     std::shared_ptr<const SpreadForce> spread;
-    std::vector<Expression>            value; ///< a component each, or one
-    std::optional<Expression> active;         ///< of t: 0 where it is not there
+    /** Whether the faces of its boundary ids move as one with its point: it
+     * acts on a rigid body of theirs then, whose first node the point is. */
+    bool                      is_rigid = false;
+    std::vector<Expression>   value;  ///< a component each, or one
+    std::optional<Expression> active; ///< of t: 0 where it is not there
     /** Of initial strains: the axes of each component. */
     std::vector<std::pair<unsigned int, unsigned int>> axes;
 

@@ -74,6 +74,9 @@ namespace conetact::pairing
     std::string               pairing = "node to face"; ///< row of pairings()
     double sharp_edge = 2 * M_PI / 9; ///< of a slave surface [rad]
     bool   slides     = false; ///< far: its nodes are found again and again
+    /** Of an obstacle: each node of faces of second degree by itself, those in
+     * the middle as well, in place of means over faces at their corners. */
+    bool holds_every_node = false;
 
     /** Along the first axis; none: bound contacts. */
     std::shared_ptr<const FrictionLaw> friction;
