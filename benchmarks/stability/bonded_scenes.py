@@ -3,32 +3,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random scenes with bonds and with fluids, judged by statics and by the law of each node, from tables alone.
 
-usage: bonded_scenes.py [--build FOLDER] [--scenes N] [--seed N]
+usage: bonded_scenes.py [--build FOLDER] [--scenes N] [--seed N] [--keep FOLDER]
 
 A block on a floor is pressed, pulled and sheared at random by its top. Of each increment: forces of contact and support
 cancel out; no node is pulled by more than what is left of its strength, and where it opens, by that; friction is within
 mu p + c; what is wet carries the fluid at least. What is left of a bond is computed here from gaps and slips of the
 tables. Runs without equilibrium are counted; increments before are judged.
 """
-import argparse
 import math
-import random
-import subprocess
-import sys
-import tempfile
-from pathlib import Path
 
-TOP = Path(__file__).resolve().parents[2]
-sys.path.append(str(TOP / "tests"))
-from support.scenes import box, contact, floor, support, write_scene  # noqa: E402
-from support.tables import Run  # noqa: E402
+from judged_runs import Account, reader, table  # first: it knows the way to tests
+from support.scenes import box, contact, floor, support
 
 
-def table(values):
-    return "table(t; 0 : 0; " + "; ".join(f"{i + 1} : {v!r}" for i, v in enumerate(values)) + ")"
-
-
-def scene_of(chance, fluid):
+def scene_of(chance, fluid=False):
     dim = chance.choice((2, 2, 3))
     bottom, top = (2, 3) if dim == 2 else (4, 5)
     law = {"mu": chance.choice((0, .1, .3, .7))}
@@ -43,11 +31,11 @@ def scene_of(chance, fluid):
     side = [chance.uniform(-.008, .008) for _ in range(6)]
     where = f"{table(side)} ; {table(up)}" if dim == 2 else f"{table(side)} ; {table(side[::-1])} ; {table(up)}"
     n = (chance.randint(2, 8), chance.randint(1, 4), chance.randint(1, 3))[:dim]
-    return law, {"Dimension": dim, "Body block": box(n, (2.0, 1.0, 1.0)[:dim], poisson=chance.choice((0.0, .3))),
-                 "Obstacle floor": floor(dim), "Contact bottom": contact(ids=bottom, **law),
-                 "Support top": support(top, "x, y" if dim == 2 else "x, y, z", where),
-                 "Solver": {"Backend": chance.choice(("condensed", "iterative"))},
-                 "Time": {"End": 6, "Increments": 6}, "Output": {"VTU": 0}}
+    return {"Dimension": dim, "Body block": box(n, (2.0, 1.0, 1.0)[:dim], poisson=chance.choice((0.0, .3))),
+            "Obstacle floor": floor(dim), "Contact bottom": contact(ids=bottom, **law),
+            "Support top": support(top, "x, y" if dim == 2 else "x, y, z", where),
+            "Solver": {"Backend": chance.choice(("condensed", "iterative"))},
+            "Time": {"End": 6, "Increments": 6}, "Output": {"VTU": 0}}, (law, fluid)
 
 
 def rest(law, opened, slipped):
@@ -58,8 +46,9 @@ def rest(law, opened, slipped):
     return max(0.0, 1 - way / length) if length else float(way <= 1e-9)
 
 
-def faults(run, law, fluid):
+def faults(run, known):
     """Largest violations over the largest force, of all increments."""
+    law, fluid = known
     worst, opened, slipped = {}, {}, {}
     scale = max(abs(row[c]) for row in run.rows for c in ("r_n", "r_t1", "r_t2")) or 1.0
 
@@ -101,33 +90,10 @@ def pressure_at(law, t):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=Path, default=TOP / "build")
-    parser.add_argument("--scenes", type=int, default=200)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    all_wrong = 0
-    for fluid in (False, True):
-        chance, wrong, refused, judged = random.Random(options.seed), 0, 0, 0
-        for number in range(options.scenes):
-            law, scene = scene_of(chance, fluid)
-            with tempfile.TemporaryDirectory() as folder:
-                file, out = Path(folder) / "scene.prm", Path(folder) / "out"
-                write_scene(scene, file)
-                done = subprocess.run([options.build / "conetact", file, "-o", out, "--quiet"], capture_output=True, text=True)
-                refused += done.returncode == 2
-                if done.returncode not in (0, 2):
-                    raise SystemExit(f"scene {number}: exit code {done.returncode}: {done.stderr}")
-                run = Run(out)
-            judged += len(run.increments)
-            bad = {what: error for what, error in faults(run, law, fluid).items() if error > 1e-8} if run.rows else {}
-            wrong += bool(bad)
-            if bad or done.returncode:
-                print(f"{'fluid' if fluid else 'bond'} {number}: {bad} {done.stderr.strip()}")
-        print(f"{'fluids' if fluid else 'bonds'}: {options.scenes} scenes, {judged} increments judged, {wrong} scenes wrong, "
-              f"{refused} without equilibrium or not converged")
-        all_wrong += wrong
-    raise SystemExit(all_wrong > 0)
+    account = Account(reader(__doc__).parse_args())
+    account.family("bonds", scene_of, faults)
+    account.family("fluids", lambda chance: scene_of(chance, fluid=True), faults)
+    raise SystemExit(account.wrong > 0)
 
 
 if __name__ == "__main__":

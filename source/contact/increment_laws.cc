@@ -159,7 +159,7 @@ namespace conetact::contact
     if (const double most =
           at.friction->largest_force(start[i], at.bonded_area());
         sum.value > most)
-      return {most, 0, 0, 0};
+      return {std::max(0., most), 0, 0, 0};
     if (s <= 0)
       sum.by_force = 0;
     return sum;

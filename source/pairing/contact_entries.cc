@@ -151,7 +151,8 @@ namespace conetact::pairing
                         Anything(),
                         "Largest traction of friction, whatever the pressure "
                         "(Tresca): |traction| <= min(mu p, limit); a function "
-                        "of x, y, z, t, T, s. Empty: none. [stress]");
+                        "of x, y, z, t, T, s, which may fall to 0, as mu may; "
+                        "less is 0. Empty: none. [stress]");
       prm.declare_entry("Second friction coefficient",
                         "",
                         Anything(),

@@ -108,8 +108,8 @@ namespace conetact::verification
         std::min(seen.limit, node.friction->largest_force(here, area));
       if (laws.is_wet(i))
         add_fluid(node, r_n, here, seen);
-      if (node.bond)
-        seen.limit = std::max(seen.limit, 0.);
+      // a coefficient or a limit that falls below 0 is none
+      seen.limit = std::max(seen.limit, 0.);
       return seen;
     }
   } // namespace

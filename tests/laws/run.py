@@ -16,7 +16,7 @@ from pathlib import Path
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, scene_pictures, couplings,  # noqa: E402
                   round_pairs, sliding,
-                  supports, threads, tie, transformations, vanishing, uniqueness, varying_friction)
+                  supports, threads, tie, transformations, vanishing, uniqueness, varying_friction, worn)
 from support.checks import run_families  # noqa: E402
 
 FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, "rotation": transformations.rotation_family,
@@ -44,7 +44,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "quadratic-far": quadratic.far, "quadratic-tetrahedra": quadratic.tetrahedra, "quadratic-bent": quadratic.bent,
             "quadratic-one-by-one": quadratic.one_by_one, "quadratic-rings": quadratic_round.rings, "quadratic-pins": quadratic_round.pins,
             "quadratic-balls": quadratic_round.balls, "quadratic-sheared-balls": quadratic_round.sheared_balls, "automatic": automatic.automatic,
-            "varying-friction": varying_friction.varying_friction, "layers": layers.layers, "bonds": bonds.bonds, "joints": joints.joints, "seals": seals.seals, "pictures": scene_pictures.pictures,
+            "varying-friction": varying_friction.varying_friction, "layers": layers.layers, "bonds": bonds.bonds, "joints": joints.joints, "seals": seals.seals, "pictures": scene_pictures.pictures, "worn": worn.worn,
             "uniqueness": uniqueness.uniqueness}
 
 if __name__ == "__main__":

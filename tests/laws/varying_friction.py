@@ -66,6 +66,20 @@ def by_tables(laws):
                         Mu(run, lambda row, s, p, v: min(.4, (1.5 + .2 * row["time"]) / p) if p > 0 else .4))
 
 
+def falling(laws):
+    """A limit and a coefficient that fall below 0 are none."""
+    for dim in (2, 3):
+        scene = press_and_shear(dim, mu=.4)
+        scene["Contact bottom"]["Shear limit"] = "2 - 0.8*t"
+        run = laws.run(scene)
+        laws.admissible(f"{dim}D, a shear limit that falls below 0", run,
+                        Mu(run, lambda row, s, p, v: min(.4, max(0, 2 - .8 * row["time"]) / p) if p > 0 else .4))
+        laws.demand("  no friction in the end", all(row["r_t1"] == 0 for row in run.last()))
+        run = laws.run(press_and_shear(dim, mu="0.3 - 0.12*t"))
+        laws.admissible(f"{dim}D, mu that falls below 0", run, Mu(run, lambda row, s, p, v: max(0, .3 - .12 * row["time"])))
+        laws.demand("  no friction in the end", all(row["r_t1"] == 0 for row in run.last()))
+
+
 def by_methods(laws):
     """The same by each method, in one run or two."""
     for dim in (2, 3):
@@ -100,5 +114,6 @@ def brake(laws):
 def varying_friction(laws):
     brake(laws)
     by_tables(laws)
+    falling(laws)
     by_methods(laws)
     temperature(laws)
