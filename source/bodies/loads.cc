@@ -8,6 +8,8 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -162,6 +164,7 @@ namespace conetact::bodies
   Tensor<1, 3>
   Load::spread_traction(const Point<3> &p, const double t) const
   {
+    Assert(spread != nullptr, dealii::ExcMessage("What is spread has faces."));
     const Tensor<1, 3> v = evaluate(value, point, t);
     if (kind == Kind::force)
       return spread->traction(
@@ -173,6 +176,9 @@ namespace conetact::bodies
   Tensor<1, 3>
   Load::centrifugal_force(const Point<3> &p, const double t) const
   {
+    Assert(std::abs(axis.norm() - 1) < 1e-6,
+           dealii::ExcMessage("An axis has unit length."));
+    AssertDimension(value.size(), 1);
     const Tensor<1, 3> from = p - point;
     const double       w    = value[0](p, t);
     return density * w * w * (from - (from * axis) * axis);
@@ -181,6 +187,8 @@ namespace conetact::bodies
   InitialStrain
   Load::initial_strain(const Point<3> &p, const double t) const
   {
+    Assert(kind == Kind::temperature || value.size() == axes.size(),
+           dealii::ExcMessage("Each component of a strain has its axes."));
     InitialStrain initial;
     if (kind == Kind::temperature)
       initial.temperature = value[0](p, t);
@@ -255,6 +263,7 @@ namespace conetact::bodies
             const double     t,
             Eigen::VectorXd &f) const
   {
+    AssertDimension(f.size(), structure.n_dofs());
     if (!is_active(t))
       return;
     const std::string           in = "Load '" + name + "', ";

@@ -6,6 +6,8 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -95,6 +97,8 @@ namespace conetact::bodies
   SurfaceField
   SpreadForce::bearing(const Tensor<1, 3> &force) const
   {
+    Assert(std::isfinite(force.norm()),
+           dealii::ExcMessage("Forces are finite."));
     constexpr double least = 1e-6; // of the area: no face looks that way
     if (force.norm() == 0)
       return

@@ -3,6 +3,8 @@
 
 #include "conetact/contact/force_shares.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -155,6 +157,8 @@ namespace conetact::contact
                      const std::vector<solvers::NodeState> &states,
                      const Eigen::VectorXd                 &r)
   {
+    AssertDimension(states.size(), points.size());
+    AssertDimension(r.size(), points.n_all_unknowns());
     // Alone on its obstacle no node can exchange anything, as in most scenes.
     if (!points.share_nodes() &&
         std::all_of(points.begin(),

@@ -5,6 +5,8 @@
 
 #include "conetact/base/index.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -170,6 +172,11 @@ namespace conetact::iterative
     const std::vector<int>                     &nodes,
     const std::vector<int>                     &first)
   {
+    AssertDimension(first.size(), at(processes.size()) + 1);
+    Assert(std::is_sorted(nodes.begin(), nodes.end()),
+           dealii::ExcMessage("Contact nodes are ascending."));
+    Assert(!shown,
+           dealii::ExcMessage("Levels have states once they follow contacts."));
     contact = {A, nodes, first, P, processes};
     for (std::size_t l = 0; l + 1 < below.size(); ++l)
       {
@@ -199,6 +206,8 @@ namespace conetact::iterative
   CoarseLevels<fine, coarse>::have_states_like(
     const std::vector<NodeState<fine>> &states) const
   {
+    Assert(!shown || shown->size() == states.size(),
+           dealii::ExcMessage("Contact nodes stay the same."));
     if (!shown)
       return false;
     const bool differ = !std::equal(states.begin(),
@@ -218,6 +227,7 @@ namespace conetact::iterative
     const std::vector<NodeState<fine>> &states,
     const bool                          exactly)
   {
+    AssertDimension(contact.n_levels(), static_cast<int>(below.size()));
     if (!exactly && have_states_like(states))
       return;
     shown              = states;
@@ -285,6 +295,8 @@ namespace conetact::iterative
   void
   CoarseLevels<fine, coarse>::correct(const FloatVector &r, FloatVector &x)
   {
+    AssertDimension(r.size(), x.size());
+    Assert(shown, dealii::ExcMessage("Levels know the states of contacts."));
     restrict_to(below[0], R, r);
     cycle(0);
     P.multiply(below[0].x.data(), x.data());
@@ -296,6 +308,7 @@ namespace conetact::iterative
   void
   CoarseLevels<fine, coarse>::cycle(const std::size_t l)
   {
+    AssertIndexRange(l, below.size());
     Level &level = below[l];
     if (l + 1 == below.size())
       {

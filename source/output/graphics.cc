@@ -10,6 +10,8 @@
 #include "conetact/base/workers.h"
 #include "conetact/output/csv.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cstdio>
 #include <fstream>
 #include <regex>
@@ -206,6 +208,8 @@ namespace conetact::output
   void
   Graphics::draw(const IncrementRecord &record)
   {
+    Assert(record.displacements.size() <= run.structures.size(),
+           dealii::ExcMessage("What is drawn are bodies of the run."));
     for (std::size_t b = skins.size(); b < record.displacements.size(); ++b)
       skins.push_back(make_skin(*run.structures.at(b)));
     std::vector<Block> all;

@@ -5,6 +5,8 @@
 
 #include "conetact/bodies/face_nodes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -130,6 +132,8 @@ namespace conetact::output
             const IncrementRecord &record,
             const unsigned int     body)
   {
+    AssertIndexRange(body, run.structures.size());
+    AssertDimension(skin.nodes.size(), skin.grid.points.size());
     const auto contact = contact_on(run, record, body);
     VtuField   displacement{"displacement", 3, {}};
     VtuField   pressure{"contact_pressure", 1, {}};

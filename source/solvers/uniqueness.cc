@@ -140,6 +140,7 @@ namespace conetact::solvers
     : system(std::move(s))
     , K(definite_stiffness(*system))
   {
+    eigen_assert(system->mu.size() == system->n_nodes());
     if (system->mu.size() == 0 || system->mu.maxCoeff() <= 0)
       factor = infinite;
     else if (K.size() > 0)
@@ -149,6 +150,8 @@ namespace conetact::solvers
   MatrixXd
   UniquenessCheck::perturbation(const VectorXd &s) const
   {
+    eigen_assert(s.size() == system->n_nodes());
+    eigen_assert((s.array() > 0).all());
     const Index n = system->n_nodes();
     MatrixXd    normals(K.rows(), n);
     VectorXd    diagonal = VectorXd::Zero(K.rows());
@@ -168,6 +171,7 @@ namespace conetact::solvers
   bool
   UniquenessCheck::holds(const double c, const MatrixXd &M) const
   {
+    eigen_assert(M.rows() == K.rows());
     constexpr double least = 1e-12; // of the stiffness: rounding
     MatrixXd         rest  = K - c * M;
     rest.diagonal() -= least * K.diagonal();
@@ -177,6 +181,8 @@ namespace conetact::solvers
   VectorXd
   UniquenessCheck::perturb(const VectorXd &s, const VectorXd &x) const
   {
+    eigen_assert(s.size() == system->n_nodes());
+    eigen_assert(x.size() == K.rows());
     VectorXd forces = VectorXd::Zero(x.size()), sum = forces;
     for (Index i = 0; i < system->n_nodes(); ++i)
       {
@@ -260,6 +266,8 @@ namespace conetact::solvers
                const ContactState   &state,
                const double          tolerance)
   {
+    eigen_assert(state.r.size() == problem.system->n_unknowns());
+    eigen_assert(tolerance > 0);
     constexpr std::size_t       few    = 6;
     const ContactSystem        &system = *problem.system;
     const auto                  n = static_cast<std::size_t>(system.n_nodes());

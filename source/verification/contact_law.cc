@@ -5,6 +5,8 @@
 
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -142,6 +144,10 @@ namespace conetact::verification
   ContactLaw::set_stiffness(const VectorXd &of_candidates,
                             const VectorXd &of_bound)
   {
+    AssertDimension(of_candidates.size(), static_cast<Index>(points.size()));
+    Assert(of_bound.size() == 0 || of_bound.size() == points.n_bound_unknowns(),
+           dealii::ExcMessage(
+             "A stiffness along each unknown of what is bound, or none."));
     stiffness       = of_candidates;
     bound_stiffness = of_bound;
   }
@@ -188,6 +194,9 @@ namespace conetact::verification
                         const double                k,
                         const Scales               &scales) const
   {
+    AssertIndexRange(node.body, scales.force.size());
+    AssertDimension(scales.rounding.size(), scales.force.size());
+    AssertDimension(scales.reach.size(), scales.force.size());
     const unsigned int other = node.masters.empty() ? node.body : node.master;
     return {// A light body on a heavily loaded one is judged by its own forces.
             std::min(scales.force[node.body], scales.force[other]),
@@ -208,6 +217,10 @@ namespace conetact::verification
                               const Scales                &scales,
                               const Finding               &out) const
   {
+    Assert(point.first >= points.n_unknowns(),
+           dealii::ExcMessage(
+             "Unknowns of what is bound stand behind all others."));
+    AssertDimension(out.missed_by_bound.size(), points.n_bound_unknowns());
     const Index  first  = point.first - points.n_unknowns();
     const auto   n      = static_cast<Index>(point.dual.size());
     const double k      = bound_stiffness.size() > 0 ?
@@ -232,6 +245,9 @@ namespace conetact::verification
                                   const Scales     &scales,
                                   const Finding    &out) const
   {
+    AssertIndexRange(i, points.size());
+    AssertDimension(out.displacements.size(), points.n_all_unknowns());
+    AssertDimension(out.change.size(), out.displacements.size());
     const contact::ContactPoint &point = points[i];
     const pairing::ContactNode  &node  = *point.node;
     Errors errors = errors_of(node, stiffness[static_cast<Index>(i)], scales);

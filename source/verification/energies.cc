@@ -40,6 +40,12 @@ namespace conetact::verification
                 const Finding                &finding,
                 output::IncrementRecord      &record)
   {
+    AssertDimension(r.size(), points.n_all_unknowns());
+    AssertDimension(finding.u.size(), finding.acting.size());
+    AssertDimension(finding.change.size(), r.size());
+    AssertDimension(finding.change_as_before.size(), r.size());
+    Assert(last_nodes.empty() || last_nodes.size() == points.all().size(),
+           dealii::ExcMessage("Contacts keep their order where they slide."));
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     fill(last_u, finding.u.size());
     fill(last_forces, finding.acting.size());
@@ -117,6 +123,8 @@ namespace conetact::verification
   Energies::save(Archive                        &archive,
                  const std::vector<std::string> &supports) const
   {
+    Assert(last_foundations.size() <= supports.size(),
+           dealii::ExcMessage("A foundation belongs to a support."));
     archive.put("energies/u", last_u);
     archive.put("energies/forces", last_forces);
     archive.put("energies/t", last_t);
