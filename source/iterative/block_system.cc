@@ -38,9 +38,6 @@ namespace conetact::iterative
     , contact(std::move(given.contact))
     , gmres(processes)
   {
-    AssertDimension(first.size(), at(processes.size()) + 1);
-    Assert(n % block == 0,
-           dealii::ExcMessage("Nodes have as many unknowns as a block."));
     for (const int i : first)
       first_node.push_back(i / block);
     K = {std::move(given.K), first_node, processes};
@@ -339,7 +336,6 @@ namespace conetact::iterative
   void
   BlockSystem<block>::set_states(const System &system) const
   {
-    AssertDimension(system.free.size(), n);
     std::vector<NodeState<block>> states;
     for (const std::vector<int> &places : contact)
       {
@@ -459,8 +455,6 @@ namespace conetact::iterative
                             const Array                &f,
                             const Precision            &precision) const
   {
-    Assert(precision.relative > 0,
-           dealii::ExcMessage("Iterations end at a precision."));
     const System system = system_of(laws, f);
     Step         result{system.known};
     Array        x     = Array::Zero(n);

@@ -85,6 +85,12 @@ namespace conetact::iterative
                                            const Communicator     &p)
     : processes(p)
   {
+    Assert(finest.unit > 0 && finest.largest > 0,
+           dealii::ExcMessage(
+             "Stiffness and eigenvalues of D A are positive."));
+    AssertDimension(
+      finest.modes.rows(),
+      static_cast<Eigen::Index>(finest.A.own_part().n_block_rows()) * fine);
     below.reserve(100);
     LevelRows<coarse> rows;
     bool              is_last =

@@ -7,8 +7,6 @@
 #include "conetact/base/partition.h"
 #include "conetact/iterative/aggregates.h"
 
-#include <deal.II/base/exceptions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -468,13 +466,6 @@ namespace conetact::iterative
   CoarseLevel<size, coarse>
   aggregate(const LevelAbove<size> &above, const Communicator &processes)
   {
-    Assert(above.unit > 0,
-           dealii::ExcMessage("A unit of stiffness is positive."));
-    Assert(above.largest > 0,
-           dealii::ExcMessage("An eigenvalue of D A is positive."));
-    AssertDimension(
-      above.modes.rows(),
-      static_cast<Eigen::Index>(above.A.own_part().n_block_rows()) * size);
     CoarseLevel<size, coarse> level;
     int                       n_own        = 0;
     const std::vector<int>    aggregate_of = aggregates(above.A, n_own);

@@ -185,6 +185,23 @@ namespace conetact::verification
                      std::numeric_limits<double>::infinity(),
              name);
     }
+    /** What slips, or opens against its bond, does so against its friction. */
+    void
+    slide(const Seen     &seen,
+          const VectorXd &r_t,
+          const bool      slips,
+          const double    tolerance)
+    {
+      if (slips)
+        force(seen.limit - r_t.norm(), "slips below the limit of friction");
+      const double way = seen.slip.norm();
+      // A slip that is rounding has no direction, and a longer one has it
+      // up to position / |slip|.
+      if (way > position + (k > 0 ? tolerance * F / k : 0.))
+        force((r_t + seen.limit * seen.slip / way).norm() -
+                seen.limit * position / way,
+              "does not slip against its friction");
+    }
   };
 
 
@@ -299,19 +316,7 @@ namespace conetact::verification
     const bool slips = claim.states[i] == solvers::NodeState::slip;
     const bool opens = claim.states[i] == solvers::NodeState::open;
     if (claim.whole && nt > 0 && (slips || (opens && node.bond)))
-      {
-        if (slips)
-          errors.force(limit - r_t.norm(), "slips below the limit of friction");
-        const double shortest =
-          errors.position +
-          (errors.k > 0 ? tolerance * errors.F / errors.k : 0.);
-        // A slip that is rounding has no direction, and a longer one has it
-        // up to position / |slip|.
-        if (slip.norm() > shortest)
-          errors.force((r_t + limit * slip / slip.norm()).norm() -
-                         limit * errors.position / slip.norm(),
-                       "does not slip against its friction");
-      }
+      errors.slide(seen, r_t, slips, tolerance);
     return errors;
   }
 
