@@ -349,8 +349,6 @@ namespace conetact::contact
   {
     Assert(std::abs(node.n.norm() - 1) < 1e-6,
            dealii::ExcMessage("Normals have unit length."));
-    Assert(!node.is_bound(),
-           dealii::ExcMessage("What is bound stands behind all candidates."));
     const NodeRule                 *rule = supports.find(node.body, node.node);
     const std::vector<Tensor<1, 3>> held =
       rule != nullptr ? directions(rule->held) : std::vector<Tensor<1, 3>>();
@@ -389,8 +387,6 @@ namespace conetact::contact
   {
     Assert(std::abs(node.n.norm() - 1) < 1e-6,
            dealii::ExcMessage("Normals have unit length."));
-    Assert(node.is_bound(),
-           dealii::ExcMessage("Candidates stand before all that is bound."));
     ContactPoint point;
     point.node                               = &node;
     const std::vector<Tensor<1, 3>> tangents = {node.t1, node.t2};

@@ -158,7 +158,8 @@ namespace conetact::contact
                      const Eigen::VectorXd                 &r)
   {
     AssertDimension(states.size(), points.size());
-    AssertDimension(r.size(), points.n_all_unknowns());
+    Assert(r.size() >= points.n_unknowns(),
+           dealii::ExcMessage("Each candidate has a reaction."));
     // Alone on its obstacle no node can exchange anything, as in most scenes.
     if (!points.share_nodes() &&
         std::all_of(points.begin(),
