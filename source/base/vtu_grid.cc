@@ -310,15 +310,10 @@ namespace conetact
   void
   VtuGrid::add_cell(const Shape shape, const std::vector<unsigned int> &nodes)
   {
-    Assert(std::all_of(nodes.begin(),
-                       nodes.end(),
-                       [&](const unsigned int node) {
-                         return node < points.size();
-                       }),
-           dealii::ExcMessage(
-             "Points come before the cells that they are of."));
     const std::vector<std::size_t> &order = order_of_vtk(shape);
-    std::vector<int>                in_vtk(nodes.begin(), nodes.end());
+    Assert(order.empty() || order.size() == nodes.size(),
+           dealii::ExcMessage("Each node of a cell has its place."));
+    std::vector<int> in_vtk(nodes.begin(), nodes.end());
     for (std::size_t i = 0; i < order.size(); ++i)
       in_vtk[i] = static_cast<int>(nodes[order[i]]);
     add_vtk_cell(shape, in_vtk.data(), in_vtk.data() + in_vtk.size());
@@ -377,26 +372,6 @@ namespace conetact
                           const unsigned int  increment,
                           const ArrayVisitor &visit) const
   {
-    Assert(std::all_of(point_fields.begin(),
-                       point_fields.end(),
-                       [&](const VtuField &field) {
-                         return field.values.size() ==
-                                field.n_components * points.size();
-                       }),
-           dealii::ExcMessage("Fields of points have values for each."));
-    Assert(std::all_of(cell_fields.begin(),
-                       cell_fields.end(),
-                       [&](const VtuField &field) {
-                         return field.values.size() ==
-                                field.n_components * n_cells();
-                       }),
-           dealii::ExcMessage("Fields of cells have values for each."));
-    Assert(std::all_of(cell_ids.begin(),
-                       cell_ids.end(),
-                       [&](const VtuIds &ids) {
-                         return ids.values.size() == n_cells();
-                       }),
-           dealii::ExcMessage("Ids of cells are those of each."));
     Writer writer(visit);
     writer.add(opening("UnstructuredGrid") +
                "<UnstructuredGrid>\n<FieldData>\n");

@@ -9,6 +9,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace conetact::bodies

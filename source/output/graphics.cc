@@ -12,6 +12,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <regex>
@@ -255,6 +256,26 @@ namespace conetact::output
                        const IncrementRecord &record,
                        const std::size_t      body)
   {
+    Assert(std::all_of(grid.point_fields.begin(),
+                       grid.point_fields.end(),
+                       [&](const VtuField &field) {
+                         return field.values.size() ==
+                                field.n_components * grid.points.size();
+                       }),
+           dealii::ExcMessage("Fields of points have values for each."));
+    Assert(std::all_of(grid.cell_fields.begin(),
+                       grid.cell_fields.end(),
+                       [&](const VtuField &field) {
+                         return field.values.size() ==
+                                field.n_components * grid.n_cells();
+                       }),
+           dealii::ExcMessage("Fields of cells have values for each."));
+    Assert(std::all_of(grid.cell_ids.begin(),
+                       grid.cell_ids.end(),
+                       [&](const VtuIds &ids) {
+                         return ids.values.size() == grid.n_cells();
+                       }),
+           dealii::ExcMessage("Ids of cells are those of each."));
     const int n_pieces =
       processes_for(static_cast<Eigen::Index>(grid.n_cells()),
                     cells_worth_a_piece);

@@ -11,6 +11,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
