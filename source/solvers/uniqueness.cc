@@ -26,7 +26,7 @@ namespace conetact::solvers
     definite_stiffness(const ContactSystem &system)
     {
       constexpr double least = 1e-10; // of the largest pivot
-      if (system.large || system.n_motions > 0 ||
+      if (system.large || system.n_motions > 0 || system.n_unknowns() == 0 ||
           system.n_unknowns() > UniquenessCheck::most)
         return {};
       const Eigen::LDLT<MatrixXd> factor(system.matrix);
