@@ -203,6 +203,7 @@ namespace conetact::analysis
   Acceptance::displacements(const PendingIncrement &increment,
                             const Eigen::VectorXd  &w) const
   {
+    AssertDimension(w.size(), model.coordinates.n_dofs());
     return model.coordinates.displacements(
       model.motions.field(amounts(increment)) + w);
   }
@@ -225,6 +226,7 @@ namespace conetact::analysis
   Acceptance::wrong_at_supports(const PendingIncrement      &increment,
                                 const verification::Finding &finding) const
   {
+    AssertDimension(finding.u.size(), model.coordinates.n_dofs());
     const auto       &nodes = model.points.nodes();
     std::vector<bool> has_rows(nodes.size(), false);
     for (const contact::ContactPoint &point : model.points.all())
@@ -255,6 +257,8 @@ namespace conetact::analysis
   std::string
   Acceptance::leave(const unsigned int contact, const std::string &why)
   {
+    AssertIndexRange(contact, scene.kinematics.size());
+    Assert(!why.empty(), dealii::ExcMessage("What is left has a reason."));
     const pairing::ContactKinematics &of = scene.kinematics[contact];
     if (of.asked == pairing::Kinematics::small)
       {
@@ -332,6 +336,8 @@ namespace conetact::analysis
                        const Eigen::VectorXd       &w,
                        const bool                   drawn)
   {
+    AssertDimension(increment.state.node.size(), model.points.size());
+    AssertDimension(increment.contact.size(), model.points.n_unknowns());
     output::IncrementRecord &record = increment.record;
     records.add_resultants(record, finding);
     if (!finding.why.empty())

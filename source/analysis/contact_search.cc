@@ -84,6 +84,7 @@ namespace conetact::analysis
                               const double           t,
                               const double           part) const
   {
+    Assert(part >= 0 && part <= 1, dealii::ExcMessage("A part of the way."));
     Nodes nodes = find_there(u, t, /*keep_faced=*/true);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (const Tensor<1, 3> &last = model.points.nodes()[i].n;
@@ -157,6 +158,7 @@ namespace conetact::analysis
                         const Eigen::VectorXd  &u,
                         const Nodes            &found) const
   {
+    AssertDimension(found.size(), model.points.nodes().size());
     const auto at = [&](const unsigned int body, const unsigned int node) {
       return model.displacement(u, body, node);
     };

@@ -6,6 +6,8 @@
 #include "conetact/bodies/frame/frame.h"
 #include "conetact/output/extremes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace conetact::analysis
@@ -70,6 +72,11 @@ namespace conetact::analysis
   RecordMaker::add_resultants(output::IncrementRecord     &record,
                               const verification::Finding &finding)
   {
+    Assert(finding.external.contacts.size() <= scene.contact_sides.size(),
+           dealii::ExcMessage(
+             "Each contact of a finding is one of the scene."));
+    AssertDimension(finding.external.masters.size(),
+                    finding.external.contacts.size());
     const verification::ExternalForces &external = finding.external;
     record.equilibrium                           = finding.equilibrium;
     record.report.residual                       = finding.residual;
@@ -161,6 +168,7 @@ namespace conetact::analysis
   RecordMaker::observe(output::IncrementRecord &record,
                        const Eigen::VectorXd   &u) const
   {
+    AssertDimension(u.size(), model.coordinates.n_dofs());
     const contact::Bodies &bodies = model.bodies;
     const auto size = [&](const unsigned int b, const unsigned int i) {
       return model.displacement(u, b, i).norm();
@@ -189,6 +197,8 @@ namespace conetact::analysis
                                  const Eigen::VectorXd   &u,
                                  const Eigen::VectorXd   &w) const
   {
+    AssertDimension(u.size(), model.coordinates.n_dofs());
+    AssertDimension(w.size(), model.coordinates.n_dofs());
     record.actions = scene.actions(record.time);
     for (std::size_t b = 0; b < scene.bodies.n_elastic(); ++b)
       {

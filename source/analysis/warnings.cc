@@ -8,6 +8,8 @@
 #include "conetact/contact/force_shares.h"
 #include "conetact/contact/open_motions.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,6 +43,7 @@ namespace conetact::analysis
                            const double                 largest_force,
                            const solvers::NodalLaws    *laws)
   {
+    AssertDimension(state.node.size(), model.points.size());
     const contact::OpenMotions open(
       model.motions, model.points, state, largest_force, laws);
     const Eigen::VectorXd elsewhere = open.elsewhere();
@@ -122,6 +125,7 @@ namespace conetact::analysis
   double
   Warnings::largest_strain(const unsigned int body, const Eigen::VectorXd &w)
   {
+    AssertDimension(w.size(), model.coordinates.n_dofs());
     const bodies::Structure &structure = *model.bodies.structures[body];
     const unsigned int n_c = structure.n_components(), dim = model.bodies.dim;
     const Index        offset = model.coordinates.offset(body);
@@ -151,6 +155,7 @@ namespace conetact::analysis
   void
   Warnings::check_size(const Eigen::VectorXd &amounts, const Eigen::VectorXd &w)
   {
+    AssertDimension(w.size(), model.coordinates.n_dofs());
     std::vector<std::string> sentences;
     const auto               first = [&](const std::string &kind,
                            const std::string &sentence) {

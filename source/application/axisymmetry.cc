@@ -89,4 +89,14 @@ namespace conetact::application
                       in + "Master boundary ids");
       }
   }
+
+  void
+  hold_axes(contact::Bodies &bodies)
+  {
+    if (bodies.are_axisymmetric())
+      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+        if (auto axis =
+              bodies::axis_support(*bodies.structures[b], b, bodies.names[b]))
+          bodies.supports.push_back(std::move(*axis));
+  }
 } // namespace conetact::application

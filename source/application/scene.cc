@@ -20,6 +20,8 @@
 #include "conetact/pairing/adjusted_gaps.h"
 #include "conetact/pairing/obstacle_table.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,6 +61,52 @@ namespace conetact::application
           prm.enter_subsection(kind + " " + name);
           create(name);
           prm.leave_subsection();
+        }
+    }
+
+    /** Which load knows the density of its body. */
+    void
+    take_densities(const std::vector<double>      &densities,
+                   const std::vector<std::string> &bodies,
+                   std::vector<bodies::Load>      &loads)
+    {
+      for (bodies::Load &load : loads)
+        if (load.density = densities[load.body];
+            load.kind == bodies::Load::Kind::centrifugal && load.density == 0)
+          throw InputError("Load '" + load.name +
+                           "', Kind: a centrifugal load needs the Density in "
+                           "the Material of body '" +
+                           bodies[load.body] + "'.");
+    }
+
+    /** In this stage. */
+    void
+    release_inactive(const std::vector<bool>      &active,
+                     std::vector<bodies::Support> &supports)
+    {
+      AssertDimension(active.size(), supports.size());
+      for (std::size_t k = 0; k < active.size(); ++k)
+        if (!active[k])
+          supports[k].release();
+    }
+
+    /** Contacts have a side, those of two bodies another one behind all. */
+    void
+    name_sides(const std::vector<pairing::Contact> &contacts, Scene &scene)
+    {
+      scene.contact_sides = scene.contact_names;
+      for (const pairing::Contact &contact : contacts)
+        scene.side_bodies.push_back(contact.body);
+      for (unsigned int c = 0; c < contacts.size(); ++c)
+        {
+          const bool pair = contacts[c].obstacle == nullptr;
+          scene.master_side.push_back(
+            pair ? static_cast<unsigned int>(scene.contact_sides.size()) : c);
+          if (pair)
+            {
+              scene.contact_sides.push_back(scene.contact_names[c] + "_master");
+              scene.side_bodies.push_back(contacts[c].master);
+            }
         }
     }
   } // namespace
@@ -219,21 +267,12 @@ namespace conetact::application
     });
     const std::vector<bodies::Support> changing =
       changing_supports(prm, activity, bodies.supports);
-    const std::vector<bool> active = active_supports(times.back());
-    for (std::size_t k = 0; k < active.size(); ++k)
-      if (!active[k])
-        bodies.supports[k].release();
+    release_inactive(active_supports(times.back()), bodies.supports);
     create_each(prm, "Load", load_names, [&](const std::string &name) {
       loads.push_back(
         bodies::create_load(prm, name, dim, bodies.names, bodies.structures));
     });
-    for (bodies::Load &load : loads)
-      if (load.density = densities[load.body];
-          load.kind == bodies::Load::Kind::centrifugal && load.density == 0)
-        throw InputError("Load '" + load.name +
-                         "', Kind: a centrifugal load needs the Density in "
-                         "the Material of body '" +
-                         bodies.names[load.body] + "'.");
+    take_densities(densities, bodies.names, loads);
     add_weights(densities);
     create_each(prm, "Contact", contact_names, [&](const std::string &name) {
       add_contact(prm, name, "Contact '" + name + "', ");
@@ -243,25 +282,8 @@ namespace conetact::application
     const std::vector<std::string> couplings = add_couplings();
     if (dim == 2)
       check_axisymmetric(bodies.names, bodies.structures, obstacles, contacts);
-    if (bodies.are_axisymmetric())
-      for (unsigned int b = 0; b < bodies.structures.size(); ++b)
-        if (auto axis =
-              bodies::axis_support(*bodies.structures[b], b, bodies.names[b]))
-          bodies.supports.push_back(std::move(*axis));
-    contact_sides = contact_names;
-    for (const pairing::Contact &contact : contacts)
-      side_bodies.push_back(contact.body);
-    for (unsigned int c = 0; c < contacts.size(); ++c)
-      {
-        const bool pair = contacts[c].obstacle == nullptr;
-        master_side.push_back(
-          pair ? static_cast<unsigned int>(contact_sides.size()) : c);
-        if (pair)
-          {
-            contact_sides.push_back(contact_names[c] + "_master");
-            side_bodies.push_back(contacts[c].master);
-          }
-      }
+    hold_axes(bodies);
+    name_sides(contacts, *this);
     check_turning_supports();
     pair_contacts();
     refuse_changing_contacts(changing, bodies.contact_nodes, contacts);

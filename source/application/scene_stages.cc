@@ -9,6 +9,8 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace conetact::application
@@ -42,6 +44,7 @@ namespace conetact::application
                     const std::vector<Expression>      &activity,
                     const std::vector<bodies::Support> &supports)
   {
+    AssertDimension(activity.size(), supports.size());
     std::vector<bodies::Support> found;
     if (!depend_on_time(activity))
       return found;
@@ -131,6 +134,8 @@ namespace conetact::application
   void
   Scene::take_stage(const double end, const std::filesystem::path &folder)
   {
+    Assert(!times.empty() && end >= times.front(),
+           dealii::ExcMessage("A stage has a time at least."));
     times.erase(std::remove_if(times.begin(),
                                times.end(),
                                [end](const double t) { return t > end; }),

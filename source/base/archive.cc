@@ -6,6 +6,8 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <boost/crc.hpp>
 
 #include <cmath>
@@ -105,6 +107,8 @@ namespace conetact
   Archive::put(const std::string               &name,
                const std::vector<Tensor<1, 3>> &vectors)
   {
+    Assert(name.find('\n') == name.npos,
+           dealii::ExcMessage("Names are words of a line."));
     std::vector<double> values;
     for (const Tensor<1, 3> &v : vectors)
       for (unsigned int d = 0; d < 3; ++d)
@@ -170,6 +174,16 @@ namespace conetact
   void
   Archive::write(const std::filesystem::path &file) const
   {
+    Assert(std::all_of(numbers.begin(),
+                       numbers.end(),
+                       [](const auto &list) {
+                         return std::all_of(list.second.begin(),
+                                            list.second.end(),
+                                            [](const double x) {
+                                              return std::isfinite(x);
+                                            });
+                       }),
+           dealii::ExcMessage("All that a run keeps is finite."));
     std::string text = std::string(first_line) + '\n';
     for (const auto &[name, value] : texts)
       append(text, "text", name, value.data(), value.size());

@@ -60,6 +60,7 @@ namespace conetact
   Communicator
   Communicator::of_first(const int n)
   {
+    Assert(n >= 1, dealii::ExcMessage("There is a process."));
     static std::map<int, MPI_Comm> made;
     Communicator                   result;
     result.n = n;
@@ -163,6 +164,9 @@ namespace conetact
   Communicator::Counts
   Communicator::count(const std::vector<int> &first, const int bytes) const
   {
+    AssertDimension(first.size(), at(n) + 1);
+    Assert(std::is_sorted(first.begin(), first.end()),
+           dealii::ExcMessage("Parts of processes follow each other."));
     Counts counts;
     for (int p = 0; p < n; ++p)
       {
@@ -292,6 +296,7 @@ namespace conetact
   std::vector<std::vector<int>>
   Communicator::exchange(const std::vector<std::vector<int>> &lists) const
   {
+    AssertDimension(lists.size(), at(n));
     std::vector<int> sent, received(at(n));
     for (const std::vector<int> &list : lists)
       sent.push_back(static_cast<int>(list.size()));

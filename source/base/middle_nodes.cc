@@ -5,6 +5,8 @@
 
 #include "conetact/base/cell_topology.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace conetact
@@ -45,6 +47,8 @@ namespace conetact
   Point<3>
   MiddleNodes::between(const unsigned int a, const unsigned int b) const
   {
+    AssertIndexRange(a, file.points.size());
+    AssertIndexRange(b, file.points.size());
     const auto found = places.find(pair_of(a, b));
     if (found != places.end())
       return found->second;

@@ -375,7 +375,9 @@ namespace conetact
   VtuGrid::add_cell(const Shape shape, const std::vector<unsigned int> &nodes)
   {
     const std::vector<std::size_t> &order = order_of_vtk(shape);
-    std::vector<int>                in_vtk(nodes.begin(), nodes.end());
+    Assert(order.empty() || order.size() == nodes.size(),
+           dealii::ExcMessage("Each node of a cell has its place."));
+    std::vector<int> in_vtk(nodes.begin(), nodes.end());
     for (std::size_t i = 0; i < order.size(); ++i)
       in_vtk[i] = static_cast<int>(nodes[order[i]]);
     add_vtk_cell(shape, in_vtk.data(), in_vtk.data() + in_vtk.size());

@@ -7,6 +7,8 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/index.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cstring>
 
 namespace conetact
@@ -111,6 +113,8 @@ namespace conetact
                const unsigned int                            increment,
                const Communicator                           &processes)
   {
+    AssertDimension(files.size(), cells.size());
+    AssertDimension(files.size(), at(processes.size()));
     for (int p = 1; p < processes.size(); ++p)
       send_piece(folder / files[at(p)],
                  grid.part(cells[at(p)]),

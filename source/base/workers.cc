@@ -6,6 +6,8 @@
 #include "conetact/base/communicator.h"
 #include "conetact/base/process.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -66,6 +68,7 @@ namespace conetact
   int
   processes_for(const Eigen::Index n_unknowns, const Eigen::Index fewest)
   {
+    Assert(fewest > 0, dealii::ExcMessage("A process is worth some unknowns."));
     if (!Together::is_possible())
       return 1;
     return static_cast<int>(std::clamp<Eigen::Index>(

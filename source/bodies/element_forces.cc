@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/element_forces.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::bodies
 {
   void
@@ -12,6 +14,7 @@ namespace conetact::bodies
            Eigen::VectorXd                 &local,
            Eigen::VectorXd                 &f)
   {
+    AssertDimension(u.size(), f.size());
     const std::size_t n = dofs.size();
     local.setZero(static_cast<Eigen::Index>(n));
     double *const sum = local.data();
@@ -35,6 +38,8 @@ namespace conetact::bodies
                     Eigen::VectorXd                 &local,
                     Eigen::VectorXd                 &f)
   {
+    AssertDimension(u.size(), f.size());
+    AssertDimension(dofs.size() % dim, 0);
     const auto       n = static_cast<Eigen::Index>(dofs.size());
     Eigen::VectorXd  strained(n);
     Eigen::MatrixX3d resistance = Eigen::MatrixX3d::Zero(n, 3);

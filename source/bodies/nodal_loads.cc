@@ -3,6 +3,8 @@
 
 #include "conetact/bodies/nodal_loads.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <cmath>
 
 namespace conetact::bodies
@@ -102,6 +104,7 @@ namespace conetact::bodies
                           const Point<3>    &p,
                           const double       t) const
   {
+    AssertIndexRange(body, structures.size());
     double sum = 0;
     for (const Load &load : loads)
       if (load.body == body && load.kind == Load::Kind::temperature)
@@ -128,6 +131,10 @@ namespace conetact::bodies
   void
   NodalLoads::add(const std::size_t load, const double t, Eigen::VectorXd &f)
   {
+    AssertIndexRange(load, loads.size());
+    AssertDimension(f.size(), structures[loads[load].body]->n_dofs());
+    Assert(f.isZero(0),
+           dealii::ExcMessage("What is kept of a load is that load alone."));
     ++evaluations;
     const double time  = loads[load].uses_time() ? t : 0;
     const auto   found = kept[load].find(time);

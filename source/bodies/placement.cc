@@ -7,6 +7,7 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
@@ -66,6 +67,7 @@ namespace conetact::bodies
   Tensor<2, 3>
   rotation_about(const Tensor<1, 3> &axis, const double degrees)
   {
+    Assert(axis.norm() > 0, dealii::ExcMessage("An axis has a length."));
     const auto   sc       = sine_cosine(degrees);
     const auto   n        = axis / axis.norm();
     Tensor<2, 3> rotation = (1 - sc.second) * outer_product(n, n);

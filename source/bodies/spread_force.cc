@@ -6,7 +6,12 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace conetact::bodies
@@ -39,15 +44,29 @@ namespace conetact::bodies
       return sum;
     }
 
-    /** Of faces on a line, or in the plane, what has no inertia is left out. */
+    /** Faces on a line have no inertia about it, however it lies: it is left
+     * out. */
     Tensor<2, 3>
-    inverse(Tensor<2, 3> J)
+    inverse(const Tensor<2, 3> &J)
     {
-      const double size = trace(J);
-      for (unsigned int d = 0; d < 3; ++d)
-        if (J[d][d] <= 1e-12 * size)
-          J[d][d] = size;
-      return invert(J);
+      constexpr double none = 1e-12; // of the sum: rounding
+      Eigen::Matrix3d  matrix;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          matrix(i, j) = J[i][j];
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(matrix);
+      const double                                         size = trace(J);
+      const Eigen::Vector3d                                of_axes =
+        axes.eigenvalues().unaryExpr([&](const double value) {
+          return value > none * size ? 1 / value : 0.;
+        });
+      matrix = axes.eigenvectors() * of_axes.asDiagonal() *
+               axes.eigenvectors().transpose();
+      Tensor<2, 3> result;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          result[i][j] = matrix(i, j);
+      return result;
     }
   } // namespace
 
@@ -95,6 +114,8 @@ namespace conetact::bodies
   SurfaceField
   SpreadForce::bearing(const Tensor<1, 3> &force) const
   {
+    Assert(std::isfinite(force.norm()),
+           dealii::ExcMessage("Forces are finite."));
     constexpr double least = 1e-6; // of the area: no face looks that way
     if (force.norm() == 0)
       return

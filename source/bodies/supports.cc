@@ -9,6 +9,8 @@
 #include "conetact/bodies/entries.h"
 #include "conetact/bodies/placement.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <set>
 
@@ -129,6 +131,9 @@ namespace conetact::bodies
                      const Point<3>   &p,
                      const double      t) const
   {
+    AssertIndexRange(e, displacement.size());
+    Assert(!turn || e < directions.size(),
+           dealii::ExcMessage("What turns is held along directions."));
     double u = displacement[e](p, t);
     if (turn)
       {

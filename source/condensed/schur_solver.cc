@@ -69,6 +69,7 @@ namespace conetact::condensed
   refuse_empty_diagonal(const Eigen::VectorXd           &diagonal,
                         const std::vector<unsigned int> &node_of)
   {
+    AssertDimension(static_cast<std::size_t>(diagonal.size()), node_of.size());
     for (Index i = 0; i < diagonal.size(); ++i)
       // Also where it is not a number.
       if (!(diagonal[i] > 0.))
@@ -80,6 +81,8 @@ namespace conetact::condensed
   std::vector<double>
   uneven_scale(const Index n_eliminated, const Index n)
   {
+    Assert(n_eliminated >= 0 && n_eliminated <= n,
+           dealii::ExcMessage("What is eliminated is a part of all."));
     constexpr double    golden_ratio = 0.6180339887498949;
     std::vector<double> scale(n, 1.);
     for (Index i = 0; i < n_eliminated; ++i)

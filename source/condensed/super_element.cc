@@ -147,6 +147,7 @@ namespace conetact::condensed
   MatrixXd
   SuperElement::to_solver(const MatrixXd &x) const
   {
+    AssertDimension(x.rows(), place.size());
     return place * x;
   }
 

@@ -96,6 +96,7 @@ namespace conetact::contact
   Eigen::MatrixXd
   CondensedCompliance::deform(const MatrixXd &forces) const
   {
+    AssertDimension(forces.rows(), own.n_unknowns());
     return bodies.map(forces,
                       [](const CondensedBodies::Part &part,
                          const unsigned int,
@@ -212,6 +213,7 @@ namespace conetact::contact
   CondensedCompliance::bound_state(const LoadCase &load,
                                    const VectorXd &primal) const
   {
+    AssertDimension(primal.size(), n_contact() + motions.n_free());
     if (points.n_bound() == 0)
       return {};
     const VectorXd x = bound.bound_of(primal, load.bound);
@@ -282,6 +284,9 @@ namespace conetact::contact
                               const VectorXd &heat,
                               const VectorXd &prescribed)
   {
+    AssertDimension(forces.size(), prescribed.size());
+    Assert(heat.size() == 0 || heat.size() == forces.size(),
+           dealii::ExcMessage("Thermal forces at all dofs, or none."));
     LoadCase load = Elasticity::reduce(forces, prescribed);
     forget_rounding(load);
     if (heat.size() == 0)
@@ -364,6 +369,7 @@ namespace conetact::contact
   CondensedCompliance::primal(const ElasticState &state,
                               const VectorXd     &r) const
   {
+    AssertDimension(r.size(), n_contact());
     VectorXd result(n_contact() + state.motions.size());
     result << r, state.motions;
     return result;
@@ -374,6 +380,8 @@ namespace conetact::contact
                             const VectorXd &,
                             solvers::ContactState &end) const
   {
+    Assert(end.r.size() >= amounts.size(),
+           dealii::ExcMessage("Motions stand behind the reactions."));
     end.r.tail(amounts.size()) += amounts;
   }
 

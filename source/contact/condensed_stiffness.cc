@@ -135,6 +135,7 @@ namespace conetact::contact
                                  const VectorXd &prescribed,
                                  LoadCase       &load)
   {
+    AssertDimension(forces.size(), prescribed.size());
     // B^T (f - K d): what is prescribed acts as a load on the rest.
     load.b = own.restrict(forces - elastic.internal_forces(prescribed));
     load.f = reduce_forces(load.b);
@@ -157,6 +158,7 @@ namespace conetact::contact
   VectorXd
   CondensedStiffness::reduce_forces(const VectorXd &b) const
   {
+    AssertDimension(b.size(), own.n_unknowns());
     if (is_linear())
       return {};
     VectorXd reduced(b.size());
@@ -288,6 +290,7 @@ namespace conetact::contact
                            const VectorXd        &seen,
                            solvers::ContactState &end) const
   {
+    AssertDimension(seen.size(), end.u.size());
     end.u += seen;
   }
 

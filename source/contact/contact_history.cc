@@ -125,6 +125,8 @@ namespace conetact::contact
                          const Eigen::VectorXd            &u,
                          const double                      t)
   {
+    Assert(u.size() == 0 || u.size() == model->coordinates.n_dofs(),
+           dealii::ExcMessage("Displacements of all dofs, or none yet."));
     model->relink(std::move(nodes), elastic);
     Eigen::Index i = 0;
     for (const ContactPoint &point : model->points)
@@ -319,6 +321,9 @@ namespace conetact::contact
                        const Eigen::VectorXd &amounts,
                        const double           largest_force) const
   {
+    AssertDimension(amounts.size(), model->motions.n_free());
+    AssertDimension(end.node.size(), model->points.size());
+    Assert(largest_force >= 0, dealii::ExcMessage("A force has no sign here."));
     const Eigen::VectorXd seen = // BLAS does not take matrices of size 0
       model->motions.seen().lazyProduct(amounts);
     end.v.head(seen.size()) += seen;

@@ -191,6 +191,7 @@ namespace conetact::contact
   Eigen::VectorXd
   ContactModel::all_offsets(const LoadCase &load, const double t) const
   {
+    AssertDimension(load.prescribed.size(), coordinates.n_dofs());
     return points.components(
       [&](const unsigned int body, const unsigned int node) {
         Tensor<1, 3>       u   = motions.at(load.placement, body, node);
@@ -343,6 +344,9 @@ namespace conetact::contact
   bool
   ContactModel::lock_cuts(const double t, const Eigen::VectorXd &u)
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
+    Assert(u.size() == 0 || u.size() == coordinates.n_dofs(),
+           dealii::ExcMessage("Displacements of all dofs, or none yet."));
     bool any = false;
     for (Cut &cut : own_bodies.cuts)
       if (!cut.opening && cut.is_due(t))
@@ -368,6 +372,7 @@ namespace conetact::contact
   Eigen::VectorXd
   ContactModel::lock_forces(const Eigen::VectorXd &all_reactions) const
   {
+    AssertDimension(all_reactions.size(), points.n_all_unknowns());
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(coordinates.n_dofs());
     for (const Cut &cut : bodies.cuts)
       if (cut.opening)

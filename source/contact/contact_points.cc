@@ -160,6 +160,7 @@ namespace conetact::contact
   ContactPoints::relink(std::vector<pairing::ContactNode> nodes,
                         const std::vector<double>        &times)
   {
+    AssertDimension(nodes.size(), bodies.contact_nodes.size());
     const solvers::ContactSystem before =
       std::exchange(contact_layout, solvers::ContactSystem());
     found_again    = std::move(nodes);
@@ -346,6 +347,8 @@ namespace conetact::contact
   ContactPoints::add(const pairing::ContactNode &node,
                      const std::vector<double>  &times)
   {
+    Assert(std::abs(node.n.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
     const NodeRule                 *rule = supports.find(node.body, node.node);
     const std::vector<Tensor<1, 3>> held =
       rule != nullptr ? directions(rule->held) : std::vector<Tensor<1, 3>>();
@@ -402,6 +405,8 @@ namespace conetact::contact
   void
   ContactPoints::add_bound(const pairing::ContactNode &node)
   {
+    Assert(std::abs(node.n.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
     ContactPoint point;
     point.node                               = &node;
     const std::vector<Tensor<1, 3>> tangents = {node.t1, node.t2};

@@ -102,6 +102,7 @@ namespace conetact::contact
   void
   ContactRows::relink()
   {
+    AssertDimension(last.size(), model.points.all().size());
     const auto at = [&](const unsigned int body, const unsigned int node) {
       return model.displacement(last_u, body, node);
     };
@@ -127,6 +128,11 @@ namespace conetact::contact
                     const bool                   whole,
                     const KeptByLaws            &kept)
   {
+    AssertDimension(state.r.size(), model.points.n_unknowns());
+    AssertDimension(r_bound.size(), model.points.n_bound_unknowns());
+    AssertDimension(state.node.size(), model.points.size());
+    AssertDimension(u.size(), model.coordinates.n_dofs());
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     AssertDimension(q.size(), model.points.n_unknowns());
     const ContactPoints &points = model.points;
     Eigen::VectorXd      r(points.n_all_unknowns());
@@ -213,6 +219,7 @@ namespace conetact::contact
                        const Eigen::VectorXd &displacements,
                        const double           t)
   {
+    AssertDimension(displacements.size(), model.coordinates.n_dofs());
     last_u = displacements;
     last_t = t;
     std::vector<double>       gaps(last.size()), states(last.size());
@@ -241,6 +248,8 @@ namespace conetact::contact
                              const Tensor<1, 3>          &other,
                              output::ContactRow          &row) const
   {
+    AssertIndexRange(i, state.node.size());
+    AssertIndexRange(model.points[i].normal(), state.v.size());
     const ContactPoint &point = model.points[i];
     row.gap                   = state.v[point.normal()];
     row.u                     = in_frame(row, tangential(point, q)) + other;
@@ -257,6 +266,8 @@ namespace conetact::contact
                         const KeptByLaws   &kept,
                         output::ContactRow &row) const
   {
+    AssertIndexRange(i, static_cast<std::size_t>(kept.worn.size()));
+    AssertDimension(kept.fracture.size(), kept.worn.size());
     const auto  &layer = model.points[i].node->layer;
     const auto   k     = static_cast<Eigen::Index>(i);
     const double share = layer ? layer->share_of_slave() : 0.;
@@ -283,6 +294,7 @@ namespace conetact::contact
   void
   ContactRows::append_masters(std::vector<output::ContactRow> &rows) const
   {
+    AssertDimension(rows.size(), last.size());
     struct Sum
     {
       output::ContactRow row;

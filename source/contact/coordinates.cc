@@ -450,6 +450,7 @@ namespace conetact::contact
                                 const unsigned int     body,
                                 const unsigned int     node) const
   {
+    AssertDimension(u.size(), n_dofs());
     Tensor<1, 3> result = at_node(u, body, node);
     if (const auto *const around = corners(body, node); around != nullptr)
       for (const auto &[corner, part] : *around)

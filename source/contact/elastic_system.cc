@@ -6,6 +6,8 @@
 #include "conetact/bodies/element_forces.h"
 #include "conetact/contact/element_reduction.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -240,6 +242,7 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::structure_forces(const Eigen::VectorXd &u) const
   {
+    AssertDimension(u.size(), dof_offset.back());
     Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), part;
     for (std::size_t body = 0; body < bodies.structures.size(); ++body)
       {
@@ -259,6 +262,7 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::terms(const Eigen::VectorXd &u) const
   {
+    AssertDimension(u.size(), dof_offset.back());
     const Eigen::VectorXd size = u.cwiseAbs();
     Eigen::VectorXd       sum  = Eigen::VectorXd::Zero(u.size()), local;
     std::vector<double>   magnitude;
@@ -276,6 +280,7 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::spring_forces(const Eigen::VectorXd &u) const
   {
+    AssertDimension(u.size(), dof_offset.back());
     Eigen::VectorXd f = Eigen::VectorXd::Zero(u.size()), local;
     for (const Spring &spring : springs)
       bodies::multiply(spring.dofs, spring.matrix.data(), u, local, f);
@@ -300,6 +305,9 @@ namespace conetact::contact
   Eigen::VectorXd
   ElasticSystem::ground(const std::size_t s, const double t) const
   {
+    AssertIndexRange(s, bodies.supports.size());
+    Assert(bodies.supports[s].stiffness,
+           dealii::ExcMessage("Only foundations stand on a ground."));
     Eigen::VectorXd          moved   = Eigen::VectorXd::Zero(dof_offset.back());
     const bodies::Support   &support = bodies.supports[s];
     const bodies::Structure &structure = *bodies.structures[support.body];
@@ -346,6 +354,7 @@ namespace conetact::contact
   std::vector<Foundation>
   ElasticSystem::foundations(const Eigen::VectorXd &u, const double t) const
   {
+    AssertDimension(u.size(), dof_offset.back());
     std::vector<Foundation> all(bodies.supports.size());
     Eigen::VectorXd         local;
     for (std::size_t s = 0; s < bodies.supports.size(); ++s)

@@ -3,6 +3,8 @@
 
 #include "conetact/contact/elasticity.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::contact
 {
   namespace
@@ -35,6 +37,9 @@ namespace conetact::contact
   Elasticity::reduce(const Eigen::VectorXd &forces,
                      const Eigen::VectorXd &prescribed)
   {
+    AssertDimension(forces.size(), prescribed.size());
+    Assert(forces.allFinite() && prescribed.allFinite(),
+           dealii::ExcMessage("Loads are finite."));
     const Eigen::Index n = forces.size();
     LoadCase           load;
     load.prescribed = prescribed;
@@ -90,6 +95,7 @@ namespace conetact::contact
   shortest_load(const Eigen::MatrixXd &null_space,
                 const Eigen::VectorXd &resultants)
   {
+    AssertDimension(null_space.cols(), resultants.size());
     const Eigen::MatrixXd balance = null_space.transpose();
     return balance.completeOrthogonalDecomposition().solve(resultants);
   }

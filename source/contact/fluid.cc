@@ -115,6 +115,9 @@ namespace conetact::contact
              const ContactPoints     &points,
              const double             t) const
   {
+    AssertDimension(neighbours.size(), points.size());
+    Assert(r.size() >= points.n_unknowns(),
+           dealii::ExcMessage("Each candidate has a reaction."));
     AssertDimension(before.size(), points.size());
     const auto lets_in = [&](const std::size_t i) {
       const pairing::ContactNode &node = *points[i].node;
@@ -143,6 +146,8 @@ namespace conetact::contact
   std::set<unsigned int>
   Fluid::leaks(const std::vector<bool> &wet, const ContactPoints &points) const
   {
+    AssertDimension(wet.size(), exits.size());
+    AssertDimension(wet.size(), points.size());
     std::set<unsigned int> contacts;
     for (std::size_t i = 0; i < wet.size(); ++i)
       if (wet[i] && exits[i])

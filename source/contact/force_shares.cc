@@ -3,6 +3,8 @@
 
 #include "conetact/contact/force_shares.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -162,6 +164,9 @@ namespace conetact::contact
                      const std::vector<solvers::NodeState> &states,
                      const Eigen::VectorXd                 &r)
   {
+    AssertDimension(states.size(), points.size());
+    Assert(r.size() >= points.n_unknowns(),
+           dealii::ExcMessage("Each candidate has a reaction."));
     // Alone on its obstacle no node can exchange anything, as in most scenes.
     if (!points.share_nodes() &&
         std::all_of(points.begin(),

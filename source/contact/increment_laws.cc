@@ -85,6 +85,10 @@ namespace conetact::contact
     , soft(false)
     , bonded(false)
   {
+    Assert(r_start.size() >= points.n_unknowns(),
+           dealii::ExcMessage("Each candidate has a reaction at the start."));
+    Assert(wet.empty() || wet.size() == points.size(),
+           dealii::ExcMessage("Each candidate is wet or not."));
     AssertDimension(start.size(), points.size());
     Assert(time > 0, dealii::ExcMessage("Increments take time."));
     for (std::size_t i = 0; i < start.size(); ++i)
@@ -115,6 +119,7 @@ namespace conetact::contact
                            const double      r_n,
                            const double      slip) const
   {
+    AssertIndexRange(i, start.size());
     Situation here = start[i];
     if (const double a = points[i].node->covered_area(); a > 0)
       here.pressure = std::max(r_n, 0.) / a;
@@ -244,6 +249,9 @@ namespace conetact::contact
                       const double      slip,
                       const double      gap) const
   {
+    AssertIndexRange(i, start.size());
+    Assert(points[i].node->bond != nullptr,
+           dealii::ExcMessage("Only what is bonded has a rest of it."));
     const pairing::BondLaw &law     = *points[i].node->bond;
     const double            opened  = start[i].opened;
     const double            slipped = start[i].slipped;
@@ -266,6 +274,8 @@ namespace conetact::contact
   double
   IncrementLaws::step_of(const std::size_t i) const
   {
+    Assert(points[i].node->least_opening() > 0,
+           dealii::ExcMessage("Ways have a size that is rounding."));
     return points[i].node->least_opening();
   }
 
@@ -295,6 +305,7 @@ namespace conetact::contact
   Eigen::VectorXd
   IncrementLaws::friction_at_start(const std::size_t i) const
   {
+    AssertIndexRange(points[i].normal(), r_start.size());
     return r_start.segment(points[i].first,
                            points[i].normal() - points[i].first);
   }
@@ -303,6 +314,8 @@ namespace conetact::contact
   IncrementLaws::seen(const std::size_t            i,
                       const solvers::ContactState &end) const
   {
+    AssertIndexRange(points[i].normal(), end.v.size());
+    AssertIndexRange(points[i].normal(), end.r.size());
     const ContactPoint &point = points[i];
     const Index         size  = point.normal() - point.first + 1;
     return solvers::see(
@@ -338,6 +351,7 @@ namespace conetact::contact
   Eigen::VectorXd
   IncrementLaws::slips(const solvers::ContactState &end) const
   {
+    AssertDimension(end.node.size(), start.size());
     Eigen::VectorXd way =
       Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
     for (std::size_t i = 0; i < start.size(); ++i)
@@ -375,6 +389,7 @@ namespace conetact::contact
   Eigen::VectorXd
   IncrementLaws::openings(const solvers::ContactState &end) const
   {
+    AssertDimension(end.node.size(), start.size());
     Eigen::VectorXd gaps =
       Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
     for (std::size_t i = 0; i < start.size(); ++i)
@@ -387,6 +402,7 @@ namespace conetact::contact
   IncrementLaws::fracture(const Eigen::VectorXd       &before,
                           const solvers::ContactState &end) const
   {
+    AssertDimension(before.size(), static_cast<Index>(start.size()));
     Eigen::VectorXd work =
       Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
     const Eigen::VectorXd after = openings(end), way = slips(end);
@@ -404,6 +420,7 @@ namespace conetact::contact
                           const double      gap_at_end,
                           const double      slip) const
   {
+    Assert(slip >= 0, dealii::ExcMessage("A way of slip has no sign."));
     constexpr unsigned int n   = 1000;
     const double           h   = 1. / n;
     const double           dg  = gap_at_end - gap_at_start;
@@ -424,6 +441,7 @@ namespace conetact::contact
                           const double      opened,
                           const double      slipped) const
   {
+    AssertIndexRange(i, start.size());
     const pairing::ContactNode &node = *points[i].node;
     return bonds[i] && opened <= node.least_opening() &&
            node.bond->rest(opened, slipped, node.least_opening()) > 0;

@@ -110,6 +110,7 @@ namespace conetact::contact
   void
   IterativeElasticity::find_stiffness_of_bound(const VectorXd &diagonal)
   {
+    AssertDimension(diagonal.size(), coordinates.n_dofs());
     stiffness_of_bound.setConstant(n_bound, diagonal.mean());
     for (const Coordinates::BoundDirection &bound :
          coordinates.bound_directions())
@@ -137,6 +138,7 @@ namespace conetact::contact
   VectorXd
   IterativeElasticity::restrict_bound(const VectorXd &forces) const
   {
+    AssertDimension(forces.size(), coordinates.n_dofs());
     VectorXd r = VectorXd::Zero(n_bound);
     for (const Coordinates::BoundDirection &bound :
          coordinates.bound_directions())
@@ -182,6 +184,7 @@ namespace conetact::contact
   void
   IterativeElasticity::move_bound(const VectorXd &offset, LoadCase &load) const
   {
+    AssertDimension(load.bound.size(), 2 * n_bound);
     if (offset.isZero(0))
       return;
     const VectorXd forces = elastic.internal_forces(expand_bound(offset));
@@ -301,6 +304,7 @@ namespace conetact::contact
                              const ElasticState      &state,
                              solvers::ContactProblem &problem) const
   {
+    AssertDimension(offset.size(), points.layout().n_unknowns());
     problem.load   = load.f;
     problem.offset = offset;
     if (!state.base.isZero(0))

@@ -5,6 +5,8 @@
 
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -78,6 +80,8 @@ namespace conetact::contact
                  const Eigen::VectorXd   &velocity,
                  const std::vector<bool> &touching)
   {
+    AssertDimension(velocity.size(), model.points.n_unknowns());
+    AssertDimension(touching.size(), model.points.size());
     const ContactPoints      &points = model.points;
     std::vector<Tensor<1, 3>> v;
     std::set<unsigned int>    moving;

@@ -7,6 +7,8 @@
 #include "conetact/base/text.h"
 #include "conetact/solvers/contact_problem.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -73,6 +75,8 @@ namespace conetact::contact
   std::vector<Tensor<1, 3>>
   complement(std::vector<Tensor<1, 3>> basis, const unsigned int dim)
   {
+    Assert(basis.size() <= dim,
+           dealii::ExcMessage("A basis has no more directions than space."));
     const std::size_t n_given = basis.size();
     while (basis.size() < dim)
       {
@@ -207,6 +211,8 @@ namespace conetact::contact
   void
   NodeRules::hold(NodeRule &rule, const HeldDirection &direction)
   {
+    Assert(std::abs(direction.direction.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Held directions have unit length."));
     HeldDirection rest = direction;
     for (const HeldDirection &held : rule.held)
       {

@@ -5,6 +5,8 @@
 
 #include "conetact/base/index.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -88,6 +90,7 @@ namespace conetact::iterative
   std::vector<int>
   first_numbers(const int n_own, const Communicator &processes)
   {
+    Assert(n_own >= 0, dealii::ExcMessage("A process has rows, or none."));
     const Eigen::VectorXi n = processes.gather_all(
       Eigen::VectorXi(Eigen::VectorXi::Constant(1, n_own)));
     std::vector<int> first(at(static_cast<int>(n.size())) + 1, 0);

@@ -3,6 +3,9 @@
 
 #include "conetact/iterative/contact_change.h"
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
 #include <map>
 
 namespace conetact::iterative
@@ -48,6 +51,9 @@ namespace conetact::iterative
     const Communicator                           &p)
     : processes(p)
   {
+    AssertDimension(first.size(), at(processes.size()) + 1);
+    Assert(std::is_sorted(nodes.begin(), nodes.end()),
+           dealii::ExcMessage("Contact nodes are ascending."));
     const int        begin = first[at(processes.rank())];
     std::vector<int> numbers, near;
     for (const int i : nodes)
@@ -228,6 +234,7 @@ namespace conetact::iterative
   ContactChange<fine, coarse>::change(
     const std::vector<NodeState<fine>> &states) const
   {
+    AssertDimension(states.size(), own.size());
     std::vector<Rows> result = {first_level(states)};
     for (const Level &level : levels)
       {

@@ -22,6 +22,8 @@ namespace conetact::iterative
     : K(n, n)
     , layout(std::move(contact))
   {
+    Assert(layout.n_unknowns() <= n,
+           dealii::ExcMessage("Unknowns of contact are the last ones."));
     Triplets entries;
     elements.for_each([&](const std::vector<Index> &unknowns,
                           const double             *matrix) {

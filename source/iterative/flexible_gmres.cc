@@ -6,6 +6,8 @@
 #include "conetact/base/index.h"
 #include "conetact/iterative/multigrid.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -90,6 +92,8 @@ namespace conetact::iterative
                        const Product     &precondition,
                        unsigned int      &iterations)
   {
+    Assert(goal > 0, dealii::ExcMessage("Single precision has an end."));
+    Assert(b.allFinite(), dealii::ExcMessage("Right-hand sides are finite."));
     const auto next = [](auto &list, const Index i) -> auto &
     {
       if (list.size() <= at(i))

@@ -3,6 +3,8 @@
 
 #include "conetact/iterative/halo.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace conetact::iterative
@@ -13,6 +15,13 @@ namespace conetact::iterative
     : n_needed(static_cast<int>(needed.size()))
     , comm(processes.handle())
   {
+    AssertDimension(first.size(),
+                    static_cast<std::size_t>(processes.size()) + 1);
+    Assert(std::is_sorted(needed.begin(), needed.end()),
+           dealii::ExcMessage("Blocks of others are ascending."));
+    Assert(needed.empty() ||
+             (needed.front() >= 0 && needed.back() < first.back()),
+           dealii::ExcMessage("Some process has each block."));
     const auto own = static_cast<std::size_t>(processes.rank());
     const auto n   = static_cast<std::size_t>(processes.size());
     std::vector<std::vector<int>> asked(n);

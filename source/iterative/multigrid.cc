@@ -5,6 +5,8 @@
 
 #include "conetact/base/index.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -83,6 +85,12 @@ namespace conetact::iterative
                                            const Communicator     &p)
     : processes(p)
   {
+    Assert(finest.unit > 0 && finest.largest > 0,
+           dealii::ExcMessage(
+             "Stiffness and eigenvalues of D A are positive."));
+    AssertDimension(
+      finest.modes.rows(),
+      static_cast<Eigen::Index>(finest.A.own_part().n_block_rows()) * fine);
     below.reserve(100);
     LevelRows<coarse> rows;
     bool              is_last =
@@ -170,6 +178,11 @@ namespace conetact::iterative
     const std::vector<int>                     &nodes,
     const std::vector<int>                     &first)
   {
+    AssertDimension(first.size(), at(processes.size()) + 1);
+    Assert(std::is_sorted(nodes.begin(), nodes.end()),
+           dealii::ExcMessage("Contact nodes are ascending."));
+    Assert(!shown,
+           dealii::ExcMessage("Levels have states once they follow contacts."));
     contact = {A, nodes, first, P, processes};
     for (std::size_t l = 0; l + 1 < below.size(); ++l)
       {
@@ -199,6 +212,8 @@ namespace conetact::iterative
   CoarseLevels<fine, coarse>::have_states_like(
     const std::vector<NodeState<fine>> &states) const
   {
+    Assert(!shown || shown->size() == states.size(),
+           dealii::ExcMessage("Contact nodes stay the same."));
     if (!shown)
       return false;
     const bool differ = !std::equal(states.begin(),
@@ -218,6 +233,7 @@ namespace conetact::iterative
     const std::vector<NodeState<fine>> &states,
     const bool                          exactly)
   {
+    AssertDimension(contact.n_levels(), static_cast<int>(below.size()));
     if (!exactly && have_states_like(states))
       return;
     shown              = states;
@@ -285,6 +301,8 @@ namespace conetact::iterative
   void
   CoarseLevels<fine, coarse>::correct(const FloatVector &r, FloatVector &x)
   {
+    AssertDimension(r.size(), x.size());
+    Assert(shown, dealii::ExcMessage("Levels know the states of contacts."));
     restrict_to(below[0], R, r);
     cycle(0);
     P.multiply(below[0].x.data(), x.data());
@@ -296,6 +314,7 @@ namespace conetact::iterative
   void
   CoarseLevels<fine, coarse>::cycle(const std::size_t l)
   {
+    AssertIndexRange(l, below.size());
     Level &level = below[l];
     if (l + 1 == below.size())
       {

@@ -3,6 +3,9 @@
 
 #include "conetact/iterative/row_runs.h"
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
 #include <map>
 #include <unordered_map>
 #include <unordered_set>
@@ -226,6 +229,13 @@ namespace conetact::iterative
   typename RowRuns<block, Number>::Numbers
   RowRuns<block, Number>::find_equal(const std::vector<int> &changing) const
   {
+    Assert(std::all_of(changing.begin(),
+                       changing.end(),
+                       [&](const int i) {
+                         return i >= 0 &&
+                                static_cast<std::size_t>(i) < A->n_block_rows();
+                       }),
+           dealii::ExcMessage("What changes are rows of the matrix."));
     const std::size_t n = A->n_block_rows();
     std::vector<bool> stays(n, true);
     for (const int i : changing)

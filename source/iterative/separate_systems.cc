@@ -6,6 +6,8 @@
 #include "conetact/base/index.h"
 #include "conetact/iterative/direct_system.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::iterative
 {
   namespace
@@ -212,6 +214,10 @@ namespace conetact::iterative
                         const std::set<unsigned int> &direct,
                         const unsigned int            dim)
   {
+    Assert(given.node_of.size() >= at(given.contact.n_unknowns()),
+           dealii::ExcMessage("Unknowns of contact are the last ones."));
+    AssertDimension(given.modes.rows(),
+                    static_cast<Index>(given.node_of.size()));
     if (direct.empty())
       return make_large_system(std::move(given), dim);
     Part       iterated, factorized;

@@ -8,6 +8,8 @@
 #include "conetact/iterative/block_system.h"
 #include "conetact/iterative/element_rows.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <map>
 
@@ -291,6 +293,8 @@ namespace conetact::iterative
                const unsigned int  dim,
                const Communicator &processes)
   {
+    Assert(dim == 2 || dim == 3,
+           dealii::ExcMessage("Nodes have two unknowns or three."));
     if (dim == 2)
       return std::make_unique<Shared<2>>(whole, processes);
     return std::make_unique<Shared<3>>(whole, processes);

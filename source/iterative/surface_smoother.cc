@@ -24,6 +24,9 @@ namespace conetact::iterative
     const Communicator                            &all)
     : processes(all)
   {
+    Assert(scale > 0, dealii::ExcMessage("A stiffness is positive."));
+    Assert(std::is_sorted(nodes.begin(), nodes.end()),
+           dealii::ExcMessage("Nodes of the surface are ascending."));
     const int        n_own = static_cast<int>(matrix.own_part().n_block_rows());
     std::vector<int> rows, columns;
     std::vector<double> values;
@@ -92,6 +95,7 @@ namespace conetact::iterative
   SurfaceSmoother<block>::factorize(const VectorXd &all_free,
                                     const Blocks   &own_added)
   {
+    AssertDimension(own_added.cols(), static_cast<Index>(own.size()));
     free                 = part_of(all_free.cast<float>());
     const VectorXf added = processes.gather_all(
       VectorXf(Eigen::Map<const VectorXf>(own_added.data(), own_added.size())));

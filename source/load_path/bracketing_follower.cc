@@ -470,6 +470,7 @@ namespace conetact::load_path
                            const VectorXd                               &gap,
                            const PathOptions &options)
   {
+    eigen_assert(gap.size() == system->n_nodes());
     return std::make_unique<BracketingFollower>(std::move(system),
                                                 gap,
                                                 options);

@@ -43,6 +43,7 @@ namespace conetact::load_path
           {},
           VectorXd::Zero(system.size())}
   {
+    eigen_assert(gap.size() == system.n_nodes());
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index n = system.normal[static_cast<std::size_t>(i)];
@@ -61,6 +62,8 @@ namespace conetact::load_path
   void
   EventFollower::check_start(const PathStage &s) const
   {
+    eigen_assert(s.load.size() == system.size());
+    eigen_assert(s.rate.size() == system.size());
     const VectorXd start = system.scale.cwiseProduct(s.load);
     if (solvers::largest(start - now.load) >
         1e-9 * std::max(solvers::largest(start), solvers::largest(now.load)))
@@ -95,6 +98,8 @@ namespace conetact::load_path
   void
   EventFollower::move_to(const double p, const VectorXd &v_rate)
   {
+    eigen_assert(std::isfinite(p));
+    eigen_assert(v_rate.size() == now.v.size());
     // An estimate only: v and r follow anew from the scheme, so that errors do
     // not gather from event to event.
     now.v += (p - parameter) * v_rate;

@@ -58,6 +58,12 @@ namespace conetact::load_path
                 const PathPoint              &before,
                 const PathPoint              &point)
   {
+    eigen_assert(system.form == solvers::Form::stiffness);
+    eigen_assert(load.size() == system.n_unknowns());
+    eigen_assert(point.v.size() == load.size());
+    eigen_assert(point.r.size() == load.size());
+    eigen_assert(options.cohesion.size() == 0 ||
+                 options.cohesion.size() == system.n_nodes());
     if (system.n_unknowns() == 0)
       return 0;
     if (!point.v.allFinite() || !point.r.allFinite())

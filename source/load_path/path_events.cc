@@ -26,6 +26,7 @@ namespace conetact::load_path
   std::vector<PathState>
   path_states(const PathSystem &system, const Scheme &scheme)
   {
+    eigen_assert(static_cast<Index>(scheme.size()) == system.n_nodes());
     std::vector<PathState> result;
     for (std::size_t i = 0; i < scheme.size(); ++i)
       {
@@ -60,6 +61,7 @@ namespace conetact::load_path
   CriticalNodes
   RatioTest::critical_nodes(const PathPosition &now) const
   {
+    eigen_assert(static_cast<Index>(now.scheme.size()) == system.n_nodes());
     // Scaled quantities compare from node to node: what vanishes does so beside
     // the largest.
     const double v_zero = value_tolerance * solvers::largest(now.v);
@@ -113,6 +115,7 @@ namespace conetact::load_path
   void
   RatioTest::mark(const PathEvent &event, PathPosition &now) const
   {
+    eigen_assert(event.node >= 0 && event.node < system.n_nodes());
     const auto    i = static_cast<std::size_t>(event.node);
     CriticalNode &c = now.critical[i];
     const Index   t = system.tangent[i];

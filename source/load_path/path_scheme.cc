@@ -60,6 +60,9 @@ namespace conetact::load_path
     , mu(contact.mu)
     , cohesion(c.size() > 0 ? c : Vector::Zero(contact.n_nodes()).eval())
   {
+    eigen_assert(mu.size() == contact.n_nodes());
+    eigen_assert(cohesion.size() == contact.n_nodes());
+    eigen_assert((cohesion.array() >= 0).all());
     if (contact.form != solvers::Form::stiffness)
       throw std::invalid_argument(
         "The load path needs the stiffness form of a contact problem.");
@@ -96,6 +99,7 @@ namespace conetact::load_path
     , K(held ? &s.held : &s.K)
     , scheme(states)
   {
+    eigen_assert(static_cast<Index>(scheme.size()) == s.n_nodes());
     collect_unknowns();
     factorize();
     if (held && is_regular)
@@ -191,6 +195,7 @@ namespace conetact::load_path
   bool
   SchemeFactor::is_driven(const Vector &load_rate, const Vector &v) const
   {
+    eigen_assert(load_rate.size() == v.size());
     return motions.cols() > 0 &&
            PathSystem::shift * (coordinates * v).lpNorm<Eigen::Infinity>() >
              undriven * load_rate.lpNorm<Eigen::Infinity>();
@@ -201,6 +206,7 @@ namespace conetact::load_path
   void
   SchemeFactor::solve(const MatrixXd &imbalance, MatrixXd &v) const
   {
+    eigen_assert(imbalance.rows() == K->rows());
     const auto n = static_cast<lapack_int>(unknown.size());
     const auto m = static_cast<lapack_int>(imbalance.cols());
     v            = MatrixXd::Zero(imbalance.rows(), m);
@@ -233,6 +239,7 @@ namespace conetact::load_path
   void
   SchemeFactor::clean(MatrixXd &r, const bool with_cohesion) const
   {
+    eigen_assert(r.rows() == K->rows());
     for (Index i = 0; i < system->n_nodes(); ++i)
       {
         const auto       node = static_cast<std::size_t>(i);
@@ -280,6 +287,8 @@ namespace conetact::load_path
   void
   SchemeFactor::values(const Vector &load, Vector &v, Vector &r) const
   {
+    eigen_assert(load.size() == K->rows());
+    eigen_assert(v.size() == K->rows());
     Vector cohesive = load;
     for (Index i = 0; i < system->n_nodes(); ++i)
       {

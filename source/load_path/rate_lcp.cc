@@ -18,6 +18,9 @@ namespace conetact::load_path
                    const Vector        &load_rate)
     : base(scheme)
   {
+    eigen_assert(static_cast<Index>(scheme.size()) == system.n_nodes());
+    eigen_assert(critical.size() == scheme.size());
+    eigen_assert(load_rate.size() == system.size());
     const std::vector<Index> columns = close_and_stick(system, critical);
     const SchemeFactor       factor(system, base, true);
     regular = factor.regular();
@@ -112,6 +115,7 @@ namespace conetact::load_path
   Scheme
   RateLcp::scheme(const std::vector<bool> &moves) const
   {
+    eigen_assert(moves.size() == pairs.size());
     Scheme result = base;
     for (std::size_t a = 0; a < pairs.size(); ++a)
       if (moves[a])
@@ -129,6 +133,7 @@ namespace conetact::load_path
   VectorXd
   RateLcp::in_columns(const Vector &z) const
   {
+    eigen_assert(z.size() == static_cast<Index>(pairs.size()));
     VectorXd result = VectorXd::Zero(V.cols());
     for (std::size_t a = 0; a < pairs.size(); ++a)
       result(pairs[a].column) +=

@@ -100,6 +100,8 @@ namespace conetact::output
   double
   NoiseFloor::clean(const double value) const
   {
+    Assert(std::isfinite(value),
+           dealii::ExcMessage("Tables have finite numbers only."));
     return std::abs(value) < 1e-14 * largest ? 0. : value;
   }
 

@@ -10,6 +10,9 @@
 #include "conetact/base/workers.h"
 #include "conetact/output/csv.h"
 
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <regex>
@@ -206,6 +209,8 @@ namespace conetact::output
   void
   Graphics::draw(const IncrementRecord &record)
   {
+    Assert(record.displacements.size() <= run.structures.size(),
+           dealii::ExcMessage("What is drawn are bodies of the run."));
     for (std::size_t b = skins.size(); b < record.displacements.size(); ++b)
       skins.push_back(make_skin(*run.structures.at(b)));
     const auto list = [&](const std::vector<Block> &blocks, PvdFile &pvd) {
@@ -259,6 +264,26 @@ namespace conetact::output
                        const IncrementRecord &record,
                        const std::size_t      body)
   {
+    Assert(std::all_of(grid.point_fields.begin(),
+                       grid.point_fields.end(),
+                       [&](const VtuField &field) {
+                         return field.values.size() ==
+                                field.n_components * grid.points.size();
+                       }),
+           dealii::ExcMessage("Fields of points have values for each."));
+    Assert(std::all_of(grid.cell_fields.begin(),
+                       grid.cell_fields.end(),
+                       [&](const VtuField &field) {
+                         return field.values.size() ==
+                                field.n_components * grid.n_cells();
+                       }),
+           dealii::ExcMessage("Fields of cells have values for each."));
+    Assert(std::all_of(grid.cell_ids.begin(),
+                       grid.cell_ids.end(),
+                       [&](const VtuIds &ids) {
+                         return ids.values.size() == grid.n_cells();
+                       }),
+           dealii::ExcMessage("Ids of cells are those of each."));
     const int n_pieces =
       processes_for(static_cast<Eigen::Index>(grid.n_cells()),
                     cells_worth_a_piece);

@@ -8,6 +8,8 @@
 #include "conetact/output/extremes.h"
 #include "conetact/output/former_rows.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::output
 {
   namespace
@@ -72,6 +74,8 @@ namespace conetact::output
   void
   HistoryTable::append(const IncrementRecord &record, std::string &text) const
   {
+    Assert(record.probes.empty() || record.probes.size() == run.probes.size(),
+           dealii::ExcMessage("Each probe has its columns."));
     const std::string where = "Increment " + std::to_string(record.increment);
     const LargestDisplacement &moved   = record.largest_displacement;
     const LargestPressure      pressed = largest_pressure(record);

@@ -5,6 +5,8 @@
 
 #include "conetact/output/csv.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <array>
 #include <set>
 
@@ -154,6 +156,19 @@ namespace conetact::output
   std::string
   IncrementTable::row(const IncrementRecord &record) const
   {
+    Assert(record.contacts.size() <= run.contacts.size(),
+           dealii::ExcMessage("Each contact has its columns."));
+    Assert(record.each_support.size() <= run.supports.size(),
+           dealii::ExcMessage("Each support has its columns."));
+    Assert(record.each_load.size() <= run.loads.size(),
+           dealii::ExcMessage("Each load has its columns."));
+    Assert(record.obstacles.size() <= run.obstacles.size(),
+           dealii::ExcMessage("Each free obstacle has its columns."));
+    Assert(record.preloads.size() <= run.preloads.size(),
+           dealii::ExcMessage("Each preload has its columns."));
+    Assert(record.body_balance.empty() ||
+             record.body_balance.size() == run.bodies.size(),
+           dealii::ExcMessage("Each body has its column."));
     const std::string where = "Increment " + std::to_string(record.increment);
     std::string       text;
     CsvRow            csv(text, where);

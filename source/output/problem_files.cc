@@ -5,6 +5,8 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+
+#include <deal.II/base/exceptions.h>
 #ifdef CONETACT_HAVE_FCLIB
 #  include "conetact/exchange/fclib_file.h"
 #endif
@@ -101,6 +103,7 @@ namespace conetact::output
   std::string
   problem_file_name(const unsigned int number, const std::string &ending)
   {
+    Assert(number >= 1, dealii::ExcMessage("Increments count from 1."));
     char name[32];
     std::snprintf(name, sizeof(name), "problem-%04u.", number);
     return name + ending;

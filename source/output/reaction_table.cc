@@ -3,6 +3,8 @@
 
 #include "conetact/output/reaction_table.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::output
 {
   namespace
@@ -58,6 +60,7 @@ namespace conetact::output
                         const ContactRow      &row,
                         const NoiseFloor      &forces) const
   {
+    AssertIndexRange(row.contact, run.contacts.size());
     const std::string &contact = run.contacts.at(row.contact);
     const std::string  where = "Increment " + std::to_string(record.increment) +
                               ", contact '" + contact + "', node " +

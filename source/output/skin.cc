@@ -5,6 +5,8 @@
 
 #include "conetact/bodies/face_nodes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -195,6 +197,8 @@ namespace conetact::output
             const IncrementRecord &record,
             const unsigned int     body)
   {
+    AssertIndexRange(body, run.structures.size());
+    AssertDimension(skin.nodes.size(), skin.grid.points.size());
     const auto points =
       contact_at(skin.nodes, run, record, body, ContactHere());
     VtuField displacement{"displacement", 3, {}};

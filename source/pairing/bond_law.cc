@@ -7,6 +7,8 @@
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -96,6 +98,8 @@ namespace conetact::pairing
                 const double slipped,
                 const double least) const
   {
+    Assert(opened >= 0 && slipped >= 0 && least > 0,
+           dealii::ExcMessage("Ways have no sign."));
     if (opened == never_closed)
       return 0;
     if (lost == Lost::never)
@@ -114,6 +118,7 @@ namespace conetact::pairing
                      const double opened,
                      const double least) const
   {
+    Assert(opened >= 0 && least > 0, dealii::ExcMessage("Ways have no sign."));
     if (lost == Lost::never || opened <= least || gap >= opened)
       return 1;
     return std::max(gap, 0.) / opened;

@@ -231,6 +231,9 @@ namespace conetact::pairing
   Polygon
   common_part(const Polygon &one, const Polygon &other)
   {
+    Assert(
+      one.empty() || other.empty() || (one.size() == 2) == (other.size() == 2),
+      dealii::ExcMessage("Intervals meet intervals, and polygons polygons."));
     if (one.empty() || other.empty())
       return {};
     if (is_interval(one))

@@ -94,6 +94,7 @@ namespace conetact::pairing
   Tensor<1, 3>
   ContactNode::opponent_displacement(const double t) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     Tensor<1, 3> d = obstacle_displacement(*this, t);
     if (growth)
       d -= growth(t) * n;

@@ -83,6 +83,8 @@ namespace conetact::pairing
   MatrixXd
   corner_integrals(const MatrixXd &of_linear, const MatrixXd &linear)
   {
+    AssertDimension(of_linear.cols(), linear.cols());
+    AssertDimension(of_linear.rows(), linear.rows());
     const Index n = linear.rows(), middles = linear.cols() - n;
     MatrixXd    integrals = of_linear;
     integrals.leftCols(n) =

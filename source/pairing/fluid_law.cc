@@ -8,7 +8,10 @@
 #include "conetact/base/text.h"
 #include "conetact/bodies/entries.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -86,6 +89,7 @@ namespace conetact::pairing
   double
   FluidLaw::pressure(const double t) const
   {
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     const double p = law(Point<3>(), t);
     if (!(p >= 0))
       throw InputError(where + ": it is " + to_text(p) + " at t = " +

@@ -3,11 +3,15 @@
 
 #include "conetact/pairing/master_normals.h"
 
+#include <deal.II/base/exceptions.h>
+
 namespace conetact::pairing
 {
   Tensor<1, 3>
   normal_between(const Tensor<1, 3> &outward, const Tensor<1, 3> &of_master)
   {
+    Assert(std::abs(outward.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
     constexpr double opposite = .5; // cosine: beyond, they do not face
     if (of_master * outward > -opposite * of_master.norm() ||
         of_master.norm() == 0)

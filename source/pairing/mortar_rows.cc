@@ -98,6 +98,7 @@ namespace conetact::pairing
                const std::vector<FaceNet::Face> &faces,
                const bool                        axisymmetric)
   {
+    Assert(!faces.empty(), dealii::ExcMessage("A thickness is that of faces."));
     if (axisymmetric)
       return 2 * M_PI;
     if (faces.front().corners.size() > 2)
@@ -113,6 +114,8 @@ namespace conetact::pairing
   std::vector<std::pair<unsigned int, double>>
   weights_of(const std::map<unsigned int, double> &integrals, const double sum)
   {
+    Assert(sum > 0,
+           dealii::ExcMessage("Weights are parts of a sum above zero."));
     constexpr double                             rounding = 1e-13;
     std::vector<std::pair<unsigned int, double>> result;
     for (const auto &[node, integral] : integrals)
@@ -175,6 +178,7 @@ namespace conetact::pairing
   void
   MortarRows::join(const std::size_t face)
   {
+    AssertIndexRange(face, row_of.size());
     for (const std::size_t row : row_of[face])
       for (const std::size_t other : row_of[face])
         if (row != other)
@@ -185,6 +189,8 @@ namespace conetact::pairing
   std::vector<std::size_t>
   MortarRows::patch_of(const std::size_t row, std::vector<bool> &done) const
   {
+    AssertIndexRange(row, rows.size());
+    AssertDimension(done.size(), rows.size());
     std::vector<std::size_t> patch = {row};
     done[row]                      = true;
     for (std::size_t i = 0; i < patch.size(); ++i)

@@ -6,6 +6,8 @@
 #include "conetact/pairing/closest_point.h"
 #include "conetact/pairing/nodal_shapes.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -19,6 +21,8 @@ namespace conetact::pairing
     : origin(through)
     , normal(unit_normal)
   {
+    Assert(std::abs(normal.norm() - 1) < 1e-6,
+           dealii::ExcMessage("Normals have unit length."));
     Tensor<1, 3> up;
     // the axis that the normal has least of; z if there is only a line
     unsigned int least = 2;
@@ -54,6 +58,9 @@ namespace conetact::pairing
   ProjectedFace::ProjectedFace(const std::vector<Point<3>> &x,
                                const ProjectionPlane       &plane)
   {
+    Assert(x.size() >= 2 && x.size() <= 4,
+           dealii::ExcMessage(
+             "Faces are segments, triangles or quadrilaterals."));
     for (const Point<3> &corner : x)
       {
         corners.push_back(plane.project(corner));
@@ -177,6 +184,8 @@ namespace conetact::pairing
   ProjectedFace::BentPlace
   ProjectedFace::bent_place(const std::array<double, 2> &at) const
   {
+    Assert(!bent.empty(),
+           dealii::ExcMessage("Only bent faces have nodes besides corners."));
     const auto N     = nodal_shape_values(bent.size(), n_corners(), at);
     const auto slope = nodal_shape_slopes(bent.size(), n_corners(), at);
     BentPlace  place;

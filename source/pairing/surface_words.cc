@@ -3,9 +3,6 @@
 
 #include "conetact/pairing/surface_words.h"
 
-#include "conetact/base/text.h"
-
-#include <cmath>
 #include <cstdlib>
 
 namespace conetact::pairing
@@ -31,14 +28,5 @@ namespace conetact::pairing
     for (unsigned int d = 0; d < 3; ++d)
       p[d] = read_number(stream);
     return p;
-  }
-
-  std::size_t
-  read_whole(std::istream &stream)
-  {
-    const double value = read_number(stream);
-    if (!(value >= 0 && value <= 4e9 && value == std::floor(value)))
-      throw Fault{to_text(value) + " stands there instead of a whole number"};
-    return static_cast<std::size_t>(value);
   }
 } // namespace conetact::pairing

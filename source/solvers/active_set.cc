@@ -55,6 +55,7 @@ namespace conetact::solvers
   ActiveSet::Array
   ActiveSet::dual(const Array &p) const
   {
+    eigen_assert(relation);
     Array d = relation->load();
     relation->multiply_add(p, d);
     return d;

@@ -225,6 +225,8 @@ namespace conetact::solvers
                  const double          slip,
                  const double          gap)
   {
+    eigen_assert(i >= 0);
+    eigen_assert(!(slip < 0) && !(gap < 0));
     eigen_assert(i < problem.system->n_nodes());
     if (problem.laws)
       return problem.laws->limit(i, r_n, slip, gap);
@@ -237,6 +239,10 @@ namespace conetact::solvers
                        const ContactState   &state,
                        const Index           i)
   {
+    eigen_assert(i >= 0 && i < problem.system->n_nodes());
+    eigen_assert(state.r.size() >= problem.system->n_contact_unknowns());
+    eigen_assert(!problem.laws ||
+                 state.v.size() >= problem.system->n_contact_unknowns());
     const ContactSystem &system = *problem.system;
     if (!problem.laws)
       return system.mu(i);
@@ -258,6 +264,7 @@ namespace conetact::solvers
               const VectorXd       &v,
               const VectorXd       &r)
   {
+    eigen_assert(v.size() >= problem.system->n_contact_unknowns());
     eigen_assert(v.size() == r.size());
     const ContactSystem &system = *problem.system;
     VectorXd             seen   = v;
@@ -279,6 +286,8 @@ namespace conetact::solvers
   ContactProblem
   with_coefficients_of(const ContactState &state, const ContactProblem &problem)
   {
+    eigen_assert(!problem.laws ||
+                 state.v.size() == problem.system->n_unknowns());
     ContactProblem result = problem;
     if (!problem.laws)
       return result;
@@ -308,6 +317,8 @@ namespace conetact::solvers
   VectorXd
   multiply(const ContactSystem &system, const VectorXd &x)
   {
+    eigen_assert(!system.large);
+    eigen_assert(x.size() == system.n_unknowns());
     if (system.n_unknowns() == 0) // which BLAS does not take
       return x;
     if (system.form == Form::stiffness) // half of the matrix is enough
@@ -370,6 +381,8 @@ namespace conetact::solvers
   KannoErrors
   kanno_errors(const ContactProblem &problem, const ContactState &state)
   {
+    eigen_assert(state.v.size() == problem.system->n_unknowns());
+    eigen_assert(state.r.size() == problem.system->n_unknowns());
     const ContactSystem &system    = *problem.system;
     const bool           stiffness = system.form == Form::stiffness;
     // The side that the linear relation gives from the other one.

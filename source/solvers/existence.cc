@@ -30,6 +30,10 @@ namespace conetact::solvers
     , frames(std::move(node_frames))
     , R(system->n_contact_unknowns(), 0)
   {
+    eigen_assert(frames.empty() ||
+                 static_cast<Index>(frames.size()) == system->n_nodes());
+    eigen_assert(system->null_space.cols() == 0 ||
+                 system->null_space.rows() == R.rows());
     if (system->null_space.cols() > 0)
       R = orthonormal_basis(system->null_space);
   }
@@ -181,6 +185,7 @@ namespace conetact::solvers
   VectorXd
   ExistenceCheck::even_pressure(const double force) const
   {
+    eigen_assert(force >= 0);
     VectorXd sum = VectorXd::Zero(R.cols());
     for (Index i = 0; i < system->n_nodes(); ++i)
       sum -= R.row(system->normal(i)).transpose();
@@ -212,6 +217,10 @@ namespace conetact::solvers
                         const double    reference_force,
                         const VectorXd &gap) const
   {
+    eigen_assert(load.size() == R.rows());
+    eigen_assert(start.size() == R.rows());
+    eigen_assert(reference_force >= 0);
+    eigen_assert(gap.size() == 0 || gap.size() == system->n_nodes());
     Existence result;
     if (R.cols() == 0)
       return result;
@@ -394,6 +403,8 @@ namespace conetact::solvers
   ExistenceCheck::is_translation(const VectorXd           &v,
                                  const std::vector<Index> &nodes) const
   {
+    eigen_assert(v.size() == R.rows());
+    eigen_assert(!nodes.empty());
     const auto motion = [&](const Index i) -> SmallVector {
       return v.segment(system->first[i], system->n_tangents(i) + 1);
     };

@@ -13,6 +13,8 @@ namespace conetact::solvers
   NodeSets
   without_slip(const LinearRelation &relation, NodeSets sets)
   {
+    eigen_assert(static_cast<Index>(sets.size()) ==
+                 relation.system().n_nodes());
     for (std::size_t i = 0; i < sets.size(); ++i)
       if (sets[i].state == NodeState::slip &&
           !relation.is_frictionless(static_cast<Index>(i)))
@@ -27,6 +29,9 @@ namespace conetact::solvers
                        NodeSets               sets,
                        const Eigen::VectorXd &r)
   {
+    eigen_assert(static_cast<Index>(sets.size()) ==
+                 relation.system().n_nodes());
+    eigen_assert(r.size() >= relation.system().n_contact_unknowns());
     const ContactSystem &system    = relation.system();
     NodeSet             *strongest = nullptr;
     double               most      = 0;
@@ -53,6 +58,9 @@ namespace conetact::solvers
   bool
   resist_motions(const ContactSystem &system, const NodeSets &sets)
   {
+    eigen_assert(static_cast<Index>(sets.size()) == system.n_nodes());
+    eigen_assert(system.null_space.cols() == 0 ||
+                 system.null_space.rows() == system.n_contact_unknowns());
     constexpr double      rounding = 1e-10;
     const Eigen::MatrixXd N        = orthonormal_basis(system.null_space);
     if (N.cols() == 0)

@@ -261,6 +261,8 @@ namespace conetact::solvers
                            Array       &dx,
                            Array       &dz) const
   {
+    eigen_assert(h.size() == q.size());
+    eigen_assert(share >= 0);
     Array b = -share * residual;
     for (const Cone &cone : cones)
       b.segment(cone.first, cone.size) +=
@@ -280,6 +282,8 @@ namespace conetact::solvers
                          const Array &dx,
                          const Array &dz) const
   {
+    eigen_assert(dx.size() == dz.size());
+    eigen_assert(dx.size() == 0 || dx.size() == q.size());
     Array h(q.size());
     for (const Cone &cone : cones)
       {
@@ -305,6 +309,8 @@ namespace conetact::solvers
   double
   InteriorPoint::longest(const Array &dx, const Array &dz) const
   {
+    eigen_assert(dx.size() == x.size());
+    eigen_assert(dz.size() == z.size());
     double result = 1 / stay_inside;
     for (const Cone &cone : cones)
       result = std::min({result,

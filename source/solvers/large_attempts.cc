@@ -93,6 +93,8 @@ namespace conetact::solvers
                         const ContactState   &start,
                         const ContactState   &end)
   {
+    eigen_assert(start.u.size() == body->n_unknowns());
+    eigen_assert(end.u.size() == body->n_unknowns());
     const Kept start_u = body->keep(start.u);
     const bool follows =
       last && is_at(start, start_u, last->end_u, last->end_r);

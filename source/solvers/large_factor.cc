@@ -49,6 +49,7 @@ namespace conetact::solvers
   Eigen::VectorXd
   LargeFactor::solve(const Eigen::VectorXd &b) const
   {
+    eigen_assert(b.size() == (dense.size() > 0 ? dense.rows() : sparse.rows()));
     if (dense.size() == 0)
       return sparse.solve(b);
     Eigen::VectorXd x = b;

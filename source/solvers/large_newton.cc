@@ -95,6 +95,8 @@ namespace conetact::solvers
   void
   LargeNewton::attach(const ContactProblem &problem)
   {
+    eigen_assert(problem.system->large);
+    eigen_assert(problem.load.size() == problem.system->large->n_unknowns());
     if (!relation || !relation->is(problem.system))
       {
         relation.emplace(problem.system);
@@ -126,6 +128,7 @@ namespace conetact::solvers
   LargeNewton::Point
   LargeNewton::point_at(Kept u, Kept f) const
   {
+    eigen_assert(relation && body);
     Point       point;
     const Array r = body->of_contact(f);
     relation->to_scaled({{}, r, {}, body->of_contact(u)}, point.p, point.d);
@@ -157,6 +160,8 @@ namespace conetact::solvers
   std::vector<NodeLaw>
   LargeNewton::laws(const Point &point, NodeSets sets) const
   {
+    eigen_assert(static_cast<Index>(sets.size()) ==
+                 relation->system().n_nodes());
     for (NodeSet &set : sets)
       set.ratio = std::min(set.ratio, largest_ratio);
     std::vector<NodeLaw> result =
@@ -200,6 +205,7 @@ namespace conetact::solvers
                          const Manner   &manner,
                          SolverReport   &report) const
   {
+    eigen_assert(manner.precision > 0);
     const double forces =
       std::max(relation->force_scale(point.p, point.d), force);
     const auto found =

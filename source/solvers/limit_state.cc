@@ -71,6 +71,9 @@ namespace conetact::solvers
                               const VectorXd &start,
                               const VectorXd &last) const
   {
+    eigen_assert(load.size() == R.rows());
+    eigen_assert(start.size() == R.rows());
+    eigen_assert(last.size() == R.rows());
     Existence      result;
     const VectorXd c = R.transpose() * load, c0 = R.transpose() * start;
     const VectorXd now = -R.transpose() * last, way = c - c0;

@@ -111,6 +111,11 @@ namespace conetact::solvers
     , scale(contact_system->n_unknowns())
     , scaled_load(contact_system->n_unknowns())
   {
+    eigen_assert(contact_system->mu.size() == contact_system->n_nodes());
+    eigen_assert(contact_system->large ||
+                 contact_system->matrix.rows() == contact_system->n_unknowns());
+    eigen_assert(contact_system->matrix.rows() ==
+                 contact_system->matrix.cols());
     if (has_units)
       {
         scale.setOnes();
@@ -128,6 +133,12 @@ namespace conetact::solvers
   void
   LinearRelation::set_load(const ContactProblem &problem)
   {
+    eigen_assert(is(problem.system));
+    eigen_assert(problem.load.size() == scale.size());
+    eigen_assert(problem.gap.size() == contact_system->n_nodes());
+    eigen_assert(problem.offset.size() == 0 ||
+                 problem.offset.size() == scale.size());
+    eigen_assert(problem.reference_force >= 0);
     laws = problem.laws;
     set_steps();
     // Both M = S A S and l = +-S load with S = diag(scale)
@@ -170,6 +181,7 @@ namespace conetact::solvers
                         const double slip,
                         const double gap) const
   {
+    eigen_assert(i >= 0 && i < contact_system->n_nodes());
     if (!laws)
       {
         const double mu = contact_system->mu(i);
@@ -190,6 +202,7 @@ namespace conetact::solvers
   Bond
   LinearRelation::bond(const Index i, const double slip, const double gap) const
   {
+    eigen_assert(i >= 0 && i < contact_system->n_nodes());
     if (!laws)
       return {};
     const double force  = unit_of_force(i);
@@ -259,6 +272,8 @@ namespace conetact::solvers
                         const double r_n,
                         const double slip) const
   {
+    eigen_assert(laws);
+    eigen_assert(i >= 0 && i < contact_system->n_nodes());
     const double force = unit_of_force(i), length = unit_of_length(i);
     Layer        result = laws->layer(i, force * r_n, length * slip);
     result.closing /= length;
@@ -286,6 +301,7 @@ namespace conetact::solvers
   LinearRelation::Array
   LinearRelation::rounding(const Array &p) const
   {
+    eigen_assert(p.size() == scale.size());
     const Index n = contact_system->n_contact_unknowns();
     const Index k = contact_system->n_motions;
     if (stiffness())
@@ -337,6 +353,7 @@ namespace conetact::solvers
   void
   LinearRelation::to_scaled(const ContactState &state, Array &p, Array &d) const
   {
+    eigen_assert((stiffness() ? state.r : state.v).size() == scale.size());
     const Array &dual = stiffness() ? state.r : state.v;
     if (!stiffness())
       p = state.r.cwiseQuotient(scale) / alpha;
@@ -355,6 +372,8 @@ namespace conetact::solvers
                               const Array  &d,
                               ContactState &state) const
   {
+    eigen_assert(p.size() == scale.size());
+    eigen_assert(d.size() == scale.size());
     if (stiffness())
       {
         state.u = has_offset ? Array(alpha * p.cwiseProduct(scale)) : Array();

@@ -29,6 +29,7 @@ namespace conetact::solvers
   Eigen::VectorXd
   start_of(const ContactSystem &system, const VectorXd &gap)
   {
+    eigen_assert(gap.size() == system.n_nodes());
     VectorXd result = VectorXd::Zero(system.n_unknowns());
     for (Index i = 0; i < system.n_nodes(); ++i)
       result(system.normal(i)) = gap(i);
@@ -42,6 +43,8 @@ namespace conetact::solvers
                  const ContactProblem &problem,
                  ContactState         &state)
   {
+    eigen_assert(parts.load && parts.solve);
+    eigen_assert(parts.smallest > 0);
     const ContactSystem &system = *problem.system;
     SolverReport         report;
     ContactState         now  = state;

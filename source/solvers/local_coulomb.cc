@@ -25,6 +25,8 @@ namespace conetact::solvers
     , mu(friction)
     , n_tangents(matrix.rows() - 1)
   {
+    eigen_assert(block.rows() == block.cols() && block.rows() >= 1);
+    eigen_assert(mu >= 0);
     const double floor = round_off * std::max(block.trace(), round_off * scale);
     if (form == Form::compliance)
       set_up_compliance(floor);
@@ -195,6 +197,7 @@ namespace conetact::solvers
   void
   LocalCoulomb::solve(const Vector &q, Vector &v, Vector &r) const
   {
+    eigen_assert(q.size() == n_tangents + 1);
     const Eigen::Index n = n_tangents;
     // Its sign is that of the gap without any reaction.
     const double normal_load =

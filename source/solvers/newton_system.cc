@@ -267,6 +267,10 @@ namespace conetact::solvers
                       Array                      &dp,
                       const bool                  regularised)
   {
+    eigen_assert(static_cast<Index>(laws.size()) ==
+                 relation.system().n_nodes() + relation.system().n_motions);
+    eigen_assert(rho.size() == relation.system().n_unknowns());
+    eigen_assert(precision >= 0);
     split(relation, laws);
     eliminate(relation, laws, rho, dp);
     if (unknown.empty())

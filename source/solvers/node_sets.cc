@@ -249,6 +249,8 @@ namespace conetact::solvers
   NodeSets
   sets_of_state(const LinearRelation &relation, const ContactState &state)
   {
+    eigen_assert(state.node.empty() ||
+                 state.node.size() == at(relation.system().n_nodes()));
     const ContactSystem &system = relation.system();
     NodeSets             sets(at(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
@@ -330,6 +332,8 @@ namespace conetact::solvers
                  const VectorXd       &d,
                  std::vector<NodeLaw> &laws)
   {
+    eigen_assert(d.size() == relation.system().n_unknowns());
+    eigen_assert(laws.size() == at(relation.system().n_nodes()));
     const SmallMatrix one = SmallMatrix::Ones(1, 1);
     for (Index j = 0; j < relation.system().n_motions; ++j)
       laws.push_back(

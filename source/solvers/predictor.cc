@@ -32,6 +32,8 @@ namespace conetact::solvers
                       const ContactState    &end,
                       const Eigen::VectorXd &change)
   {
+    eigen_assert(end.r.size() == start.r.size());
+    eigen_assert(end.v.size() == start.v.size());
     last_change = change;
     last_start  = start;
     last_end    = end.r;

@@ -118,6 +118,7 @@ namespace conetact::solvers
                          Array                       &p,
                          Array                       &d)
   {
+    eigen_assert(p.size() == relation.M.cols());
     d               = relation.dual(p);
     double residual = law_residual(relation.relation, p, d);
     double shift    = 1e-9;

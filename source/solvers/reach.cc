@@ -217,6 +217,9 @@ namespace conetact::solvers
                          const VectorXd      &c,
                          const VectorXd      &radius)
   {
+    eigen_assert(R.rows() == layout.n_contact_unknowns());
+    eigen_assert(R.cols() == c.size());
+    eigen_assert(radius.size() == layout.n_nodes());
     const double size = c.norm();
     if (!(size > 0))
       return {c, VectorXd::Zero(R.rows())};

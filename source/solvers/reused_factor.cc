@@ -67,6 +67,7 @@ namespace conetact::solvers
   void
   ReusedFactor::match(const Matrix &A, const std::vector<Index> &numbers)
   {
+    eigen_assert(std::is_sorted(numbers.begin(), numbers.end()));
     position.assign(numbers.size(), -1);
     inverse_diagonal.resize(A.rows());
     n_new         = 0;
@@ -102,6 +103,7 @@ namespace conetact::solvers
   ReusedFactor::Vector
   ReusedFactor::precondition(const Vector &b) const
   {
+    eigen_assert(b.size() == inverse_diagonal.size());
     const auto n = static_cast<lapack_int>(factor.rows());
     if (factor_numbers.empty())
       return inverse_diagonal.cwiseProduct(b);

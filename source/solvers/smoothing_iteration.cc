@@ -32,6 +32,8 @@ namespace conetact::solvers
     , eps(options.eps0)
     , beta(options.beta0)
   {
+    eigen_assert(relation.has_cones() && !relation.has_layers() &&
+                 !relation.has_bonds());
     const ContactSystem &system = relation.system();
     relation.to_scaled(start, x.p, x.d);
     load = relation.load();
@@ -298,6 +300,8 @@ namespace conetact::solvers
                               const Defect            &residual,
                               Point                   &delta) const
   {
+    eigen_assert(static_cast<Index>(cones.size()) ==
+                 relation.system().n_nodes());
     const ContactSystem &system = relation.system();
     const Array         &v = displacements(delta), &r = reactions(delta);
     delta.lambda = Array::Zero(system.n_nodes());

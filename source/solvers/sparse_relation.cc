@@ -10,6 +10,7 @@ namespace conetact::solvers
   SparseRelation::SparseRelation(const LinearRelation &linear_relation)
     : relation(linear_relation)
   {
+    eigen_assert(!relation.system().large);
     using Eigen::Index;
     const Eigen::MatrixXd              &A = relation.system().matrix;
     const Eigen::VectorXd              &s = relation.column_scale();

@@ -80,6 +80,7 @@ namespace conetact::solvers
   VectorXd
   StiffnessForm::displacement(const VectorXd &given) const
   {
+    eigen_assert(given.size() == dual->n_unknowns());
     if (dual->n_motions == 0)
       return given;
     return given.head(dual->n_contact_unknowns()) -
@@ -104,6 +105,9 @@ namespace conetact::solvers
                          const VectorXd &v,
                          const VectorXd &r) const
   {
+    eigen_assert(given.size() == dual->n_unknowns());
+    eigen_assert(v.size() == dual->n_contact_unknowns());
+    eigen_assert(r.size() == dual->n_contact_unknowns());
     const VectorXd b = -given.tail(dual->n_motions);
     VectorXd       a = VectorXd::Zero(b.size());
     if (free.cols() > 0)
@@ -118,6 +122,7 @@ namespace conetact::solvers
   ContactProblem
   StiffnessForm::eliminate(const ContactProblem &problem) const
   {
+    eigen_assert(problem.system == dual);
     ContactProblem result = problem;
     result.system         = stiff;
     result.load           = load(problem.load);
@@ -127,6 +132,8 @@ namespace conetact::solvers
   ContactState
   StiffnessForm::eliminate(const ContactState &state) const
   {
+    eigen_assert(state.v.size() >= dual->n_contact_unknowns());
+    eigen_assert(state.r.size() >= dual->n_contact_unknowns());
     const Index  n      = dual->n_contact_unknowns();
     ContactState result = state;
     result.v            = state.v.head(n);

@@ -27,7 +27,7 @@ namespace conetact::solvers
     definite_stiffness(const ContactSystem &system)
     {
       constexpr double least = 1e-10; // of the largest pivot
-      if (system.large || system.n_motions > 0 ||
+      if (system.large || system.n_motions > 0 || system.n_unknowns() == 0 ||
           system.n_unknowns() > UniquenessCheck::most)
         return {};
       const Eigen::LDLT<MatrixXd> factor(system.matrix);
@@ -117,6 +117,7 @@ namespace conetact::solvers
     : system(std::move(s))
     , K(definite_stiffness(*system))
   {
+    eigen_assert(system->mu.size() == system->n_nodes());
     if (system->mu.size() == 0 || system->mu.maxCoeff() <= 0)
       factor = infinite;
     else if (K.size() > 0)
@@ -126,6 +127,8 @@ namespace conetact::solvers
   MatrixXd
   UniquenessCheck::perturbation(const VectorXd &s) const
   {
+    eigen_assert(s.size() == system->n_nodes());
+    eigen_assert((s.array() > 0).all());
     const Index n = system->n_nodes();
     MatrixXd    normals(K.rows(), n);
     VectorXd    diagonal = VectorXd::Zero(K.rows());
@@ -145,6 +148,7 @@ namespace conetact::solvers
   bool
   UniquenessCheck::holds(const double c, const MatrixXd &M) const
   {
+    eigen_assert(M.rows() == K.rows());
     constexpr double least = 1e-12; // of the stiffness: rounding
     MatrixXd         rest  = K - c * M;
     rest.diagonal() -= least * K.diagonal();
@@ -154,6 +158,8 @@ namespace conetact::solvers
   VectorXd
   UniquenessCheck::perturb(const VectorXd &s, const VectorXd &x) const
   {
+    eigen_assert(s.size() == system->n_nodes());
+    eigen_assert(x.size() == K.rows());
     VectorXd forces = VectorXd::Zero(x.size()), sum = forces;
     for (Index i = 0; i < system->n_nodes(); ++i)
       {
@@ -237,6 +243,8 @@ namespace conetact::solvers
                const ContactState   &state,
                const double          tolerance)
   {
+    eigen_assert(state.r.size() == problem.system->n_unknowns());
+    eigen_assert(tolerance > 0);
     if (has_finite_solutions(problem))
       for (ContactState &one : find_all_solutions(problem, tolerance).found)
         if (differ(problem, state, one))

@@ -60,6 +60,7 @@ namespace conetact::solvers
   std::optional<ContactState>
   stay_without_load(const ContactProblem &problem, const ContactState &start)
   {
+    eigen_assert(start.r.size() == problem.system->n_unknowns());
     const ContactSystem &system = *problem.system;
     const Index          k      = system.n_motions;
     const bool           stiff  = system.form == Form::stiffness;
@@ -86,6 +87,8 @@ namespace conetact::solvers
   std::optional<ContactState>
   move_without_load(const ContactProblem &problem, const ContactState &start)
   {
+    eigen_assert(start.r.size() == problem.system->n_unknowns());
+    eigen_assert(problem.load.size() == problem.system->n_unknowns());
     const ContactSystem &system = *problem.system;
     const Index          k = system.n_motions, n = system.n_contact_unknowns();
     if (k == 0 || problem.has_bonds() || !problem.load.tail(k).isZero(0) ||

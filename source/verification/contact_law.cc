@@ -5,6 +5,8 @@
 
 #include "conetact/base/text.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -144,6 +146,10 @@ namespace conetact::verification
   ContactLaw::set_stiffness(const VectorXd &of_candidates,
                             const VectorXd &of_bound)
   {
+    AssertDimension(of_candidates.size(), static_cast<Index>(points.size()));
+    Assert(of_bound.size() == 0 || of_bound.size() == points.n_bound_unknowns(),
+           dealii::ExcMessage(
+             "A stiffness along each unknown of what is bound, or none."));
     stiffness       = of_candidates;
     bound_stiffness = of_bound;
   }
@@ -181,6 +187,23 @@ namespace conetact::verification
                      std::numeric_limits<double>::infinity(),
              name);
     }
+    /** What slips, or opens against its bond, does so against its friction. */
+    void
+    slide(const Seen     &seen,
+          const VectorXd &r_t,
+          const bool      slips,
+          const double    tolerance)
+    {
+      if (slips)
+        force(seen.limit - r_t.norm(), "slips below the limit of friction");
+      const double way = seen.slip.norm();
+      // A slip that is rounding has no direction, and a longer one has it
+      // up to position / |slip|.
+      if (way > position + (k > 0 ? tolerance * F / k : 0.))
+        force((r_t + seen.limit * seen.slip / way).norm() -
+                seen.limit * position / way,
+              "does not slip against its friction");
+    }
   };
 
 
@@ -190,6 +213,9 @@ namespace conetact::verification
                         const double                k,
                         const Scales               &scales) const
   {
+    AssertIndexRange(node.body, scales.force.size());
+    AssertDimension(scales.rounding.size(), scales.force.size());
+    AssertDimension(scales.reach.size(), scales.force.size());
     const unsigned int other = node.masters.empty() ? node.body : node.master;
     return {// A light body on a heavily loaded one is judged by its own forces.
             std::min(scales.force[node.body], scales.force[other]),
@@ -210,6 +236,10 @@ namespace conetact::verification
                               const Scales                &scales,
                               const Finding               &out) const
   {
+    Assert(point.first >= points.n_unknowns(),
+           dealii::ExcMessage(
+             "Unknowns of what is bound stand behind all others."));
+    AssertDimension(out.missed_by_bound.size(), points.n_bound_unknowns());
     const Index  first  = point.first - points.n_unknowns();
     const auto   n      = static_cast<Index>(point.dual.size());
     const double k      = bound_stiffness.size() > 0 ?
@@ -234,6 +264,9 @@ namespace conetact::verification
                                   const Scales     &scales,
                                   const Finding    &out) const
   {
+    AssertIndexRange(i, points.size());
+    AssertDimension(out.displacements.size(), points.n_all_unknowns());
+    AssertDimension(out.change.size(), out.displacements.size());
     const contact::ContactPoint &point = points[i];
     const pairing::ContactNode  &node  = *point.node;
     Errors errors = errors_of(node, stiffness[static_cast<Index>(i)], scales);
@@ -298,19 +331,7 @@ namespace conetact::verification
     const bool slips = claim.states[i] == solvers::NodeState::slip;
     const bool opens = claim.states[i] == solvers::NodeState::open;
     if (claim.whole && nt > 0 && (slips || (opens && node.bond)))
-      {
-        if (slips)
-          errors.force(limit - r_t.norm(), "slips below the limit of friction");
-        const double shortest =
-          errors.position +
-          (errors.k > 0 ? tolerance * errors.F / errors.k : 0.);
-        // A slip that is rounding has no direction, and a longer one has it
-        // up to position / |slip|.
-        if (slip.norm() > shortest)
-          errors.force((r_t + limit * slip / slip.norm()).norm() -
-                         limit * errors.position / slip.norm(),
-                       "does not slip against its friction");
-      }
+      errors.slide(seen, r_t, slips, tolerance);
     return errors;
   }
 

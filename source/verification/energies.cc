@@ -31,6 +31,25 @@ namespace conetact::verification
       if (x.size() == 0)
         x.setZero(n);
     }
+
+    /** Springs between body and ground. On the whole they are inside: only the
+     * ground that moves does work from outside. */
+    void
+    add_foundations(const Finding                    &finding,
+                    std::vector<contact::Foundation> &before,
+                    output::IncrementRecord          &record)
+    {
+      for (std::size_t s = 0; s < finding.foundations.size(); ++s)
+        if (const contact::Foundation &f = finding.foundations[s];
+            f.forces.size() > 0)
+          {
+            fill(before[s].forces, f.forces.size());
+            fill(before[s].ground, f.forces.size());
+            record.strain_energy += .5 * f.forces.dot(f.ground - finding.u);
+            record.external_work +=
+              trapezoid(before[s].forces, f.forces, before[s].ground, f.ground);
+          }
+    }
   } // namespace
 
   void
@@ -40,6 +59,12 @@ namespace conetact::verification
                 const Finding                &finding,
                 output::IncrementRecord      &record)
   {
+    AssertDimension(r.size(), points.n_all_unknowns());
+    AssertDimension(finding.u.size(), finding.acting.size());
+    AssertDimension(finding.change.size(), r.size());
+    AssertDimension(finding.change_as_before.size(), r.size());
+    Assert(last_nodes.empty() || last_nodes.size() == points.all().size(),
+           dealii::ExcMessage("Contacts keep their order where they slide."));
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     fill(last_u, finding.u.size());
     fill(last_forces, finding.acting.size());
@@ -51,20 +76,7 @@ namespace conetact::verification
     record.strain_energy = finding.strain_energy;
     record.external_work =
       trapezoid(last_forces, finding.acting, last_u, finding.u);
-    for (std::size_t s = 0; s < finding.foundations.size(); ++s)
-      if (const contact::Foundation &f = finding.foundations[s];
-          f.forces.size() > 0)
-        {
-          fill(last_foundations[s].forces, f.forces.size());
-          fill(last_foundations[s].ground, f.forces.size());
-          // Springs between body and ground. On the whole they are inside: only
-          // the ground that moves does work from outside.
-          record.strain_energy += .5 * f.forces.dot(f.ground - finding.u);
-          record.external_work += trapezoid(last_foundations[s].forces,
-                                            f.forces,
-                                            last_foundations[s].ground,
-                                            f.ground);
-        }
+    add_foundations(finding, last_foundations, record);
     record.dissipation = record.contact_work_normal = 0;
     for (std::size_t i = 0; i < points.all().size(); ++i)
       {
@@ -117,6 +129,8 @@ namespace conetact::verification
   Energies::save(Archive                        &archive,
                  const std::vector<std::string> &supports) const
   {
+    Assert(last_foundations.size() <= supports.size(),
+           dealii::ExcMessage("A foundation belongs to a support."));
     archive.put("energies/u", last_u);
     archive.put("energies/forces", last_forces);
     archive.put("energies/t", last_t);

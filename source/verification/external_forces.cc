@@ -3,6 +3,8 @@
 
 #include "conetact/verification/external_forces.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 
 namespace conetact::verification
@@ -183,6 +185,7 @@ namespace conetact::verification
             const contact::Coordinates &plain,
             const Eigen::VectorXd      &forces)
   {
+    AssertDimension(forces.size(), plain.n_dofs());
     ExternalForces all;
     Collector(bodies, all).act(all.loads, plain, forces);
     return all.loads;
@@ -197,6 +200,11 @@ namespace conetact::verification
                   const Eigen::VectorXd                  &loads,
                   const Eigen::VectorXd                  &r)
   {
+    AssertDimension(rest.size(), plain.n_dofs());
+    AssertDimension(loads.size(), plain.n_dofs());
+    AssertDimension(r.size(), points.n_all_unknowns());
+    Assert(foundations.size() <= bodies.supports.size(),
+           dealii::ExcMessage("A foundation belongs to a support."));
     ExternalForces all;
     all.held.setZero(rest.size());
     all.supports.resize(bodies.supports.size());

@@ -3,6 +3,8 @@
 
 #include "conetact/verification/rounding_budget.h"
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -79,6 +81,7 @@ namespace conetact::verification
   VectorXd
   RoundingBudget::of_ways(const std::vector<double> &ways) const
   {
+    AssertDimension(ways.size(), bodies.structures.size());
     VectorXd way(plain.n_dofs());
     for (unsigned int body = 0; body < ways.size(); ++body)
       {
@@ -100,6 +103,10 @@ namespace conetact::verification
                           const VectorXd    &carried,
                           VectorXd          &rounding) const
   {
+    AssertIndexRange(body, bodies.structures.size());
+    AssertDimension(claim.loads.size(), plain.n_dofs());
+    Assert(carried.size() == 0 || carried.size() == plain.n_dofs(),
+           dealii::ExcMessage("Rounding at all dofs, or none."));
     const Index first = plain.offset(body);
     const Index n     = plain.offset(body + 1) - first;
     if (balance.forces + balance.largest_moment == 0 ||
@@ -139,6 +146,8 @@ namespace conetact::verification
   bool
   RoundingBudget::find(const Claim &claim, Finding &out) const
   {
+    Assert(out.rounding.empty(), dealii::ExcMessage("It is found once."));
+    AssertDimension(out.external.bodies.size(), bodies.structures.size());
     VectorXd rounding; // of all dofs
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       out.rounding.push_back(
@@ -151,6 +160,8 @@ namespace conetact::verification
   void
   RoundingBudget::forget(VectorXd &rest, Finding &out) const
   {
+    AssertDimension(out.rounding.size(), bodies.structures.size());
+    AssertDimension(rest.size(), plain.n_dofs());
     const auto is_idle = [&](const unsigned int body) {
       return out.rounding[body] > 0;
     };

@@ -134,6 +134,8 @@ namespace conetact::verification
                             const Scales &scales,
                             Finding      &out) const
   {
+    AssertDimension(out.unbalanced.size(), plain.n_dofs());
+    AssertDimension(out.rounding.size(), bodies.structures.size());
     // C^T (K w - f - H^T r): what no support takes up, with the forces of
     // hanging nodes at their masters.
     VectorXd free = plain.restrict(out.unbalanced), terms;
@@ -212,6 +214,8 @@ namespace conetact::verification
   void
   Verification::find_changes(const double t, Finding &out) const
   {
+    AssertDimension(out.u.size(), plain.n_dofs());
+    Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     out.displacements = relative_displacements(points.all(), out.u, t);
     out.change        = out.displacements;
     if (last.u.size() > 0)
@@ -229,6 +233,8 @@ namespace conetact::verification
   void
   Verification::subtract_reactions(const VectorXd &r, VectorXd &forces) const
   {
+    AssertDimension(r.size(), points.n_all_unknowns());
+    AssertDimension(forces.size(), plain.n_dofs());
     for (const contact::ContactPoint &point : points.all())
       {
         const Tensor<1, 3> force = contact::force_of(point, r);
@@ -249,6 +255,14 @@ namespace conetact::verification
   Finding
   Verification::judge(const Claim &claim) const
   {
+    AssertDimension(claim.w.size(), plain.n_dofs());
+    AssertDimension(claim.r.size(), points.n_all_unknowns());
+    AssertDimension(claim.loads.size(), plain.n_dofs());
+    AssertDimension(claim.mechanical.size(), plain.n_dofs());
+    AssertDimension(claim.states.size(), points.size());
+    Assert(!claim.laws ||
+             claim.worn.size() == static_cast<Index>(points.size()),
+           dealii::ExcMessage("What has laws knows the depths of its wear."));
     Finding out;
     if (!claim.amounts.allFinite() || !claim.w.allFinite() ||
         !claim.r.allFinite())

@@ -35,7 +35,8 @@ def whole_forces(laws):
     bent = {"Dimension": 3, "Body block": {"Mesh": {"Generator": "cylinder", "Arguments": "1 : 2", "Global refinements": 1},
                                            "Element": "Q2", "Material": {"Young modulus": 1000, "Poisson ratio": .3}},
             "Support left": support(1, "x, y, z"), "Output": {"VTU": 0}}
-    for name, scene, ids, centre in (("2D, turned", plate, "1, 3", None), ("3D, tetrahedra", cube, "1, 5", None),
+    for name, scene, ids, centre in (("2D, turned", plate, "1, 3", None), ("2D, one edge, turned", plate, "3", None),
+                                     ("3D, tetrahedra", cube, "1, 5", None),
                                      ("Q2, a mantle", bent, "0, 2", None)):
         dim = scene["Dimension"]
         f = (3.0, -2.0, 1.5)[:dim]

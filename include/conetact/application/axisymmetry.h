@@ -5,6 +5,7 @@
 #define conetact_application_axisymmetry_h
 
 #include "conetact/bodies/structure.h"
+#include "conetact/contact/node_rules.h"
 #include "conetact/pairing/contact_nodes.h"
 #include "conetact/pairing/obstacles.h"
 
@@ -23,6 +24,10 @@ namespace conetact::application
                      const std::vector<const bodies::Structure *> &structures,
                      const std::vector<pairing::Obstacle>         &obstacles,
                      const std::vector<pairing::Contact>          &contacts);
+
+  /** Bodies of revolution stay on their axis: a support of each. */
+  void
+  hold_axes(contact::Bodies &bodies);
 } // namespace conetact::application
 
 #endif

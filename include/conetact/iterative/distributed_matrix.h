@@ -127,8 +127,8 @@ namespace conetact::iterative
         f(a);
     }
 
-    /** Calls f(column, block) for a row: own columns before those of others, as
-     * of_columns() has them. */
+    /** Calls f(column, block) for a row: own columns before those of others.
+     */
     template <typename F>
     void
     for_row(const std::size_t i, const F &f) const
@@ -150,22 +150,6 @@ namespace conetact::iterative
       return column < n_own_columns ?
                begin + column :
                needed[static_cast<std::size_t>(column - n_own_columns)];
-    }
-
-    /** Numbers of the own columns, n_columns for each block, and behind them
-     * those of the columns of others that it needs. */
-    std::vector<Number>
-    of_columns(std::vector<Number> x) const
-    {
-      if (halo.its_plan() == nullptr)
-        return x;
-      halo.start(x.data());
-      const Number *const others = halo.finish();
-      x.insert(x.end(),
-               others,
-               others + static_cast<std::ptrdiff_t>(halo.its_plan()->n_needed) *
-                          n_columns);
-      return x;
     }
 
   private:

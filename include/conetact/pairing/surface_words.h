@@ -37,9 +37,6 @@ namespace conetact::pairing
   /** Three numbers, which may be any. */
   Point<3>
   read_point(std::istream &stream);
-  /** A number from 0 on. */
-  std::size_t
-  read_whole(std::istream &stream);
 
   /** The contents of a Gmsh file; of dim = 2 the lines. */
   SurfaceFaces
