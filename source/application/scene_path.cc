@@ -78,8 +78,10 @@ namespace conetact::application
     for (const pairing::Contact &contact : contacts)
       if ((contact.spring || may_be_joined(contact)) &&
           (path.follows || (!newton && may_be_joined(contact))))
-        throw InputError("Contact '" + contact.name + "', Kind: Solver/Method "
-                         "= " + (path.follows ? "load path" : solver.method) +
+        throw InputError("Contact '" + contact.name +
+                         "', Kind: Solver/Method "
+                         "= " +
+                         (path.follows ? "load path" : solver.method) +
                          " knows no springs and no ties that begin or end. "
                          "Choose automatic.");
   }

@@ -20,8 +20,7 @@ namespace conetact::contact
     bool
     turns_along(const pairing::ContactNode &tie, const Bodies &bodies)
     {
-      return tie.is_tied() && !tie.masters.empty() &&
-             !tie.opening &&
+      return tie.is_tied() && !tie.masters.empty() && !tie.opening &&
              pairing::undeformed_distance(tie, bodies.structures).norm() <=
                tied_apart * tie.spacing;
     }

@@ -114,7 +114,7 @@ namespace conetact::contact
                   bodies.contact_nodes.end(),
                   [](const pairing::ContactNode &node) {
                     return !node.masters.empty() || !node.slaves.empty() ||
-                           (node.layer && node.layer->is_soft());
+                           (node.layer && node.layer->is_soft() && !node.bond);
                   });
     // What slides far has other rows over the same bodies in each increment.
     // Mechanisms are found in a stiffness only, which there is where contacts

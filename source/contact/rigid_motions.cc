@@ -118,8 +118,7 @@ namespace conetact::contact
           const unsigned int one = motions.first_tied(node.body);
           const unsigned int other =
             node.masters.empty() ? one : motions.first_tied(node.master);
-          if (!node.is_tied() || node.masters.empty() ||
-              other != one)
+          if (!node.is_tied() || node.masters.empty() || other != one)
             reached[one] = reached[other] = true;
         }
       return reached;

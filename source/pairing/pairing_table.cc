@@ -46,10 +46,10 @@ namespace conetact::pairing
   pairing_of(const Contact                                &contact,
              const std::vector<const bodies::Structure *> &structures)
   {
-    static const PairingRow nodes = {"face to node",
-                                     "the master's nodes meet faces",
-                                     pair_faces_with_nodes,
-                                     false};
+    static const PairingRow nodes  = {"face to node",
+                                      "the master's nodes meet faces",
+                                      pair_faces_with_nodes,
+                                      false};
     static const PairingRow points = {"points",
                                       "a spring joins two points",
                                       pair_spring,

@@ -54,9 +54,10 @@ namespace conetact::pairing
     {
       return one.obstacle == nullptr && two.obstacle == nullptr &&
              one.body == two.body && one.master == two.master &&
-             one.kind == two.kind && !one.spring && one.pairing == two.pairing &&
-             one.slides == two.slides && !one.gap && !two.gap && !one.preload &&
-             !two.preload && have_other_faces(one, two);
+             one.kind == two.kind && !one.spring &&
+             one.pairing == two.pairing && one.slides == two.slides &&
+             !one.gap && !two.gap && !one.preload && !two.preload &&
+             have_other_faces(one, two);
     }
 
     bool
