@@ -44,7 +44,7 @@ namespace conetact::iterative
     find_near_contact();
     find_scale();
     make_smoother(given.surface);
-    make_levels(given.modes);
+    make_levels(given.modes, given.side);
   }
 
 
@@ -187,7 +187,8 @@ namespace conetact::iterative
 
   template <int block>
   void
-  BlockSystem<block>::make_levels(const Eigen::MatrixXd &modes)
+  BlockSystem<block>::make_levels(const Eigen::MatrixXd  &modes,
+                                  const std::vector<int> &side)
   {
     if (first.back() <= small_enough)
       {
@@ -195,7 +196,8 @@ namespace conetact::iterative
         return;
       }
     levels = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(
-      LevelAbove<block>{K, scale, D, largest_of_blocks, modes}, processes);
+      LevelAbove<block>{K, scale, D, largest_of_blocks, modes, side},
+      processes);
     std::vector<int> nodes;
     for (const std::vector<int> &node : contact)
       nodes.push_back(node[0] / block);

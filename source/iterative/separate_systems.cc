@@ -198,6 +198,7 @@ namespace conetact::iterative
                                     given.contact.first[at(i)]);
       own.contact.mu = given.contact.mu(part.nodes);
       own.surface    = given.surface;
+      own.side       = given.side;
       own.position   = given.position;
       own.elements   = part_of(given.elements, number);
       return own;

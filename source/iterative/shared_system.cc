@@ -121,6 +121,7 @@ namespace conetact::iterative
         share.surface   = deal_surface(std::move(whole.surface));
         share.exists    = deal_places(whole.places);
         share.modes     = deal_modes(std::move(whole.modes));
+        share.side      = deal_sides(std::move(whole.side));
         share.K         = rows_of_elements<block>(whole.elements,
                                           whole.places,
                                           first,
@@ -255,6 +256,18 @@ namespace conetact::iterative
           part.col(j) = processes.scatter(
             processes.rank() == 0 ? Array(modes.col(j)) : Array(), first);
         return part;
+      }
+      /** A number for each own node, or for none at all. */
+      std::vector<int>
+      deal_sides(Array side) const
+      {
+        if (processes.sum(static_cast<double>(side.size())) == 0)
+          return {};
+        const Array      own = processes.scatter(std::move(side), first);
+        std::vector<int> sides;
+        for (Index p = 0; p < own.size(); p += block)
+          sides.push_back(static_cast<int>(own[p]));
+        return sides;
       }
       std::vector<NodeLaw>
       deal_laws(const std::vector<NodeLaw> &laws) const

@@ -33,6 +33,7 @@ namespace conetact::iterative
     /** Nodes of all processes that are smoothed together, ascending. */
     std::vector<int> surface;
     Eigen::MatrixXd  modes;
+    std::vector<int> side; ///< of own nodes, see aggregates()
   };
 
   /**
@@ -106,7 +107,7 @@ namespace conetact::iterative
     void
     make_smoother(const std::vector<int> &surface_nodes);
     void
-    make_levels(const Eigen::MatrixXd &modes);
+    make_levels(const Eigen::MatrixXd &modes, const std::vector<int> &side);
     Array
     without_contact() const;
     /** Of a system of few unknowns, with all contact nodes held. */

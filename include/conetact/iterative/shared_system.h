@@ -26,6 +26,8 @@ namespace conetact::iterative
     std::vector<std::vector<int>> contact;
     /** Places of nodes that are smoothed together. */
     std::vector<int> surface;
+    /** Of each place that of its node, see aggregates(); empty: all on one. */
+    Eigen::VectorXd side;
   };
 
   /**
