@@ -156,8 +156,7 @@ namespace conetact::analysis
   void
   IncrementAnalysis::lock(const unsigned int k)
   {
-    model.lock_cuts(begin(k), acceptance.accepted_displacements());
-    history.forget_motions();
+    history.lock_cuts(begin(k), acceptance.accepted_displacements());
     existence.reset();
     solver = backend->create_solver(scene, model);
     log.note("increment " + std::to_string(k) + ": preloads are locked");

@@ -84,13 +84,14 @@ namespace conetact::contact
     return true;
   }
 
-  void
+  bool
   CondensedCompliance::see_motions()
   {
     free.find();
     free.respond(bodies);
     assemble_system();
     forget_reductions();
+    return true;
   }
 
   Eigen::MatrixXd

@@ -342,7 +342,9 @@ namespace conetact::contact
   }
 
   bool
-  ContactModel::lock_cuts(const double t, const Eigen::VectorXd &u)
+  ContactModel::lock_cuts(const double           t,
+                          const Eigen::VectorXd &u,
+                          ElasticState          &state)
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
     Assert(u.size() == 0 || u.size() == coordinates.n_dofs(),
@@ -357,9 +359,22 @@ namespace conetact::contact
     if (!any)
       return false;
     motions.find_again(points);
-    if (made)
-      made->see_motions();
+    if (!made || made->see_motions())
+      return true;
+    made.reset(); // before there is another one
+    state.start.resize(0);
+    if (u.size() > 0)
+      state.start = elasticity().nearby(deformation(u, t), Eigen::VectorXd());
     return true;
+  }
+
+  /* What of displacements is neither placement nor prescribed. */
+  Eigen::VectorXd
+  ContactModel::deformation(const Eigen::VectorXd &u, const double t) const
+  {
+    const Eigen::VectorXd rigid = motions.field(motions.placement(t));
+    return coordinates.in_frames(u) - rigid - coordinates.prescribed(t) +
+           coordinates.held_part(rigid);
   }
 
   double

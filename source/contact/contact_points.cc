@@ -353,7 +353,7 @@ namespace conetact::contact
     const std::vector<Tensor<1, 3>> held =
       rule != nullptr ? directions(rule->held) : std::vector<Tensor<1, 3>>();
     if (node.spring)
-      return add_spring(node, held);
+      return add_spring(node);
     // Its gap cannot change by deformation: no unknown.
     if (is_spanned(node.n, held))
       {
@@ -385,10 +385,8 @@ namespace conetact::contact
   /* Supports hold its point or not: it may move all the same, and the other end
      anyway. */
   void
-  ContactPoints::add_spring(const pairing::ContactNode      &node,
-                            const std::vector<Tensor<1, 3>> &held)
+  ContactPoints::add_spring(const pairing::ContactNode &node)
   {
-    prescribed_slip = prescribed_slip || !held.empty();
     ContactPoint point;
     point.node                               = &node;
     const std::vector<Tensor<1, 3>> tangents = {node.t1, node.t2};

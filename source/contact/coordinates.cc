@@ -13,6 +13,19 @@
 
 namespace conetact::contact
 {
+  namespace
+  {
+    /** Of each body, whether its motion opens a tie. */
+    std::vector<bool>
+    open_cuts(const Bodies &bodies)
+    {
+      std::vector<bool> open(bodies.structures.size(), false);
+      for (const Cut &cut : bodies.cuts)
+        open[cut.body] = !cut.opening;
+      return open;
+    }
+  } // namespace
+
   Coordinates::Coordinates(const Bodies        &b,
                            const NodeRules     &r,
                            const ContactPoints *p,
@@ -20,7 +33,10 @@ namespace conetact::contact
     : NodalVectors(b)
     , node_rules(r)
     , points(p)
+    , axes(p != nullptr ? ContactAxes(*p) : ContactAxes())
     , arm(a)
+    , opens(p != nullptr ? open_cuts(b) :
+                           std::vector<bool>(b.structures.size(), false))
   {
     // Few nodes have a rule or a point: null is the usual answer, and costs one
     // look.
@@ -36,8 +52,8 @@ namespace conetact::contact
                           return !point.node->slaves.empty();
                         }))
           means.emplace(bodies, node_rules, *points);
-        for (const ContactPoint &point : *points)
-          take(point);
+        for (const auto &[point, first] : axes.own())
+          take(*point);
         for (std::size_t i = points->size(); i < points->all().size(); ++i)
           bind(points->all()[i]);
       }
@@ -133,13 +149,12 @@ namespace conetact::contact
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         number_node(body, i);
 
-    if (points != nullptr)
-      for (const ContactPoint &point : *points)
-        {
-          const unsigned int n = number(point.node->body, point.node->node);
-          first_contact[n]     = static_cast<int>(n_free + point.first);
-          node_of_unknown.insert(node_of_unknown.end(), point.dual.size(), n);
-        }
+    for (const auto &[point, first] : axes.own())
+      {
+        const unsigned int n = number(point->node->body, point->node->node);
+        first_contact[n]     = static_cast<int>(n_free + first);
+        node_of_unknown.insert(node_of_unknown.end(), point->dual.size(), n);
+      }
     set_n_unknowns(n_free + n_contact_unknowns());
   }
 
@@ -152,7 +167,7 @@ namespace conetact::contact
     const Eigen::Index       before    = n_free;
     first_unknown[n]                   = static_cast<int>(n_free);
     // Bodies that nothing reaches are not solved.
-    if (!bodies.deforms(body))
+    if (!moves(body))
       return;
     // Where nothing else is said each dof is an unknown, in the axes of the
     // scene.
@@ -227,6 +242,10 @@ namespace conetact::contact
       for (unsigned int d = 0; d < bodies.dim; ++d)
         if (in_master[d] != 0 && !(own.master == own.body && node == own.node))
           append_row(own.master, node, d, factor * weight * in_master[d]);
+    if (own.opening)
+      for (unsigned int d = 0; d < bodies.dim; ++d)
+        if (along[d] != 0)
+          append_row(*own.opening, 0, d, factor * along[d]);
     if (!own.slaves.empty())
       append_slaves(own, -factor * bodies.in_frame(own.body, along));
   }
@@ -291,7 +310,7 @@ namespace conetact::contact
   {
     AssertIndexRange(body, bodies.structures.size());
     AssertIndexRange(c, bodies.structures[body]->n_components());
-    if (!bodies.deforms(body))
+    if (!moves(body))
       return;
     const std::size_t n = number(body, node);
     if (corners(body, node) != nullptr && c < bodies.dim)
@@ -341,7 +360,7 @@ namespace conetact::contact
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         if (const Directions *free = free_directions(number(body, i));
-            free != nullptr && bodies.deforms(body))
+            free != nullptr && moves(body))
           for (std::size_t k = 0; k < free->size(); ++k)
             q[first_unknown[number(body, i)] + static_cast<Eigen::Index>(k)] =
               own_displacement(u, body, i) * (*free)[k];
@@ -365,17 +384,15 @@ namespace conetact::contact
           if (rotation[static_cast<std::size_t>(k)])
             q[k] *= arm;
       }
-    if (points != nullptr)
-      for (const ContactPoint &point : *points)
-        {
-          const Tensor<1, 3> v = difference_of_sides(
-            *point.node, [&](const unsigned int body, const unsigned int node) {
-              return bodies.in_space(body, at_node(u, body, node));
-            });
-          for (std::size_t k = 0; k < point.dual.size(); ++k)
-            q[n_free + point.first + static_cast<Eigen::Index>(k)] =
-              v * point.dual[k];
-        }
+    for (const auto &[point, first] : axes.own())
+      {
+        const Tensor<1, 3> v = difference_of_sides(
+          *point->node, [&](const unsigned int body, const unsigned int node) {
+            return bodies.in_space(body, at_node(u, body, node));
+          });
+        for (std::size_t k = 0; k < point->dual.size(); ++k)
+          q[n_free + first + static_cast<Eigen::Index>(k)] = v * point->dual[k];
+      }
     return q;
   }
 

@@ -37,6 +37,8 @@ namespace conetact::contact
     , coordinates(elastic.bodies, supports, &points, arm_of_rotations(e))
     , nowhere(unresisted_fields(motions, coordinates))
     , n_bound(points.n_bound_unknowns())
+    , further(further_contacts(e.bodies, coordinates, points))
+    , rows_of_dofs(rows_of_further(e.bodies, coordinates, points))
     , contacts(describe_contacts())
   {
     auto system = std::make_shared<solvers::ContactSystem>(points.layout());
@@ -58,18 +60,22 @@ namespace conetact::contact
     };
     given.node_of        = nodes_of_unknowns(coordinates);
     given.modes          = common_motions(elastic.bodies, coordinates);
-    given.contact        = points.layout();
+    given.contact        = coordinates.contact_axes().layout();
     SpecialNodes special = special_nodes(elastic, coordinates, points);
     given.preconditioner = by;
     given.surface        = std::move(special.together);
+    given.side           = sides_of_ties(elastic.bodies, coordinates);
     given.position       = [&](const unsigned int block) {
       const auto [body, node] = coordinates.locate(number_of_node(block));
       const Point<3> p        = elastic.bodies.structures[body]->position(node);
       return std::array<double, 3>{{p[0], p[1], p[2]}};
     };
-    system->large           = iterative::make_separate_systems(std::move(given),
+    system->large = iterative::make_separate_systems(std::move(given),
                                                      special.direct,
                                                      elastic.bodies.dim);
+    if (further)
+      system->large =
+        iterative::make_with_further_contacts(system->large, *further);
     const VectorXd diagonal = system->large->diagonal();
     system->large_diagonal  = diagonal.tail(system->n_unknowns());
     system->null_space      = motions.null_space();
@@ -124,6 +130,18 @@ namespace conetact::contact
   }
 
   VectorXd
+  IterativeElasticity::elastic_part(const VectorXd &x) const
+  {
+    return further ? further->without(x) : x;
+  }
+
+  VectorXd
+  IterativeElasticity::with_further(const VectorXd &u) const
+  {
+    return further ? further->with_displacements(u) : u;
+  }
+
+  VectorXd
   IterativeElasticity::expand_bound(const VectorXd &v) const
   {
     AssertDimension(v.size(), n_bound);
@@ -157,8 +175,7 @@ namespace conetact::contact
     for (Eigen::Index j = 0; j < free.cols(); ++j)
       {
         const VectorXd terms =
-          coordinates.values(motions.field(motions.of_free(free.col(j))))
-            .cwiseProduct(problem.load);
+          values_of_motions(free.col(j)).cwiseProduct(problem.load);
         const double sum = terms.sum();
         resultants[j] = std::abs(sum) > rounding * terms.lpNorm<1>() ? sum : 0.;
       }
@@ -193,6 +210,13 @@ namespace conetact::contact
     load.f += b;
     load.bound.head(n_bound) += restrict_bound(forces);
     load.bound.tail(n_bound) -= offset;
+    if (!further)
+      return;
+    // where a bound node meets something else, too
+    const VectorXd seen     = rows_of_dofs * expand_bound(offset);
+    const auto     unknowns = further->unknowns_of(further->further);
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      load.offset[unknowns[k]] -= seen[static_cast<Eigen::Index>(k)];
   }
 
   BoundState
@@ -202,9 +226,10 @@ namespace conetact::contact
     if (n_bound == 0)
       return {};
     const VectorXd u = coordinates.expand(unknowns(load, primal));
-    return {restrict_bound(elastic.internal_forces(u)) -
-              load.bound.head(n_bound),
-            {}};
+    VectorXd       f = elastic.internal_forces(u);
+    if (further)
+      f -= rows_of_dofs.transpose() * further->reactions(primal);
+    return {restrict_bound(f) - load.bound.head(n_bound), {}};
   }
 
   LoadCase
@@ -222,7 +247,7 @@ namespace conetact::contact
                                 const VectorXd &primal) const
   {
     if (points.layout().n_unknowns() > 0)
-      return primal;
+      return elastic_part(primal);
     // Where nothing may touch no solver has been asked.
     const solvers::LargeSystem &large = *contact_system->large;
     const auto                  f     = large.keep(load.f);
@@ -268,7 +293,7 @@ namespace conetact::contact
   IterativeElasticity::correction(const LoadCase &,
                                   const VectorXd &primal) const
   {
-    return without_motion(coordinates.expand(primal));
+    return without_motion(coordinates.expand(elastic_part(primal)));
   }
 
   VectorXd
@@ -282,13 +307,14 @@ namespace conetact::contact
   VectorXd
   IterativeElasticity::motions_in(const VectorXd &values) const
   {
-    return motions.free_in(without_motion(coordinates.expand(values)));
+    return motions.free_in(
+      without_motion(coordinates.expand(elastic_part(values))));
   }
 
   VectorXd
   IterativeElasticity::values_of_motions(const VectorXd &a) const
   {
-    return coordinates.values(motions.field(motions.of_free(a)));
+    return with_further(coordinates.values(motions.field(motions.of_free(a))));
   }
 
   VectorXd
@@ -309,6 +335,8 @@ namespace conetact::contact
     problem.offset = offset;
     if (!state.base.isZero(0))
       problem.load -= resistance(state.base);
+    if (further)
+      problem.load = further->with_forces(problem.load);
   }
 
   VectorXd
@@ -402,7 +430,7 @@ namespace conetact::contact
     const VectorXd        way =
       normals.completeOrthogonalDecomposition().solve(-problem.offset(closed));
     const VectorXd rest = state.nearby - values_of_motions(way);
-    if (!(solvers::largest(way) > solvers::largest(rest)))
+    if (!(solvers::largest(way) > solvers::largest(elastic_part(rest))))
       return false;
     elastic_state.base += way;
     return true;
@@ -411,13 +439,13 @@ namespace conetact::contact
   VectorXd
   IterativeElasticity::deformation(const VectorXd &primal) const
   {
-    return coordinates.expand(primal);
+    return coordinates.expand(elastic_part(primal));
   }
 
   VectorXd
   IterativeElasticity::nearby(const VectorXd &w, const VectorXd &amounts) const
   {
-    VectorXd u = coordinates.values(w);
+    VectorXd u = with_further(coordinates.values(w));
     if (!amounts.isZero(0))
       u += values_of_motions(amounts);
     return u;

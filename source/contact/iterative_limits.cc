@@ -4,11 +4,11 @@
 #include "conetact/contact/iterative_limits.h"
 
 #include "conetact/base/text.h"
+#include "conetact/contact/contact_axes.h"
 #include "conetact/contact/hierarchical_means.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace conetact::contact
@@ -17,45 +17,42 @@ namespace conetact::contact
   {
     using Nodes = std::set<std::pair<unsigned int, unsigned int>>;
 
-    /** A node that has several points, bound ones included, if any. */
-    const pairing::ContactNode *
-    shared_node(const ContactPoints &points)
+    /** What is bound, and of other contacts those that have the axes of their
+     * nodes. */
+    std::vector<const ContactPoint *>
+    points_with_axes(const ContactPoints &points)
     {
-      Nodes nodes;
-      for (const ContactPoint &point : points.all())
-        if (!nodes.insert({point.node->body, point.node->node}).second)
-          return point.node;
-      return nullptr;
+      std::vector<const ContactPoint *> result;
+      const ContactAxes                 axes(points);
+      for (const auto &[point, first] : axes.own())
+        result.push_back(point);
+      for (std::size_t i = points.size(); i < points.all().size(); ++i)
+        result.push_back(&points.all()[i]);
+      return result;
     }
 
-    /** A spring at a point within a cell, at a node that another contact has,
-     * or that a support holds. */
-    const ContactPoint *
-    entangled_spring(const ContactPoints &points, const NodeRules &supports)
+    /** A node that has several of these, if any: all are bound. */
+    const pairing::ContactNode *
+    shared_node(const std::vector<const ContactPoint *> &points)
     {
-      std::map<std::pair<unsigned int, unsigned int>, unsigned int> n_at;
-      for (const ContactPoint &point : points.all())
-        ++n_at[{point.node->body, point.node->node}];
-      for (const ContactPoint &point : points)
-        if (const pairing::ContactNode &node = *point.node;
-            node.spring && (node.slaves.size() > 1 || node.masters.size() > 1 ||
-                            n_at[{node.body, node.node}] > 1 ||
-                            supports.find(node.body, node.node) != nullptr))
-          return &point;
+      Nodes nodes;
+      for (const ContactPoint *point : points)
+        if (!nodes.insert({point->node->body, point->node->node}).second)
+          return point->node;
       return nullptr;
     }
 
     /** Whether nodes with unknowns of their own contacts are masters, too. */
     bool
-    masters_are_slaves(const ContactPoints &points)
+    masters_are_slaves(const std::vector<const ContactPoint *> &points)
     {
       Nodes slaves;
-      for (const ContactPoint &point : points.all())
-        if (!point.node->masters.empty() || point.node->is_bound())
-          slaves.insert({point.node->body, point.node->node});
-      for (const ContactPoint &point : points.all())
-        for (const auto &[node, weight] : point.node->masters)
-          if (slaves.count({point.node->master, node}) > 0)
+      for (const ContactPoint *point : points)
+        if (!point->node->masters.empty() || point->node->is_bound())
+          slaves.insert({point->node->body, point->node->node});
+      for (const ContactPoint *point : points)
+        for (const auto &[node, weight] : point->node->masters)
+          if (slaves.count({point->node->master, node}) > 0)
             return true;
       return false;
     }
@@ -63,9 +60,10 @@ namespace conetact::contact
     /** Whether a mean over nodes has others in it that meet something or hang,
      * or hardly its own one, whose displacement it tells. */
     bool
-    has_tangled_means(const Bodies        &bodies,
-                      const ContactPoints &points,
-                      const NodeRules     &supports)
+    has_tangled_means(const Bodies                            &bodies,
+                      const ContactPoints                     &points,
+                      const std::vector<const ContactPoint *> &with_axes,
+                      const NodeRules                         &supports)
     {
       constexpr double        least = .05;
       const HierarchicalMeans means(bodies, supports, points);
@@ -77,8 +75,8 @@ namespace conetact::contact
         const NodeRule *const rule = supports.find(body, node);
         return rule != nullptr && !rule->masters.empty();
       };
-      const auto is_tangled = [&](const ContactPoint &point) {
-        const pairing::ContactNode &own = *point.node;
+      const auto is_tangled = [&](const ContactPoint *const point) {
+        const pairing::ContactNode &own = *point->node;
         if (own.slaves.empty())
           return false;
         const auto slaves = means.weights(own);
@@ -92,7 +90,7 @@ namespace conetact::contact
                                      hangs(own.body, i));
                            });
       };
-      return std::any_of(points.all().begin(), points.all().end(), is_tangled);
+      return std::any_of(with_axes.begin(), with_axes.end(), is_tangled);
     }
 
     bool
@@ -116,6 +114,21 @@ namespace conetact::contact
         });
     }
 
+    /** Whether its tie opens along a direction, or not at all across it. */
+    bool
+    opens_along(const pairing::ContactNode &node,
+                const Tensor<1, 3>         &direction,
+                const Bodies               &bodies)
+    {
+      return node.opening &&
+             std::any_of(bodies.cuts.begin(),
+                         bodies.cuts.end(),
+                         [&](const Cut &cut) {
+                           return cut.body == *node.opening &&
+                                  std::abs(cut.axis * direction) > 1e-12;
+                         });
+    }
+
     /** Whether what supports hold of a bound node is bound there as well, or
      * not at all: it is theirs then. */
     bool
@@ -135,11 +148,14 @@ namespace conetact::contact
              std::all_of(rule->held.begin(),
                          rule->held.end(),
                          [&](const HeldDirection &h) {
-                           return is_one_of(h.direction, point.frictionless) ||
-                                  (is_one_of(h.direction, point.directions) &&
-                                   are_masters_held(*point.node,
-                                                    h.direction,
-                                                    supports));
+                           return !opens_along(*point.node,
+                                               h.direction,
+                                               bodies) &&
+                                  (is_one_of(h.direction, point.frictionless) ||
+                                   (is_one_of(h.direction, point.directions) &&
+                                    are_masters_held(*point.node,
+                                                     h.direction,
+                                                     supports)));
                          });
     }
   } // namespace
@@ -151,37 +167,26 @@ namespace conetact::contact
                     const NodeRules     &supports,
                     const ContactPoints &points)
   {
-    if (!bodies.cuts.empty())
-      return "knows no ties with a Preload, and there is '" +
-             bodies.names[bodies.cuts.front().body] + "'";
-    for (std::size_t b = 0; b < bodies.structures.size(); ++b)
-      if (bodies.is_rigid(b))
-        return "solves bodies that deform, and " + bodies.called(b) +
-               " is rigid and free";
+    if (bodies.n_free_obstacles() > 0)
+      return "solves bodies that deform, and " +
+             bodies.called(bodies.n_elastic()) + " is rigid and free";
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
       if (!is_bound_or_held(points.all()[i], supports, bodies))
         return "knows no ties and no bilateral contacts of nodes that supports "
                "hold askew, or where these do not hold what it meets";
-    if (const ContactPoint *point = entangled_spring(points, supports);
-        point != nullptr &&
-        (shared_node(points) != nullptr || points.have_prescribed_slip() ||
-         has_tangled_means(bodies, points, supports)))
-      return "knows springs at nodes that no other contact has and no support "
-             "holds, and that at " +
-             to_text(point->node->position) + " of " +
-             bodies.called(point->node->body) + " is not at such a one";
-    if (const pairing::ContactNode *node = shared_node(points))
-      return "wants each node in one contact, and that at " +
+    const auto with_axes = points_with_axes(points);
+    if (const pairing::ContactNode *node = shared_node(with_axes))
+      return "wants each node in one tie or bilateral contact, and that at " +
              to_text(node->position) + " of " + bodies.called(node->body) +
              " is in several";
     if (points.have_prescribed_slip())
       return "knows no friction along what supports hold";
-    if (has_tangled_means(bodies, points, supports))
+    if (has_tangled_means(bodies, points, with_axes, supports))
       return "knows means over nodes of a mortar surface only where they "
              "hang on no others and meet nothing by themselves, as on a slave "
              "that its master covers: let the narrower body be the slave, refine "
              "its surface evenly, or set Pairing = node to face";
-    if (masters_are_slaves(points))
+    if (masters_are_slaves(with_axes))
       return "wants nodes of one body to face those of another, but not both "
              "each other";
     return "";

@@ -17,7 +17,7 @@ namespace conetact::contact
     const unsigned int dim = bodies.dim, n_turns = dim == 2 ? 1 : 3;
     Point<3>           centre;
     unsigned int       n = 0;
-    for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+    for (unsigned int b = 0; b < bodies.n_elastic(); ++b)
       for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i, ++n)
         centre += Tensor<1, 3>(bodies.position(b, i));
     centre /= std::max(n, 1u);
@@ -27,7 +27,7 @@ namespace conetact::contact
         Tensor<1, 3> axis;
         axis[k < dim ? k : dim == 2 ? 2 : k - dim] = 1;
         VectorXd u = VectorXd::Zero(coordinates.n_dofs());
-        for (unsigned int b = 0; b < bodies.structures.size(); ++b)
+        for (unsigned int b = 0; b < bodies.n_elastic(); ++b)
           for (unsigned int i = 0; i < bodies.structures[b]->n_nodes(); ++i)
             {
               const bodies::Structure &structure = *bodies.structures[b];

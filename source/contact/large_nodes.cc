@@ -14,10 +14,12 @@ namespace conetact::contact
 
   namespace
   {
+    /** Rigid bodies have rotations, but no elements. */
     bool
-    is_frame(const bodies::Structure &structure, const unsigned int dim)
+    is_frame(const Bodies &bodies, const std::size_t body)
     {
-      return structure.n_components() > dim;
+      return bodies.structures[body]->n_components() > bodies.dim &&
+             !bodies.is_rigid(body);
     }
 
     /** Rotations of a node are a node by themselves: blocks have `dim` unknowns
@@ -96,15 +98,16 @@ namespace conetact::contact
   {
     double       rotations = 0, displacements = 0;
     unsigned int n_rotations = 0, n_displacements = 0;
-    for (const bodies::Structure *structure : elastic.bodies.structures)
-      if (is_frame(*structure, elastic.bodies.dim))
-        structure->for_each_element(
+    for (std::size_t b = 0; b < elastic.bodies.structures.size(); ++b)
+      if (const bodies::Structure &structure = *elastic.bodies.structures[b];
+          is_frame(elastic.bodies, b))
+        structure.for_each_element(
           [&](const std::vector<unsigned int> &dofs, const double *matrix) {
             for (std::size_t i = 0; i < dofs.size(); ++i)
               {
                 const double entry = matrix[i * dofs.size() + i];
                 const bool   turns =
-                  dofs[i] % structure->n_components() >= elastic.bodies.dim;
+                  dofs[i] % structure.n_components() >= elastic.bodies.dim;
                 (turns ? rotations : displacements) += entry;
                 ++(turns ? n_rotations : n_displacements);
               }
@@ -168,6 +171,17 @@ namespace conetact::contact
 
   namespace
   {
+    /** Bodies that open ties, with the slave of each. */
+    std::map<unsigned int, unsigned int>
+    sides_of_cuts(const Bodies &bodies)
+    {
+      std::map<unsigned int, unsigned int> slaves;
+      for (const pairing::ContactNode &node : bodies.contact_nodes)
+        if (node.opening)
+          slaves[*node.opening] = node.body;
+      return slaves;
+    }
+
     /** Of each body, whether it is factorised: frames that meet no other body,
      * and little that meets frames. */
     std::vector<bool>
@@ -183,12 +197,15 @@ namespace conetact::contact
           const bodies::Structure &structure = *bodies.structures[b];
           n_bodies[group[b]] += 1;
           n_dofs[group[b]] += structure.n_dofs();
-          n_frames[group[b]] += is_frame(structure, bodies.dim) ? 1 : 0;
+          n_frames[group[b]] += is_frame(bodies, b) ? 1 : 0;
         }
       std::vector<bool> result;
       for (unsigned int b = 0; b < n; ++b)
         result.push_back(n_frames[group[b]] > 0 &&
                          (n_bodies[group[b]] == 1 || n_dofs[group[b]] <= few));
+      // What opens a tie is where its sides are.
+      for (const auto &[body, sides] : sides_of_cuts(bodies))
+        result[body] = result[sides];
       return result;
     }
 
@@ -217,7 +234,7 @@ namespace conetact::contact
     constexpr double much   = 20;
     const Bodies    &bodies = elastic.bodies;
     const auto       frame  = [&](const unsigned int body) {
-      return is_frame(*bodies.structures[body], bodies.dim);
+      return is_frame(bodies, body);
     };
     const Pairs pairs  = find_pairs(elastic, coordinates, points);
     const auto  direct = are_direct(bodies, pairs);
@@ -234,5 +251,83 @@ namespace conetact::contact
                    bodies.structures[b]->n_nodes(),
                    direct[b] ? nodes.direct : nodes.together);
     return nodes;
+  }
+
+
+
+  Eigen::SparseMatrix<double, Eigen::RowMajor>
+  rows_of_further(const Bodies        &bodies,
+                  const Coordinates   &coordinates,
+                  const ContactPoints &points)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    int                                 row = 0;
+    for (const Eigen::Index i : coordinates.contact_axes().further_nodes())
+      for (const Tensor<1, 3> &along : points[i].dual)
+        {
+          const auto add = [&](const unsigned int body,
+                               const unsigned int node,
+                               const double       weight) {
+            const Tensor<1, 3> own = bodies.in_frame(body, along);
+            const auto first = static_cast<int>(coordinates.dof(body, node));
+            for (unsigned int d = 0; d < bodies.dim; ++d)
+              entries.emplace_back(row,
+                                   first + static_cast<int>(d),
+                                   weight * own[d]);
+          };
+          pairing::for_each_side(*points[i].node, add);
+          ++row;
+        }
+    Eigen::SparseMatrix<double, Eigen::RowMajor> rows(row,
+                                                      coordinates.n_dofs());
+    rows.setFromTriplets(entries.begin(), entries.end());
+    return rows;
+  }
+
+
+
+  std::optional<iterative::FurtherContacts>
+  further_contacts(const Bodies        &bodies,
+                   const Coordinates   &coordinates,
+                   const ContactPoints &points)
+  {
+    const ContactAxes &axes = coordinates.contact_axes();
+    if (axes.further_nodes().empty())
+      return {};
+    const auto of_dofs = rows_of_further(bodies, coordinates, points);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int row = 0; row < of_dofs.rows(); ++row)
+      for (iterative::FurtherContacts::Rows::InnerIterator e(of_dofs, row); e;
+           ++e)
+        coordinates.for_row(e.col(),
+                            [&](const Eigen::Index unknown,
+                                const double       factor) {
+                              entries.emplace_back(row,
+                                                   static_cast<int>(unknown),
+                                                   factor * e.value());
+                            });
+    iterative::FurtherContacts::Rows rows(of_dofs.rows(),
+                                          coordinates.n_unknowns());
+    rows.setFromTriplets(entries.begin(), entries.end());
+    return iterative::FurtherContacts{std::move(rows),
+                                      points.layout(),
+                                      axes.own_nodes(),
+                                      axes.further_nodes()};
+  }
+
+
+
+  std::map<unsigned int, int>
+  sides_of_ties(const Bodies &bodies, const Coordinates &coordinates)
+  {
+    std::map<unsigned int, int> sides;
+    for (const auto &[opening, slave] : sides_of_cuts(bodies))
+      {
+        for (unsigned int i = 0; i < bodies.structures[slave]->n_nodes(); ++i)
+          sides[node_of_displacements(coordinates.number(slave, i))] =
+            static_cast<int>(slave) + 1;
+        sides[node_of_displacements(coordinates.number(opening, 0))] = -1;
+      }
+    return sides;
   }
 } // namespace conetact::contact

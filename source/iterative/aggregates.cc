@@ -26,7 +26,9 @@ namespace conetact::iterative
 
   template <int size>
   std::vector<int>
-  aggregates(const DistributedMatrix<size, size, double> &A, int &n_aggregates)
+  aggregates(const DistributedMatrix<size, size, double> &A,
+             const std::vector<int>                      &side,
+             int                                         &n_aggregates)
   {
     const auto      &own  = A.own_part();
     const int        n    = static_cast<int>(own.n_block_rows());
@@ -38,9 +40,14 @@ namespace conetact::iterative
         if (j == i)
           least[i] = weak * block.norm();
       });
+    const auto together = [&](const int i, const int j) {
+      return i == j || side.empty() ||
+             (side[at(i)] == side[at(j)] && side[at(i)] >= 0);
+    };
     const auto neighbours = [&](const int i, const auto &f) {
       for (std::size_t k = own.start[at(i)]; k < own.start[at(i) + 1]; ++k)
         if (const int j = own.column[k];
+            together(i, j) &&
             own.block(at(i), k).squaredNorm() >= least[i] * least[j])
           f(j);
     };
@@ -99,9 +106,15 @@ namespace conetact::iterative
   }
 
   template std::vector<int>
-  aggregates(const DistributedMatrix<2, 2, double> &, int &);
+  aggregates(const DistributedMatrix<2, 2, double> &,
+             const std::vector<int> &,
+             int &);
   template std::vector<int>
-  aggregates(const DistributedMatrix<3, 3, double> &, int &);
+  aggregates(const DistributedMatrix<3, 3, double> &,
+             const std::vector<int> &,
+             int &);
   template std::vector<int>
-  aggregates(const DistributedMatrix<6, 6, double> &, int &);
+  aggregates(const DistributedMatrix<6, 6, double> &,
+             const std::vector<int> &,
+             int &);
 } // namespace conetact::iterative

@@ -45,7 +45,7 @@ namespace conetact::iterative
     find_near_contact();
     find_scale();
     make_smoother(given.surface);
-    make_levels(given.modes, given.preconditioner);
+    make_levels(given.modes, given.side, given.preconditioner);
   }
 
 
@@ -188,8 +188,9 @@ namespace conetact::iterative
 
   template <int block>
   void
-  BlockSystem<block>::make_levels(const Eigen::MatrixXd &modes,
-                                  const Preconditioner   kind)
+  BlockSystem<block>::make_levels(const Eigen::MatrixXd  &modes,
+                                  const std::vector<int> &side,
+                                  const Preconditioner    kind)
   {
     if (first.back() <= small_enough)
       {
@@ -206,7 +207,8 @@ namespace conetact::iterative
         return;
       }
     auto own = std::make_unique<CoarseLevels<block, 3 * (block - 1)>>(
-      LevelAbove<block>{K, scale, D, largest_of_blocks, modes}, processes);
+      LevelAbove<block>{K, scale, D, largest_of_blocks, modes, side},
+      processes);
     own->follow(A, nodes, first_node);
     levels = std::move(own);
   }

@@ -33,6 +33,7 @@ namespace conetact::iterative
     {
       std::vector<int> of;    ///< each unknown
       std::vector<int> first; ///< of each process, and behind the last one
+      int              block; ///< places of a node
     };
 
     /** Nodes of each process: what elements bring to their rows is its work. */
@@ -113,8 +114,9 @@ namespace conetact::iterative
     find_places(const LargeStiffness &given, const int block, const int n_parts)
     {
       const auto [nodes, node] = number_nodes(given.node_of);
-      const auto       part    = parts_of_nodes(given, nodes, node, n_parts);
-      Places           places;
+      const auto part          = parts_of_nodes(given, nodes, node, n_parts);
+      Places     places;
+      places.block = block;
       std::vector<int> next(nodes.size()); // place of each node
       int              n = 0;
       for (const auto &own : sort_nodes(given, nodes, part, n_parts))
@@ -309,8 +311,23 @@ namespace conetact::iterative
         for (std::size_t q = 0; q < given.node_of.size(); ++q)
           if (given.surface.count(given.node_of[q]) > 0)
             whole.surface.push_back(places.of[q]);
+        if (!given.side.empty())
+          whole.side = sides_of_places(given);
         given = {};
         return whole;
+      }
+      /** That of its node for each place, 0 if nothing is said. */
+      Array
+      sides_of_places(const LargeStiffness &given) const
+      {
+        const int block = places.block;
+        Array     sides = Array::Zero(places.first.back());
+        for (std::size_t q = 0; q < given.node_of.size(); ++q)
+          if (const auto it = given.side.find(given.node_of[q]);
+              it != given.side.end())
+            sides.segment(places.of[q] / block * block, block)
+              .setConstant(it->second);
+        return sides;
       }
       Array
       scatter(const Array &u) const

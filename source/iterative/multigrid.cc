@@ -40,6 +40,17 @@ namespace conetact::iterative
       return all;
     }
 
+    std::vector<int>
+    gather_sides(const std::vector<int> &own, const Communicator &processes)
+    {
+      if (processes.size() == 1)
+        return own;
+      const Eigen::VectorXi all =
+        processes.gather_all(Eigen::VectorXi(Eigen::Map<const Eigen::VectorXi>(
+          own.data(), static_cast<Eigen::Index>(own.size()))));
+      return {all.begin(), all.end()};
+    }
+
     template <int size>
     Eigen::MatrixXd
     dense(const BlockMatrix<size, size, double> &A)
@@ -103,12 +114,14 @@ namespace conetact::iterative
                                                           rows.first,
                                                           sharing);
         make_smoother(level, A);
-        const Eigen::MatrixXd modes = std::move(rows.modes);
-        is_last                     = add_level(aggregate<coarse, coarse>(
-                              {A, 1., level.D, level.largest, modes}, sharing),
-                            level.P,
-                            level.R,
-                            rows);
+        const Eigen::MatrixXd  modes = std::move(rows.modes);
+        const std::vector<int> side  = std::move(rows.side);
+        is_last =
+          add_level(aggregate<coarse, coarse>(
+                      {A, 1., level.D, level.largest, modes, side}, sharing),
+                    level.P,
+                    level.R,
+                    rows);
       }
     coarsest_matrix = dense(rows.A);
   }
@@ -137,6 +150,7 @@ namespace conetact::iterative
       {
         rows.A     = gather_rows(std::move(rows.A), processes);
         rows.modes = gather_rows(rows.modes, processes);
+        rows.side  = gather_sides(rows.side, processes);
         rows.first = {0, n};
       }
     const Communicator sharing = sharers(level);

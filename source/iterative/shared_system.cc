@@ -117,14 +117,15 @@ namespace conetact::iterative
           sizes.push_back(static_cast<Index>(node.size()));
         take_contact(contact_share.places, whole.contact);
         BlockShare<block> share;
-        share.processes      = processes;
-        share.first          = first;
-        share.contact        = std::move(contact_share.places);
-        share.surface        = deal_surface(std::move(whole.surface));
-        share.exists         = deal_places(whole.places);
-        share.modes          = deal_modes(std::move(whole.modes));
+        share.processes = processes;
+        share.first     = first;
+        share.contact   = std::move(contact_share.places);
+        share.surface   = deal_surface(std::move(whole.surface));
+        share.exists    = deal_places(whole.places);
+        share.modes     = deal_modes(std::move(whole.modes));
+        share.side      = deal_sides(std::move(whole.side));
         share.preconditioner = whole.preconditioner;
-        share.K              = rows_of_elements<block>(whole.elements,
+        share.K         = rows_of_elements<block>(whole.elements,
                                           whole.places,
                                           first,
                                           processes);
@@ -258,6 +259,18 @@ namespace conetact::iterative
           part.col(j) = processes.scatter(
             processes.rank() == 0 ? Array(modes.col(j)) : Array(), first);
         return part;
+      }
+      /** A number for each own node, or for none at all. */
+      std::vector<int>
+      deal_sides(Array side) const
+      {
+        if (processes.sum(static_cast<double>(side.size())) == 0)
+          return {};
+        const Array      own = processes.scatter(std::move(side), first);
+        std::vector<int> sides;
+        for (Index p = 0; p < own.size(); p += block)
+          sides.push_back(static_cast<int>(own[p]));
+        return sides;
       }
       std::vector<NodeLaw>
       deal_laws(const std::vector<NodeLaw> &laws) const

@@ -161,13 +161,31 @@ namespace conetact::iterative
       return static_cast<float>(std::round(x / quantum) * quantum);
     }
 
+    /** Of aggregates, from that of their nodes. */
+    std::vector<int>
+    sides_of(const std::vector<int> &aggregate_of,
+             const int               n_aggregates,
+             const std::vector<int> &side)
+    {
+      std::vector<int> result(side.empty() ? 0 : at(n_aggregates));
+      for (std::size_t i = 0; i < side.size(); ++i)
+        result[at(aggregate_of[i])] = side[i];
+      return result;
+    }
+
+    bool
+    is_alone(const std::size_t i, const std::vector<int> &side)
+    {
+      return !side.empty() && side[i] < 0;
+    }
+
     /** Modes of each aggregate, orthogonal; and what they are made of. */
     template <int size, int coarse>
     BlockMatrix<size, coarse, float>
     orthogonal_modes(const std::vector<int> &aggregate_of,
                      const int               n_aggregates,
                      const int               begin,
-                     const Eigen::MatrixXd  &modes,
+                     const LevelAbove<size> &above,
                      Eigen::MatrixXd        &coarse_modes)
     {
       std::vector<std::vector<int>> nodes(at(n_aggregates));
@@ -184,7 +202,8 @@ namespace conetact::iterative
           Eigen::MatrixXd B(Eigen::Index(own.size()) * size, coarse);
           for (std::size_t k = 0; k < own.size(); ++k)
             B.middleRows<size>(Eigen::Index(k) * size) =
-              modes.middleRows<size>(Eigen::Index(own[k]) * size);
+              above.modes.template middleRows<size>(Eigen::Index(own[k]) *
+                                                    size);
           const Eigen::MatrixXd Q = orthogonal(B);
           coarse_modes.middleRows<coarse>(Eigen::Index(a) * coarse) =
             Q.transpose() * B;
@@ -193,6 +212,8 @@ namespace conetact::iterative
               T.column[at(own[k])] = begin + a;
               T.block(at(own[k])) =
                 Q.middleRows<size>(Eigen::Index(k) * size).unaryExpr(&rounded);
+              if (is_alone(at(own[k]), above.side))
+                T.block(at(own[k]))(0, 0) = 1;
             }
         }
       T.value.resize(T.column.size() * T.block_size);
@@ -234,10 +255,11 @@ namespace conetact::iterative
       for (std::size_t i = 0; i < above.A.own_part().n_block_rows(); ++i)
         {
           row.clear();
-          above.A.for_row(i, [&](const int j, const auto &a) {
-            row[T.column[at(j)]].noalias() +=
-              a * T.block(at(j)).template cast<double>();
-          });
+          if (!is_alone(i, above.side))
+            above.A.for_row(i, [&](const int j, const auto &a) {
+              row[T.column[at(j)]].noalias() +=
+                a * T.block(at(j)).template cast<double>();
+            });
           const Eigen::Matrix<double, size, size> D =
             -omega * above.D[i].template cast<double>();
           for (auto &block : row.block)
@@ -467,15 +489,17 @@ namespace conetact::iterative
   aggregate(const LevelAbove<size> &above, const Communicator &processes)
   {
     CoarseLevel<size, coarse> level;
-    int                       n_own        = 0;
-    const std::vector<int>    aggregate_of = aggregates(above.A, n_own);
-    level.rows.first                       = first_numbers(n_own, processes);
-    level.P                                = smoothed(
+    int                       n_own = 0;
+    const std::vector<int>    aggregate_of =
+      aggregates(above.A, above.side, n_own);
+    level.rows.first = first_numbers(n_own, processes);
+    level.rows.side  = sides_of(aggregate_of, n_own, above.side);
+    level.P          = smoothed(
       above,
       orthogonal_modes<size, coarse>(aggregate_of,
                                      n_own,
                                      level.rows.first[at(processes.rank())],
-                                     above.modes,
+                                     above,
                                      level.rows.modes),
       processes);
     level.rows.A = project(above, level.rows.first, processes, level.P);

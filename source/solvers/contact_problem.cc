@@ -447,11 +447,15 @@ namespace conetact::solvers
       seen_by_law(problem, state.v.head(n), state.r.head(n));
     const double limit =
       tolerance * std::max(largest(seen), largest(problem.gap));
-    // a closed node with a bond has no gap to the last digit, but for a layer
-    const double rounding =
-      1e-10 * std::max(largest(state.v.head(n)), largest(problem.gap));
-    const auto limit_of_gap = [&](const Index i) {
-      return problem.laws->layer(i, 0, 0).is_none() ? 0. : rounding;
+    // a closed node with a bond has no gap to the last digit, but for a layer:
+    // it is pressed by more than its gap is worth
+    const VectorXd rho =
+      problem.has_bonds() ? reference_stiffness(system) : VectorXd();
+    const auto bond_opens = [&](const Index i, const double slip) {
+      const Index  k   = system.normal(i);
+      const double gap = seen(k);
+      return gap > 0 && state.r(k) + problem.laws->bond(i, slip, gap).value <=
+                          rho(k) * gap;
     };
     std::vector<NodeState> result(static_cast<std::size_t>(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
@@ -468,7 +472,7 @@ namespace conetact::solvers
         const double r_t  = state.r.segment(first, nt).norm();
         const bool slips = slip > limit && may_slip(problem, i, r_n, r_t, slip);
         const bool opens =
-          problem.is_bonded(i) ? seen(first + nt) > limit_of_gap(i) : r_n <= 0;
+          problem.is_bonded(i) ? bond_opens(i, slip) : r_n <= 0;
         result[static_cast<std::size_t>(i)] = opens ? NodeState::open :
                                               slips ? NodeState::slip :
                                                       NodeState::stick;

@@ -9,7 +9,6 @@ from support.scenes import SHIPPED, box, contact, floor, joint, load, support
 # what the iterative backend says of scenes that are not for it
 PATH = "does not go with Solver, Method = load path, which needs the matrix"
 REFUSED = {"bar-pull-release": PATH, "block-in-groove": PATH,
-           "bolt-preload": "no ties with a Preload, and there is 'preload cut'",
            "pushed-block": PATH, "pushed-block-3d": PATH, "retaining-wall": PATH}
 
 # worth several processes, also more than there are cores: how many, and what makes meshes finer, histories shorter

@@ -4,8 +4,9 @@
 import math
 
 from laws.driven import energy
+from laws.iterative import backend
 from laws.tie import tie
-from support.scenes import box, contact, load, merge, support
+from support.scenes import box, contact, joint, load, merge, support
 
 E, FORCE, LENGTH = 1000.0, 3.0, 2.0
 JOINT = "joint"
@@ -154,8 +155,59 @@ def restarted(laws):
             laws.check(f"restart at t = {end}: {name}", max(abs(x - y) for x, y in zip(a, b)) / max(a), 1e-12)
 
 
+def flanged(dim, n=1, **entries):
+    """A bolt in two halves with a head, which clamps two plates at either side of it, all of them elastic; n of them in a row along x."""
+    last, bottom, top, every = dim - 1, 2 * (dim - 1), 2 * dim - 1, "x, y, z"[:3 * dim - 2]
+    scene = {"Dimension": dim, "Time": {"End": 3, "Increments": 3}, "Output": {"VTU": 0}}
+
+    def body(name, cells, size, origin, young):
+        def deep(plane, across):
+            return plane if dim == 2 else (plane[0], across, plane[1])
+        scene[f"Body {name}"] = stress_body(deep(cells, 2), deep(size, .5), deep(origin, 0.0), dim, young)
+        if dim == 3:
+            scene[f"Support sides {name}"] = support("2, 3", "y", body=name)
+
+    for i in range(n):
+        x, m = 10.0 * i, "" if n == 1 else f" {i}"
+        body(f"stud{m}", (4, 5), (.8, 1.0), (x - .4, 0.0), 2000.0)
+        body(f"bolt{m}", (4, 4), (.8, 1.0), (x - .4, 1.0), 2000.0)
+        body(f"head{m}", (8, 3), (2.0, .6), (x - 1.0, 2.0), 2500.0)
+        scene[f"Support stud{m}"] = support(bottom, every, body=f"stud{m}")
+        scene[f"Contact {JOINT}{m}"] = tie(f"bolt{m}", bottom, f"stud{m}", top, Preload=f"{FORCE + .4 * i!r}*min(t, 1)", **entries)
+        scene[f"Contact thread{m}"] = tie(f"bolt{m}", top, f"head{m}", bottom)
+        for side, left, outside in (("left", x - 1.2, 0), ("right", x + .4, 1)):
+            lower, upper = f"lower {side}{m}", f"upper {side}{m}"
+            body(lower, (4, 5), (.8, 1.0), (left, 0.0), 700.0)
+            body(upper, (4, 4), (.8, 1.0), (left, 1.0), 700.0)
+            scene[f"Support {lower}"] = support(bottom, every, body=lower)
+            scene[f"Contact joint {side}{m}"] = joint(upper, bottom, lower, top, **{"Friction coefficient": .2})
+            scene[f"Contact seat {side}{m}"] = joint(upper, top, f"head{m}", bottom, **{"Friction coefficient": .15})
+            scene[f"Load pull {side}{m}"] = load("traction", " ; ".join(["0"] * last + [f"{.5 + .1 * i}*max(t - 1, 0)"]), outside, body=upper)
+    return scene
+
+
+def by_both_backends(laws):
+    """The same tables, of cuts also: bars whose closed forms are above, and bolts among bodies that deform."""
+    lock = {"Preload locked from": 1}
+    near = {"Pairing": "node to face"}  # supports of the sides hold what their nodes meet, then
+    scenes = {f"{dim}D bar{', exchanged' * exchanged}{', locked' * bool(entries)}": bar(dim, exchanged, **near, **entries)
+              for dim, exchanged, entries in ((2, False, {}), (2, True, lock), (3, False, lock), (3, True, {}))}
+    scenes.update({f"{dim}D, {n} bolt{'s' * (n > 1)}{', locked' * bool(entries)}": flanged(dim, n, **entries)
+                   for dim, n, entries in ((2, 1, {}), (2, 3, lock), (3, 1, lock), (3, 2, {}))})
+    scenes["2D, a bolt with clearance"] = merge(flanged(2, **lock), {f"Contact seat {side}": {"Gap": .002} for side in ("left", "right")})
+    for what, scene in scenes.items():
+        condensed, iterative = (laws.run(scene, *backend(name)) for name in ("condensed", "iterative"))
+        laws.same(f"{what}: both backends", condensed, iterative, 1e-9)
+        laws.demand("  solved by all unknowns", all(row["solver"] in ("iterative", "linear") for row in iterative.increments))
+        for name in condensed.increments[0]:
+            if name.startswith("preload_"):
+                size = max(abs(row[name]) for row in condensed.increments)
+                laws.check(f"  {name}", max(abs(a[name] - b[name]) for a, b in zip(condensed.increments, iterative.increments)) / size, 1e-9)
+
+
 def preload(laws):
     bars(laws)
     turned(laws)
     joints(laws)
     restarted(laws)
+    by_both_backends(laws)

@@ -107,7 +107,7 @@ namespace conetact::contact
     }
     bool
     relink() override;
-    void
+    bool
     see_motions() override;
 
     /** What the factorisations would take; nothing is factorised. */

@@ -62,12 +62,12 @@ namespace conetact::contact
     /** The model is solved in another way from here on. */
     void
     see_elasticity();
-    /** Free motions have become other ones. */
+    /** Of the model: free motions become other ones. */
     void
-    forget_motions()
+    lock_cuts(const double t, const Eigen::VectorXd &u)
     {
-      elastic.motions = elastic.base =
-        Eigen::VectorXd::Zero(model->motions.n_free());
+      model->lock_cuts(t, u, elastic);
+      forget_motions();
     }
     /**
      * Where a solution is about that moves bodies by `motions` and deforms them
@@ -157,6 +157,12 @@ namespace conetact::contact
     }
 
   private:
+    void
+    forget_motions()
+    {
+      elastic.motions = elastic.base =
+        Eigen::VectorXd::Zero(model->motions.n_free());
+    }
     Eigen::VectorXd
     shift() const;
     /** What moves contacts without strain until the end with `load`. */

@@ -127,10 +127,11 @@ namespace conetact::contact
     /**
      * Locks cuts that are due in increments that begin at t, as open as they
      * are in displacements u of all dofs (none: undeformed). Whether there were
-     * any: free motions are other ones then.
+     * any: free motions are other ones then. What is not condensed is made
+     * anew, and starts where it was.
      */
     bool
-    lock_cuts(const double t, const Eigen::VectorXd &u);
+    lock_cuts(const double t, const Eigen::VectorXd &u, ElasticState &state);
     /** How open cuts are in displacements u of all dofs [length]. */
     double
     opening(const Cut &cut, const Eigen::VectorXd &u) const;
@@ -154,6 +155,9 @@ namespace conetact::contact
     singular_sentence(const condensed::SingularMatrix &error) const;
     Eigen::VectorXd
     all_offsets(const LoadCase &load, const double t) const;
+    /** In displacements u of all dofs at time t. */
+    Eigen::VectorXd
+    deformation(const Eigen::VectorXd &u, const double t) const;
 
     const std::vector<double>   times;
     const condensed::Condenser &condenser;

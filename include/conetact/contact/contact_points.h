@@ -224,8 +224,7 @@ namespace conetact::contact
     void
     add(const pairing::ContactNode &node, const std::vector<double> &times);
     void
-    add_spring(const pairing::ContactNode      &node,
-               const std::vector<Tensor<1, 3>> &held);
+    add_spring(const pairing::ContactNode &node);
     void
     add_bound(const pairing::ContactNode &node);
     void

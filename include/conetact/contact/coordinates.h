@@ -4,6 +4,7 @@
 #ifndef conetact_contact_coordinates_h
 #define conetact_contact_coordinates_h
 
+#include "conetact/contact/contact_axes.h"
 #include "conetact/contact/contact_points.h"
 #include "conetact/contact/hierarchical_means.h"
 #include "conetact/contact/linear_map.h"
@@ -24,14 +25,15 @@ namespace conetact::contact
    * to the displacements u of all dofs of all bodies, body after body. It
    * eliminates supports (along any directions) and hanging nodes; d holds what
    * supports prescribe [length]. With contact points it turns their nodes into
-   * their own frames, one at each node: the unknowns that carry cones come last
-   * then, point by point. They are relative to the masters that a node faces,
-   * which must face no master themselves. Where they are means over faces of
-   * second degree, the surface has the hierarchical basis
+   * their own frames, one at each node (ContactAxes): the unknowns that carry
+   * cones come last then, point by point. They are relative to the masters that
+   * a node faces, which must face no master themselves. Where they are means
+   * over faces of second degree, the surface has the hierarchical basis
    * (hierarchical_means.h). Where they are bound (ties, bilateral contacts)
    * they follow what they face, without unknowns; along what supports hold,
-   * they follow these. Unknowns of rotations are what they move at the end of
-   * an arm.
+   * they follow these. What opens a tie that a force tightens (Cut) is one
+   * unknown for all of its nodes until it is locked. Unknowns of rotations are
+   * what they move at the end of an arm.
    */
   class Coordinates : public LinearMap, public NodalVectors
   {
@@ -42,10 +44,16 @@ namespace conetact::contact
                 const ContactPoints *points = nullptr,
                 const double         arm    = 1);
 
+    /** Of contacts, those that have the last unknowns. */
+    const ContactAxes &
+    contact_axes() const
+    {
+      return axes;
+    }
     Eigen::Index
     n_contact_unknowns() const
     {
-      return points != nullptr ? points->n_unknowns() : 0;
+      return axes.n_unknowns();
     }
     /** How the displacement of a node comes about; null: by its own unknowns.
      */
@@ -114,6 +122,12 @@ namespace conetact::contact
     own_displacement(const Eigen::VectorXd &u,
                      const unsigned int     body,
                      const unsigned int     node) const;
+    /** Whether the nodes of a body have unknowns. */
+    bool
+    moves(const unsigned int body) const
+    {
+      return bodies.deforms(body) || opens[body];
+    }
     void
     take(const ContactPoint &point);
     void
@@ -164,7 +178,9 @@ namespace conetact::contact
                                                  const DisplacementOf &displacement) const;
     const NodeRules                  &node_rules;
     const ContactPoints              *points;
+    const ContactAxes                 axes;
     const double                      arm;           ///< of rotations [length]
+    std::vector<bool>                 opens;         ///< bodies of open cuts
     std::vector<const NodeRule *>     rule_of_node;  ///< of all bodies, or null
     std::vector<const ContactPoint *> point_of_node; ///< the same
     /** With directions in the frames of bodies, dual ones in space; those that

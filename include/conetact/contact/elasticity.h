@@ -251,10 +251,13 @@ namespace conetact::contact
     {
       return true;
     }
-    /** A cut was locked: fewer motions are free, nothing is factorised. */
-    virtual void
+    /** A cut was locked: fewer motions are free, nothing is factorised. False:
+     * it must be made anew. */
+    virtual bool
     see_motions()
-    {}
+    {
+      return true;
+    }
 
     /** Load cases that were reduced by the solver. */
     unsigned int

@@ -8,7 +8,10 @@
 #include "conetact/contact/elastic_system.h"
 #include "conetact/contact/elasticity.h"
 #include "conetact/contact/rigid_motions.h"
+#include "conetact/iterative/further_contacts.h"
 #include "conetact/iterative/preconditioner.h"
+
+#include <optional>
 
 namespace conetact::contact
 {
@@ -16,7 +19,8 @@ namespace conetact::contact
    * The elastic system with all its unknowns, for solvers of LargeSystem: what
    * is too large to be condensed. Loads are those of all unknowns, and so is
    * what is primal. Nodes that face a master have the displacement relative to
-   * it as unknowns.
+   * it as unknowns. Of several contacts of a node one has these axes, the
+   * others stand beside the unknowns (iterative::FurtherContacts).
    */
   class IterativeElasticity : public Elasticity
   {
@@ -93,6 +97,12 @@ namespace conetact::contact
     {
       return describe_contacts() == contacts;
     }
+    /** What opened a tie was an unknown. */
+    bool
+    see_motions() override
+    {
+      return false;
+    }
     std::string
     description() const override
     {
@@ -134,16 +144,24 @@ namespace conetact::contact
     /** From the diagonal of K, of all dofs. */
     void
     find_stiffness_of_bound(const Eigen::VectorXd &diagonal);
+    /** Of solvers' unknowns those of the elastic system, and back. */
+    Eigen::VectorXd
+    elastic_part(const Eigen::VectorXd &x) const;
+    Eigen::VectorXd
+    with_further(const Eigen::VectorXd &u) const;
     /** Where nothing opposes a motion the shortest one is taken. */
     Eigen::VectorXd
     without_motion(const Eigen::VectorXd &w) const;
 
-    const ElasticSystem      &elastic;
-    const ContactPoints      &points;
-    const RigidMotions       &motions;
-    const Coordinates         coordinates;
-    const Eigen::MatrixXd     nowhere; ///< motions that nothing resists
-    const Eigen::Index        n_bound;
+    const ElasticSystem  &elastic;
+    const ContactPoints  &points;
+    const RigidMotions   &motions;
+    const Coordinates     coordinates;
+    const Eigen::MatrixXd nowhere; ///< motions that nothing resists
+    const Eigen::Index    n_bound;
+    const std::optional<iterative::FurtherContacts> further;
+    /** What these see of all dofs. */
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> rows_of_dofs;
     const std::vector<double> contacts; ///< as they were when it was made
     Eigen::VectorXd           stiffness_of_bound;
   };

@@ -13,7 +13,8 @@
 
 namespace conetact::contact
 {
-  /** Rigid motions of all bodies together, in the unknowns. */
+  /** Rigid motions of all bodies together, in the unknowns. They open no tie.
+   */
   Eigen::MatrixXd
   common_motions(const Bodies &bodies, const Coordinates &coordinates);
 

@@ -6,7 +6,10 @@
 
 #include "conetact/contact/coordinates.h"
 #include "conetact/contact/elastic_system.h"
+#include "conetact/iterative/further_contacts.h"
 
+#include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -50,6 +53,29 @@ namespace conetact::contact
   special_nodes(const ElasticSystem &elastic,
                 const Coordinates   &coordinates,
                 const ContactPoints &points);
+
+  /** What contacts without axes of their own (ContactAxes) see of the unknowns;
+   * none: no such contact. */
+  std::optional<iterative::FurtherContacts>
+  further_contacts(const Bodies        &bodies,
+                   const Coordinates   &coordinates,
+                   const ContactPoints &points);
+
+  /** Displacements of all dofs as these contacts see them, and their reactions
+   * on all dofs. */
+  Eigen::SparseMatrix<double, Eigen::RowMajor>
+  rows_of_further(const Bodies        &bodies,
+                  const Coordinates   &coordinates,
+                  const ContactPoints &points);
+
+  /**
+   * Of nodes of bodies that forces draw to others (Cut), their sides as
+   * iterative::LargeStiffness has it: as such a tie opens one of its sides
+   * moves as a whole, which aggregates of nodes of both could not. The node of
+   * the opening stays alone.
+   */
+  std::map<unsigned int, int>
+  sides_of_ties(const Bodies &bodies, const Coordinates &coordinates);
 } // namespace conetact::contact
 
 #endif

@@ -35,6 +35,7 @@ namespace conetact::iterative
     std::vector<int> surface;
     Eigen::MatrixXd  modes;
     Preconditioner   preconditioner = Preconditioner::aggregation;
+    std::vector<int> side; ///< of own nodes, see aggregates()
   };
 
   /**
@@ -108,7 +109,9 @@ namespace conetact::iterative
     void
     make_smoother(const std::vector<int> &surface_nodes);
     void
-    make_levels(const Eigen::MatrixXd &modes, const Preconditioner kind);
+    make_levels(const Eigen::MatrixXd  &modes,
+                const std::vector<int> &side,
+                const Preconditioner    kind);
     Array
     without_contact() const;
     /** Of a system of few unknowns, with all contact nodes held. */

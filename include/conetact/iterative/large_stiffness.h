@@ -26,6 +26,9 @@ namespace conetact::iterative
     solvers::ContactSystem    contact;  ///< layout of the last unknowns
     /** Nodes that are solved for together: see SurfaceSmoother. */
     std::set<unsigned int> surface;
+    /** Nodes of coarse levels have those of one side; less than 0: a node with
+     * one unknown that many see, by itself on each level. Empty: all on one. */
+    std::map<unsigned int, int> side;
     /** Of a node, to share nodes among processes. */
     std::function<std::array<double, 3>(const unsigned int node)> position;
     /** Any but the first is of one process. */

@@ -28,6 +28,8 @@ namespace conetact::iterative
     /** Places of nodes that are smoothed together. */
     std::vector<int> surface;
     Preconditioner   preconditioner = Preconditioner::aggregation;
+    /** Of each place that of its node, see aggregates(); empty: all on one. */
+    Eigen::VectorXd side;
   };
 
   /**

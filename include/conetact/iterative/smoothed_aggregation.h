@@ -20,6 +20,7 @@ namespace conetact::iterative
     BlockMatrix<size, size, double> A;
     Eigen::MatrixXd                 modes;
     std::vector<int> first; ///< process p has nodes first[p], first[p] + 1, ...
+    std::vector<int> side;  ///< of own nodes, see aggregates()
   };
 
   /** A coarse level and the map from it to the level above it. */
@@ -39,6 +40,7 @@ namespace conetact::iterative
     const NodeBlocks<size>                      &D; ///< inverse of its blocks
     float                                        largest; ///< eigenvalue of D A
     const Eigen::MatrixXd                       &modes;
+    std::vector<int> side = {}; ///< of own nodes, see aggregates()
   };
 
   /**
@@ -47,7 +49,10 @@ namespace conetact::iterative
    * to aggregates, whose motions are those of the modes (rigid ones), smoothed
    * by one step of Jacobi's method with blocks. An aggregate is a node with as
    * many unknowns as there are modes; the matrix of aggregates is P^T A P. Each
-   * process makes aggregates of its own nodes.
+   * process makes aggregates of its own nodes. A node that stays alone has one
+   * unknown, the first, which no mode moves and many nodes see: it is the same
+   * on all levels, and nothing is smoothed into it, or all that see it would
+   * see each other there.
    */
   template <int size, int coarse>
   CoarseLevel<size, coarse>

@@ -93,3 +93,55 @@ TEST(SmoothedAggregation, HardAndSoftPartsAreApart)
                 P.block(0, 3 * a, 2 * 20, 3).norm() < 1e-3)
       << "aggregate " << a;
 }
+
+
+
+/* Node 20 sees all others, as what opens a tie between nodes 19 and 21. */
+TEST(SmoothedAggregation, WhatOpensATieStaysAlone)
+{
+  constexpr int             n = 41, alone = 20;
+  BlockMatrix<2, 2, double> A;
+  for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; j < n; ++j)
+        if (std::abs(i - j) <= 1 || i == alone || j == alone)
+          {
+            const Matrix2d block = (i == j ? 2. : -.1) * Matrix2d::Identity();
+            A.column.push_back(j);
+            A.value.insert(A.value.end(), block.data(), block.data() + 4);
+          }
+      A.start.push_back(A.column.size());
+    }
+  A.value.resize(A.value.size() + 4);
+  const DistributedMatrix<2, 2, double> matrix(std::move(A),
+                                               {0, n},
+                                               conetact::Communicator());
+  std::vector<int>                      side(n, 1);
+  MatrixXd                              modes(2 * n, 3);
+  for (int i = 0; i < n; ++i)
+    {
+      modes.middleRows<2>(2 * i) << 1, 0, 0, 0, 1, i;
+      side[static_cast<std::size_t>(i)] = i < alone ? 1 : 2;
+    }
+  modes.middleRows<2>(2 * alone).setZero();
+  side[alone] = -1;
+  const std::vector<Eigen::Matrix2f> D(n, .5f * Eigen::Matrix2f::Identity());
+  const auto                         level =
+    aggregate<2, 3>({matrix, 1., NodeBlocks<2>(D), 2.f, modes, side}, {});
+  const int      m       = level.rows.first.back();
+  const MatrixXd P       = dense(level.P, m);
+  int            n_alone = 0;
+  for (int a = 0; a < m; ++a)
+    {
+      const int of = level.rows.side[static_cast<std::size_t>(a)];
+      n_alone += of < 0 ? 1 : 0;
+      // one step of smoothing reaches the next node
+      const double left = P.block(0, 3 * a, 2 * (alone - 1), 3).norm();
+      const double right =
+        P.bottomRows(2 * (alone - 1)).middleCols<3>(3 * a).norm();
+      EXPECT_TRUE(of < 0 || left == 0 || right == 0) << "aggregate " << a;
+      // nothing but itself
+      EXPECT_EQ(P.block(2 * alone, 3 * a, 2, 3).norm(), of < 0 ? 1. : 0.);
+    }
+  EXPECT_EQ(n_alone, 1);
+}
