@@ -198,11 +198,11 @@ namespace conetact::iterative
         own.contact.first.push_back(own.contact.first.back() +
                                     given.contact.first[at(i) + 1] -
                                     given.contact.first[at(i)]);
-      own.contact.mu = given.contact.mu(part.nodes);
-      own.surface    = given.surface;
-      own.side       = given.side;
-      own.position   = given.position;
-      own.elements   = part_of(given.elements, number);
+      own.contact.mu     = given.contact.mu(part.nodes);
+      own.surface        = given.surface;
+      own.side           = given.side;
+      own.position       = given.position;
+      own.elements       = part_of(given.elements, number);
       own.preconditioner = given.preconditioner;
       return own;
     }

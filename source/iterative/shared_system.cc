@@ -117,15 +117,15 @@ namespace conetact::iterative
           sizes.push_back(static_cast<Index>(node.size()));
         take_contact(contact_share.places, whole.contact);
         BlockShare<block> share;
-        share.processes = processes;
-        share.first     = first;
-        share.contact   = std::move(contact_share.places);
-        share.surface   = deal_surface(std::move(whole.surface));
-        share.exists    = deal_places(whole.places);
-        share.modes     = deal_modes(std::move(whole.modes));
-        share.side      = deal_sides(std::move(whole.side));
+        share.processes      = processes;
+        share.first          = first;
+        share.contact        = std::move(contact_share.places);
+        share.surface        = deal_surface(std::move(whole.surface));
+        share.exists         = deal_places(whole.places);
+        share.modes          = deal_modes(std::move(whole.modes));
+        share.side           = deal_sides(std::move(whole.side));
         share.preconditioner = whole.preconditioner;
-        share.K         = rows_of_elements<block>(whole.elements,
+        share.K              = rows_of_elements<block>(whole.elements,
                                           whole.places,
                                           first,
                                           processes);
