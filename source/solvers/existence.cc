@@ -217,8 +217,6 @@ namespace conetact::solvers
                         const double    reference_force,
                         const VectorXd &gap) const
   {
-    eigen_assert(load.size() == R.rows());
-    eigen_assert(start.size() == R.rows());
     eigen_assert(reference_force >= 0);
     eigen_assert(gap.size() == 0 || gap.size() == system->n_nodes());
     Existence result;

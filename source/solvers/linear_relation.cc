@@ -135,7 +135,6 @@ namespace conetact::solvers
   {
     eigen_assert(is(problem.system));
     eigen_assert(problem.load.size() == scale.size());
-    eigen_assert(problem.gap.size() == contact_system->n_nodes());
     eigen_assert(problem.offset.size() == 0 ||
                  problem.offset.size() == scale.size());
     eigen_assert(problem.reference_force >= 0);
