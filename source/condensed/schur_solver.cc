@@ -69,7 +69,8 @@ namespace conetact::condensed
   refuse_empty_diagonal(const Eigen::VectorXd           &diagonal,
                         const std::vector<unsigned int> &node_of)
   {
-    AssertDimension(static_cast<std::size_t>(diagonal.size()), node_of.size());
+    Assert(static_cast<std::size_t>(diagonal.size()) <= node_of.size(),
+           dealii::ExcMessage("Each unknown has a node."));
     for (Index i = 0; i < diagonal.size(); ++i)
       // Also where it is not a number.
       if (!(diagonal[i] > 0.))
