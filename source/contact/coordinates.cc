@@ -152,7 +152,7 @@ namespace conetact::contact
     const Eigen::Index       before    = n_free;
     first_unknown[n]                   = static_cast<int>(n_free);
     // Bodies that nothing reaches are not solved.
-    if (!bodies.deforms(body))
+    if (!moves(body) || (bodies.is_rigid(body) && node > 0))
       return;
     // Where nothing else is said each dof is an unknown, in the axes of the
     // scene.
@@ -291,8 +291,16 @@ namespace conetact::contact
   {
     AssertIndexRange(body, bodies.structures.size());
     AssertIndexRange(c, bodies.structures[body]->n_components());
-    if (!bodies.deforms(body))
+    if (!moves(body))
       return;
+    if (bodies.is_rigid(body) && node > 0)
+      {
+        for (unsigned int k = 0; k < bodies.structures[body]->n_components();
+             ++k)
+          if (const double way = way_by_first(body, node, c, k); way != 0)
+            append_row(body, 0, k, factor * way);
+        return;
+      }
     const std::size_t n = number(body, node);
     if (corners(body, node) != nullptr && c < bodies.dim)
       {
@@ -341,7 +349,7 @@ namespace conetact::contact
     for (unsigned int body = 0; body < bodies.structures.size(); ++body)
       for (unsigned int i = 0; i < bodies.structures[body]->n_nodes(); ++i)
         if (const Directions *free = free_directions(number(body, i));
-            free != nullptr && bodies.deforms(body))
+            free != nullptr && moves(body))
           for (std::size_t k = 0; k < free->size(); ++k)
             q[first_unknown[number(body, i)] + static_cast<Eigen::Index>(k)] =
               own_displacement(u, body, i) * (*free)[k];

@@ -136,10 +136,10 @@ namespace conetact::contact
     if (!bodies.cuts.empty())
       return "knows no ties with a Preload, and there is '" +
              bodies.names[bodies.cuts.front().body] + "'";
-    for (std::size_t b = 0; b < bodies.structures.size(); ++b)
-      if (bodies.is_rigid(b))
-        return "solves bodies that deform, and " + bodies.called(b) +
-               " is rigid and free";
+    for (const bodies::Support &support : bodies.supports)
+      if (bodies.is_rigid(support.body) && !support.is_still())
+        return "solves bodies that deform, and " + bodies.called(support.body) +
+               " is rigid and free, and moved as well";
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
       if (!is_bound_or_held(points.all()[i], supports, bodies))
         return "knows no ties and no bilateral contacts of nodes that supports "

@@ -31,7 +31,8 @@ namespace conetact::contact
    * (hierarchical_means.h). Where they are bound (ties, bilateral contacts)
    * they follow what they face, without unknowns; along what supports hold,
    * they follow these. Unknowns of rotations are what they move at the end of
-   * an arm.
+   * an arm. With contact points rigid bodies have the unknowns of their first
+   * node, which the others follow.
    */
   class Coordinates : public LinearMap, public NodalVectors
   {
@@ -114,6 +115,13 @@ namespace conetact::contact
     own_displacement(const Eigen::VectorXd &u,
                      const unsigned int     body,
                      const unsigned int     node) const;
+    /** Whether its nodes have unknowns. */
+    bool
+    moves(const unsigned int body) const
+    {
+      return bodies.deforms(body) ||
+             (points != nullptr && bodies.is_rigid(body));
+    }
     void
     take(const ContactPoint &point);
     void
