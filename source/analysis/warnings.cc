@@ -176,7 +176,7 @@ namespace conetact::analysis
             angle > large_rotation)
           first("rotation " + name,
                 name + "turns by " + to_text(angle) + " rad." + theory);
-        if (most > large_deformation * size)
+        if (most > large_deformation * size && !model.bodies.is_rigid(body))
           first("deformation " + name,
                 name + "deforms by " + to_text(most) + ", " +
                   to_text(most / size) + " of its size." + theory);

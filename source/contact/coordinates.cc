@@ -167,7 +167,7 @@ namespace conetact::contact
     const Eigen::Index       before    = n_free;
     first_unknown[n]                   = static_cast<int>(n_free);
     // Bodies that nothing reaches are not solved.
-    if (!moves(body))
+    if (!moves(body) || (bodies.is_rigid(body) && node > 0))
       return;
     // Where nothing else is said each dof is an unknown, in the axes of the
     // scene.
@@ -312,6 +312,14 @@ namespace conetact::contact
     AssertIndexRange(c, bodies.structures[body]->n_components());
     if (!moves(body))
       return;
+    if (bodies.is_rigid(body) && node > 0)
+      {
+        for (unsigned int k = 0; k < bodies.structures[body]->n_components();
+             ++k)
+          if (const double way = way_by_first(body, node, c, k); way != 0)
+            append_row(body, 0, k, factor * way);
+        return;
+      }
     const std::size_t n = number(body, node);
     if (corners(body, node) != nullptr && c < bodies.dim)
       {

@@ -167,9 +167,10 @@ namespace conetact::contact
                     const NodeRules     &supports,
                     const ContactPoints &points)
   {
-    if (bodies.n_free_obstacles() > 0)
-      return "solves bodies that deform, and " +
-             bodies.called(bodies.n_elastic()) + " is rigid and free";
+    for (const bodies::Support &support : bodies.supports)
+      if (bodies.is_free_obstacle(support.body) && !support.is_still())
+        return "solves bodies that deform, and " + bodies.called(support.body) +
+               " is rigid and free, and moved as well";
     for (std::size_t i = points.size(); i < points.all().size(); ++i)
       if (!is_bound_or_held(points.all()[i], supports, bodies))
         return "knows no ties and no bilateral contacts of nodes that supports "

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -56,7 +57,9 @@ namespace conetact::contact
                            double            &hardest) {
         pair.nodes.insert(
           node_of_displacements(coordinates.number(body, node)));
-        hardest = std::max(hardest, diagonal[coordinates.dof(body, node)]);
+        hardest = elastic.bodies.is_rigid(body) ?
+                    std::numeric_limits<double>::infinity() :
+                    std::max(hardest, diagonal[coordinates.dof(body, node)]);
       };
       for (const ContactPoint &point : points.all())
         {

@@ -130,6 +130,27 @@ namespace conetact::contact
 
 
 
+  double
+  NodalVectors::way_by_first(const unsigned int body,
+                             const unsigned int node,
+                             const unsigned int c,
+                             const unsigned int k) const
+  {
+    const unsigned int dim = bodies.dim;
+    if (c >= dim) // other nodes do not rotate
+      return 0;
+    if (k < dim)
+      return c == k ? 1. : 0.;
+    Tensor<1, 3> about;
+    about[dim == 2 ? 2 : k - dim]       = 1;
+    const bodies::Structure &body_there = *bodies.structures[body];
+    return cross_product_3d(about,
+                            body_there.position(node) -
+                              body_there.position(0))[c];
+  }
+
+
+
   /* Forces of a rigid body have one resultant at its first node. */
   void
   NodalVectors::gather_rigid(const unsigned int body, Eigen::VectorXd &f) const

@@ -10,7 +10,7 @@ from support.scenes import box, contact, floor, load, merge, simplices, support,
 from support.vectors import apply, cross, dot, plus, rotation, scaled
 
 YOUNG, LENGTH = 1000.0, 3.0
-BACKENDS = ("condensed",)
+BACKENDS = ("condensed", "iterative")
 
 
 def couplings(laws):
@@ -194,8 +194,8 @@ def beside_contacts(laws):
     """A block that is pressed on a floor and pushed by its top: friction carries what is asked."""
     for dim in (2, 3):
         bottom, top, down = (2, 3, 1) if dim == 2 else (4, 5, 2)
-        press, push = [0.0] * dim, ["0"] * dim
-        press[down], push[0] = -20.0, "4*max(t - 1, 0)"
+        press, push = ["0"] * dim, ["0"] * dim
+        press[down], push[0] = "-20*min(t, 1)", "4*max(t - 1, 0)"
         point = [1.0, .5, .4][:dim]
         point[down] = 1.2
         scene = {"Dimension": dim, "Body block": box((8, 4) if dim == 2 else (5, 3, 3), (2.0, 1.0, 1.0)[:dim]),

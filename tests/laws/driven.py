@@ -111,6 +111,7 @@ def free_obstacles(laws):
         laws.check(f"{dim}D, sphere pressed by 7: contact force", abs(last[f"top_f_{axis}"] + 7), 7e-10)
         laws.check(f"{dim}D: force on the obstacle", abs(last[f"obstacle_punch_f_{axis}"] - 7), 7e-10)
         laws.check(f"{dim}D: energy", energy(run), 1e-9)
+        laws.same(f"{dim}D: the same without condensing", run, laws.run(merge(pressed, {"Solver": {"Backend": "iterative"}})), 1e-9)
         moved = last[f"obstacle_punch_u_{axis}"]
         laws.same(f"{dim}D: the same by its displacement {moved:.6g}", run,
                   laws.run(layer(dim, sphere | {"Displacement": along_last(dim, f"({moved!r})*t")}, mu=.2)), 1e-9)

@@ -33,7 +33,8 @@ namespace conetact::contact
    * they follow what they face, without unknowns; along what supports hold,
    * they follow these. What opens a tie that a force tightens (Cut) is one
    * unknown for all of its nodes until it is locked. Unknowns of rotations are
-   * what they move at the end of an arm.
+   * what they move at the end of an arm. With contact points free obstacles
+   * have the unknowns of their first node, which the others follow.
    */
   class Coordinates : public LinearMap, public NodalVectors
   {
@@ -126,7 +127,8 @@ namespace conetact::contact
     bool
     moves(const unsigned int body) const
     {
-      return bodies.deforms(body) || opens[body];
+      return bodies.deforms(body) || opens[body] ||
+             (points != nullptr && bodies.is_free_obstacle(body));
     }
     void
     take(const ContactPoint &point);

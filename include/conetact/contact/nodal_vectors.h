@@ -73,6 +73,13 @@ namespace conetact::contact
     forces_in_frames(const Eigen::VectorXd &f) const;
 
   protected:
+    /** By how much dof k of the first node of a rigid body moves component c of
+     * another one. */
+    double
+    way_by_first(const unsigned int body,
+                 const unsigned int node,
+                 const unsigned int c,
+                 const unsigned int k) const;
     /** Moves nodal forces on a rigid body with their moments to its first
      * node. */
     void

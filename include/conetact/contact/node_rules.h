@@ -75,6 +75,11 @@ namespace conetact::contact
     {
       return n_rigid - cuts.size();
     }
+    bool
+    is_free_obstacle(const std::size_t body) const
+    {
+      return is_rigid(body) && body < n_elastic() + n_free_obstacles();
+    }
     /** Ties that forces tighten; which are locked changes with time. */
     std::vector<Cut> cuts;
     /** Bodies of revolution round the y axis: all of them or none. */
@@ -87,7 +92,7 @@ namespace conetact::contact
     std::string
     called(const std::size_t body) const
     {
-      const bool is_cut = body >= n_elastic() + n_free_obstacles();
+      const bool is_cut = is_rigid(body) && !is_free_obstacle(body);
       return (is_cut         ? "'" :
               is_rigid(body) ? "obstacle '" :
                                "body '") +
