@@ -173,7 +173,7 @@ class Result:
         return sorted({increment for _, increment, _ in self._drawings("solution") if increment > 0})
 
     def bodies(self, increment: int) -> dict[str, VtuMesh]:
-        """Meshes with displacements and stresses by the names of bodies (letters that files cannot have are _).
+        """Meshes with displacements, stresses, contact by the names of bodies (letters that files cannot have are _).
 
         >>> conetact.run(SCENE).bodies(1)["block"].arrays["displacement"].shape
         (231, 3)
