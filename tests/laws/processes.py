@@ -6,6 +6,7 @@ import re
 import subprocess
 
 from laws.iterative_sliding import ball
+from laws.preload import flanged
 from support.scenes import SHIPPED, box, joint, load, merge, press_and_shear, support
 
 # as many processes as a test wants, whatever the cores are and whoever starts it
@@ -56,6 +57,7 @@ def tables(laws):
     hard = {"Body upper": {"Material": {"Young modulus": 1e6}}}
     compare(laws, "3D, a hard slave", merge(pair(3, "mortar"), hard), 2)
     compare(laws, "2D, node to face", pair(2, "node to face"), 3)
+    compare(laws, "3D, a bolt that is tightened and locked", flanged(3, **{"Preload locked from": 1}), 2)
     compare(laws, "3D, a ball that moves over a layer", merge(ball(), {"Body layer": box((13, 6, 5), (3.6, 1.6, .8), (-1.8, -.8, -.8))}), 2)
 
 
