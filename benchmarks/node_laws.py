@@ -50,7 +50,6 @@ ORDERS = {**{name: {"Friction coefficient": name, **law} for name, law in LAWS.i
           "0.2 + 0.001*T, of temperature": {"Friction coefficient": "0.2 + 0.001*T"},
           "0.3, Shear compliance 1e-4": {"Friction coefficient": .3, "Shear compliance": 1e-4},
           "0.3, Compliance of a table": {"Friction coefficient": .3, "Compliance": "table(p; 0 : 2e-4; 20 : 1e-4)"},
-          "0.15 + 0.2*v/(v + 0.01)": {"Friction coefficient": "0.15 + 0.2*v/(v + 0.01)"},
           "0.3, Cohesion 0.5 lost by slip": {"Friction coefficient": .3, "Cohesion": .5, "Cohesion lost": "slip"},
           "0.3, Wear coefficient 1e-3, explicit": {"Friction coefficient": .3, "Wear coefficient": 1e-3}}
 
