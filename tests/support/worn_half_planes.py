@@ -20,6 +20,7 @@ class HalfPlanes:
 
         def primitive(x):
             return x * np.log(np.abs(x)) - x
+        self.modulus = modulus
         self.kernel = -2 / (np.pi * modulus) * (primitive(a) - primitive(b))
         self.gap, self.mu = self.x**2 / (2 * radius), mu
         self.p, self.q, self.worn = (np.zeros(strips) for _ in range(3))
@@ -73,25 +74,22 @@ class HalfPlanes:
         return self.width * self.p.sum(), self.width * self.q.sum()
 
     def fit(self, closing, force, move, friction):
-        """What gives way behind the half planes, from forces at the first closing and the first move."""
-        self.soft_n = self.root(lambda: (self.press(closing), self.force()[0])[1], force, "soft_n")
-        self.press(closing)
-        kept = self.q.copy(), self.stretched.copy(), self.moved
+        """What gives way behind the half planes, by forces at the first closing and the first move, in partial slip."""
+        def pressed():
+            self.press(closing)
+            return self.force()[0]
 
         def sheared():
-            self.q, self.stretched, self.moved = (np.copy(kept[0]), np.copy(kept[1]), kept[2])
+            self.q, self.stretched, self.moved = np.zeros_like(self.q), np.zeros_like(self.q), 0.0
             self.shear(move)
             return self.force()[1]
-        self.soft_t = self.root(sheared, friction, "soft_t")
-        self.q, self.stretched, self.moved = kept
+        self.find("soft_n", pressed, force)
+        self.find("soft_t", sheared, friction)
 
-    def root(self, value, wanted, name):
+    def find(self, name, value, wanted):
         """Forces fall where more gives way."""
-        low, high = self.bracket
+        low, high = -1 / self.modulus, 10 / self.modulus
         for _ in range(60):
             middle = (low + high) / 2
             setattr(self, name, middle)
             low, high = (middle, high) if value() > wanted else (low, middle)
-        return middle
-
-    bracket = (-.002, .02)
