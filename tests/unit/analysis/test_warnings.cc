@@ -75,7 +75,7 @@ TEST(Warnings, AFloatingBodyIsDeterminateWhereFrictionHoldsIt)
         }
       else
         state.v[points[i].normal()] = .1;
-    return warned.warnings.is_determinate(state, 1);
+    return warned.warnings.is_determinate(state, 1, nullptr);
   };
   EXPECT_TRUE(is_determinate({stick, stick}));
   EXPECT_TRUE(is_determinate({stick, slip}));
