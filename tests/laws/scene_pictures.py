@@ -138,7 +138,7 @@ def several(laws):
              "Contact bottom": contact("lower", mu=.3), "Contact joint": joint("upper", 2, "lower", 3),
              "Contact foot": contact("rod", 2, mu=.3),
              "Support top": support(3, "x, y", "0 ; -0.01*t", "upper"), "Support side": support(0, "x", body="lower"),
-             "Support head": support(1, "x, y, turn", "0 ; -0.001*t ; 0", "rod"), "Output": {"Units": "N, mm"}}
+             "Support head": support(1, "x, y, rz", "0 ; -0.001*t ; 0", "rod"), "Output": {"Units": "N, mm"}}
     run = laws.run(scene)
     for time in (0, 1):
         grids = {name: grid for t, name, grid in blocks_of(run.folder) if t == time}
