@@ -111,9 +111,10 @@ TEST(Preloads, LocksTakeAMotionAway)
         }
       Eigen::VectorXd u = Eigen::VectorXd::Zero(model.coordinates.n_dofs());
       u[25]             = -.02;
-      EXPECT_FALSE(model.lock_cuts(.5, u));
-      EXPECT_TRUE(model.lock_cuts(1, u));
-      EXPECT_FALSE(model.lock_cuts(1, u)); // once
+      ElasticState state;
+      EXPECT_FALSE(model.lock_cuts(.5, u, state));
+      EXPECT_TRUE(model.lock_cuts(1, u, state));
+      EXPECT_FALSE(model.lock_cuts(1, u, state)); // once
       EXPECT_NEAR(model.opening(model.bodies.cuts[0], u), -.02, 1e-15);
       EXPECT_EQ(model.motions.n_free(), 0);
       const auto placed = model.motions.placement(2);
