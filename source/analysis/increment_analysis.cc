@@ -25,6 +25,16 @@ namespace conetact::analysis
       return {state.v.head(n), state.r.head(n), state.node};
     }
 
+    /** What is joined for good has no strength that could be too small. */
+    bool
+    has_bonded_nodes(const solvers::ContactProblem &problem)
+    {
+      bool any = false;
+      for (Eigen::Index i = 0; i < problem.system->n_nodes(); ++i)
+        any = any || problem.is_bonded(i);
+      return any;
+    }
+
     double
     error_of(const verification::Finding &finding)
     {
@@ -220,7 +230,7 @@ namespace conetact::analysis
         std::string why = report.reason.empty() ?
                             "the residual is " + to_text(report.residual) :
                             report.reason;
-        if (problem.has_bonds())
+        if (has_bonded_nodes(problem))
           why += "; where bonds give way, or fluids press bodies apart, "
                  "nothing may hold at this load: move bodies by supports, or "
                  "take smaller increments";

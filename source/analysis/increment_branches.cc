@@ -15,19 +15,31 @@ namespace conetact::analysis
 {
   namespace
   {
-    /** Of displacements and reactions, over the largest of each. */
+    /** Of displacements and reactions, over the largest of each; ways that are
+     * nothing beside an edge are none. */
     bool
     are_the_same(const contact::ContactHistory &one,
                  const solvers::ContactState   &end_of_one,
                  const contact::ContactHistory &other,
-                 const solvers::ContactState   &end_of_other)
+                 const solvers::ContactState   &end_of_other,
+                 const double                   edge)
     {
-      constexpr double same = 1e-7;
-      const auto       near = [](const auto &a, const auto &b) {
-        return solvers::largest(a - b) <= same * solvers::largest(a);
+      constexpr double same = 1e-7, nothing = 1e-9;
+      const auto near = [](const auto &a, const auto &b, const double least) {
+        return solvers::largest(a - b) <=
+               same * std::max(solvers::largest(a), least);
       };
-      return near(one.displacements(), other.displacements()) &&
-             near(end_of_one.r, end_of_other.r);
+      return near(one.displacements(), other.displacements(), nothing * edge) &&
+             near(end_of_one.r, end_of_other.r, 0.);
+    }
+
+    double
+    longest_edge(const contact::ContactPoints &points)
+    {
+      double edge = 0;
+      for (const contact::ContactPoint &point : points)
+        edge = std::max(edge, point.node->spacing);
+      return edge;
     }
   } // namespace
 
@@ -46,8 +58,10 @@ namespace conetact::analysis
                             "and one of these is not. Add a Support, or "
                             "choose automatic.");
     if (contact::has_nodal_laws(model.points) || search.is_needed())
-      throw InputError(in + "friction must be one coefficient of x, y, z, and "
-                            "Kinematics small. Choose automatic.");
+      throw InputError(in + "friction must be one coefficient of x, y, z, "
+                            "without Cohesion, Compliance, wear, fluid, Active "
+                            "and springs, and Kinematics small. Choose "
+                            "automatic.");
   }
 
   /* The first branch is the one that is verified and goes on as the run. */
@@ -56,6 +70,7 @@ namespace conetact::analysis
                                      const solvers::ContactProblem &problem)
   {
     constexpr std::size_t most = 200;
+    const double          edge = longest_edge(model.points);
     std::vector<Branch>   next;
     std::string           open;
     const auto            add = [&](Branch                        &from,
@@ -64,14 +79,15 @@ namespace conetact::analysis
       Branch branch{from.after, from.after, {of, end}, 0, from.number};
       branch.after.advance(end, increment.record.time);
       for (const Branch &other : next)
-        if (are_the_same(branch.after, end, other.after, other.solution.end))
+        if (are_the_same(
+              branch.after, end, other.after, other.solution.end, edge))
           return;
       branch.number = static_cast<unsigned int>(next.size()) + 1;
       next.push_back(std::move(branch));
     };
     if (branches.empty())
-      branches.push_back({history, history, {}, 1, 1});
-    branches.front().after = history;
+      branches.push_back({increment.before, increment.before, {}, 1, 1});
+    branches.front().after = increment.before; // as it was corrected
     add(branches.front(), problem, increment.end);
     for (Branch &from : branches)
       {

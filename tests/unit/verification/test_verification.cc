@@ -326,7 +326,7 @@ namespace
   bool
   wear_more(Claim &c, const ContactPoint &p, const std::size_t i)
   {
-    const bool counts = c.laws && !p.node->may_part(); // which keeps its gap
+    const bool counts = c.laws && !p.node->may_part() && !p.node->spring;
     if (counts)
       c.worn[static_cast<Eigen::Index>(i)] += 1e-7;
     return counts;
