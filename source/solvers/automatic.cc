@@ -6,6 +6,7 @@
 #include "conetact/solvers/gauss_seidel.h"
 #include "conetact/solvers/load_parts.h"
 #include "conetact/solvers/redundant_contacts.h"
+#include "conetact/solvers/smoothing_newton.h"
 #include "conetact/solvers/unloaded.h"
 
 #include <algorithm>
@@ -411,8 +412,8 @@ namespace conetact::solvers
         return first;
       }
 
-    ContactState shortest = state;
-    SolverReport report   = solve_whole(problem, state, true);
+    ContactState shortest = state, alone = state;
+    SolverReport report = solve_whole(problem, state, true);
     add_work(report, first);
     if (redundant && !report.converged)
       if (ContactState trial = estimate; solve_again(problem, trial, report))
@@ -432,7 +433,16 @@ namespace conetact::solvers
       }
     SolverReport parts = solve_in_parts(problem, state);
     add_work(parts, report);
-    return parts;
+    if (parts.converged || (options.stop && options.stop()))
+      return parts;
+    // Smoothing needs no polish where states that share a force cannot settle.
+    SolverReport smoothed =
+      make_smoothing_newton(options)->solve(problem, alone);
+    if (!smoothed.converged)
+      return parts;
+    add_work(smoothed, parts);
+    state = alone;
+    return smoothed;
   }
 
 
