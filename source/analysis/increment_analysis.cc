@@ -407,7 +407,7 @@ namespace conetact::analysis
     // of what is not finite nothing is known that could be corrected
     for (unsigned int step = 0;
          step < most_steps && std::isfinite(error_of(finding)) &&
-         error_of(finding) > .03 * scene.solver.tolerance;
+         error_of(finding) > .1 * scene.solver.tolerance;
          ++step)
       {
         PendingIncrement better  = increment;
