@@ -258,7 +258,9 @@ namespace conetact::contact
     return text +
            ". It is a piece that is not joined to the rest, or a "
            "mechanism: join it, or add a Support." +
-           (hint.empty() ? "" : " " + hint);
+           (hint.empty() ? " Parts that touch each other only, such as bolts, "
+                           "are bodies of their own." :
+                           " " + hint);
   }
 
   bool
