@@ -27,8 +27,6 @@ namespace conetact::iterative
     constexpr double digits          = 1e-4;
   } // namespace
 
-
-
   template <int block>
   BlockSystem<block>::BlockSystem(BlockShare<block> given)
     : processes(given.processes)
@@ -48,8 +46,6 @@ namespace conetact::iterative
     make_levels(given.modes, given.side, given.preconditioner);
   }
 
-
-
   template <int block>
   std::size_t
   BlockSystem<block>::diagonal_block(const int i) const
@@ -62,8 +58,6 @@ namespace conetact::iterative
     return k;
   }
 
-
-
   template <int block>
   typename BlockSystem<block>::Array
   BlockSystem<block>::multiply(const Array &x) const
@@ -73,8 +67,6 @@ namespace conetact::iterative
     K.multiply(x.data(), y.data(), runs_of_K);
     return y;
   }
-
-
 
   template <int block>
   void
@@ -92,8 +84,6 @@ namespace conetact::iterative
         near_contact.push_back(i);
   }
 
-
-
   template <int block>
   typename BlockSystem<block>::Array
   BlockSystem<block>::multiply_contact(const Array &x) const
@@ -107,8 +97,6 @@ namespace conetact::iterative
     return y;
   }
 
-
-
   template <int block>
   typename BlockSystem<block>::Array
   BlockSystem<block>::diagonal() const
@@ -119,8 +107,6 @@ namespace conetact::iterative
         K.own_part().block(at(i), diagonal_block(i)).diagonal();
     return d;
   }
-
-
 
   template <int block>
   void
@@ -137,8 +123,6 @@ namespace conetact::iterative
     runs_of_K = RowRuns<block, double>(K.own_part());
     runs_of_A = RowRuns<block, float>(A.own_part());
   }
-
-
 
   /* Its bound serves all states: what is held makes the range of eigenvalues
      smaller, and so does what is added to blocks as to their smoother. */
@@ -183,8 +167,6 @@ namespace conetact::iterative
       n,
       processes);
   }
-
-
 
   template <int block>
   void
@@ -242,8 +224,6 @@ namespace conetact::iterative
         matrix(i, i) = diagonal(i) == 0 ? 1. : diagonal(i);
     return matrix;
   }
-
-
 
   /* Of what is free; zero elsewhere. */
   template <int block>

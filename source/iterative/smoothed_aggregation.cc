@@ -482,8 +482,6 @@ namespace conetact::iterative
     }
   } // namespace
 
-
-
   template <int size, int coarse>
   CoarseLevel<size, coarse>
   aggregate(const LevelAbove<size> &above, const Communicator &processes)

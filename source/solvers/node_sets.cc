@@ -229,8 +229,6 @@ namespace conetact::solvers
     }
   } // namespace
 
-
-
   namespace
   {
     /** v with a slip that is not much larger than r, or r would be rounded. */
@@ -283,8 +281,6 @@ namespace conetact::solvers
     return sets;
   }
 
-
-
   NodeSets
   sets_of_point(const LinearRelation &relation,
                 const VectorXd       &p,
@@ -325,8 +321,6 @@ namespace conetact::solvers
     return sets;
   }
 
-
-
   void
   append_balance(const LinearRelation &relation,
                  const VectorXd       &d,
@@ -341,8 +335,6 @@ namespace conetact::solvers
          one,
          -d.segment(relation.system().n_contact_unknowns() + j, 1)});
   }
-
-
 
   std::vector<NodeLaw>
   linearized_laws(const LinearRelation &relation,
@@ -378,8 +370,6 @@ namespace conetact::solvers
     append_balance(relation, d, result);
     return result;
   }
-
-
 
   double
   law_residual(const LinearRelation &relation,
@@ -423,8 +413,6 @@ namespace conetact::solvers
     return std::sqrt(sum) / relation.force_scale(p, d);
   }
 
-
-
   double
   askew_friction(const LinearRelation &relation,
                  const NodeSets       &sets,
@@ -457,8 +445,6 @@ namespace conetact::solvers
         }
     return largest > 0 ? askew / largest : 0.;
   }
-
-
 
   void
   set_exact_zeros(const LinearRelation &relation,
