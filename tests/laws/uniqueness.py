@@ -114,6 +114,10 @@ def every_solution(laws):
             if row["state"] == "stick":
                 worst = max(worst, 1e3 * abs(row["du_t1"]))
         laws.check("  the law of contact, all of them", worst / scale, 1e-9)
+        before = {(row["increment"], row["branch"], row["node"]): row["u_t1"] for row in rows}
+        laws.check("  each goes on from the one that it follows",
+                   max((abs(row["u_t1"] - row["du_t1"] - before[row["increment"] - 1, row["parent"], row["node"]])
+                        for row in rows if row["increment"] > 1), default=0.0), 1e-12)
         first = [row for row in rows if row["branch"] == 1]
         laws.check("  the first one is the run", max(abs(a["r_n"] - b["r_n"]) + abs(a["r_t1"] - b["r_t1"]) for a, b in zip(first, run.rows)) / scale, 1e-9)
 
