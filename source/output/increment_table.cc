@@ -158,8 +158,6 @@ namespace conetact::output
   {
     Assert(record.contacts.size() <= run.contacts.size(),
            dealii::ExcMessage("Each contact has its columns."));
-    Assert(record.each_support.size() <= run.supports.size(),
-           dealii::ExcMessage("Each support has its columns."));
     Assert(record.each_load.size() <= run.loads.size(),
            dealii::ExcMessage("Each load has its columns."));
     Assert(record.obstacles.size() <= run.obstacles.size(),
