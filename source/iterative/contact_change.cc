@@ -52,8 +52,6 @@ namespace conetact::iterative
     : processes(p)
   {
     AssertDimension(first.size(), at(processes.size()) + 1);
-    Assert(std::is_sorted(nodes.begin(), nodes.end()),
-           dealii::ExcMessage("Contact nodes are ascending."));
     const int        begin = first[at(processes.rank())];
     std::vector<int> numbers, near;
     for (const int i : nodes)

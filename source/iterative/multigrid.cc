@@ -193,8 +193,6 @@ namespace conetact::iterative
     const std::vector<int>                     &first)
   {
     AssertDimension(first.size(), at(processes.size()) + 1);
-    Assert(std::is_sorted(nodes.begin(), nodes.end()),
-           dealii::ExcMessage("Contact nodes are ascending."));
     Assert(!shown,
            dealii::ExcMessage("Levels have states once they follow contacts."));
     contact = {A, nodes, first, P, processes};

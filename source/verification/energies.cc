@@ -129,8 +129,6 @@ namespace conetact::verification
   Energies::save(Archive                        &archive,
                  const std::vector<std::string> &supports) const
   {
-    Assert(last_foundations.size() <= supports.size(),
-           dealii::ExcMessage("A foundation belongs to a support."));
     archive.put("energies/u", last_u);
     archive.put("energies/forces", last_forces);
     archive.put("energies/t", last_t);

@@ -184,8 +184,8 @@ namespace conetact::iterative
     CoarseLevels(const LevelAbove<fine> &finest, const Communicator &processes);
 
     /**
-     * `nodes`: the contact nodes of this process, ascending, by their rows in
-     * A, the finest matrix, whose rows of processes begin at `first`.
+     * `nodes`: the contact nodes of this process, by their rows in A, the
+     * finest matrix, whose rows of processes begin at `first`.
      */
     void
     follow(const DistributedMatrix<fine, fine, float> &A,
