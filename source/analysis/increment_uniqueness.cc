@@ -5,7 +5,6 @@
 
 #include "conetact/analysis/increment_analysis.h"
 #include "conetact/base/text.h"
-#include "conetact/solvers/all_solutions.h"
 
 #include <cmath>
 
@@ -28,8 +27,7 @@ namespace conetact::analysis
   IncrementAnalysis::judge_uniqueness(PendingIncrement              &increment,
                                       const solvers::ContactProblem &problem)
   {
-    constexpr std::size_t few = 5000; // sets of states
-    const std::string     when =
+    const std::string when =
       "increment " + std::to_string(increment.record.increment) + ": ";
     const auto tell = [&](const std::string &verdict, const std::string &why) {
       increment.record.unique = verdict;
@@ -56,19 +54,15 @@ namespace conetact::analysis
                "there is no bound for bodies that float, for contacts that are "
                "redundant and for more than " +
                  std::to_string(solvers::UniquenessCheck::most) + " unknowns";
-    if (solvers::has_finite_solutions(cones))
-      if (const auto all =
-            solvers::find_all_solutions(cones, scene.solver.tolerance, few);
-          all.open.empty() && all.found.size() <= 1)
-        return tell("yes",
-                    "the solution is unique: of " +
-                      std::to_string(all.n_tried) +
-                      " sets of states no other one has one; for all loads it "
-                      "is " +
-                      up_to(factor.value_or(0), mu));
-    auto other =
+    auto found =
       solvers::find_another(cones, increment.end, scene.solver.tolerance);
-    if (!other)
+    if (found.is_complete)
+      return tell("yes",
+                  "the solution is unique: of " +
+                    std::to_string(found.n_tried) +
+                    " sets of states no other one has one; for all loads " +
+                    bound);
+    if (!found.other)
       return tell("open",
                   "whether the solution is unique is open: " + bound +
                     ", and no other solution was found");
@@ -76,7 +70,7 @@ namespace conetact::analysis
          "the solution is not unique: reactions-2.csv has another one; " +
            bound);
     increment.another = std::make_shared<const AnotherSolution>(
-      AnotherSolution{problem, std::move(*other)});
+      AnotherSolution{problem, std::move(*found.other)});
   }
 
   std::vector<output::ContactRow>

@@ -198,14 +198,9 @@ namespace conetact::solvers
         const auto of_v = [&](const Index k, const double sign) {
           rows.add(sign * relation.W.row(k), sign * relation.q(k));
         };
-        const auto of_r =
-          [&](const Index k, const double factor, const Index l) {
-            Eigen::RowVectorXd a = Eigen::RowVectorXd::Zero(relation.q.size());
-            a(k)                 = 1;
-            if (factor != 0)
-              a(l) = factor;
-            rows.add(a, 0);
-          };
+        const auto presses = [&](const Index normal) {
+          rows.add(Eigen::RowVectorXd::Unit(relation.q.size(), normal), 0);
+        };
         for (Index i = 0; i < system.n_nodes(); ++i)
           {
             const Index first = system.first[at(i)], nt = system.n_tangents(i);
@@ -217,10 +212,9 @@ namespace conetact::solvers
                   of_v(normal, 1);
                   break;
                 case Choice::stick:
-                  if (nt == 0)
-                    of_r(normal, 0, 0);
-                  else
-                    for (const double sign : {1., -1.})
+                  presses(normal);
+                  for (const double sign : {1., -1.})
+                    if (nt > 0)
                       {
                         Eigen::RowVectorXd a =
                           Eigen::RowVectorXd::Zero(relation.q.size());
@@ -228,11 +222,10 @@ namespace conetact::solvers
                         a(first)  = sign;
                         rows.add(a, 0);
                       }
-                  of_r(normal, 0, 0);
                   break;
                 case Choice::forwards:
                 case Choice::backwards:
-                  of_r(normal, 0, 0);
+                  presses(normal);
                   of_v(first, choices[at(i)] == Choice::forwards ? 1 : -1);
                   break;
               }

@@ -238,19 +238,28 @@ namespace conetact::solvers
     return best;
   }
 
-  std::optional<ContactState>
+  AnotherSearch
   find_another(const ContactProblem &problem,
                const ContactState   &state,
                const double          tolerance)
   {
     eigen_assert(state.r.size() == problem.system->n_unknowns());
     eigen_assert(tolerance > 0);
+    AnotherSearch search;
     if (has_finite_solutions(problem))
-      for (ContactState &one : find_all_solutions(problem, tolerance).found)
-        if (differ(problem, state, one))
-          return std::move(one);
-    std::optional<ContactState> other;
-    SolverOptions               options;
+      {
+        AllSolutions all = find_all_solutions(problem, tolerance);
+        for (ContactState &one : all.found)
+          if (!search.other && differ(problem, state, one))
+            search.other = std::move(one);
+        search.n_tried = all.n_tried;
+        // a search that has lost the one that is known proves nothing
+        search.is_complete =
+          !search.other && all.open.empty() && !all.found.empty();
+      }
+    if (search.other || search.is_complete)
+      return search;
+    SolverOptions options;
     options.tolerance = tolerance;
     visit_some(static_cast<std::size_t>(problem.system->n_nodes()),
                [&](const std::vector<NodeState> &states,
@@ -259,9 +268,9 @@ namespace conetact::solvers
                  const SolverReport report =
                    ActiveSet(options).solve_from(problem, trial);
                  if (report.converged && differ(problem, state, trial))
-                   other = trial;
-                 return other.has_value();
+                   search.other = trial;
+                 return search.other.has_value();
                });
-    return other;
+    return search;
   }
 } // namespace conetact::solvers

@@ -65,11 +65,16 @@ namespace conetact::solvers
     std::optional<double>                factor;
   };
 
-  /**
-   * Another solution than `state`: in the plane of all of them, else from some
-   * starts. None: none was found.
-   */
-  std::optional<ContactState>
+  /** What a search for another solution of an increment has found. */
+  struct AnotherSearch
+  {
+    std::optional<ContactState> other;
+    bool                        is_complete = false; ///< there is no other one
+    std::size_t                 n_tried     = 0;     ///< sets of states
+  };
+  /** Another solution than `state`: in the plane of all of them, else from some
+   * starts. */
+  AnotherSearch
   find_another(const ContactProblem &problem,
                const ContactState   &state,
                const double          tolerance);
