@@ -118,12 +118,7 @@ namespace conetact::iterative
       Array
       numbers(const Kept &x) const override
       {
-        Array all = contacts.with_forces(system->numbers(in(x).u));
-        all.segment(n_elsewhere, H.rows()) = in(x).r;
-        for (std::size_t k = 0; k < unknowns.size(); ++k)
-          all[all.size() - n_contact + unknowns[k]] =
-            in(x).v[static_cast<Index>(k)];
-        return all;
+        return whole(system->numbers(in(x).u), in(x).r, in(x).v);
       }
       Array
       of_contact(const Kept &x) const override
@@ -158,13 +153,7 @@ namespace conetact::iterative
       Array
       diagonal() const override
       {
-        const Array own                    = system->diagonal();
-        Array       all                    = contacts.with_forces(own);
-        all.segment(n_elsewhere, H.rows()) = stiffness;
-        for (std::size_t k = 0; k < unknowns.size(); ++k)
-          all[all.size() - n_contact + unknowns[k]] =
-            stiffness[static_cast<Index>(k)];
-        return all;
+        return whole(system->diagonal(), stiffness, stiffness);
       }
       std::optional<Step>
       solve(const std::vector<NodeLaw> &laws,
@@ -196,6 +185,16 @@ namespace conetact::iterative
         made->r         = std::move(r);
         made->v         = std::move(v);
         return made;
+      }
+      /** All unknowns, from those of the system and of further contacts. */
+      Array
+      whole(const Array &own, const Array &r, const Array &v) const
+      {
+        Array all                          = contacts.with_forces(own);
+        all.segment(n_elsewhere, H.rows()) = r;
+        auto contact                       = all.tail(n_contact);
+        contact(unknowns)                  = v;
+        return all;
       }
       /** H u. */
       Array

@@ -228,12 +228,7 @@ namespace conetact::iterative
            dealii::ExcMessage("Contact nodes stay the same."));
     if (!shown)
       return false;
-    const bool differ = !std::equal(states.begin(),
-                                    states.end(),
-                                    shown->begin(),
-                                    [](const auto &a, const auto &b) {
-                                      return !a.differs_much_from(b);
-                                    });
+    const bool differ = !serve(*shown, states);
     return processes.sum(differ ? 1. : 0.) == 0;
   }
 

@@ -160,17 +160,8 @@ namespace conetact::iterative
   {
     Implementation &own = *implementation;
     AssertDimension(states.size(), own.nodes.size());
-    const auto serve = [&] {
-      for (std::size_t k = 0; k < states.size(); ++k)
-        {
-          const NodeState<block> &is = (*own.shown)[k], &asked = states[k];
-          if (exactly ? is.held != asked.held || is.added != asked.added :
-                        asked.differs_much_from(is))
-            return false;
-        }
-      return true;
-    };
-    if (own.shown && serve())
+    if (own.shown &&
+        (exactly ? *own.shown == states : serve(*own.shown, states)))
       return;
     own.write(states);
     own.shown = states;

@@ -7,6 +7,7 @@
 #include "conetact/base/index.h"
 #include "conetact/iterative/shared_rows.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace conetact::iterative
@@ -18,6 +19,11 @@ namespace conetact::iterative
     Eigen::Matrix<float, block, 1>     held; ///< 1: the unknown is known
     Eigen::Matrix<float, block, block> added;
 
+    bool
+    operator==(const NodeState &other) const
+    {
+      return held == other.held && added == other.added;
+    }
     /** Other unknowns are held, or what is added differs by more than the mean
      * of both. */
     bool
@@ -27,6 +33,22 @@ namespace conetact::iterative
                                      .5f * (added.norm() + other.added.norm());
     }
   };
+
+  /** Whether what was made for states `shown` serves those that are asked for:
+   * none of their nodes differs much. */
+  template <int block>
+  bool
+  serve(const std::vector<NodeState<block>> &shown,
+        const std::vector<NodeState<block>> &asked)
+  {
+    return std::equal(asked.begin(),
+                      asked.end(),
+                      shown.begin(),
+                      shown.end(),
+                      [](const auto &a, const auto &b) {
+                        return !a.differs_much_from(b);
+                      });
+  }
 
   /**
    * What a state of contacts changes of the coarse levels of a matrix A in

@@ -100,6 +100,24 @@ namespace
     law.head(2)            = r.head(2) - most * z.head(2).normalized();
     return law;
   }
+
+  LinearRelation
+  relation_of_one_node(const Form form, std::shared_ptr<const NodalLaws> laws)
+  {
+    auto system    = std::make_shared<ContactSystem>();
+    system->form   = form;
+    system->matrix = Eigen::MatrixXd::Identity(3, 3);
+    system->first  = {0, 3};
+    system->mu     = Eigen::VectorXd::Ones(1);
+    ContactProblem problem;
+    problem.system = system;
+    problem.load   = Eigen::VectorXd::Zero(3);
+    problem.gap    = Eigen::VectorXd::Zero(1);
+    problem.laws   = std::move(laws);
+    LinearRelation relation(system, false);
+    relation.set_load(problem);
+    return relation;
+  }
 } // namespace
 
 // Friction, layers and wear: with all their slopes, where a node slips.
@@ -108,18 +126,8 @@ TEST(NodeSets, LawsAreDerivatives)
   const AnyLaws laws;
   for (const Form form : {Form::stiffness, Form::compliance})
     {
-      auto system    = std::make_shared<ContactSystem>();
-      system->form   = form;
-      system->matrix = Eigen::MatrixXd::Identity(3, 3);
-      system->first  = {0, 3};
-      system->mu     = Eigen::VectorXd::Ones(1);
-      ContactProblem problem;
-      problem.system = system;
-      problem.load   = Eigen::VectorXd::Zero(3);
-      problem.gap    = Eigen::VectorXd::Zero(1);
-      problem.laws   = std::make_shared<AnyLaws>();
-      LinearRelation relation(system, false);
-      relation.set_load(problem);
+      const LinearRelation relation =
+        relation_of_one_node(form, std::make_shared<AnyLaws>());
 
       // slips by .7 under 2, with the friction that it has there
       SmallVector  v(3), r(3);
@@ -223,18 +231,8 @@ TEST(NodeSets, LawsOfBondsAreDerivatives)
   for (const Form form : {Form::stiffness, Form::compliance})
     for (const double gap : {0., .6})
       {
-        auto system    = std::make_shared<ContactSystem>();
-        system->form   = form;
-        system->matrix = Eigen::MatrixXd::Identity(3, 3);
-        system->first  = {0, 3};
-        system->mu     = Eigen::VectorXd::Ones(1);
-        ContactProblem problem;
-        problem.system = system;
-        problem.load   = Eigen::VectorXd::Zero(3);
-        problem.gap    = Eigen::VectorXd::Zero(1);
-        problem.laws   = std::make_shared<AnyBonds>();
-        LinearRelation relation(system, false);
-        relation.set_load(problem);
+        const LinearRelation relation =
+          relation_of_one_node(form, std::make_shared<AnyBonds>());
 
         const double slip = .7, bond = laws.bond(0, slip, gap).value;
         const double pressing = gap > 0 ? -bond : 2.;
