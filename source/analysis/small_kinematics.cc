@@ -311,7 +311,8 @@ namespace conetact::analysis
                         model.bodies.dim};
         for (unsigned int c = 0; c < scene.contact_names.size(); ++c)
           if (const pairing::Contact &contact = scene.contact(c);
-              (contact.kind != pairing::ContactKind::tie || contact.active) &&
+              (contact.kind != pairing::ContactKind::tie ||
+               contact.may_part()) &&
               (contact.body == b ||
                (contact.obstacle == nullptr && contact.master == b)))
             {

@@ -61,23 +61,20 @@ namespace conetact::application
 
   namespace
   {
-    /** Whether reactions of its nodes may have any sign by a law. */
+    /** Newton's method knows all laws, others those of cones. */
     bool
-    may_be_joined(const pairing::Contact &contact)
+    is_newton(const std::string &method)
     {
-      return (contact.spring && contact.spring->acts_both_ways()) ||
-             (contact.kind == pairing::ContactKind::tie && contact.active);
+      return method == "automatic" || method == "active set";
     }
   } // namespace
 
   void
   Scene::refuse_joints_of_other_methods() const
   {
-    const bool newton =
-      solver.method == "automatic" || solver.method == "active set";
     for (const pairing::Contact &contact : contacts)
-      if ((contact.spring || may_be_joined(contact)) &&
-          (path.follows || (!newton && may_be_joined(contact))))
+      if (path.follows ? contact.spring || contact.may_part() :
+                         contact.is_joined() && !is_newton(solver.method))
         throw InputError("Contact '" + contact.name +
                          "', Kind: Solver/Method "
                          "= " +
@@ -95,12 +92,12 @@ namespace conetact::application
     for (const pairing::Contact &contact : contacts)
       if (contact.friction->uses_speed() ||
           (contact.layer && contact.layer->uses_speed()) || contact.bond ||
-          contact.fluid || may_be_joined(contact))
+          contact.fluid || contact.is_joined())
         solver.max_substeps = 1;
     refuse_joints_of_other_methods();
     for (const pairing::Contact &contact : contacts)
-      if ((contact.bond || contact.fluid) && solver.method != "automatic" &&
-          solver.method != "active set" && !path.follows)
+      if ((contact.bond || contact.fluid) && !is_newton(solver.method) &&
+          !path.follows)
         throw InputError("Contact '" + contact.name + "', " +
                          (contact.bond ? "Cohesion" : "Penetrating pressure") +
                          ": Solver/Method = " + solver.method +

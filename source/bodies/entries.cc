@@ -27,6 +27,17 @@ namespace conetact::bodies
     return static_cast<unsigned int>(found - bodies.begin());
   }
 
+  void
+  refuse_given(const dealii::ParameterHandler &prm,
+               const std::vector<std::string> &entries,
+               const std::string              &in,
+               const std::string              &why)
+  {
+    for (const std::string &entry : entries)
+      if (!prm.get(entry).empty())
+        throw InputError(in + entry + ": " + why);
+  }
+
   BoundaryIds
   find_boundary(const std::string &text,
                 const Structure   &structure,

@@ -19,25 +19,18 @@ namespace conetact::bodies
       " Write for example 'tip: 1, 0 ; middle: 0.5, 0' (with three "
       "coordinates in space).";
 
-    /** Unit forces tell the shape functions; false if no cell holds it. */
+    /** False if no cell holds it. */
     bool
     find_shapes(Probe             &probe,
                 const unsigned int dim,
                 const Structure   &structure)
     {
-      std::vector<std::vector<std::pair<Eigen::Index, double>>> shapes(dim);
+      probe.shapes.clear();
       for (unsigned int c = 0; c < dim; ++c)
-        {
-          Tensor<1, 3> unit;
-          unit[c]           = 1;
-          Eigen::VectorXd f = Eigen::VectorXd::Zero(structure.n_dofs());
-          if (!structure.add_point_force(probe.point, unit, f))
-            return false;
-          for (Eigen::Index i = 0; i < f.size(); ++i)
-            if (f[i] != 0)
-              shapes[c].emplace_back(i, f[i]);
-        }
-      probe.shapes = std::move(shapes);
+        if (auto shapes = shapes_at(structure, probe.point, c))
+          probe.shapes.push_back(std::move(*shapes));
+        else
+          return false;
       return true;
     }
 
@@ -116,6 +109,25 @@ namespace conetact::bodies
       return found[0];
     }
   } // namespace
+
+
+
+  std::optional<std::vector<std::pair<Eigen::Index, double>>>
+  shapes_at(const Structure   &structure,
+            const Point<3>    &point,
+            const unsigned int component)
+  {
+    Tensor<1, 3> unit;
+    unit[component]   = 1;
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(structure.n_dofs());
+    if (!structure.add_point_force(point, unit, f))
+      return {};
+    std::vector<std::pair<Eigen::Index, double>> shapes;
+    for (Eigen::Index i = 0; i < f.size(); ++i)
+      if (f[i] != 0)
+        shapes.emplace_back(i, f[i]);
+    return shapes;
+  }
 
 
 

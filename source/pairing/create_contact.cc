@@ -43,6 +43,20 @@ namespace conetact::pairing
         "a Master body." + did_you_mean(name, names));
     }
 
+    /** Throws InputError where there is an obstacle, too. */
+    unsigned int
+    find_master_body(const dealii::ParameterHandler &prm,
+                     const std::vector<std::string> &bodies,
+                     const std::string              &in)
+    {
+      if (!prm.get("Obstacle").empty())
+        throw InputError(in + "Obstacle: there is a Master body too. Leave one "
+                              "of them empty.");
+      return bodies::find_body(prm.get("Master body"),
+                               bodies,
+                               in + "Master body");
+    }
+
     void
     find_master(dealii::ParameterHandler                     &prm,
                 const std::string                            &in,
@@ -50,11 +64,7 @@ namespace conetact::pairing
                 const std::vector<const bodies::Structure *> &structures,
                 Contact                                      &contact)
     {
-      if (!prm.get("Obstacle").empty())
-        throw InputError(in + "Obstacle: there is a Master body too. Leave one "
-                              "of them empty.");
-      contact.master =
-        bodies::find_body(prm.get("Master body"), bodies, in + "Master body");
+      contact.master     = find_master_body(prm, bodies, in);
       contact.master_ids = bodies::find_boundary(prm.get("Master boundary ids"),
                                                  *structures[contact.master],
                                                  bodies[contact.master],
@@ -99,10 +109,10 @@ namespace conetact::pairing
         throw InputError(in + "Gap: it is that to a Master body. Gaps to an "
                               "obstacle follow from its place: leave it "
                               "empty, or give adjust.");
-      for (const char *entry : {"Master boundary ids", "Reach"})
-        if (!prm.get(entry).empty())
-          throw InputError(in + entry +
-                           ": it is one of a Master body, and all nodes meet "
+      bodies::refuse_given(prm,
+                           {"Master boundary ids", "Reach"},
+                           in,
+                           "it is one of a Master body, and all nodes meet "
                            "the Obstacle, however far. Remove it, or name a "
                            "Master body in place of the Obstacle.");
     }
@@ -158,8 +168,7 @@ namespace conetact::pairing
                          "Active: a contact with Kind = " + prm.get("Kind") +
                          " is an equation that always holds. Leave the entry "
                          "at its default, or choose Kind = contact.");
-      if (contact.active && contact.kind == ContactKind::tie &&
-          !prm.get("Gap").empty())
+      if (contact.may_part() && !prm.get("Gap").empty())
         throw InputError(in + "Gap: a tie that begins or ends holds its sides "
                               "as it finds them. Leave the entry empty, or "
                               "Active at its default.");
@@ -213,10 +222,10 @@ namespace conetact::pairing
         return {};
       if (prm.get("Preload").empty())
         {
-          for (const char *key : {"Preload axis", "Preload locked from"})
-            if (!prm.get(key).empty())
-              throw InputError(in + key +
-                               ": there is no Preload. Give its force, or "
+          bodies::refuse_given(prm,
+                               {"Preload axis", "Preload locked from"},
+                               in,
+                               "there is no Preload. Give its force, or "
                                "remove the entry.");
           return {};
         }
@@ -227,7 +236,7 @@ namespace conetact::pairing
       if (contact.gap)
         throw InputError(in + "Gap: a tie with a Preload finds by itself how "
                               "far its sides move. Remove one of both.");
-      if (contact.active)
+      if (contact.may_part())
         throw InputError(in + "Preload: a tie that it tightens lasts. Leave "
                               "Active at its default, or the entry empty.");
       Preload preload{Expression(prm.get("Preload"), in + "Preload"), {}, {}};
@@ -407,22 +416,18 @@ namespace conetact::pairing
               const std::string              &in,
               Contact                        &contact)
     {
-      for (const char *entry : {"Boundary ids", "Master boundary ids", "Reach"})
-        if (!prm.get(entry).empty())
-          throw InputError(in + entry +
-                           ": a spring ends at points. Leave the entry empty, "
+      bodies::refuse_given(prm,
+                           {"Boundary ids", "Master boundary ids", "Reach"},
+                           in,
+                           "a spring ends at points. Leave the entry empty, "
                            "and give Point and Master point.");
       contact.spring = std::make_shared<SpringLaw>(prm, dim, in);
       if (prm.get("Master body").empty())
         contact.obstacle = prm.get("Obstacle").empty() ?
                              &ground() :
                              &find_obstacle(prm.get("Obstacle"), obstacles, in);
-      else if (!prm.get("Obstacle").empty())
-        throw InputError(in + "Obstacle: there is a Master body too. Leave one "
-                              "of them empty.");
       else
-        contact.master =
-          bodies::find_body(prm.get("Master body"), bodies, in + "Master body");
+        contact.master = find_master_body(prm, bodies, in);
     }
   } // namespace
 

@@ -128,13 +128,6 @@ namespace conetact::pairing
         "a Largest interference of at least " + depth + ".");
     }
 
-    /** A tie that begins or ends leaves its place to a contact. */
-    bool
-    parts(const Contact &contact)
-    {
-      return contact.kind == ContactKind::tie && contact.active;
-    }
-
     /** Two obstacles that a node meets along one normal: nothing tells which
      * of them carries it. */
     bool
@@ -260,8 +253,8 @@ namespace conetact::pairing
             const auto [begin, end] = known.equal_range(key);
             for (auto other = begin; other != end; ++other)
               if (meet_the_same(result.nodes[other->second], node) &&
-                  !parts(contact) &&
-                  !parts(contacts[result.nodes[other->second].contact]))
+                  !contact.may_part() && // it leaves its place to the other
+                  !contacts[result.nodes[other->second].contact].may_part())
                 throw InputError(
                   "Contact '" +
                   contacts[result.nodes[other->second].contact].name +

@@ -89,7 +89,7 @@ namespace conetact::pairing
       return "what is tied to an obstacle moves with it, and turns little";
     if (contact.spring)
       return "a spring keeps its direction";
-    if (contact.kind == ContactKind::tie && contact.active)
+    if (contact.may_part())
       return "a tie that begins or ends keeps its directions";
     if (contact.kind == ContactKind::tie && contact.preload)
       return "a Preload keeps its direction, but ties turn where bodies turn "

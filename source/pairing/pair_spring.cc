@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/probes.h"
 #include "conetact/pairing/node_to_face.h"
 
 #include <algorithm>
@@ -33,31 +34,27 @@ namespace conetact::pairing
       }
     };
 
-    /** How the displacement at a point follows from those of nodes; unit forces
-     * tell. Throws InputError where no node or cell is there. */
+    /** How the displacement at a point follows from those of nodes. Throws
+     * InputError where no node or cell is there. */
     Weights
     weights_at(const Point<3>          &p,
                const bodies::Structure &body,
                const std::string       &in)
     {
-      const unsigned int nc = body.n_components();
-      Eigen::VectorXd    f  = Eigen::VectorXd::Zero(body.n_dofs());
-      Tensor<1, 3>       unit;
-      unit[1] = 1; // also of bodies of revolution
-      if (!body.add_point_force(p, unit, f))
+      constexpr unsigned int y      = 1; // also of bodies of revolution
+      const auto             shapes = bodies::shapes_at(body, p, y);
+      if (!shapes)
         throw InputError(in + to_text(p) +
                          " is in no cell of the body. Give an undeformed point "
                          "inside of it or on its surface.");
       Weights weights;
       double  moments = 0;
-      for (unsigned int i = 0; i < body.n_nodes(); ++i)
-        for (unsigned int c = 0; c < nc; ++c)
-          if (const double part = f[i * nc + c]; part == 0)
-            continue;
-          else if (c == 1)
-            weights.emplace_back(i, part);
-          else
-            moments = std::max(moments, std::abs(part));
+      for (const auto &[dof, part] : *shapes)
+        if (const auto i = static_cast<unsigned int>(dof);
+            i % body.n_components() == y)
+          weights.emplace_back(i / body.n_components(), part);
+        else
+          moments = std::max(moments, std::abs(part));
       // members share out a force by moments, too
       if (moments > 1e-12 || weights.empty())
         throw InputError(

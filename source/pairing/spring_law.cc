@@ -6,6 +6,7 @@
 #include "conetact/base/errors.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/entries.h"
 
 #include <cmath>
 
@@ -136,11 +137,10 @@ namespace conetact::pairing
   refuse_spring_entries(const dealii::ParameterHandler &prm,
                         const std::string              &in)
   {
-    for (const char *entry :
-         {"Point", "Master point", "Spring axis", "Stiffness"})
-      if (!prm.get(entry).empty())
-        throw InputError(in + entry +
-                         ": it is one of a spring. Set Kind = spring, or leave "
+    bodies::refuse_given(prm,
+                         {"Point", "Master point", "Spring axis", "Stiffness"},
+                         in,
+                         "it is one of a spring. Set Kind = spring, or leave "
                          "the entry empty.");
     if (prm.get("Acts") != both_ways)
       throw InputError(in + "Acts: it is an entry of a spring. Set Kind = "

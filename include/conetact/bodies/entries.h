@@ -7,6 +7,8 @@
 #include "conetact/base/expression.h"
 #include "conetact/bodies/structure.h"
 
+#include <deal.II/base/parameter_handler.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -18,6 +20,14 @@ namespace conetact::bodies
   find_body(const std::string              &body,
             const std::vector<std::string> &bodies,
             const std::string              &entry);
+
+  /** Throws InputError for the first of these entries that is not empty: `why`
+   * stands behind its name. */
+  void
+  refuse_given(const dealii::ParameterHandler &prm,
+               const std::vector<std::string> &entries,
+               const std::string              &in,
+               const std::string              &why);
 
   /** The ids of an entry; each one must be a face's. Throws InputError. */
   BoundaryIds

@@ -6,6 +6,7 @@
 
 #include "conetact/bodies/structure.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,13 @@ namespace conetact::bodies
       return sum;
     }
   };
+
+  /** Dofs of a body and their shape functions at a point, of a component; unit
+   * forces tell. None if no cell holds the point. */
+  std::optional<std::vector<std::pair<Eigen::Index, double>>>
+  shapes_at(const Structure   &structure,
+            const Point<3>    &point,
+            const unsigned int component);
 
   /**
    * "tip: 1, 0 ; middle in block: 0.5, 0": names and points, with a body where

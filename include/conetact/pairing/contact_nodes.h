@@ -96,6 +96,20 @@ namespace conetact::pairing
     /** At each node, functions of position [force]; cohesion of a load path
      * only. */
     std::optional<Expression> prestress, path_cohesion;
+
+    /** Whether it is a tie that begins or ends. */
+    bool
+    may_part() const
+    {
+      return kind == ContactKind::tie && active;
+    }
+    /** Whether its reactions may have any sign, as a law and not an equation
+     * has it. */
+    bool
+    is_joined() const
+    {
+      return may_part() || (spring && spring->acts_both_ways());
+    }
   };
 
   /**
