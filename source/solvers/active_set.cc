@@ -6,23 +6,16 @@
 #include "conetact/solvers/unloaded.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <set>
+#include <utility>
 
 namespace conetact::solvers
 {
   namespace
   {
-    /** Steps in a row without much gain before giving up. */
-    constexpr unsigned int max_stalls = 2, max_damped_stalls = 10;
+    using Array = Eigen::VectorXd;
 
-    // Where so many steps are not enough, the load is near its limit or states
-    // do not settle: then what a step leaves open matters.
-    constexpr unsigned int exact_from = 12;
-
-    /** Residuals below this that do not improve any more are rounding. */
-    constexpr double noise = 1e-13;
+    const char *const name = "active set";
 
     /** A load that differs by less from the one in balance is the same. */
     constexpr double rounding = 1e-15;
@@ -39,207 +32,37 @@ namespace conetact::solvers
   void
   ActiveSet::attach(const ContactProblem &problem)
   {
-    if (!relation || !relation->is(problem.system))
+    if (!system || !system->relation().is(problem.system))
       {
         // Factors and the last change of load belong to the matrix that they
         // came from.
-        relation.emplace(problem.system);
-        newton    = NewtonSystem();
+        system.emplace(problem.system);
         predictor = Predictor();
       }
-    relation->set_load(problem);
-  }
-
-
-
-  ActiveSet::Array
-  ActiveSet::dual(const Array &p) const
-  {
-    eigen_assert(relation);
-    Array d = relation->load();
-    relation->multiply_add(p, d);
-    return d;
-  }
-
-
-
-  ActiveSet::Point
-  ActiveSet::point_at(const Array &p) const
-  {
-    Point point;
-    point.p        = p;
-    point.d        = dual(p);
-    point.residual = law_residual(*relation, point.p, point.d);
-    return point;
-  }
-
-
-
-  bool
-  ActiveSet::is_balanced(const Array &p) const
-  {
-    constexpr double small = 1e-3; // or it would have moved without end
-    const Array      d     = dual(p);
-    return d.tail(relation->system().n_motions).norm() <=
-           small * relation->force_scale(p, d);
-  }
-
-
-
-  /**
-   * Where all nodes that hold a body slip, nothing holds it: the strongest one
-   * sticks then, or all of them if that is not enough, until they are seen to
-   * slip with something left that holds.
-   */
-  bool
-  ActiveSet::direction(const Point &point, const double precision, Array &dp)
-  {
-    const Array none  = Array::Zero(point.p.size());
-    const auto  solve = [&](const NodeSets &sets, const bool regularised) {
-      return newton.solve(*relation,
-                          linearized_laws(*relation, sets, point.p, point.d),
-                          none,
-                          precision,
-                          dp,
-                          regularised);
-    };
-    if (relation->system().n_motions == 0)
-      return solve(point.sets, true);
-    // A regularised matrix always has a solution. It is worth something only if
-    // the motions are in balance there.
-    const auto solve_balanced = [&](const NodeSets &sets) {
-      return solve(sets, false) ||
-             (solve(sets, true) && is_balanced(point.p + dp));
-    };
-    if (solve_balanced(point.sets))
-      return true;
-    // one that slips again at once does not hold either
-    if (solve_balanced(with_strongest_stuck(*relation, point.sets, point.p)))
-      {
-        const Array p = point.p + dp;
-        if (signature(sets_of_point(*relation, p, dual(p))) !=
-            signature(point.sets))
-          return true;
-      }
-    const NodeSets stuck = without_slip(*relation, point.sets);
-    return solve(stuck, false) || solve(stuck, true);
-  }
-
-
-
-  /** One Newton step; false if there is none. */
-  bool
-  ActiveSet::step(Point       &point,
-                  const bool   damped,
-                  const double goal,
-                  const bool   exact)
-  {
-    // What Newton gains anyway, or what is left to gain if that is less.
-    const double precision =
-      exact ?
-        0. :
-        std::min(1e-2,
-                 std::max(.1 * point.residual, .3 * goal / point.residual));
-    Array dp;
-    if (!direction(point, precision, dp))
-      return false;
-
-    Point trial = point_at(point.p + dp);
-    if (damped)
-      // The shortest step is taken even if it gains nothing: it may lead out of
-      // a cycle.
-      for (double tau = .5; tau > .02 && !(trial.residual < point.residual);
-           tau /= 2)
-        trial = point_at(point.p + tau * dp);
-    if (!std::isfinite(trial.residual))
-      return false;
-    point      = std::move(trial);
-    point.sets = sets_of_point(*relation, point.p, point.d);
-    return true;
-  }
-
-
-
-  std::string
-  ActiveSet::iterate(Point &point, SolverReport &report)
-  {
-    // Well below the tolerance: verification compares with the forces of one
-    // body, which may be far smaller than the norm of all.
-    const double          goal = std::max(1e-4 * options.tolerance, 1e-14);
-    std::set<std::string> seen;
-    std::string           current = signature(point.sets);
-    const ContactSystem  &system  = relation->system();
-    const bool            is_linear =
-      system.n_contact_unknowns() <= 2 * system.n_nodes() &&
-      relation->has_cones();
-    bool         damped = false;
-    unsigned int stalls = 0;
-    // The residual of the first point says nothing: its states are not those
-    // of its z.
-    point.d        = dual(point.p);
-    point.residual = std::numeric_limits<double>::infinity();
-    while (report.iterations < options.max_iterations)
-      {
-        if (options.stop && options.stop())
-          return "stopped by the limit of time";
-        seen.insert(current);
-        const double before = point.residual;
-        if (!step(point, damped, goal, report.iterations >= exact_from))
-          return "singular tangent";
-        ++report.iterations;
-
-        const std::string next     = signature(point.sets);
-        const bool        same     = next == current;
-        const bool        improved = point.residual < .5 * before;
-        current                    = next;
-        stalls                     = improved ? 0 : stalls + 1;
-        // In the plane a step is exact if the states are, as far as friction is
-        // linear; else one of a small system costs nothing, and squares what is
-        // left.
-        const bool enough =
-          (same && is_linear) || !improved || !newton.was_small();
-        const bool is_noise =
-          point.residual <= noise && same && (is_linear || !improved);
-        if ((point.residual <= goal && enough) || is_noise ||
-            (same && stalls > max_stalls))
-          break;
-        // States seen before, and nothing gained since: a cycle. Full steps
-        // would go round in it for ever.
-        if (!same && !improved && seen.count(next) > 0)
-          {
-            if (damped && stalls > max_damped_stalls)
-              return "cycling between state sets";
-            damped = true;
-          }
-      }
-    return point.residual <= options.tolerance ? "" : stalled(point.residual);
+    system->set_load(problem);
   }
 
 
 
   SolverReport
   ActiveSet::run(const ContactProblem &problem,
-                 Point                &point,
+                 const Array          &p,
+                 NodeSets              sets,
                  ContactState         &state)
   {
-    SolverReport       report;
-    const unsigned int before = newton.n_factorizations();
-    report.reason             = iterate(point, report);
-    report.factorizations     = newton.n_factorizations() - before;
-
-    // With exact zeros the states need no tolerance.
-    set_exact_zeros(*relation, point.sets, point.p, point.d);
-    relation->from_scaled(point.p, point.d, state);
-    state.node       = classify(problem, state, 0);
-    report.residual  = contact_residual(problem, state);
-    report.converged = report.residual <= options.tolerance;
+    NewtonPoint point = system->point_at(p);
+    point.sets        = std::move(sets);
+    // The residual of the first point says nothing: its states are not those
+    // of its z.
+    point.law = std::numeric_limits<double>::infinity();
+    // Well below the tolerance: verification compares with the forces of one
+    // body, which may be far smaller than the norm of all.
+    const double goal = std::max(1e-4 * options.tolerance, 1e-14);
+    SolverReport report =
+      SemismoothNewton(*system, options)
+        .run(problem, point, state, {goal, options.tolerance});
     if (report.converged)
-      {
-        report.reason.clear();
-        report.solver = "active set";
-      }
-    else if (report.reason.empty())
-      report.reason = stalled(report.residual);
+      report.solver = name;
     return report;
   }
 
@@ -249,10 +72,9 @@ namespace conetact::solvers
   ActiveSet::solve_from_states(const ContactProblem &problem,
                                ContactState         &state)
   {
-    Point point;
-    relation->to_scaled(state, point.p, point.d);
-    point.sets = sets_of_state(*relation, state);
-    return run(problem, point, state);
+    Array p, d;
+    system->relation().to_scaled(state, p, d);
+    return run(problem, p, sets_of_state(system->relation(), state), state);
   }
 
 
@@ -264,7 +86,7 @@ namespace conetact::solvers
     state.node       = classify(problem, state, 0);
     report.residual  = contact_residual(problem, state);
     report.converged = report.residual <= options.tolerance;
-    report.solver    = "active set";
+    report.solver    = name;
     return report;
   }
 
@@ -277,10 +99,10 @@ namespace conetact::solvers
     ContactState start = state;
     start.u            = Array(); // v is where the increment starts
     Array p, d;
-    relation->to_scaled(start, p, d);
+    system->relation().to_scaled(start, p, d);
     // Up to its sign, how far the load has moved from the one that the start is
     // in balance with.
-    Array change = d - dual(p);
+    Array change = d - system->dual(p);
     if (change.norm() <= rounding * std::max({p.norm(), d.norm(), 1.}))
       if (const SolverReport report = unchanged(problem, start);
           report.converged)
@@ -294,7 +116,7 @@ namespace conetact::solvers
         state      = std::move(*end);
         state.node = classify(problem, state, 0);
         SolverReport report;
-        report.solver    = "active set";
+        report.solver    = name;
         report.converged = true;
         return report;
       }
@@ -302,8 +124,8 @@ namespace conetact::solvers
     // Each increment has its own scale of loads; changes of two increments are
     // compared in units.
     ContactState with_units;
-    relation->from_scaled(p, change, with_units);
-    change = relation->stiffness() ? with_units.r : with_units.v;
+    system->relation().from_scaled(p, change, with_units);
+    change = system->relation().stiffness() ? with_units.r : with_units.v;
     SolverReport report;
     if (std::optional<ContactState> guess = predictor.predict(start, change))
       {
@@ -330,10 +152,9 @@ namespace conetact::solvers
   ActiveSet::polish(const ContactProblem &problem, ContactState &state)
   {
     attach(problem);
-    Point point;
-    relation->to_scaled(state, point.p, point.d);
-    point.sets = sets_of_point(*relation, point.p, point.d);
-    return run(problem, point, state);
+    Array p, d;
+    system->relation().to_scaled(state, p, d);
+    return run(problem, p, sets_of_point(system->relation(), p, d), state);
   }
 
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/solvers/active_set.h"
+#include "conetact/solvers/dense_operator.h"
 #include "conetact/solvers/large_newton.h"
+#include "conetact/solvers/large_operator.h"
 #include "conetact/solvers/local_system.h"
 
 #include <gtest/gtest.h>
@@ -179,4 +181,50 @@ TEST(LargeNewton, DoesWhatItCannotSolveAtOnceInParts)
     EXPECT_LE(report.residual, options.tolerance);
   else
     EXPECT_FALSE(report.reason.empty());
+}
+
+/** A step in the plane is the same whether a system has a matrix of its contact
+ * unknowns or keeps all of its unknowns. In space what turns slips is made
+ * definite for large systems. */
+TEST(LinearOperators, TakeTheSameStep)
+{
+  for (unsigned int seed = 1; seed <= 10; ++seed)
+    {
+      RandomOptions options;
+      options.n_nodes            = 9;
+      options.tangents           = 1;
+      options.mu_max             = .5;
+      options.seed               = seed;
+      const RandomProblem random = random_problem(options);
+      DenseOperator       dense(random.problem.system);
+      dense.set_load(random.problem);
+      const ContactProblem enlarged_problem = enlarged(random.problem, 12);
+      LargeOperator        large(enlarged_problem.system, 1e-10);
+      large.set_load(enlarged_problem);
+
+      ContactState small = start_of(random.problem);
+      small.u.resize(0);
+      Eigen::VectorXd p, d;
+      dense.relation().to_scaled(small, p, d);
+      NewtonPoint        a     = dense.point_at(p), b;
+      const ContactState start = start_of(enlarged_problem);
+      b                        = large.point_at(large.body().keep(start.u));
+      a.sets = b.sets = sets_of_state(dense.relation(), small);
+      for (int i = 0; i < 3; ++i) // the first one sticks everywhere
+        {
+          SolverReport report;
+          const auto   to_a = dense.step(a.sets, a, 0, report);
+          const auto   to_b = large.step(b.sets, b, 1e-14, report);
+          ASSERT_TRUE(to_a && to_b);
+          ContactState s, t;
+          dense.write(*to_a, s);
+          large.write(*to_b, t);
+          EXPECT_LE((s.r - t.r).norm(), 1e-9 * s.r.norm()) << seed;
+          EXPECT_LE((s.v - t.v).norm(), 1e-9 * s.v.norm()) << seed;
+          EXPECT_LT(to_b->balance, 1e-9);
+          a      = *to_a;
+          b      = *to_b;
+          a.sets = b.sets = sets_of_point(dense.relation(), a.p, a.d);
+        }
+    }
 }

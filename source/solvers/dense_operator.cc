@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/dense_operator.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    // Where so many steps are not enough, the load is near its limit or states
+    // do not settle: then what a step leaves open matters.
+    constexpr unsigned int exact_from = 12;
+  } // namespace
+
+
+
+  DenseOperator::DenseOperator(std::shared_ptr<const ContactSystem> system)
+    : numbers(std::move(system))
+  {}
+
+
+
+  DenseOperator::Array
+  DenseOperator::dual(const Array &p) const
+  {
+    Array d = numbers.load();
+    numbers.multiply_add(p, d);
+    return d;
+  }
+
+
+
+  NewtonPoint
+  DenseOperator::point_at(const Array &p) const
+  {
+    NewtonPoint point;
+    point.p   = p;
+    point.d   = dual(p);
+    point.law = law_residual(numbers, point.p, point.d);
+    return point;
+  }
+
+
+
+  bool
+  DenseOperator::is_balanced(const NewtonPoint &point) const
+  {
+    constexpr double small = 1e-3; // or it would have moved without end
+    return point.d.tail(numbers.system().n_motions).norm() <=
+           small * numbers.force_scale(point.p, point.d);
+  }
+
+
+
+  std::optional<NewtonPoint>
+  DenseOperator::solve(const NodeSets    &sets,
+                       const NewtonPoint &from,
+                       const double       precision,
+                       const bool         regularised,
+                       SolverReport      &report)
+  {
+    const unsigned int before = newton.n_factorizations();
+    Array              dp;
+    const bool         solved =
+      newton.solve(numbers,
+                   linearized_laws(numbers, sets, from.p, from.d),
+                   Array::Zero(from.p.size()),
+                   precision,
+                   dp,
+                   regularised);
+    report.factorizations += newton.n_factorizations() - before;
+    if (!solved)
+      return {};
+    return point_at(from.p + dp);
+  }
+
+
+
+  /* A regularised matrix always has a solution. It is worth something only if
+     motions are in balance there. */
+  std::optional<NewtonPoint>
+  DenseOperator::step(const NodeSets    &sets,
+                      const NewtonPoint &from,
+                      const double       precision,
+                      SolverReport      &report)
+  {
+    if (numbers.system().n_motions == 0)
+      return solve(sets, from, precision, true, report);
+    auto end = solve(sets, from, precision, false, report);
+    if (end)
+      return end;
+    end = solve(sets, from, precision, true, report);
+    if (end && !is_balanced(*end))
+      end.reset();
+    return end;
+  }
+
+
+
+  std::optional<NewtonPoint>
+  DenseOperator::forced_step(const NodeSets    &sets,
+                             const NewtonPoint &from,
+                             const double       precision,
+                             SolverReport      &report)
+  {
+    return solve(sets, from, precision, true, report);
+  }
+
+
+
+  NewtonPoint
+  DenseOperator::between(const NewtonPoint &from,
+                         const NewtonPoint &to,
+                         const double       tau) const
+  {
+    return point_at(from.p + tau * (to.p - from.p));
+  }
+
+
+
+  /* What Newton's method gains anyway, or what is left to gain if that is less.
+   */
+  double
+  DenseOperator::precision(const NewtonPoint    &point,
+                           const NewtonProgress &progress) const
+  {
+    if (progress.iterations >= exact_from)
+      return 0;
+    const double residual = point.residual();
+    return std::min(1e-2,
+                    std::max(.1 * residual, .3 * progress.goal / residual));
+  }
+
+
+
+  bool
+  DenseOperator::is_exact(const NewtonProgress &progress) const
+  {
+    const ContactSystem &system = numbers.system();
+    return progress.same && numbers.has_cones() &&
+           system.n_contact_unknowns() <= 2 * system.n_nodes();
+  }
+
+
+
+  /* A step of a small system costs nothing, and squares what is left. */
+  bool
+  DenseOperator::may_gain(const NewtonPoint & /*point*/,
+                          const NewtonProgress &progress) const
+  {
+    return !is_exact(progress) && newton.was_small();
+  }
+
+
+
+  Patience
+  DenseOperator::patience() const
+  {
+    Patience patience;
+    patience.noise       = 1e-13;
+    patience.same_states = 2;
+    patience.cycles      = 10;
+    return patience;
+  }
+
+
+
+  void
+  DenseOperator::write(const NewtonPoint &point, ContactState &state) const
+  {
+    numbers.from_scaled(point.p, point.d, state);
+  }
+} // namespace conetact::solvers

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/semismooth_newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    /** Of the residual before: what is less is an improvement. */
+    constexpr double half = .5;
+
+    /** Of the least residual so far: what is more is no gain. */
+    constexpr double progress_of_note = .98;
+
+    /** The shortest part of a step. */
+    constexpr double shortest = .02;
+
+    /** The least residuals so far, relative and as forces: reactions that
+     * vanish make relative ones large. Counts steps without much gain. */
+    class Gains
+    {
+    public:
+      Gains(const double residual, const double of_forces)
+        : last(residual)
+        , forces(of_forces)
+        , least(residual)
+        , least_force(std::isfinite(residual) ? residual * of_forces : residual)
+      {}
+
+      /** How much a step has gained. */
+      double
+      see(const double residual, const double forces_now)
+      {
+        const double less = forces > 0 ? std::min(forces_now / forces, 1.) : 1.;
+        const double gain = less * residual / last;
+        const double force = residual * forces_now;
+        const bool   gains = residual < progress_of_note * least ||
+                           force < progress_of_note * least_force;
+        stalls      = gains ? 0 : stalls + 1;
+        unimproved  = gain < half ? 0 : unimproved + 1;
+        least       = std::min(least, residual);
+        least_force = std::min(least_force, force);
+        last        = residual;
+        forces      = forces_now;
+        return gain;
+      }
+
+      unsigned int stalls     = 0; ///< steps since one has gained anything
+      unsigned int unimproved = 0; ///< steps since one has halved the residual
+
+    private:
+      double last, forces, least, least_force;
+    };
+
+    /** Residuals that belong to states which have been there. */
+    class SeenStates
+    {
+    public:
+      void
+      add(const std::string &states, const double residual)
+      {
+        seen.insert_or_assign(states, residual);
+      }
+      /** Whether they have been there, and nothing has been gained since. */
+      bool
+      come_again(const std::string &states, const double residual) const
+      {
+        const auto last_time = seen.find(states);
+        return last_time != seen.end() && residual > half * last_time->second;
+      }
+
+    private:
+      std::map<std::string, double> seen;
+    };
+  } // namespace
+
+
+
+  std::optional<NewtonPoint>
+  SemismoothNewton::full_step(const NewtonPoint &point,
+                              const double       precision,
+                              SolverReport      &report) const
+  {
+    const LinearRelation      &relation = system.relation();
+    std::optional<NewtonPoint> end =
+      system.step(point.sets, point, precision, report);
+    if (end)
+      return end;
+    end =
+      system.step(with_strongest_stuck(relation,
+                                       point.sets,
+                                       relation.reactions(point.p, point.d)),
+                  point,
+                  precision,
+                  report);
+    // one that slips again at once does not hold either
+    if (end && signature(sets_of_point(relation, end->p, end->d)) !=
+                 signature(point.sets))
+      return end;
+    const NodeSets stuck = without_slip(relation, point.sets);
+    end                  = system.step(stuck, point, precision, report);
+    return end ? end : system.forced_step(stuck, point, precision, report);
+  }
+
+
+
+  /* The shortest step is taken even if it gains nothing: it may lead out of a
+     cycle. */
+  NewtonPoint
+  SemismoothNewton::shortened(const NewtonPoint &from, NewtonPoint to) const
+  {
+    NewtonPoint trial = to;
+    for (double tau = .5;
+         tau > shortest && !(trial.residual() < from.residual());
+         tau /= 2)
+      trial = system.between(from, to, tau);
+    return system.refreshed(std::move(trial));
+  }
+
+
+
+  bool
+  SemismoothNewton::step(NewtonPoint          &point,
+                         const NewtonProgress &progress,
+                         SolverReport         &report) const
+  {
+    std::optional<NewtonPoint> end =
+      full_step(point, system.precision(point, progress), report);
+    ++report.iterations;
+    if (end && progress.damped)
+      end = shortened(point, std::move(*end));
+    if (!end || !std::isfinite(end->residual()))
+      return false;
+    point      = std::move(*end);
+    point.sets = sets_of_point(system.relation(), point.p, point.d);
+    return true;
+  }
+
+
+
+  std::string
+  SemismoothNewton::iterate(NewtonPoint  &point,
+                            SolverReport &report,
+                            const Aim    &aim) const
+  {
+    const LinearRelation &relation = system.relation();
+    const Patience        patience = system.patience();
+    const auto forces = [&] { return relation.force_scale(point.p, point.d); };
+    NewtonProgress progress;
+    progress.goal   = aim.goal;
+    progress.damped = aim.damped;
+    Gains                      gains(point.residual(), forces());
+    SeenStates                 seen;
+    std::string                current = signature(point.sets);
+    std::optional<NewtonPoint> settled; // as exact as rounding lets it be
+    bool                       improved = true;
+    const auto                 is_done  = [&] {
+      const double residual = point.residual();
+      return (residual <= aim.goal &&
+              !(improved && system.may_gain(point, progress))) ||
+             (residual <= patience.noise && system.is_exact(progress)) ||
+             (progress.same && gains.unimproved > patience.same_states);
+    };
+    while (!is_done())
+      {
+        if (options.stop && options.stop())
+          return "stopped by the limit of time";
+        if (report.iterations >= options.max_iterations)
+          return stalled(point.residual());
+        seen.add(current, point.residual());
+        progress.iterations = report.iterations;
+        if (!step(point, progress, report))
+          return "singular tangent";
+
+        const std::string next     = signature(point.sets);
+        const double      residual = point.residual();
+        progress.same              = next == current;
+        progress.gain              = gains.see(residual, forces());
+        progress.first             = false;
+        improved                   = progress.gain < half;
+        current                    = next;
+        if (residual <= patience.noise &&
+            (!settled || residual < settled->residual()))
+          settled = point;
+        if (settled && !improved)
+          {
+            point = std::move(*settled);
+            break;
+          }
+        // Full steps would go round in a cycle for ever.
+        const bool cycles =
+          !progress.same && !improved && seen.come_again(current, residual);
+        if (cycles && (progress.damped ? gains.unimproved > patience.cycles :
+                                         patience.leaves_cycles))
+          return "cycling between state sets";
+        const bool stalls = gains.stalls > patience.stalls;
+        if (stalls && progress.damped)
+          return stalled(residual);
+        progress.damped = progress.damped || cycles || stalls;
+      }
+    return point.residual() <= aim.tolerance ? "" : stalled(point.residual());
+  }
+
+
+
+  SolverReport
+  SemismoothNewton::run(const ContactProblem &problem,
+                        NewtonPoint          &point,
+                        ContactState         &state,
+                        const Aim            &aim) const
+  {
+    SolverReport report;
+    report.reason = iterate(point, report, aim);
+    // With exact zeros the states need no tolerance.
+    NewtonPoint exact = point;
+    set_exact_zeros(system.relation(), exact.sets, exact.p, exact.d);
+    system.write(exact, state);
+    state.node       = classify(problem, state, 0);
+    report.residual  = contact_residual(problem, state);
+    report.converged = report.residual <= options.tolerance;
+    if (report.converged)
+      report.reason.clear();
+    else if (report.reason.empty())
+      report.reason = stalled(report.residual);
+    return report;
+  }
+} // namespace conetact::solvers
