@@ -146,12 +146,15 @@ namespace conetact::solvers
 
 
 
-  /* A step of a small system costs nothing, and squares what is left. */
+  /* A step of a small system costs nothing, and squares what is left. Of laws
+     beyond cones nothing is left of one that gets so far. */
   bool
   DenseOperator::may_gain(const NewtonPoint & /*point*/,
                           const NewtonProgress &progress) const
   {
-    return !is_exact(progress) && newton.was_small();
+    const bool is_enough =
+      is_exact(progress) || (progress.same && !numbers.has_cones());
+    return progress.has_improved() && !is_enough && newton.was_small();
   }
 
 

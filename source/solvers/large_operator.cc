@@ -196,14 +196,19 @@ namespace conetact::solvers
 
 
 
+  /* As long as residuals fall, directions of friction that are not exact enough
+     get better, too. */
   bool
   LargeOperator::may_gain(const NewtonPoint    &point,
                           const NewtonProgress &progress) const
   {
-    const double askew = std::max(progress.goal, askew_aim * tolerance);
-    return point.residual() * point.scale > progress.goal ||
-           askew_friction(numbers, point.sets, point.p, point.d, tolerance) >
-             askew;
+    constexpr double slow_gain = .8;
+    const double     askew     = std::max(progress.goal, askew_aim * tolerance);
+    return (progress.has_improved() &&
+            point.residual() * point.scale > progress.goal) ||
+           (progress.gain < slow_gain &&
+            askew_friction(numbers, point.sets, point.p, point.d, tolerance) >
+              askew);
   }
 
 

@@ -12,9 +12,6 @@ namespace conetact::solvers
 {
   namespace
   {
-    /** Of the residual before: what is less is an improvement. */
-    constexpr double half = .5;
-
     /** Of the least residual so far: what is more is no gain. */
     constexpr double progress_of_note = .98;
 
@@ -43,7 +40,7 @@ namespace conetact::solvers
         const bool   gains = residual < progress_of_note * least ||
                            force < progress_of_note * least_force;
         stalls      = gains ? 0 : stalls + 1;
-        unimproved  = gain < half ? 0 : unimproved + 1;
+        unimproved  = gain < NewtonProgress::half ? 0 : unimproved + 1;
         least       = std::min(least, residual);
         least_force = std::min(least_force, force);
         last        = residual;
@@ -72,7 +69,8 @@ namespace conetact::solvers
       come_again(const std::string &states, const double residual) const
       {
         const auto last_time = seen.find(states);
-        return last_time != seen.end() && residual > half * last_time->second;
+        return last_time != seen.end() &&
+               residual > NewtonProgress::half * last_time->second;
       }
 
     private:
@@ -159,11 +157,9 @@ namespace conetact::solvers
     SeenStates                 seen;
     std::string                current = signature(point.sets);
     std::optional<NewtonPoint> settled; // as exact as rounding lets it be
-    bool                       improved = true;
-    const auto                 is_done  = [&] {
+    const auto                 is_done = [&] {
       const double residual = point.residual();
-      return (residual <= aim.goal &&
-              !(improved && system.may_gain(point, progress))) ||
+      return (residual <= aim.goal && !system.may_gain(point, progress)) ||
              (residual <= patience.noise && system.is_exact(progress)) ||
              (progress.same && gains.unimproved > patience.same_states);
     };
@@ -183,12 +179,12 @@ namespace conetact::solvers
         progress.same              = next == current;
         progress.gain              = gains.see(residual, forces());
         progress.first             = false;
-        improved                   = progress.gain < half;
+        const bool improved        = progress.has_improved();
         current                    = next;
         if (residual <= patience.noise &&
             (!settled || residual < settled->residual()))
           settled = point;
-        if (settled && !improved)
+        if (settled && !improved && !system.may_gain(point, progress))
           {
             point = std::move(*settled);
             break;

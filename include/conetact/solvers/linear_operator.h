@@ -34,9 +34,17 @@ namespace conetact::solvers
   {
     unsigned int iterations = 0;
     double       goal       = 0; ///< of the residual
-    double gain  = 1; ///< of the last step: residual over the one before it
+    double gain  = 0; ///< of the last step: residual over the one before it
     bool   first = true, damped = false;
     bool   same = false; ///< states are those of the step before
+
+    /** A gain that shows a step to be worth its work. */
+    static constexpr double half = .5;
+    bool
+    has_improved() const
+    {
+      return gain < half;
+    }
   };
 
   /** When a system is not worth another step. */
