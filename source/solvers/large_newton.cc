@@ -29,6 +29,10 @@ namespace conetact::solvers
     /** Of the least residual so far: what is more is no gain. */
     constexpr double progress = .98;
 
+    /** As long as residuals fall by this factor, directions of friction that
+     * are not exact enough get better, too. */
+    constexpr double slow_gain = .8;
+
     /** Residuals below this that do not improve any more are rounding. */
     constexpr double balance_noise = 1e-11;
 
@@ -268,16 +272,19 @@ namespace conetact::solvers
                                                              first_precision};
     double               forces = relation->force_scale(point.p, point.d);
     Gains                gains{point.residual(), point.residual() * forces};
+    double               gain     = 0; // of the last step
     bool                 improved = true;
     std::optional<Point> settled; // as exact as rounding lets it be
-    const auto           goes_on = [&] {
+    const auto           is_askew = [&] {
+      return gain < slow_gain && askew_friction(*relation,
+                                                point.sets,
+                                                point.p,
+                                                point.d,
+                                                options.tolerance) > askew;
+    };
+    const auto goes_on = [&] {
       return point.residual() > goal ||
-             (improved && point.residual() * point.scale > goal) ||
-             (improved && askew_friction(*relation,
-                                         point.sets,
-                                         point.p,
-                                         point.d,
-                                         options.tolerance) > askew);
+             (improved && point.residual() * point.scale > goal) || is_askew();
     };
     while (goes_on())
       {
@@ -289,14 +296,13 @@ namespace conetact::solvers
           return "singular tangent";
         const double residual = point.residual();
         // Residuals are relative: reactions that vanish make them large.
-        forces = relation->force_scale(point.p, point.d);
-        const double gain =
-          residual / before * std::min(forces / forces_before, 1.);
+        forces   = relation->force_scale(point.p, point.d);
+        gain     = residual / before * std::min(forces / forces_before, 1.);
         improved = gain < .5;
         if (residual <= balance_noise &&
             (!settled || residual < settled->residual()))
           settled = point;
-        if (settled && !improved)
+        if (settled && !improved && !is_askew())
           {
             point = std::move(*settled);
             break;
