@@ -53,16 +53,31 @@ def told(numbers):
     return ", ".join(parts)
 
 
-def loaded_contacts(shapes, name):
-    """Those that get a panel: the named one, or those that carry most, in the order of the table."""
-    if name:
-        found = [contact for contact in shapes.contacts if contact.name == name]
-        if not found:
-            names = ", ".join(contact.name for contact in shapes.contacts) or "none"
-            raise ConetactError(f"There is no contact '{name}'; those of this run: {names}.")
-        return found
-    most = sorted(shapes.contacts, key=lambda c: -np.abs(c.rows["r_n"]).sum())[:MAX_CONTACTS]
-    return [contact for contact in shapes.contacts if contact in most]
+def named_contacts(shapes, names):
+    """Those that get a panel, in the order of their names."""
+    known = {contact.name: contact for contact in shapes.contacts}
+    for name in names:
+        if name not in known:
+            raise ConetactError(f"There is no contact '{name}'; those of this run: {', '.join(known) or 'none'}.")
+    return [known[name] for name in names]
+
+
+def telling_contacts(shapes, kind_of):
+    """Those that get a panel if nobody names any: all, or of many what may slip or open before what is tied, and what
+    carries most; of bolts that carry about the same the first one."""
+    if len(shapes.contacts) <= MAX_CONTACTS:
+        return shapes.contacts
+    force = {contact.name: np.abs(contact.rows["r_n"]).sum() for contact in shapes.contacts}
+    tied = {contact.name: kind_of(contact.name) != "contact" for contact in shapes.contacts}
+
+    def are_alike(one, other):
+        return (len(one.rows) == len(other.rows) and tied[one.name] == tied[other.name]
+                and abs(force[one.name] - force[other.name]) <= .1 * force[other.name])
+    chosen = []
+    for contact in sorted(shapes.contacts, key=lambda c: (tied[c.name], -force[c.name])):
+        if len(chosen) < MAX_CONTACTS and not any(are_alike(contact, other) for other in chosen):
+            chosen.append(contact)
+    return [contact for contact in shapes.contacts if contact in chosen]
 
 
 def legend(axes, largest, units, contacts):
@@ -109,7 +124,8 @@ class Series:
         columns = 2 if n_panels else 1
         figure = plt.figure(figsize=(6.2 * columns, max(5.4 * tall + 1, 3.2 * n_panels, 4.4)), layout="constrained")
         figure.get_layout_engine().set(rect=(.01, .02, .98, .97), wspace=.04)
-        grid = figure.add_gridspec(max(n_panels, 1), columns)
+        shares = [2, 1] if self.space and n_panels > 1 else [1] * columns  # maps above one another are narrow
+        grid = figure.add_gridspec(max(n_panels, 1), columns, width_ratios=shares)
         options = {"projection": "3d", "elev": self.args.view[0], "azim": self.args.view[1]}
         options = options if self.space and not self.is_rendered else {}
         bodies = figure.add_subplot(grid[:, 0], **options)
@@ -122,9 +138,16 @@ class Series:
         return (f"displacements {'and gaps ' if stretched else ''}× {self.factor:g}"
                 + (f"; the prescribed gap of {', '.join(prescribed)} is not drawn" if prescribed else ""))
 
+    def contacts_on_the_right(self, shapes):
+        if self.args.no_contacts:
+            return []
+        if self.args.contacts:
+            return named_contacts(shapes, self.args.contacts)
+        return telling_contacts(shapes, lambda name: self.result.entries.get(f"Contact {name}/Kind", "contact"))
+
     def draw(self, number, file):
         shapes, increment = self.shapes[number], self.increments[number]
-        drawn = [] if self.args.no_contacts else loaded_contacts(shapes, self.args.contact)
+        drawn = self.contacts_on_the_right(shapes)
         omitted = f"; {len(drawn)} of {len(shapes.contacts)} contacts on the right" if 1 < len(drawn) < len(shapes.contacts) else ""
         figure, axes, panels = self.layout(len(drawn))
         if not self.is_rendered:
@@ -152,6 +175,10 @@ class Series:
 def view(text):
     elevation, azimuth = (float(word) for word in text.split(","))
     return elevation, azimuth
+
+
+def names(text):
+    return [name.strip() for name in text.split(",")]
 
 
 def percentile(text):
@@ -182,7 +209,8 @@ def parse(arguments):
                         "before this plane is cut away, such as x=0.5; several times: several planes")
     parser.add_argument("--film", type=Path, metavar="FILM", help="all increments as a film, .gif or .mp4")
     parser.add_argument("--amplify", type=float, help="displacements are drawn so many times larger; default: to be seen")
-    parser.add_argument("--contact", help="only this contact on the right")
+    parser.add_argument("--contacts", "--contact", type=names, default=[], metavar="NAME[,NAME]...", help="only these contacts "
+                        "on the right; default: all, or the four that tell most, ties last")
     parser.add_argument("--no-contacts", action="store_true", help="only the bodies")
     parser.add_argument("--dpi", type=int, default=130, help="dots an inch; default 130")
     parser.add_argument("--units", help="of length, force and stress, such as 'mm, N, MPa'; default: those of the scene")

@@ -47,7 +47,7 @@ made() { # FILE, and the step that makes it
 }
 
 step_source() {
-  git -C "$top" archive --prefix="conetact-$version/" HEAD | gzip -9n >"$archive.new" &&
+  git -C "$top" -c tar.umask=022 archive --prefix="conetact-$version/" HEAD | gzip -9n >"$archive.new" &&
     mv "$archive.new" "$archive" && ls -l "$archive"
 }
 
@@ -66,11 +66,21 @@ step_recipes() {
   done
 }
 
+# Its settings decide what ccache takes for the same.
+share_cache() {
+  local settings
+  [ -n "$cache" ] || return 0
+  settings=$(ccache --show-config | sed -n 's/^(\(.*ccache.conf\)).*/\1/p' | head -n 1)
+  mkdir -p "$roots/build/root/.config/ccache" &&
+    { [ -z "$settings" ] || cp "$settings" "$roots/build/root/.config/ccache/ccache.conf"; }
+}
+
 step_package() {
   made "$archive" source || return 1
-  fresh_root build && tar -C "$roots/build" -xzf "$archive" &&
-    inside build nice "/conetact-$version/scripts/make-deb" &&
-    cp "$roots/build/conetact-$version/build/conetact_${version}_$arch.deb" "$deb" &&
+  fresh_root build && mkdir -p "$roots/build$sources" &&
+    tar -C "$roots/build$sources" --strip-components=1 -xzf "$archive" && share_cache &&
+    inside build nice "$sources/scripts/make-deb" &&
+    cp "$roots/build$sources/build/conetact_${version}_$arch.deb" "$deb" &&
     dpkg-deb --info "$deb" && ls -l "$deb"
 }
 
@@ -84,15 +94,23 @@ step_image() {
   fill_image && pack_image && try_image
 }
 
+# What no run needs: deal.II with its assertions, headers, static libraries, manuals.
+make_slim() {
+  local root=$1
+  rm -rf "$root"/usr/lib/*/libdeal.ii.g.so* "$root"/usr/include/* "$root"/usr/share/{man,locale,info}/* &&
+    find "$root/usr/lib" -name '*.a' -delete &&
+    find "$root/usr/share/doc" -type f ! -name copyright ! -path '*/conetact/*' -delete
+}
+
 # Debian with the package and what draws pictures; nothing of this machine.
 fill_image() {
   local root=$roots/image
   fresh_root image && cp "$deb" "$root/tmp/conetact.deb" &&
     install_inside image /tmp/conetact.deb python3-numpy python3-matplotlib &&
     cp "$root/usr/share/doc/apt/examples/sources.list" "$root/etc/apt/sources.list" &&
-    rm -rf "$root/tmp/conetact.deb" "$root"/var/lib/apt/lists/* "$root"/var/log/*.log \
+    rm -rf "$root/tmp/conetact.deb" "$root/$unsafe" "$root"/var/lib/apt/lists/* "$root"/var/log/*.log \
       "$root"/var/log/apt "$root"/root/.cache "$root/etc/resolv.conf" "$root/etc/hostname" &&
-    mkdir -p "$root/work"
+    make_slim "$root" && mkdir -p "$root/work"
 }
 
 # One layer; its time is that of the commit.

@@ -7,6 +7,11 @@
 # one user at a time; $roots/base is kept for later calls, as are packages that were
 # fetched and what was compiled.
 
+# dpkg waits for no disk: what is half done after a loss of power is made anew.
+unsafe=etc/dpkg/dpkg.cfg.d/unsafe-io
+# A cache of ccache that commands inside have in place of $roots/ccache, if set.
+cache=${cache-}
+
 make_base() {
   local mirror
   mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' \
@@ -14,6 +19,7 @@ make_base() {
   [ -n "$mirror" ] || { echo "apt knows no mirror of Debian 12 (bookworm) here" >&2; return 1; }
   mkdir -p "$roots" && rm -rf "$roots/base.new" &&
     debootstrap --variant=minbase bookworm "$roots/base.new" "$mirror" &&
+    echo force-unsafe-io >"$roots/base.new/$unsafe" &&
     mv "$roots/base.new" "$roots/base"
 }
 
@@ -29,14 +35,14 @@ inside() {
   shift
   mkdir -p "$roots/archives" "$roots/ccache" "$root/root/.cache/ccache" || return 1
   unshare --mount bash -c '
-    root=$1 roots=$2
-    shift 2
+    root=$1 roots=$2 cache=$3
+    shift 3
     [ -e "$root/dev/null" ] || mount --rbind /dev "$root/dev" || exit # images have none
     mount -t proc proc "$root/proc" && mount -t sysfs -o ro sysfs "$root/sys" &&
       mount --bind "$roots/archives" "$root/var/cache/apt/archives" &&
-      mount --bind "$roots/ccache" "$root/root/.cache/ccache" &&
-      exec chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root "$@"
-  ' - "$root" "$roots" "$@"
+      mount --bind "$cache" "$root/root/.cache/ccache" &&
+      exec chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 "$@"
+  ' - "$root" "$roots" "${cache:-$roots/ccache}" "$@"
 }
 
 install_inside() { # NAME PACKAGE..., or files that are there

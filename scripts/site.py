@@ -24,6 +24,7 @@ NOT_COPIED = shutil.ignore_patterns("doxygen", "man", "__pycache__")
 MATHJAX = Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ("MathJax.js", "config/TeX-AMS_SVG.js", "jax/output/SVG", "jax/input/TeX", "jax/element",
                  "extensions/TeX", "extensions/MathMenu.js", "extensions/MathZoom.js")
+SERVED = "/javascript/normalize.css/normalize.css"
 START = "doc/site/index.html"
 REDIRECT = f"""<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>Conetact</title>
@@ -58,6 +59,22 @@ def copy_mathjax(html):
         (shutil.copytree if (MATHJAX / part).is_dir() else shutil.copy)(MATHJAX / part, goal)
 
 
+def serve_without_server(html):
+    """Debian's furo imports a script, which browsers refuse to pages from a disk, and a style from a web server's root."""
+    script, style = html / "_static/scripts/furo.js", html / "_static/styles/furo.css"
+    if not script.exists():
+        return
+    begin, _, own = script.read_text().partition("\n")
+    if begin.startswith("import Gumshoe"):
+        # a page of one section has no places to be told apart by
+        own = own.replace("tocScroll === null", """tocScroll === null || !document.querySelector('.toc-tree a[href*="#"]:not([href="#"])')""")
+        script.write_text(script.with_name("gumshoe-patched.js").read_text() + own)
+    text = style.read_text()
+    if SERVED in text:
+        shutil.copy(f"/usr/share{SERVED}", style.with_name("normalize.css"))
+        style.write_text(text.replace(SERVED, "normalize.css"))
+
+
 def run_sphinx(folder, theme):
     command = ["sphinx-build", "-W", "--keep-going", "-q", "-b", "html", "-c", TOP / "doc/site", "-D", f"html_theme={theme}",
                folder / "source", folder / "html"]
@@ -79,6 +96,7 @@ def main(arguments):
     if code := run_sphinx(args.folder, args.theme):
         return code
     copy_mathjax(args.folder / "html")
+    serve_without_server(args.folder / "html")
     (args.folder / "html/index.html").write_text(REDIRECT)
     if args.cpp:
         shutil.copytree(args.cpp, args.folder / "html/cpp")

@@ -247,6 +247,10 @@ def written(laws):
     laws.demand("odd files", read == {"Dimension": "2", "Bodies": "a, b", "Body a/Kind": "frame"})
     odd.write_bytes("# Größe\nset Dimension = 2\n".encode("latin-1"))
     laws.demand("Latin-1", conetact.Scene.load(odd).title == "Größe")
+    odd.write_text(f"include {BLOCK}\nset Loads = weight\n")
+    fewer = conetact.Scene.load(odd)
+    laws.demand("loads that the including file does not name are left out", fewer["Loads"] == "weight"
+                and "Load weight" in fewer and "Load push" not in fewer)
 
 
 def square(n=(20, 10), size=(2, 1)):

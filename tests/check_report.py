@@ -7,6 +7,8 @@ usage: check_report.py PROGRAM CASE
 
   pages    reports in the plane, in space, of frames, of cells of second degree, without pictures, of runs that stopped
   browser  they are drawn, turn when they are dragged, have sections and films, and say nothing on the console
+  parts    those of a flange, a pair of gears and a disc brake on a wide and a narrow screen, by size and colours; the
+           pictures stay in the folder screenshots
 """
 import html.parser
 import json
@@ -18,6 +20,7 @@ from pathlib import Path
 TOP = Path(__file__).resolve().parent.parent
 from support.browser import Browser, chromium  # noqa: E402
 from support.checks import run_families  # noqa: E402
+from support.gears import pair as gears  # noqa: E402
 from support.scenes import merge, press_and_shear, simplices, stack, with_element  # noqa: E402
 
 REPORT = TOP / "scripts" / "conetact-report"
@@ -25,6 +28,8 @@ GRID, FLOATING = (TOP / "parameter-files" / f"{name}.prm" for name in ("double-l
 DRAWN = {"Output": {"VTU": 1}}
 LIMIT = 40e6  # bytes of a page
 LOOKED_AT = ("plane", "two bodies", "frame", "P2")
+# Of what is coloured on the reports of parts, at least: teeth have high stresses only where they touch
+GREEN = {"flange": .02, "brake": .03, "gears": .002}
 EMPTY = {"meta", "link", "input", "br", "line", "path", "circle"}
 
 
@@ -207,6 +212,50 @@ def browser(laws):
             seen.close()
 
 
+def hues(pixels):
+    """The part of the view in each of six hues from red on, of what is coloured."""
+    import numpy as np
+    from matplotlib.colors import rgb_to_hsv
+    hsv = rgb_to_hsv(pixels.reshape(-1, 3) / 255)
+    found = (hsv[:, 0][hsv[:, 1] * hsv[:, 2] > .15] * 6 + .5).astype(int) % 6
+    return np.bincount(found, minlength=6) / max(len(found), 1)
+
+
+def save(pixels, name):
+    from matplotlib.image import imsave
+    Path("screenshots").mkdir(exist_ok=True)
+    imsave(f"screenshots/{name}.png", pixels)
+
+
+def parts(laws):
+    """Fields of stress reach from dark violet over blue to green at least; legends, curves and tables fit both screens."""
+    if not chromium():
+        print("skipped: chromium is not installed (Debian: chromium)")
+        return
+    tutorials = TOP / "doc" / "site" / "tutorials"
+    scenes = {"flange": tutorials / "flange" / "flange.prm", "brake": tutorials / "brake" / "brake.prm", "gears": gears(laws.folder)}
+    files = {what: page_of(laws, what, scene) for what, scene in scenes.items()}
+    for width in (1280, 400):
+        seen = Browser(width, 900)
+        try:
+            for what, file in files.items():
+                look_at(laws, seen, f"{what}, {width}", file)
+                seen.open(file)
+                stage, _ = stage_of(seen)
+                save(seen.picture(), f"report-{what}-{width}")
+                violet_and_blue, green = hues(stage)[4:6].sum(), hues(stage)[2:4].sum()
+                laws.demand(f"{what}, {width}: {coloured(stage):.1%} coloured, {violet_and_blue:.0%} of it violet and blue, {green:.1%} green",
+                            coloured(stage) > .05 and violet_and_blue > .5 and green > GREEN[what])
+                high, wide = stage.shape[:2]
+                laws.demand(f"{what}, {width}: the view has {wide} x {high}", .6 * width < wide + (width > 1000) * 320 <= width + 320
+                            and high > 200)
+                laws.demand(f"{what}, {width}: {seen.run('document.querySelectorAll(`svg polyline, svg path`).length')} lines are drawn",
+                            seen.run("document.querySelectorAll('svg polyline, svg path').length") >= 5)
+                laws.demand(f"{what}, {width}: nothing on the console {seen.said[:2]}", not seen.said)
+        finally:
+            seen.close()
+
+
 def look_at_page(laws, seen, what, file, width):
     if what == "without pictures":
         seen.said.clear()
@@ -219,4 +268,4 @@ def look_at_page(laws, seen, what, file, width):
 
 
 if __name__ == "__main__":
-    sys.exit(run_families({"pages": pages, "browser": browser}, *sys.argv[1:]))
+    sys.exit(run_families({"pages": pages, "browser": browser, "parts": parts}, *sys.argv[1:]))

@@ -10,6 +10,7 @@ from pathlib import Path
 from .errors import InputError
 
 MOST_OPEN = 50  # files that include one another
+NAME_LISTS = {"Body": "Bodies", "Obstacle": "Obstacles", "Contact": "Contacts", "Support": "Supports", "Load": "Loads"}
 TIME_LISTS, EQUAL_TIMES = ("Time/Times", "Time/Stages"), ("Time/End", "Time/Increments")
 
 
@@ -73,9 +74,20 @@ def read_entries(file: str | Path) -> dict[str, str]:
     entries, depths = {}, {}
     for path, value, depth in placed_entries(Path(file)):
         entries[path], depths[path] = value, depth
-    for path in replaced_times(entries, depths):
+    for path in [*replaced_times(entries, depths), *unlisted(entries, depths)]:
         del entries[path]
     return entries
+
+
+def unlisted(entries: Mapping[str, str], depths: Mapping[str, int]) -> list[str]:
+    """What an included file says of a body, load, ... that the list of the one that includes it does not name any more."""
+    left_out = []
+    for path, depth in depths.items():
+        kind, _, name = path.partition("/")[0].partition(" ")
+        names = NAME_LISTS.get(kind, "") if name and "/" in path else ""
+        if names in entries and depths[names] < depth and name not in [word.strip() for word in entries[names].split(",")]:
+            left_out.append(path)
+    return left_out
 
 
 def replaced_times(entries: Mapping[str, str], depths: Mapping[str, int]) -> list[str]:

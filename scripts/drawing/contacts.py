@@ -92,7 +92,8 @@ def draw_map(figure, axes, contact, series, units):
     p = contact.points[:, [i, j]]
     low, high = extremes(series)
     scale = {"cmap": "viridis", "vmin": low, "vmax": high if high > low else low + 1}
-    if len(contact.faces):
+    covered = len(np.unique(contact.faces)) == len(p)  # else some faces have corners that meet nothing
+    if covered:
         faces = contact.faces[:, [0, 1, 2, 0, 2, -1]].reshape(-1, 3)
         faces = faces[faces[:, 1] != faces[:, 2]]  # those of simplices repeat a corner
         drawn = axes.tripcolor(*p.T, faces, normal, shading="gouraud", **scale)
@@ -102,14 +103,14 @@ def draw_map(figure, axes, contact, series, units):
     for state, (colour, mark) in STATES.items():
         here = contact.rows["state"] == state
         if here.any():
-            axes.plot(*p[here].T, mark, markersize=min(3, 60 / len(p)**.5) if len(contact.faces) else 9,
+            axes.plot(*p[here].T, mark, markersize=min(3, 60 / len(p)**.5) if covered else 9,
                       color=colour, label=state, linestyle="none",
-                      markerfacecolor="none", markeredgewidth=.6 if len(contact.faces) else 1.2)
+                      markerfacecolor="none", markeredgewidth=.6 if covered else 1.2)
     friction = contact.reactions - contact.rows["r_n"][:, None] * contact.normals
     size = np.linalg.norm(friction, axis=1).max()
     if size > 0:
         axes.quiver(*p.T, friction[:, i], friction[:, j], angles="xy", scale_units="xy", width=.004,
-                    color="white" if len(contact.faces) else "0.4", scale=size / (.08 * np.ptp(p, axis=0).max()))
+                    color="white" if covered else "0.4", scale=size / (.08 * np.ptp(p, axis=0).max()))
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.set_xlabel(units.label("xyz"[i]))

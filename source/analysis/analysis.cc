@@ -14,7 +14,6 @@
 #include "conetact/output/output_table.h"
 #include "conetact/output/problem_files.h"
 #include "conetact/output/progress.h"
-#include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,10 +41,7 @@ namespace conetact::analysis
             "contact '" + scene.contact_names[c] +
             "': nothing touches, for no node faces the master within its "
             "Reach. Check Master boundary ids and the bodies' places.");
-        else if (const unsigned int n = scene.pairings[c].n_paired;
-                 empty[c] && pairing::n_shared(static_cast<unsigned int>(c),
-                                               n,
-                                               scene.bodies.contact_nodes) < n)
+        else if (empty[c] && scene.n_shared[c] < scene.pairings[c].n_paired)
           throw InputError(
             "Contact '" + scene.contact_names[c] +
             "' has no node that may touch: supports or ties hold all of them along "

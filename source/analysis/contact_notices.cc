@@ -92,8 +92,7 @@ namespace conetact::analysis
         const Contact &contact = contacts.contact(c);
         facets.emplace_back(contact, scene.bodies.structures);
         const auto &structures = scene.bodies.structures;
-        if (contact.obstacle == nullptr &&
-            contact.kind == pairing::ContactKind::contact)
+        if (contact.kind == pairing::ContactKind::contact)
           patterns.try_emplace(c, *structures[contact.body], contact.ids);
         second_degree.push_back(
           has_second_degree(*structures[contact.body], contact.ids) ||
@@ -109,6 +108,8 @@ namespace conetact::analysis
   {
     for (const auto &[c, pattern] : patterns)
       {
+        if (contacts.contact(c).obstacle != nullptr)
+          continue; // those have no faces of their own
         std::set<unsigned int> &nodes = could_press[c];
         for (const ContactNode &node : scene.bodies.contact_nodes)
           if (node.contact == c && !node.meets_nothing())
@@ -220,6 +221,7 @@ namespace conetact::analysis
         {
           judge_facets(c, closed[c]);
           judge_lonely(c, closed[c]);
+          judge_thin(c, closed[c]);
         }
   }
 
@@ -229,7 +231,7 @@ namespace conetact::analysis
     const double some = model.bodies.dim == 2 ? .05 : .1; // of those that press
     constexpr std::size_t few     = 6; // nodes have no pattern
     const auto            pattern = patterns.find(c);
-    if (pattern == patterns.end())
+    if (pattern == patterns.end() || contacts.contact(c).obstacle != nullptr)
       return "";
     const unsigned int n        = pattern->second.n_pits(closed.pressures);
     const std::size_t  n_closed = closed.pressures.size();
@@ -249,8 +251,8 @@ namespace conetact::analysis
   {
     constexpr double large   = .1; // of the largest pressure
     const auto       pattern = patterns.find(c);
-    if (pattern == patterns.end() || sentences.count(c) > 0 ||
-        closed.pressures.size() < 2)
+    if (contacts.contact(c).obstacle != nullptr || pattern == patterns.end() ||
+        sentences.count(c) > 0 || closed.pressures.size() < 2)
       return;
     const unsigned int body = contacts.contact(c).body;
     double             most = 0;
@@ -271,6 +273,39 @@ namespace conetact::analysis
           of_facets.insert(c);
           return;
         }
+  }
+
+  bool
+  ContactNotices::is_curved(const unsigned int c) const
+  {
+    constexpr double    parallel = 1 - 1e-5; // cosine of a quarter degree
+    const Tensor<1, 3> *first    = nullptr;
+    for (const ContactNode &node : scene.bodies.contact_nodes)
+      if (node.contact == c && !node.meets_nothing())
+        {
+          if (first != nullptr && node.n * *first < parallel)
+            return true;
+          first = first == nullptr ? &node.n : first;
+        }
+    return facets[c].largest_of_slave() > 0 ||
+           facets[c].largest_of_master() > 0;
+  }
+
+  void
+  ContactNotices::judge_thin(const unsigned int c, const Closed &closed)
+  {
+    const auto pattern = patterns.find(c);
+    if (pattern == patterns.end() || sentences.count(c) > 0 ||
+        !pattern->second.is_thin(closed.pressures) || !is_curved(c))
+      return;
+    const std::size_t n = closed.pressures.size();
+    sentences[c] =
+      "contact '" + contacts.contact(c).name + "': what presses is narrower " +
+      "than cells resolve (" + std::to_string(n) +
+      (n == 1 ? " node presses" : " nodes press") +
+      ", none of them between others that press): its force is right, its "
+      "pressures are those of the mesh. Where they matter use smaller cells, "
+      "at least four across what presses.";
   }
 
   std::string

@@ -7,7 +7,6 @@
 #include "conetact/base/joined_warnings.h"
 #include "conetact/base/process.h"
 #include "conetact/base/text.h"
-#include "conetact/pairing/shared_nodes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +33,9 @@ namespace conetact::analysis
                 " face no master within reach and stay free";
       if (n_shared > 0)
         text += ", " + std::to_string(n_shared) +
-                " at seams belong to contacts before it, with the faces and "
-                "reactions of both";
+                (n_shared == 1 ? " of them is" : " of them are") +
+                " also in a contact before it, along the same normal: rows "
+                "of that contact have the reactions of both there";
       log.note(text);
     }
 
@@ -242,6 +242,8 @@ namespace conetact::analysis
                const contact::ContactModel &model,
                Log                         &log)
   {
+    for (const std::string &sentence : scene.left_out)
+      log.note(sentence);
     report_bodies(scene, log);
     report_automatic(scene, log);
     const solvers::ContactSystem &layout = model.points.layout();
@@ -259,9 +261,7 @@ namespace conetact::analysis
       {
         report_pairing(scene.contact_names[c],
                        scene.pairings[c],
-                       pairing::n_shared(static_cast<unsigned int>(c),
-                                         scene.pairings[c].n_paired,
-                                         scene.bodies.contact_nodes),
+                       scene.n_shared[c],
                        log);
         report_kinematics(scene.contact(c), scene.kinematics[c], log);
       }

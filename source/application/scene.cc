@@ -118,6 +118,7 @@ namespace conetact::application
     , text(read_scene_file(line.scene))
   {
     refuse_repeats(text);
+    left_out = leave_out_unlisted(text, overrides);
     read_names();
     declare_scene(
       prm,

@@ -165,10 +165,10 @@ namespace conetact::application
       {
         pairing::ContactNodes found = pairing::find_contact_nodes(
           contacts, bodies.names, bodies.structures, bodies.dim);
-        pairing::unite_shared(contacts,
-                              bodies.structures,
-                              bodies.dim,
-                              found.nodes);
+        n_shared = pairing::unite_shared(contacts,
+                                         bodies.structures,
+                                         bodies.dim,
+                                         found.nodes);
         pairing::share_areas(contacts,
                              bodies.structures,
                              /*only_sliding=*/false,

@@ -151,6 +151,12 @@ namespace conetact::application
     if (bodies.contact_nodes.empty())
       throw InputError("Solver/Method: a load path follows contact states, but "
                        "the scene has no contact. Choose automatic.");
+    for (const bodies::Load &load : loads)
+      if (load.is_rigid)
+        throw InputError("Load '" + load.name +
+                         "', Coupling: a load path knows no rigid couplings. "
+                         "Choose Coupling = distributing, or Solver/Method = "
+                         "automatic.");
     for (const pairing::Obstacle &obstacle : obstacles)
       if (obstacle.free.any() || obstacle.turn)
         throw InputError(

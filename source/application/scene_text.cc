@@ -102,6 +102,88 @@ namespace conetact::application
       }
   }
 
+  namespace
+  {
+    /** A list of names, and how far from the user it is: -1 on the command
+     * line, else the depth of its file. */
+    struct List
+    {
+      std::vector<std::string> names;
+      int                      depth = 0;
+    };
+
+    /** By their entries, as the last one of each says. */
+    std::map<std::string, List>
+    lists_in_force(const SceneText                &scene,
+                   const std::vector<SceneLine>   &lines,
+                   const std::vector<std::string> &overrides)
+    {
+      std::map<std::string, List> lists;
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        if (lines[i].kind == SceneLine::Kind::set && lines[i].path.empty())
+          lists[lines[i].name] = {split(value_of(lines[i]), ','),
+                                  static_cast<int>(scene.origins[i].depth)};
+      for (const std::string &override : overrides)
+        if (const auto equals = override.find('='); equals != override.npos)
+          lists[one_line(override.substr(0, equals))] = {
+            split(one_line(override.substr(equals + 1)), ','), -1};
+      return lists;
+    }
+
+    /** The line behind the end of a subsection; 0: it has none. */
+    std::size_t
+    end_of(const std::size_t begin, const std::vector<SceneLine> &lines)
+    {
+      unsigned int open = 0;
+      for (std::size_t i = begin; i < lines.size(); ++i)
+        if (lines[i].kind == SceneLine::Kind::subsection)
+          ++open;
+        else if (lines[i].kind == SceneLine::Kind::end && --open == 0)
+          return i + 1;
+      return 0;
+    }
+  } // namespace
+
+  std::vector<std::string>
+  leave_out_unlisted(SceneText                      &scene,
+                     const std::vector<std::string> &overrides)
+  {
+    const std::vector<SceneLine> lines = read_lines(scene.text, &scene);
+    const auto               lists = lists_in_force(scene, lines, overrides);
+    std::vector<bool>        stays(lines.size(), true);
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      {
+        const std::string &name = lines[i].name;
+        if (lines[i].kind != SceneLine::Kind::subsection ||
+            !lines[i].path.empty())
+          continue;
+        const auto        list = lists.find(list_of(name));
+        const std::size_t end  = end_of(i, lines);
+        if (list == lists.end() || end == 0 ||
+            list->second.depth >= static_cast<int>(scene.origins[i].depth))
+          continue;
+        const auto &names = list->second.names;
+        if (std::count(names.begin(),
+                       names.end(),
+                       name.substr(name.find(' ') + 1)) > 0)
+          continue;
+        std::fill(stays.begin() + static_cast<std::ptrdiff_t>(i),
+                  stays.begin() + static_cast<std::ptrdiff_t>(end),
+                  false);
+        sentences.push_back(name + " of " + scene.place(i) +
+                            " is left out, since " + list->first +
+                            " does not name it any more");
+      }
+    std::string        text;
+    std::istringstream stream(scene.text);
+    std::size_t        i = 0;
+    for (std::string line; std::getline(stream, line); ++i)
+      text += (i >= stays.size() || stays[i] ? line : "") + '\n';
+    scene.text = text;
+    return sentences;
+  }
+
   std::optional<std::size_t>
   place_of(const SceneText &scene, const std::string &path)
   {

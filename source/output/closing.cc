@@ -14,7 +14,7 @@ namespace conetact::output
 {
   namespace
   {
-    /** Contacts or probes that have a line of their own. */
+    /** Contacts, preloads or probes that have a line of their own. */
     constexpr std::size_t most_lines = 4;
 
     std::string
@@ -59,6 +59,14 @@ namespace conetact::output
                         " more: " + more);
     }
 
+    /** Tension of what a preload tightens: bolts. */
+    std::string
+    tension(const std::string &name, const PreloadRecord &preload)
+    {
+      return "preload of " + name + ": tension " + to_text(preload.force) +
+             ", shortened by " + to_text(preload.shortening);
+    }
+
     /** Supports and loads together; the table has each. */
     std::string
     external(const RunDescription  &run,
@@ -89,6 +97,13 @@ namespace conetact::output
       [&](const std::size_t c) {
         return "contact " + run.contacts[c] + ": force " +
                force(last.contacts[c], forces);
+      },
+      lines);
+    add_list(
+      std::min(run.preloads.size(), last.preloads.size()),
+      "increments.csv",
+      [&](const std::size_t k) {
+        return tension(run.preloads[k], last.preloads[k]);
       },
       lines);
     if (const std::string line = external(run, last, forces); !line.empty())

@@ -80,6 +80,23 @@ namespace conetact::pairing
       }));
   }
 
+  bool
+  PressurePattern::is_thin(const Pressures &pressures) const
+  {
+    return !neighbours.empty() &&
+           std::none_of(pressures.begin(),
+                        pressures.end(),
+                        [&](const auto &entry) {
+                          const auto found = neighbours.find(entry.first);
+                          return found == neighbours.end() ||
+                                 std::all_of(found->second.nodes.begin(),
+                                             found->second.nodes.end(),
+                                             [&](const unsigned int other) {
+                                               return at(pressures, other) > 0;
+                                             });
+                        });
+  }
+
   std::vector<unsigned int>
   PressurePattern::lonely(const Pressures              &pressures,
                           const std::set<unsigned int> &could_press) const

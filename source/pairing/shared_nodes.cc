@@ -146,7 +146,7 @@ namespace conetact::pairing
     }
   } // namespace
 
-  void
+  std::vector<unsigned int>
   unite_shared(const std::vector<Contact>                   &contacts,
                const std::vector<const bodies::Structure *> &structures,
                const unsigned int                            dim,
@@ -155,6 +155,7 @@ namespace conetact::pairing
     const std::vector<std::size_t> first = firsts(contacts, nodes);
     std::vector<std::size_t>       place(nodes.size());
     std::vector<ContactNode>       united;
+    std::vector<unsigned int>      n_shared(contacts.size(), 0);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (first[i] == i)
         {
@@ -162,13 +163,17 @@ namespace conetact::pairing
           united.push_back(std::move(nodes[i]));
         }
       else
-        unite(united[place[first[i]]], nodes[i], dim);
+        {
+          n_shared[nodes[i].contact] += !nodes[i].meets_nothing();
+          unite(united[place[first[i]]], nodes[i], dim);
+        }
     std::vector<bool> takes_means;
     for (const Contact &contact : contacts)
       takes_means.push_back(pairing_of(contact, structures).takes_means);
     for (ContactNode &node : united)
       node.is_mean = takes_means[node.contact];
     nodes = std::move(united);
+    return n_shared;
   }
 
   namespace
@@ -236,19 +241,5 @@ namespace conetact::pairing
     AssertIndexRange(contact, found.size());
     const auto of_another = owners.find({contact, node});
     return of_another == owners.end() ? contact : of_another->second;
-  }
-
-  unsigned int
-  n_shared(const unsigned int              contact,
-           const unsigned int              n_paired,
-           const std::vector<ContactNode> &nodes)
-  {
-    std::set<unsigned int> own;
-    for (const ContactNode &node : nodes)
-      if (node.contact == contact && !node.meets_nothing())
-        own.insert(node.node);
-    return n_paired > own.size() ?
-             n_paired - static_cast<unsigned int>(own.size()) :
-             0;
   }
 } // namespace conetact::pairing

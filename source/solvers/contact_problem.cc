@@ -365,8 +365,10 @@ namespace conetact::solvers
     const double load = problem.load.tail(stiff ? n : system.n_motions).norm();
     const double scale =
       std::max({state.r.head(n).norm(), load, problem.reference_force});
+    // Elsewhere loads may be that contacts hear of only when they hold.
+    const double all = system.large ? problem.load.norm() : load;
     const double data =
-      std::max({load,
+      std::max({all,
                 problem.reference_force,
                 rho.cwiseProduct(displacements_given(problem)).norm()});
     double result = error / scale;

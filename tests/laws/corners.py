@@ -121,6 +121,10 @@ def by_both_backends(laws):
     along = in_corner(3, .3, (0.0, 1.0, 2.0), {"Support end": support(0, "x", "0.01*t", Stiffness=200), "Load x": load("body force", "0 ; 0 ; 0")}, side_mu=.2)
     del along["Contact x"], along["Obstacle x"]
     scenes["3D, along an edge"] = along
+    # all walls are touched, and friction holds or not: also by all unknowns
+    for mu in (0, .2, .8):
+        run = laws.run(in_corner(3, mu, (1.0, 2.0, 3.0)), *backend("iterative"))
+        laws.demand(f"3D, corner, mu {mu}: solved by all unknowns", all(row["solver"] == "iterative" for row in run.increments))
     for what, scene in scenes.items():
         condensed, iterative = (laws.run(scene, *backend(name)) for name in ("condensed", "iterative"))
         laws.same(f"{what}: both backends", condensed, iterative, 1e-9)

@@ -275,7 +275,23 @@ def bent_strips(laws):
         laws.check(f"strips of {cells} cells: half of the load goes through the tips", force / 5e-5 - 1, .05)
 
 
+def rollers(laws):
+    """A cylinder on a block, in cells that are larger and smaller than what touches; a flat punch on coarse cells."""
+    for dim in (2, 3):
+        size, top, down = (2.0, 1.0, .5)[:dim], 2 * dim - 1, dim - 1
+        place = (1.0, 4.0) if dim == 2 else (1.0, 0.0, 3.5)
+        scene = {"Dimension": dim, "Contact roller": contact(ids=top, obstacle="roller", mu=.2),
+                 "Obstacle roller": {"Shape": "cylinder", "Radius": 3.0, "Point": place, "Displacement": " ; ".join(["0"] * down + ["-0.005*t"]),
+                                     **({"Axis": "0, 1, 0"} if dim == 3 else {})},
+                 "Support low": support(2 * dim - 2, "x, y, z"[:3 * dim - 2]), "Output": {"VTU": 0}}
+        for cells, words in (((8, 4, 2), ("contact 'roller'", "narrower than cells resolve")), ((160, 8, 4) if dim == 2 else (60, 2, 4), ())):
+            warns(laws, f"{dim}D, a roller on {cells[0]} cells", laws.run({**scene, "Body block": box(cells[:dim], size)}), *words)
+        flat = {"Shape": "half space", "Normal": (0,) * down + (-1,), "Point": (0,) * down + (size[-1],), "Displacement": " ; ".join(["0"] * down + ["-0.005*t"])}
+        warns(laws, f"{dim}D, a flat punch", laws.run({**scene, "Body block": box((2, 1, 1)[:dim], size), "Obstacle roller": flat}))
+
+
 def facets(laws):
+    rollers(laws)
     """Facets that are taken for gaps are told; where gaps are plane, resolved or written down, there is no word."""
     warns(laws, "rings drawn to touch", laws.run(rings()), "contact 'joint': facets stand off", "more than a tenth")
     warns(laws, "rings with a Gap", laws.run(merge(rings(), {"Contact joint": {"Gap": 0}})))

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, scene_pictures, couplings,  # noqa: E402
+from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, scene_pictures, couplings,  # noqa: E402
                   round_pairs, sliding,
                   supports, threads, tie, transformations, vanishing, uniqueness, varying_friction, worn)
 from support.checks import run_families  # noqa: E402
@@ -23,7 +23,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "mirror": transformations.mirror, "units": transformations.units, "patch": patch.patch,
             "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
             "shapes": driven.shapes, "free": driven.free_obstacles, "turning": driven.turning,
-            "supports": supports.supports, "loads": loads.loads, "friction": friction.friction, "bodies": bodies.bodies,
+            "supports": supports.supports, "loads": loads.loads, "load-sums": load_sums.load_sums, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "processes-four": processes.four, "pieces": pieces.pieces, "kill": kill.kill, "interrupt": interrupt.interrupt, "couplings": couplings.couplings,
             "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "axisymmetric-sliding": axisymmetric_sliding.axisymmetric_sliding,
             "gmsh": gmsh.gmsh,

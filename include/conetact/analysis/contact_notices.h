@@ -20,7 +20,7 @@ namespace conetact::analysis
   /**
    * What a user must know of contacts and cannot see in a result: nodes that
    * start inside what they meet; facets of curved surfaces that are taken for
-   * gaps; contacts that never close.
+   * gaps; contacts narrower than cells; contacts that never close.
    */
   class ContactNotices
   {
@@ -72,13 +72,18 @@ namespace conetact::analysis
     void
     judge_lonely(const unsigned int contact, const Closed &closed);
     void
+    judge_thin(const unsigned int contact, const Closed &closed);
+    /** Whether a side is curved, so that contact begins at a point or line. */
+    bool
+    is_curved(const unsigned int contact) const;
+    void
     say_never_closed(Log &log) const;
 
     const application::Scene           &scene;
     const contact::ContactModel        &model;
     pairing::SlidingContacts            contacts;
     std::vector<pairing::ContactFacets> facets; ///< of each contact
-    /** Of contacts between bodies, by number. */
+    /** Of contacts, by number. */
     std::map<unsigned int, pairing::PressurePattern> patterns;
     /** Nodes of these that could press, or gave that to others. */
     std::map<unsigned int, std::set<unsigned int>> could_press;

@@ -111,6 +111,8 @@ namespace conetact::application
     std::vector<unsigned int>     master_side;
     std::vector<unsigned int>     side_bodies; ///< the body of each of them
     std::vector<pairing::Pairing> pairings;    ///< of each contact
+    /** Of each contact, nodes that belong to contacts before it. */
+    std::vector<unsigned int>               n_shared;
     std::vector<pairing::ContactKinematics> kinematics; ///< the same
     std::vector<double>                     times;
     solvers::SolverOptions                  solver;
@@ -179,6 +181,8 @@ namespace conetact::application
     /** All contacts that were found so, as a scene would have them; empty: none
      * were asked for. */
     std::string automatic_text;
+    /** What of included files no list names any more, a sentence each. */
+    std::vector<std::string> left_out;
     /** A run that continues this one must take contacts as it does. */
     void
                             save_kinematics(Archive &archive) const;

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace conetact::application
 {
@@ -32,6 +33,15 @@ namespace conetact::application
    */
   void
   refuse_repeats(const SceneText &scene);
+
+  /**
+   * Takes out subsections of files that are included where a list nearer to the
+   * user, of the file that includes them or of the command line, does not name
+   * them any more. Returns sentences of what is left out.
+   */
+  std::vector<std::string>
+  leave_out_unlisted(SceneText                      &scene,
+                     const std::vector<std::string> &overrides);
 
   /** Values by their paths, "Contact bottom/Friction coefficient". */
   using Entries = std::map<std::string, std::string>;

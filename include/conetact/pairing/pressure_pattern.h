@@ -39,6 +39,13 @@ namespace conetact::pairing
     lonely(const Pressures              &pressures,
            const std::set<unsigned int> &could_press) const;
 
+    /**
+     * Whether no node that presses has neighbours that all press: what presses
+     * is a point, or one or two rows of nodes.
+     */
+    bool
+    is_thin(const Pressures &pressures) const;
+
   private:
     struct Around
     {

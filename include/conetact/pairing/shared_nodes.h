@@ -20,9 +20,11 @@ namespace conetact::pairing
    * of both would have, with means over the areas of both, of friction
    * coefficients, too, and is a node of the first of them. Nodes come as their
    * pairings find them, and ContactNode::is_mean tells means of mortar from
-   * edges that meet a face; it is that of whole contacts afterwards.
+   * edges that meet a face; it is that of whole contacts afterwards. Returns
+   * how many of the nodes of each contact that meet something have become nodes
+   * of contacts before it.
    */
-  void
+  std::vector<unsigned int>
   unite_shared(const std::vector<Contact>                   &contacts,
                const std::vector<const bodies::Structure *> &structures,
                const unsigned int                            dim,
@@ -62,12 +64,6 @@ namespace conetact::pairing
     /// of nodes of others: contact, node
     std::map<std::pair<unsigned int, unsigned int>, unsigned int> owners;
   };
-
-  /** Nodes of a contact that face its master and belong to earlier contacts. */
-  unsigned int
-  n_shared(const unsigned int              contact,
-           const unsigned int              n_paired,
-           const std::vector<ContactNode> &nodes);
 } // namespace conetact::pairing
 
 #endif

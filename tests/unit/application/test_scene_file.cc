@@ -5,6 +5,8 @@
 #include "conetact/application/scene_file.h"
 #include "conetact/application/scene_text.h"
 
+#include <algorithm>
+
 #include "files.h"
 #include "sentence.h"
 
@@ -100,6 +102,35 @@ TEST(SceneFile, WhatIsIncludedMayBeReplacedBehind)
   EXPECT_NE(repeats("include base.prm\nset A = 2\nset A = 3\n")
               .find("line 3: the entry 'A' stands in line 2 already"),
             std::string::npos);
+}
+
+TEST(SceneFile, WhatAListDoesNotNameAnyMoreIsLeftOut)
+{
+  file("base.prm",
+       "set Loads = a, b\nsubsection Load a\nset Kind = force\nend\n"
+       "subsection Load b\nsubsection C\nend\nend\n");
+  const auto left = [](const std::string              &text,
+                       const std::vector<std::string> &overrides) {
+    SceneText  scene     = read_scene_file(file("raw.prm", text));
+    const auto n_lines   = scene.origins.size();
+    const auto sentences = leave_out_unlisted(scene, overrides);
+    EXPECT_EQ(static_cast<std::size_t>(
+                std::count(scene.text.begin(), scene.text.end(), '\n')),
+              n_lines);
+    for (const std::string &sentence : sentences)
+      EXPECT_NE(sentence.find("since Loads does not name it"),
+                std::string::npos);
+    return std::pair(sentences.size(), scene.text);
+  };
+  const auto [n, text] = left("include base.prm\nset Loads = a\n", {});
+  EXPECT_EQ(n, 1u);
+  EXPECT_NE(text.find("Load a"), std::string::npos);
+  EXPECT_EQ(text.find("Load b"), std::string::npos);
+  EXPECT_EQ(left("include base.prm\nset Loads =\n", {}).first, 2u);
+  EXPECT_EQ(left("include base.prm\n", {}).first, 0u);
+  EXPECT_EQ(left("include base.prm\n", {"Loads=b"}).first, 1u);
+  // a list and a subsection of one file are a mistake, which is told
+  EXPECT_EQ(left("set Loads = a\nsubsection Load b\nend\n", {}).first, 0u);
 }
 
 
