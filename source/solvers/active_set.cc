@@ -26,6 +26,100 @@ namespace conetact::solvers
 
     /** A load that differs by less from the one in balance is the same. */
     constexpr double rounding = 1e-15;
+
+    /**
+     * The same laws, whose friction falls neither with the slip nor, as a
+     * coefficient, with pressure: each step sees cones of the point where it
+     * starts. Where friction falls faster than bodies resist, Newton's method
+     * goes the wrong way; with these slopes slips grow from step to step until
+     * friction holds them. Limits are those of the laws themselves.
+     */
+    class WithoutFall : public NodalLaws
+    {
+    public:
+      explicit WithoutFall(std::shared_ptr<const NodalLaws> l)
+        : laws(std::move(l))
+      {}
+
+      FrictionLimit
+      limit(const Index  node,
+            const double s,
+            const double slip,
+            const double gap) const override
+      {
+        FrictionLimit result = laws->limit(node, s, slip, gap);
+        if (s > 0 && !laws->is_bonded(node))
+          result.by_force = std::max(result.by_force, result.value / s);
+        result.by_slip = std::max(result.by_slip, 0.);
+        return result;
+      }
+      Aspect
+      aspect(const Index  node,
+             const double s,
+             const double slip,
+             const double gap) const override
+      {
+        return laws->aspect(node, s, slip, gap);
+      }
+      bool
+      has_ellipses() const override
+      {
+        return laws->has_ellipses();
+      }
+      Layer
+      layer(const Index  node,
+            const double r_n,
+            const double slip) const override
+      {
+        return laws->layer(node, r_n, slip);
+      }
+      bool
+      has_cones() const override
+      {
+        return false;
+      }
+      bool
+      has_layers() const override
+      {
+        return laws->has_layers();
+      }
+      Bond
+      bond(const Index node, const double slip, const double gap) const override
+      {
+        return laws->bond(node, slip, gap);
+      }
+      bool
+      is_bonded(const Index node) const override
+      {
+        return laws->is_bonded(node);
+      }
+      bool
+      has_bonds() const override
+      {
+        return laws->has_bonds();
+      }
+      bool
+      is_apart(const Index node) const override
+      {
+        return laws->is_apart(node);
+      }
+      bool
+      is_joined(const Index node) const override
+      {
+        return laws->is_joined(node);
+      }
+
+    private:
+      std::shared_ptr<const NodalLaws> laws;
+    };
+
+    ContactProblem
+    without_fall(const ContactProblem &problem)
+    {
+      ContactProblem result = problem;
+      result.laws           = std::make_shared<WithoutFall>(problem.laws);
+      return result;
+    }
   } // namespace
 
 
@@ -195,9 +289,10 @@ namespace conetact::solvers
         stalls                     = improved ? 0 : stalls + 1;
         // In the plane a step is exact if the states are, as far as friction is
         // linear; else one of a small system costs nothing, and squares what is
-        // left.
-        const bool enough =
-          (same && is_linear) || !improved || !newton.was_small();
+        // left. Of laws beyond cones nothing is left of a step that gets so
+        // far.
+        const bool enough = (same && (is_linear || !relation->has_cones())) ||
+                            !improved || !newton.was_small();
         const bool is_noise =
           point.residual <= noise && same && (is_linear || !improved);
         if ((point.residual <= goal && enough) || is_noise ||
@@ -253,6 +348,36 @@ namespace conetact::solvers
     relation->to_scaled(state, point.p, point.d);
     point.sets = sets_of_state(*relation, state);
     return run(problem, point, state);
+  }
+
+
+
+  /* Near the end Newton's own slopes are the better ones. */
+  SolverReport
+  ActiveSet::solve_without_fall(const ContactProblem &problem,
+                                ContactState         &state)
+  {
+    constexpr unsigned int most    = 5;
+    const ContactProblem   without = without_fall(problem);
+    attach(without);
+    SolverReport sum = solve_from_states(without, state);
+    for (unsigned int i = 0; i < most && state.v.allFinite(); ++i)
+      {
+        ContactState end    = state;
+        SolverReport report = polish(problem, end);
+        add_work(report, sum);
+        sum = report;
+        if (sum.converged)
+          {
+            state = end;
+            return sum;
+          }
+        report = polish(without, state);
+        add_work(report, sum);
+        sum           = report;
+        sum.converged = false;
+      }
+    return sum;
   }
 
 
@@ -318,6 +443,15 @@ namespace conetact::solvers
         report                            = solve_from_states(problem, state);
         report.iterations += iterations;
         report.factorizations += factorizations;
+      }
+    if (!report.converged && problem.laws && !problem.laws->has_cones())
+      {
+        ContactState       other  = start;
+        const SolverReport before = report;
+        report                    = solve_without_fall(problem, other);
+        add_work(report, before);
+        if (report.converged)
+          state = other;
       }
     if (report.converged)
       predictor.remember(start, state, change);

@@ -123,7 +123,42 @@ def every_solution(laws):
         laws.check("  the first one is the run", max(abs(a["r_n"] - b["r_n"]) + abs(a["r_t1"] - b["r_t1"]) for a, b in zip(first, run.rows)) / scale, 1e-9)
 
 
+def triangle(mu, angle):
+    """An elastic triangle that stands on its side y = 0, is held at x + 2 y = 1 and pushed at x + y = 0."""
+    return {"Dimension": 2, "Body triangle": {"Mesh": {"Generator": "simplex", "Arguments": "0, 0 ; 1, 0 ; -1, 1", "Global refinements": 1,
+                                                       "Boundary ids": "7: y < 1e-9 ; 8: abs(x + 2*y - 1) < 1e-6 ; 9: abs(x + y) < 1e-6 && y > 1e-9"},
+                                              "Material": {"Young modulus": 1.0, "Poisson ratio": .2}},
+            "Obstacle floor": floor(2), "Contact bottom": contact("triangle", 7, mu=mu), "Support wall": support(8, "x, y", body="triangle"),
+            "Load push": load("traction", f"{math.cos(angle)} ; {math.sin(angle)}", 9, "triangle"),
+            "Time": {"Increments": 1}, "Solver": {"Method": "all solutions"}, "Output": {"VTU": 0}}
+
+
+def elastic_body(laws):
+    """An elastic body in place of a bar, after P. Hild (C. R. Acad. Sci. Paris I 337, 2003, 685) and V. Rey (C. R. Mecanique 354, 2026,
+    461), who has several solutions beyond mu = 3. The numbers of their bodies were not at hand: this is a triangle of that kind, which on
+    this mesh has one solution up to mu = 2.9, and three beyond 3.02 under some loads."""
+    for mu, several in ((1.0, False), (2.9, False), (3.02, True), (3.1, True)):
+        counts = {}
+        for i in range(9):
+            angle = 2.34 + .012 * i
+            run = laws.run(triangle(mu, angle))
+            rows = read(run.folder / "solutions.csv")
+            branches = {}
+            for row in rows:
+                branches.setdefault(row["branch"], []).append(row["state"])
+            counts[angle] = len(branches)
+            if len(branches) > 1:
+                changing = {tuple(states) for states in zip(*branches.values()) if len(set(states)) > 1}
+                laws.demand(f"an elastic triangle, mu = {mu}, {angle:.3f}: one node is open, slips or sticks",
+                            len(branches) == 3 and {frozenset(states) for states in changing} == {frozenset(("open", "slip", "stick"))})
+        laws.demand(f"an elastic triangle, mu = {mu}: solutions {sorted(set(counts.values()))}", (max(counts.values()) > 1) == several)
+    for mu, verdict in ((2.9, "yes"), (3.1, "no")):
+        scene = merge(triangle(mu, 2.382), {"Solver": {"Method": "automatic"}, "Output": {"Uniqueness": "yes"}})
+        laws.demand(f"  Output/Uniqueness, mu = {mu}: {verdict}", laws.run(scene).increments[-1]["unique"] == verdict)
+
+
 def uniqueness(laws):
     every_solution(laws)
+    elastic_body(laws)
     single_node(laws)
     blocks(laws)

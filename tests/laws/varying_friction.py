@@ -111,9 +111,23 @@ def brake(laws):
         laws.check("  and by hand", abs(record["lining_f_x"] / even - 1), .04)
 
 
+def in_parts(laws):
+    """An increment that is cut is those that it is cut into: the speed of each is its slip over its own time."""
+    for mu in ("0.1 + 0.01*v", "0.1 + 0.05*exp(-v/0.3)"):
+        scene = press_and_shear(3, cells=(3, 2, 2), mu=mu)
+        scene["Obstacle floor"].update({"Turn": "30*max(t - 1, 0)", "Turn axis": (0, 0, 1), "Reference point": (.7, .5, 0)})
+        scene["Support top"]["Displacement"] = "0 ; 0 ; -0.01*min(t, 1)"
+        runs = [laws.run(scene, "-s", f"Time/Times={times}") for times in ("1, 2", "1, 1.5, 2")]
+        laws.demand(f"mu = {mu}: cut in two", runs[0].increments[-1]["substeps"] == 2 and runs[1].increments[-1]["substeps"] == 1)
+        size = runs[0].largest("r_n")
+        laws.check("  reactions of both", max(abs(a[c] - b[c]) for a, b in zip(runs[0].last(), runs[1].last())
+                                              for c in ("r_n", "r_t1", "r_t2")) / size, 1e-10)
+
+
 def varying_friction(laws):
     brake(laws)
     by_tables(laws)
     falling(laws)
     by_methods(laws)
     temperature(laws)
+    in_parts(laws)

@@ -64,6 +64,9 @@ namespace conetact::solvers
     unchanged(const ContactProblem &problem, ContactState &state) const;
     SolverReport
     solve_from_states(const ContactProblem &problem, ContactState &state);
+    /** Of laws whose friction falls so fast that their slopes lead astray. */
+    SolverReport
+    solve_without_fall(const ContactProblem &problem, ContactState &state);
     /** d = M p + l. */
     Array
     dual(const Array &p) const;
