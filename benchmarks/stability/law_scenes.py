@@ -64,8 +64,14 @@ def limited(chance, dim):
 
 
 def elliptic(chance, dim):
-    return {"Friction coefficient": number(chance, .05, .7), "Second friction coefficient": number(chance, .05, .7),
-            "Friction angle": number(chance, -90, 90)}
+    def axis():
+        return chance.choice((number(chance, .05, .7), of_place_and_way(chance), of_pressure(chance), of_speed(chance)))
+    law = {"Friction coefficient": axis(), "Second friction coefficient": axis(), "Friction angle": number(chance, -90, 90)}
+    if chance.random() < .2:
+        law["Shear limit"] = number(chance, .5, 3)
+    if chance.random() < .2:
+        law["Shear compliance"] = number(chance, 5e-5, 1e-3)
+    return law
 
 
 def wearing(chance, dim):

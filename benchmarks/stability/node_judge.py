@@ -42,7 +42,7 @@ class Contact:
 
     def __post_init__(self):
         self.laws = {name: Text(value) for name, value in self.entries.items() if name in (
-            "Friction coefficient", "Shear limit", "Compliance", "Shear compliance", "Wear coefficient", "Active")}
+            "Friction coefficient", "Second friction coefficient", "Shear limit", "Compliance", "Shear compliance", "Wear coefficient", "Active")}
         self.cycles = float(self.entries.get("Wear acceleration", 1))
         self.share = float(self.entries.get("Wear share", 1))
         self.implicit = self.entries.get("Wear integration") == "implicit"
@@ -151,8 +151,10 @@ class Judge:
         self.note("pulls", max(0.0, -r_n), F)
         self.note("penetrates", max(0.0, -gap), L)
         self.note("presses across a gap", abs(r_n * gap), F * L)
-        friction, slip, mu = self.round_cone(touch, at, friction, slip)
-        limit = min(mu * max(r_n, 0.0), max(0.0, touch.value("Shear limit", at, math.inf)) * row["area"])
+        most = max(0.0, touch.value("Shear limit", at, math.inf)) * row["area"]
+        limit = min(max(0.0, touch.value("Friction coefficient", at)) * max(r_n, 0.0), most)
+        if "Second friction coefficient" in touch.laws:
+            friction, slip = self.round_limit(touch, at, friction, slip, limit, max(r_n, 0.0), most)
         size, way = np.linalg.norm(friction), np.linalg.norm(slip)
         self.note("friction above its limit", max(0.0, size - limit), F)
         if r_n > 0:
@@ -164,16 +166,13 @@ class Judge:
         if row["state"] == "open":
             self.note("open and presses", abs(r_n) + size, F)
 
-    def round_cone(self, touch, at, friction, slip):
-        """Friction and slip as a round cone sees them, and its coefficient."""
-        mu = max(0.0, touch.value("Friction coefficient", at))
-        second = touch.entries.get("Second friction coefficient")
-        if second is None:
-            return friction, slip, mu
+    def round_limit(self, touch, at, friction, slip, limit, r_n, most):
+        """Friction and slip as a circle sees them whose radius is the limit along the first axis."""
+        second = min(max(0.0, touch.value("Second friction coefficient", at)) * r_n, most)
         angle = math.radians(touch.entries.get("Friction angle", 0.0))
         turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
-        stretch = np.array([1.0, mu / second])
-        return stretch * (turn @ friction), turn @ slip / stretch, mu
+        stretch = np.array([1.0, limit / second if second > 0 else 1.0])
+        return stretch * (turn @ friction), turn @ slip / stretch
 
     def wear(self, row, touch, node, at, slip):
         """Its depth, its way and its gap, which are those of geometry."""

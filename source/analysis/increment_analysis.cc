@@ -46,6 +46,7 @@ namespace conetact::analysis
     : Analysis(s, l)
     , solver(backend->create_solver(scene, model))
     , search(scene.sliding_contacts(), model)
+    , wear_error(model.points)
   {
     check_branches();
     if (scene.restart)
@@ -87,6 +88,7 @@ namespace conetact::analysis
           }
       }
     report_skips(scene, model, loads, log);
+    wear_error.report(scene.contact_names, log);
   }
 
   std::size_t
@@ -169,6 +171,7 @@ namespace conetact::analysis
     history.lock_cuts(begin(k), acceptance.accepted_displacements());
     existence.reset();
     solver = backend->create_solver(scene, model);
+    solver_of_halves.reset();
     log.note("increment " + std::to_string(k) + ": preloads are locked");
   }
 
@@ -244,22 +247,6 @@ namespace conetact::analysis
     if (start_is_known)
       shorten_way(increment, problem);
     return "";
-  }
-
-  /* Where all contacts are bound, foundations alone hold what floats. */
-  void
-  IncrementAnalysis::solve_motions(const solvers::ContactProblem &problem,
-                                   solvers::ContactState         &state,
-                                   solvers::SolverReport         &report)
-  {
-    state.r = -problem.system->matrix.fullPivLu().solve(problem.load);
-    // what they do not resist, such as a ring's spin, stays as it is
-    const Eigen::MatrixXd &loose = model.motions.unresisted();
-    state.r -= loose * (loose.transpose() * state.r);
-    state.v           = Eigen::VectorXd::Zero(state.r.size());
-    report.converged  = true;
-    report.solver     = "linear";
-    report.iterations = report.factorizations = 1;
   }
 
   void
@@ -344,6 +331,7 @@ namespace conetact::analysis
         if (!has_failed)
           {
             say_leaks(batch[i]);
+            estimate_wear(batch[i]);
             keep(std::move(batch[i].record), finished);
           }
       }
@@ -386,6 +374,7 @@ namespace conetact::analysis
     model.solve_by(*backend->elasticity);
     existence.reset();
     solver = backend->create_solver(scene, model);
+    solver_of_halves.reset();
     try
       {
         make_elasticity();

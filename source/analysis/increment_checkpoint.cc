@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/checkpoint.h"
 #include "conetact/analysis/increment_analysis.h"
+#include "conetact/analysis/stage_layout.h"
 #include "conetact/base/interruption.h"
 #include "conetact/base/text.h"
 #include "conetact/output/former_rows.h"
@@ -46,6 +47,8 @@ namespace conetact::analysis
     search.save(archive);
     history.save(archive);
     acceptance.save(archive);
+    wear_error.save(archive);
+    put_layout(model.points, archive);
     archive.write(description.folder / "checkpoint.bin");
     n_saved = n_on_disk;
   }
@@ -69,6 +72,9 @@ namespace conetact::analysis
          "Run the same command with --restart " + folder + " to go on." :
        scene.adaptive.cycles > 0 ?
          "A scene with Adaptive refinement cannot be continued." :
+       scene.follows_branches ?
+         "A run with Method = all solutions cannot be continued: run it from "
+         "its start." :
          "This run cannot be continued; one with Output/Checkpoint = 1 or more "
          "can, by --restart."));
   }
@@ -76,7 +82,8 @@ namespace conetact::analysis
   void
   IncrementAnalysis::restore_state()
   {
-    const Archive &archive = scene.restart->state;
+    Archive    archive  = scene.restart->state;
+    const bool is_other = scene.has_stages() && take_to_layout(model, archive);
     check_checkpoint(archive, model, scene.support_names);
     double one = 0;
     archive.fill("one by one", one);
@@ -88,6 +95,9 @@ namespace conetact::analysis
     search.restore(archive, history);
     history.restore(archive);
     acceptance.restore(archive);
+    if (is_other)
+      acceptance.relink();
+    wear_error.restore(archive);
     n_saved = n_on_disk = scene.n_done();
   }
 } // namespace conetact::analysis

@@ -43,4 +43,20 @@ namespace conetact::analysis
     history.move(increment.end, change, largest);
     take_result(increment, problem);
   }
+
+  /* Where all contacts are bound, foundations alone hold what floats. */
+  void
+  IncrementAnalysis::solve_motions(const solvers::ContactProblem &problem,
+                                   solvers::ContactState         &state,
+                                   solvers::SolverReport         &report)
+  {
+    state.r = -problem.system->matrix.fullPivLu().solve(problem.load);
+    // what they do not resist, such as a ring's spin, stays as it is
+    const Eigen::MatrixXd &loose = model.motions.unresisted();
+    state.r -= loose * (loose.transpose() * state.r);
+    state.v           = Eigen::VectorXd::Zero(state.r.size());
+    report.converged  = true;
+    report.solver     = "linear";
+    report.iterations = report.factorizations = 1;
+  }
 } // namespace conetact::analysis

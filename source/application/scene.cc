@@ -8,7 +8,6 @@
 #include "conetact/application/scene_entries.h"
 #include "conetact/application/scene_text.h"
 #include "conetact/application/solver_options.h"
-#include "conetact/application/stages.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/numbers.h"
 #include "conetact/base/text.h"
@@ -266,8 +265,6 @@ namespace conetact::application
       bodies.supports.push_back(bodies::create_support(
         prm, name, dim, bodies.names, bodies.structures));
     });
-    const std::vector<bodies::Support> changing =
-      changing_supports(prm, activity, bodies.supports);
     release_inactive(active_supports(times.back()), bodies.supports);
     create_each(prm, "Load", load_names, [&](const std::string &name) {
       loads.push_back(
@@ -287,7 +284,6 @@ namespace conetact::application
     name_sides(contacts, *this);
     check_turning_supports();
     pair_contacts();
-    refuse_changing_contacts(changing, bodies.contact_nodes, contacts);
     keep_nodes();
     contact::give_up_held_nodes(bodies);
     bodies.at_rest = bodies_at_rest();
@@ -352,7 +348,7 @@ namespace conetact::application
     if (path.follows)
       pairing::take_cohesion_of_path(entries, in, contacts.back());
     kinematics.push_back({pairing::read_kinematics(entries), {}, {}, {}});
-    if (bodies.dim == 2 && contacts.back().second_friction)
+    if (bodies.dim == 2 && contacts.back().friction->is_elliptic())
       throw InputError(in + "Second friction coefficient: there is one tangent "
                             "only in 2D. Leave it empty.");
   }

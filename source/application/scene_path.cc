@@ -112,8 +112,21 @@ namespace conetact::application
                          "depend on x, y, z only, without Shear limit, Active, "
                          "Compliance and wear, or choose another method. "
                          "Neither does it know a Penetrating pressure.");
+      else if (node.friction && node.friction->is_elliptic() &&
+               !is_newton(solver.method))
+        throw InputError(
+          "Contact '" + contacts[node.contact].name +
+          "', Second friction coefficient: Solver/Method = " + solver.method +
+          " knows ellipses that stay the same only, without "
+          "layers, fluids or Active. Choose automatic.");
+      else if (node.friction && node.friction->is_elliptic() &&
+               !(fclib_increments.empty() && text_increments.empty()))
+        throw InputError("Contact '" + contacts[node.contact].name +
+                         "', Second friction coefficient: files of increments "
+                         "(FCLib, Text) have cones, and an ellipse that varies "
+                         "is none. Leave these entries of Output empty.");
       else if (node.friction && (node.friction->needs_area() || node.layer))
-        areas[node.contact] += node.area;
+        areas[node.contact] += node.outward.empty() ? 0. : node.area;
     for (const auto &[contact, area] : areas)
       if (area == 0)
         throw InputError("Contact '" + contacts[contact].name +

@@ -3,9 +3,7 @@
 
 // Stages of a scene: supports that are there in some of its increments only.
 
-#include "conetact/application/load_history.h"
 #include "conetact/application/scene.h"
-#include "conetact/application/stages.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
@@ -17,18 +15,6 @@ namespace conetact::application
 {
   namespace
   {
-    /** At some of the times only. */
-    bool
-    changes(const Expression &active, const std::vector<double> &times)
-    {
-      const auto at = [&](const double t) {
-        return active(Point<3>(), t) != 0;
-      };
-      return std::any_of(times.begin(), times.end(), [&](const double t) {
-        return at(t) != at(times.front());
-      });
-    }
-
     /** Else there is one stage. */
     bool
     depend_on_time(const std::vector<Expression> &activity)
@@ -39,42 +25,10 @@ namespace conetact::application
     }
   } // namespace
 
-  std::vector<bodies::Support>
-  changing_supports(dealii::ParameterHandler           &prm,
-                    const std::vector<Expression>      &activity,
-                    const std::vector<bodies::Support> &supports)
+  bool
+  Scene::has_stages() const
   {
-    AssertDimension(activity.size(), supports.size());
-    std::vector<bodies::Support> found;
-    if (!depend_on_time(activity))
-      return found;
-    prm.enter_subsection("Time");
-    const std::vector<double> times = create_times(prm); // of all stages
-    prm.leave_subsection();
-    for (std::size_t k = 0; k < activity.size(); ++k)
-      if (changes(activity[k], times))
-        found.push_back(supports[k]);
-    return found;
-  }
-
-  void
-  refuse_changing_contacts(const std::vector<bodies::Support>      &changing,
-                           const std::vector<pairing::ContactNode> &nodes,
-                           const std::vector<pairing::Contact>     &contacts)
-  {
-    for (const bodies::Support &support : changing)
-      for (const pairing::ContactNode &node : nodes)
-        for (const bodies::SurfaceNode &held : support.surface.nodes)
-          if (!support.stiffness && support.body == node.body &&
-              held.node == node.node)
-            throw InputError(
-              "Support '" + support.name + "', Active: it holds the node at " +
-              to_text(node.position) + " of contact '" +
-              contacts[node.contact].name +
-              "' in some stages only, and nodes of contacts must be held "
-              "alike in all of them. Leave that node out of the Boundary ids "
-              "of one of them, or hold it by a Contact of Kind = tie with an "
-              "Obstacle, which may have an Active of its own.");
+    return depend_on_time(activity);
   }
 
 
@@ -120,7 +74,7 @@ namespace conetact::application
   Scene::stage_ends() const
   {
     std::vector<double> ends;
-    const bool          may_change = depend_on_time(activity);
+    const bool          may_change = has_stages();
     for (std::size_t k = 0; may_change && k + 1 < times.size(); ++k)
       if (active_supports(times[k]) != active_supports(times[k + 1]))
         ends.push_back(times[k]);

@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/contact/friction_ellipse.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -75,7 +76,7 @@ namespace conetact::contact
     , start(std::move(known))
     , r_start(r)
     , time(duration)
-    , constant(start.size(), not_known)
+    , constant(start.size(), {{not_known, not_known}})
     , active(start.size(), true)
     , joined(start.size(), false)
     , strength(start.size(), 0.)
@@ -84,6 +85,7 @@ namespace conetact::contact
     , bonds(start.size(), false)
     , soft(false)
     , bonded(false)
+    , elliptic(false)
   {
     Assert(r_start.size() >= points.n_unknowns(),
            dealii::ExcMessage("Each candidate has a reaction at the start."));
@@ -95,9 +97,11 @@ namespace conetact::contact
       {
         const pairing::ContactNode &node = *points[i].node;
         if (!node.friction)
-          constant[i] = points[i].mu;
+          constant[i].fill(points[i].mu);
         else if (node.friction->is_known())
-          constant[i] = coefficient(i, start[i]);
+          for (const unsigned int axis : {0, 1})
+            constant[i][axis] = coefficient(i, start[i], axis);
+        elliptic  = elliptic || is_elliptic(i);
         active[i] = node.is_active(start[i].t);
         joined[i] = active[i] && node.is_joined();
         if (active[i] && node.bond)
@@ -129,9 +133,11 @@ namespace conetact::contact
 
   /** mu; what is below 0 is none. */
   double
-  IncrementLaws::coefficient(const std::size_t i, const Situation &at) const
+  IncrementLaws::coefficient(const std::size_t  i,
+                             const Situation   &at,
+                             const unsigned int axis) const
   {
-    return std::max(0., points[i].node->friction->coefficient(at));
+    return std::max(0., points[i].node->friction->coefficient(at, axis));
   }
 
   solvers::FrictionLimit
@@ -142,13 +148,68 @@ namespace conetact::contact
   {
     const auto i = static_cast<std::size_t>(node);
     AssertIndexRange(i, start.size());
+    return has_axes(i) ? mean_of(i,
+                                 limit_along(i, 0, s, slip, gap),
+                                 limit_along(i, 1, s, slip, gap)) :
+                         limit_along(i, 0, s, slip, gap);
+  }
+
+  solvers::Aspect
+  IncrementLaws::aspect(const Index  node,
+                        const double s,
+                        const double slip,
+                        const double gap) const
+  {
+    const auto i = static_cast<std::size_t>(node);
+    AssertIndexRange(i, start.size());
+    if (!is_elliptic(i))
+      return {};
+    return aspect_of(limit_along(i, 0, s, slip, gap),
+                     limit_along(i, 1, s, slip, gap));
+  }
+
+  bool
+  IncrementLaws::has_axes(const std::size_t i) const
+  {
+    const pairing::ContactNode &node = *points[i].node;
+    return node.friction && node.friction->is_elliptic() &&
+           points[i].normal() > points[i].first;
+  }
+
+  bool
+  IncrementLaws::is_elliptic(const std::size_t i) const
+  {
+    return has_axes(i) && points[i].normal() == points[i].first + 2;
+  }
+
+  /** Of an ellipse: its mean semi-axis, or along the one tangent that supports
+   * leave. */
+  solvers::FrictionLimit
+  IncrementLaws::mean_of(const std::size_t             i,
+                         const solvers::FrictionLimit &one,
+                         const solvers::FrictionLimit &two) const
+  {
+    if (is_elliptic(i))
+      return mean(one, two);
+    const pairing::ContactNode &node    = *points[i].node;
+    const Tensor<1, 3>         &tangent = points[i].directions.front();
+    return cut(one, two, tangent * node.axis_1, tangent * node.axis_2);
+  }
+
+  solvers::FrictionLimit
+  IncrementLaws::limit_along(const std::size_t  i,
+                             const unsigned int axis,
+                             const double       s,
+                             const double       slip,
+                             const double       gap) const
+  {
     if (!bonds[i])
-      return friction(i, s, slip);
-    const solvers::Bond pulled = bond(node, slip, gap);
+      return friction(i, axis, s, slip);
+    const solvers::Bond pulled = bond(static_cast<Index>(i), slip, gap);
     const double        r_n    = std::max(s, 0.) - pulled.value;
     const double        c      = cohesion[i];
     // what does not press has the coefficient of p = 0, and less than cohesion
-    solvers::FrictionLimit sum  = friction(i, r_n, slip);
+    solvers::FrictionLimit sum  = friction(i, axis, r_n, slip);
     const auto             left = [&](const double ds, const double g) {
       return rest(i, ds, g);
     };
@@ -171,13 +232,16 @@ namespace conetact::contact
   }
 
   solvers::FrictionLimit
-  IncrementLaws::friction(const std::size_t i,
-                          const double      r_n,
-                          const double      slip) const
+  IncrementLaws::friction(const std::size_t  i,
+                          const unsigned int axis,
+                          const double       r_n,
+                          const double       slip) const
   {
-    if (constant[i] >= 0)
-      return {constant[i] * r_n, constant[i], 0};
-    const auto mu = [&](const Situation &at) { return coefficient(i, at); };
+    if (const double known = constant[i][axis]; known >= 0)
+      return {known * r_n, known, 0};
+    const auto mu = [&](const Situation &at) {
+      return coefficient(i, at, axis);
+    };
     const Situation here = situation(i, r_n, slip);
     const double    now = mu(here), force = std::max(r_n, 0.);
     // of what slips hardly: some part of a cell in the increment
@@ -297,9 +361,10 @@ namespace conetact::contact
   bool
   IncrementLaws::has_cones() const
   {
-    return !bonded && std::all_of(constant.begin(),
-                                  constant.end(),
-                                  [](const double mu) { return mu >= 0; });
+    return !bonded && !elliptic &&
+           std::all_of(constant.begin(), constant.end(), [](const auto &mu) {
+             return mu[0] >= 0;
+           });
   }
 
   Eigen::VectorXd
@@ -308,152 +373,5 @@ namespace conetact::contact
     AssertIndexRange(points[i].normal(), r_start.size());
     return r_start.segment(points[i].first,
                            points[i].normal() - points[i].first);
-  }
-
-  Eigen::VectorXd
-  IncrementLaws::seen(const std::size_t            i,
-                      const solvers::ContactState &end) const
-  {
-    AssertIndexRange(points[i].normal(), end.v.size());
-    AssertIndexRange(points[i].normal(), end.r.size());
-    const ContactPoint &point = points[i];
-    const Index         size  = point.normal() - point.first + 1;
-    return solvers::see(
-      [&](const double r_n, const double slip) {
-        return layer(static_cast<Index>(i), r_n, slip);
-      },
-      end.v.segment(point.first, size),
-      end.r.segment(point.first, size));
-  }
-
-  double
-  IncrementLaws::slip(const std::size_t            i,
-                      const solvers::ContactState &end) const
-  {
-    const Eigen::VectorXd v = seen(i, end);
-    return v.head(v.size() - 1).norm();
-  }
-
-  Eigen::VectorXd
-  IncrementLaws::coefficients(const solvers::ContactState &end) const
-  {
-    Eigen::VectorXd mu(static_cast<Index>(start.size()));
-    for (std::size_t i = 0; i < start.size(); ++i)
-      {
-        const auto   k   = static_cast<Index>(i);
-        const double r_n = end.r[points[i].normal()] - fluids[i];
-        const auto   now = friction(i, r_n, slip(i, end));
-        mu[k]            = r_n > 0 ? now.value / r_n : now.by_force;
-      }
-    return mu;
-  }
-
-  Eigen::VectorXd
-  IncrementLaws::slips(const solvers::ContactState &end) const
-  {
-    AssertDimension(end.node.size(), start.size());
-    Eigen::VectorXd way =
-      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
-    for (std::size_t i = 0; i < start.size(); ++i)
-      if (end.node[i] == solvers::NodeState::slip ||
-          (end.node[i] == solvers::NodeState::open && bonds[i]))
-        way[static_cast<Index>(i)] = slip(i, end);
-    return way;
-  }
-
-  Eigen::VectorXd
-  IncrementLaws::wear(const solvers::ContactState &end) const
-  {
-    Eigen::VectorXd depth = slips(end);
-    for (std::size_t i = 0; i < start.size(); ++i)
-      {
-        const auto      k   = static_cast<Index>(i);
-        const auto      law = points[i].node->layer;
-        const Situation here =
-          situation(i, end.r[points[i].normal()], depth[k]);
-        depth[k] *= law ? here.pressure * law->wear_by_pressure(here) : 0.;
-      }
-    return depth;
-  }
-
-  Eigen::VectorXd
-  IncrementLaws::pressures(const solvers::ContactState &end) const
-  {
-    Eigen::VectorXd p(static_cast<Index>(start.size()));
-    for (std::size_t i = 0; i < start.size(); ++i)
-      p[static_cast<Index>(i)] =
-        situation(i, end.r[points[i].normal()], 0).pressure;
-    return p;
-  }
-
-  Eigen::VectorXd
-  IncrementLaws::openings(const solvers::ContactState &end) const
-  {
-    AssertDimension(end.node.size(), start.size());
-    Eigen::VectorXd gaps =
-      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
-    for (std::size_t i = 0; i < start.size(); ++i)
-      if (bonds[i] && end.node[i] == solvers::NodeState::open)
-        gaps[static_cast<Index>(i)] = std::max(0., seen(i, end).tail<1>()(0));
-    return gaps;
-  }
-
-  Eigen::VectorXd
-  IncrementLaws::fracture(const Eigen::VectorXd       &before,
-                          const solvers::ContactState &end) const
-  {
-    AssertDimension(before.size(), static_cast<Index>(start.size()));
-    Eigen::VectorXd work =
-      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
-    const Eigen::VectorXd after = openings(end), way = slips(end);
-    for (std::size_t i = 0; i < start.size(); ++i)
-      if (const auto k = static_cast<Index>(i); bonds[i])
-        work[k] = fracture(i, before[k], after[k], way[k]);
-    return work;
-  }
-
-  /* Along a straight way from the start to the end, in so many steps that kinks
-     do not count. */
-  double
-  IncrementLaws::fracture(const std::size_t i,
-                          const double      gap_at_start,
-                          const double      gap_at_end,
-                          const double      slip) const
-  {
-    Assert(slip >= 0, dealii::ExcMessage("A way of slip has no sign."));
-    constexpr unsigned int n   = 1000;
-    const double           h   = 1. / n;
-    const double           dg  = gap_at_end - gap_at_start;
-    double                 sum = 0;
-    if (dg == 0 && slip == 0)
-      return 0;
-    for (unsigned int k = 0; k < n; ++k)
-      {
-        const double x = (k + .5) * h, g = gap_at_start + x * dg;
-        sum +=
-          pull(i, x * slip, g) * dg + cohesion[i] * rest(i, x * slip, g) * slip;
-      }
-    return h * sum;
-  }
-
-  bool
-  IncrementLaws::is_whole(const std::size_t i,
-                          const double      opened,
-                          const double      slipped) const
-  {
-    AssertIndexRange(i, start.size());
-    const pairing::ContactNode &node = *points[i].node;
-    return bonds[i] && opened <= node.least_opening() &&
-           node.bond->rest(opened, slipped, node.least_opening()) > 0;
-  }
-
-  bool
-  has_nodal_laws(const ContactPoints &points)
-  {
-    return std::any_of(points.begin(),
-                       points.end(),
-                       [](const ContactPoint &point) {
-                         return point.node->friction != nullptr;
-                       });
   }
 } // namespace conetact::contact

@@ -157,8 +157,11 @@ namespace conetact::pairing
                         "",
                         Anything(),
                         "Friction coefficient across the first axis, for an "
-                        "elliptic cone ([K] remark 3.3; 3D). Empty: isotropic. "
-                        "[-]");
+                        "elliptic cone ([K] remark 3.3; 3D): what slips does "
+                        "so along the normal of the ellipse. A function as "
+                        "Friction coefficient, which is that along the first "
+                        "axis then; a Shear limit bounds both, and Cohesion "
+                        "adds to both. Empty: isotropic. [-]");
       prm.declare_entry("Friction angle",
                         "0",
                         Anything(),

@@ -159,8 +159,10 @@ namespace conetact::pairing
                                 "Wear coefficient"})
         if (!prm.get(entry).empty())
           refuse(entry);
-      for (const char *entry : {"Cohesion", "Tensile strength"})
-        if (!Expression(prm.get(entry), in + entry, names_of_situation())
+      for (const char *entry :
+           {"Cohesion", "Tensile strength", "Second friction coefficient"})
+        if (!prm.get(entry).empty() &&
+            !Expression(prm.get(entry), in + entry, names_of_situation())
                .is_zero())
           refuse(entry);
       if (contact.active && contact.kind == ContactKind::bilateral)
@@ -172,12 +174,8 @@ namespace conetact::pairing
         throw InputError(in + "Gap: a tie that begins or ends holds its sides "
                               "as it finds them. Leave the entry empty, or "
                               "Active at its default.");
-      const std::pair<const char *, const std::optional<Expression> *>
-        entries[] = {{"Second friction coefficient", &contact.second_friction},
-                     {"Prestress", &contact.prestress}};
-      for (const auto &[entry, expression] : entries)
-        if (*expression && !(*expression)->is_zero())
-          refuse(entry);
+      if (contact.prestress && !contact.prestress->is_zero())
+        refuse("Prestress");
     }
 
     /** What may be paired at all. */
@@ -326,15 +324,15 @@ namespace conetact::pairing
     find_limits(prm, in, contact);
     contact.friction =
       std::make_shared<FrictionLaw>(prm.get("Friction coefficient"),
+                                    contact.kind == ContactKind::contact ?
+                                      prm.get("Second friction coefficient") :
+                                      "",
                                     prm.get("Shear limit"),
                                     in);
     if (auto layer = std::make_shared<LayerLaw>(prm, in); !layer->is_none())
       contact.layer = layer;
     if (auto bond = std::make_shared<BondLaw>(prm, in); !bond->is_none())
       contact.bond = bond;
-    if (!prm.get("Second friction coefficient").empty())
-      contact.second_friction.emplace(prm.get("Second friction coefficient"),
-                                      in + "Second friction coefficient");
     contact.friction_angle =
       to_number(prm.get("Friction angle"), in + "Friction angle") * M_PI / 180;
     if (Expression active(prm.get("Active"), in + "Active");
@@ -343,26 +341,10 @@ namespace conetact::pairing
                             "Boundary ids for what is where.");
     else if (active.uses_time() || active(Point<3>()) == 0)
       contact.active = std::make_shared<Expression>(std::move(active));
-    if (contact.second_friction && !contact.friction->is_constant())
-      throw InputError(in + "Second friction coefficient: an elliptic cone "
-                            "stays the same. Leave the entry empty, or let "
-                            "Friction coefficient depend on x, y, z only, "
-                            "without a Shear limit.");
-    if (contact.second_friction && (contact.layer || contact.active))
-      throw InputError(in + "Second friction coefficient: an elliptic cone has "
-                            "neither layer nor wear, and is always active. "
-                            "Leave the entry empty, or those of the others.");
     if (contact.bond && !prm.get("Unloading compliance").empty())
       throw InputError(in + "Unloading compliance: what is glued springs back "
                             "as it closed. Leave the entry empty, or Cohesion "
                             "and Tensile strength at 0.");
-    if (contact.second_friction && contact.bond)
-      throw InputError(in + "Second friction coefficient: an elliptic cone has "
-                            "no cohesion. Leave the entry empty, or Cohesion "
-                            "and Tensile strength at 0.");
-    if (contact.second_friction && contact.second_friction->uses_time())
-      throw InputError(in + "Second friction coefficient: it depends on t. An "
-                            "elliptic cone stays the same: use x, y, z only.");
     contact.prestress.emplace(constant(prm, "Prestress", in));
     if (contact.kind != ContactKind::contact)
       refuse_cone(prm, contact, in);
@@ -384,9 +366,6 @@ namespace conetact::pairing
         throw InputError(entry + ": a contact with Kind = " + prm.get("Kind") +
                          " never opens. Leave the entry empty, or choose Kind "
                          "= contact.");
-      if (contact.second_friction)
-        throw InputError(entry + ": an elliptic cone knows no fluid. Leave the "
-                                 "entry or Second friction coefficient empty.");
       if (contact.bond)
         throw InputError(entry +
                          ": what is bonded keeps a fluid out. Leave the "

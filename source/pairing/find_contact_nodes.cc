@@ -79,11 +79,17 @@ namespace conetact::pairing
           if (!contact.spring) // which has no sides that slip
             node.mu_1 = node.mu_1 > 0 ? node.mu_1 : 1.;
         }
-      node.mu_2 = contact.second_friction ?
-                    value_at(*contact.second_friction,
-                             node.position,
-                             in + "Second friction coefficient") :
-                    node.mu_1;
+      node.mu_2 = node.mu_1;
+      if (contact.friction->is_elliptic())
+        {
+          const double second = value_at(contact.friction->expression(1),
+                                         node.position,
+                                         in + "Second friction coefficient");
+          if (!node.friction)
+            node.mu_2 = second;
+          else // its law has both, along axes of one scale
+            node.mu_1 = node.mu_2 = 1;
+        }
       node.prestress =
         value_at(*contact.prestress, node.position, in + "Prestress");
       if (contact.path_cohesion)

@@ -27,10 +27,15 @@ namespace conetact::pairing
   }
 
   FrictionLaw::FrictionLaw(const std::string &coefficient,
+                           const std::string &second_coefficient,
                            const std::string &shear_limit,
                            const std::string &in)
     : mu(coefficient, in + "Friction coefficient", names_of_situation())
   {
+    if (!trim(second_coefficient).empty())
+      second.emplace(second_coefficient,
+                     in + "Second friction coefficient",
+                     names_of_situation());
     if (trim(shear_limit).empty())
       return;
     tau.emplace(shear_limit, in + "Shear limit", names_of_situation());
@@ -43,9 +48,15 @@ namespace conetact::pairing
   }
 
   double
-  FrictionLaw::coefficient(const Situation &at) const
+  FrictionLaw::coefficient(const Situation &at, const unsigned int axis) const
   {
-    return value_of(mu, at);
+    return value_of(expression(axis), at);
+  }
+
+  bool
+  FrictionLaw::uses(const std::string &name) const
+  {
+    return mu.uses(name) || (second && second->uses(name));
   }
 
   double
@@ -60,31 +71,32 @@ namespace conetact::pairing
   {
     bool uses_others = false;
     for (const std::string &name : names_of_situation())
-      uses_others = uses_others || mu.uses(name);
-    return !tau && !mu.uses_time() && !uses_others;
+      uses_others = uses_others || uses(name);
+    return !tau && !mu.uses_time() && !(second && second->uses_time()) &&
+           !uses_others;
   }
 
   bool
   FrictionLaw::is_known() const
   {
-    return !tau && !mu.uses("p") && !mu.uses("v");
+    return !tau && !uses("p") && !uses("v");
   }
 
   bool
   FrictionLaw::needs_area() const
   {
-    return tau || mu.uses("p");
+    return tau || uses("p");
   }
 
   bool
   FrictionLaw::uses_speed() const
   {
-    return mu.uses("v");
+    return uses("v");
   }
 
   bool
   FrictionLaw::uses_temperature() const
   {
-    return mu.uses("T") || (tau && tau->uses("T"));
+    return uses("T") || (tau && tau->uses("T"));
   }
 } // namespace conetact::pairing

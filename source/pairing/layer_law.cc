@@ -201,7 +201,10 @@ namespace conetact::pairing
                       "1",
                       Anything(),
                       "How many times the slip of an increment happens: 100 "
-                      "cycles in the increments of one. [-]");
+                      "cycles in the increments of one. The log says at the "
+                      "end of a run by how much half of it would change "
+                      "depths, for which each increment is solved once more. "
+                      "[-]");
     prm.declare_entry(
       "Wear integration",
       "explicit",

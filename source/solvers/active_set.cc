@@ -4,6 +4,7 @@
 #include "conetact/solvers/active_set.h"
 
 #include "conetact/solvers/unloaded.h"
+#include "conetact/solvers/without_fall.h"
 
 #include <algorithm>
 #include <limits>
@@ -79,6 +80,36 @@ namespace conetact::solvers
 
 
 
+  /* Near the end Newton's own slopes are the better ones. */
+  SolverReport
+  ActiveSet::solve_without_fall(const ContactProblem &problem,
+                                ContactState         &state)
+  {
+    constexpr unsigned int most    = 5;
+    const ContactProblem   without = without_fall(problem);
+    attach(without);
+    SolverReport sum = solve_from_states(without, state);
+    for (unsigned int i = 0; i < most && state.v.allFinite(); ++i)
+      {
+        ContactState end    = state;
+        SolverReport report = polish(problem, end);
+        add_work(report, sum);
+        sum = report;
+        if (sum.converged)
+          {
+            state = end;
+            return sum;
+          }
+        report = polish(without, state);
+        add_work(report, sum);
+        sum           = report;
+        sum.converged = false;
+      }
+    return sum;
+  }
+
+
+
   SolverReport
   ActiveSet::unchanged(const ContactProblem &problem, ContactState &state) const
   {
@@ -140,6 +171,15 @@ namespace conetact::solvers
         report                            = solve_from_states(problem, state);
         report.iterations += iterations;
         report.factorizations += factorizations;
+      }
+    if (!report.converged && problem.laws && !problem.laws->has_cones())
+      {
+        ContactState       other  = start;
+        const SolverReport before = report;
+        report                    = solve_without_fall(problem, other);
+        add_work(report, before);
+        if (report.converged)
+          state = other;
       }
     if (report.converged)
       predictor.remember(start, state, change);

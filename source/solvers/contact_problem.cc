@@ -131,8 +131,22 @@ namespace conetact::solvers
       return residual;
     }
 
-    /** r - P(r - factor v) of a node with a bond, at v as the law sees it:
-     * not the nearest point, but friction is cut back to its limit. */
+    /** At v, as the law sees it, and pressed by s. */
+    Aspect
+    aspect_of(const ContactProblem &problem,
+              const Index           i,
+              const double          s,
+              const SmallVector    &v)
+    {
+      if (!problem.laws || !problem.laws->has_ellipses())
+        return {};
+      const Index nt = v.size() - 1;
+      return problem.laws->aspect(i, s, v.head(nt).norm(), std::max(v(nt), 0.));
+    }
+
+    /** r - P(r - factor v) of a node with a bond, or whose limit is an ellipse,
+     * at v as the law sees it: not the nearest point, but friction is cut back
+     * to its limit. */
     SmallVector
     bonded_residual(const ContactProblem &problem,
                     const Index           i,
@@ -143,13 +157,15 @@ namespace conetact::solvers
       const Index  nt   = v.size() - 1;
       const double slip = v.head(nt).norm(), gap = std::max(v(nt), 0.);
       r(nt) += problem.laws->bond(i, slip, gap).value;
-      SmallVector  z     = r - factor * v;
-      const double zn    = std::max(z(nt), 0.);
-      const double limit = friction_limit(problem, i, zn, slip, gap).value;
+      const SmallVector scale = aspect_of(problem, i, r(nt), v).scale(nt + 1);
+      r                       = r.cwiseQuotient(scale).eval();
+      SmallVector  z          = r - factor * scale.cwiseProduct(v);
+      const double zn         = std::max(z(nt), 0.);
+      const double limit      = friction_limit(problem, i, zn, slip, gap).value;
       if (const double norm = z.head(nt).norm(); norm > limit)
         z.head(nt) *= limit / norm;
       z(nt) = zn;
-      return r - z;
+      return scale.cwiseProduct(r - z);
     }
 
     /** Residual of the contact law, as forces; that of motions is balance. */
@@ -186,7 +202,8 @@ namespace conetact::solvers
               result.segment(first, nt + 1) = rho(first) * v;
               continue;
             }
-          if (problem.is_bonded(i))
+          if (problem.is_bonded(i) ||
+              (problem.laws && problem.laws->has_ellipses()))
             {
               result.segment(first, nt + 1) =
                 bonded_residual(problem, i, factor, r, v);
@@ -216,102 +233,6 @@ namespace conetact::solvers
              value < -limit ? value + limit :
                               0.;
     });
-  }
-
-  FrictionLimit
-  friction_limit(const ContactProblem &problem,
-                 const Index           i,
-                 const double          r_n,
-                 const double          slip,
-                 const double          gap)
-  {
-    eigen_assert(i >= 0);
-    eigen_assert(!(slip < 0) && !(gap < 0));
-    eigen_assert(i < problem.system->n_nodes());
-    if (problem.laws)
-      return problem.laws->limit(i, r_n, slip, gap);
-    const double mu = problem.system->mu(i);
-    return {mu * r_n, mu, 0};
-  }
-
-  double
-  friction_coefficient(const ContactProblem &problem,
-                       const ContactState   &state,
-                       const Index           i)
-  {
-    eigen_assert(i >= 0 && i < problem.system->n_nodes());
-    eigen_assert(state.r.size() >= problem.system->n_contact_unknowns());
-    eigen_assert(!problem.laws ||
-                 state.v.size() >= problem.system->n_contact_unknowns());
-    const ContactSystem &system = *problem.system;
-    if (!problem.laws)
-      return system.mu(i);
-    const double      r_n   = state.r(system.normal(i));
-    const Index       first = system.first[i], size = system.n_tangents(i) + 1;
-    const SmallVector seen = see(
-      [&](const double force, const double slip) {
-        return problem.laws->layer(i, force, slip);
-      },
-      state.v.segment(first, size),
-      state.r.segment(first, size));
-    const double        slip  = seen.head(size - 1).norm();
-    const FrictionLimit limit = problem.laws->limit(i, r_n, slip, 0);
-    return r_n > 0 ? limit.value / r_n : limit.by_force;
-  }
-
-  VectorXd
-  seen_by_law(const ContactProblem &problem,
-              const VectorXd       &v,
-              const VectorXd       &r)
-  {
-    eigen_assert(v.size() >= problem.system->n_contact_unknowns());
-    eigen_assert(v.size() == r.size());
-    const ContactSystem &system = *problem.system;
-    VectorXd             seen   = v;
-    if (!problem.laws || !problem.laws->has_layers())
-      return seen;
-    for (Index i = 0; i < system.n_nodes(); ++i)
-      {
-        const Index first = system.first[i], size = system.n_tangents(i) + 1;
-        seen.segment(first, size) = see(
-          [&](const double r_n, const double slip) {
-            return problem.laws->layer(i, r_n, slip);
-          },
-          v.segment(first, size),
-          r.segment(first, size));
-      }
-    return seen;
-  }
-
-  ContactProblem
-  with_coefficients_of(const ContactState &state, const ContactProblem &problem)
-  {
-    eigen_assert(!problem.laws ||
-                 state.v.size() == problem.system->n_unknowns());
-    ContactProblem result = problem;
-    if (!problem.laws)
-      return result;
-    auto system = std::make_shared<ContactSystem>(*problem.system);
-    for (Index i = 0; i < system->n_nodes(); ++i)
-      {
-        const Index first = system->first[i], n = system->normal(i);
-        system->mu(i) = friction_coefficient(problem, state, i);
-        if (!problem.laws->has_layers() || system->form != Form::compliance)
-          continue;
-        const Layer layer =
-          problem.laws->layer(i,
-                              state.r(n),
-                              state.v.segment(first, n - first).norm());
-        for (Index k = first; k < n; ++k)
-          system->matrix(k, k) += layer.shear;
-        if (layer.sheared.size() > 0)
-          result.load.segment(first, n - first) -= layer.sheared;
-        system->matrix(n, n) += layer.by_force;
-        result.load(n) += layer.closing - layer.by_force * state.r(n);
-      }
-    result.system = system;
-    result.laws   = {};
-    return result;
   }
 
   VectorXd
@@ -404,9 +325,11 @@ namespace conetact::solvers
         const double mu = friction_coefficient(problem, state, i);
         // lambda may be anything from |du_t| on where r_n = 0
         const auto add = [&](const VectorXd &x, const VectorXd &y) {
-          const double lambda = x.segment(first, nt).norm();
-          return lambda * mu * y(first + nt) +
-                 x.segment(first, nt + 1).dot(y.segment(first, nt + 1));
+          const SmallVector at = x.segment(first, nt + 1);
+          const SmallVector scale =
+            aspect_of(problem, i, y(first + nt), at).scale(nt + 1);
+          const double lambda = scale.cwiseProduct(at).head(nt).norm();
+          return lambda * mu * y(first + nt) + at.dot(y.segment(first, nt + 1));
         };
         own += add(seen, state.r);
         relation += add(v, r);
@@ -468,10 +391,15 @@ namespace conetact::solvers
               problem.is_apart(i) ? NodeState::open : NodeState::stick;
             continue;
           }
-        const Index  first = system.first[i], nt = system.n_tangents(i);
-        const double slip = seen.segment(first, nt).norm();
-        const double r_n  = state.r(first + nt);
-        const double r_t  = state.r.segment(first, nt).norm();
+        const Index       first = system.first[i], nt = system.n_tangents(i);
+        const double      slip = seen.segment(first, nt).norm();
+        const double      r_n  = state.r(first + nt);
+        const SmallVector at   = seen.segment(first, nt + 1);
+        const double      r_t =
+          state.r.segment(first, nt + 1)
+            .cwiseQuotient(aspect_of(problem, i, r_n, at).scale(nt + 1))
+            .head(nt)
+            .norm();
         const bool slips = slip > limit && may_slip(problem, i, r_n, r_t, slip);
         const bool opens =
           problem.is_bonded(i) ? bond_opens(i, slip) : r_n <= 0;

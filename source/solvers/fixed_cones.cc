@@ -34,9 +34,11 @@ namespace conetact::solvers
         const ContactState     start  = state;
         SolverReport           sum;
         double                 before = std::numeric_limits<double>::infinity();
-        if (problem.laws->has_bonds())
+        if (problem.laws->has_bonds() || problem.laws->has_ellipses())
           {
-            sum.reason = "this method knows no cohesion";
+            sum.reason = problem.laws->has_bonds() ?
+                           "this method knows no cohesion" :
+                           "this method knows no ellipses that vary";
             return sum;
           }
         if (problem.laws->has_layers() &&

@@ -198,6 +198,26 @@ namespace conetact::solvers
 
 
 
+  Aspect
+  LinearRelation::aspect(const Index  i,
+                         const double r_n,
+                         const double slip,
+                         const double gap) const
+  {
+    eigen_assert(i >= 0 && i < contact_system->n_nodes());
+    if (!has_ellipses())
+      return {};
+    const double force  = unit_of_force(i);
+    const double length = unit_of_length(i) / step(i);
+    Aspect result = laws->aspect(i, force * r_n, length * slip, length * gap);
+    result.by_force *= force;
+    result.by_slip *= length;
+    result.by_gap *= length;
+    return result;
+  }
+
+
+
   Bond
   LinearRelation::bond(const Index i, const double slip, const double gap) const
   {

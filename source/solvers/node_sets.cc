@@ -3,6 +3,8 @@
 
 #include "conetact/solvers/node_sets.h"
 
+#include "conetact/solvers/linearized_law.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,53 @@ namespace conetact::solvers
       return relation.limit(i, s, v.head(nt).norm(), std::max(v(nt), 0.));
     }
 
+    /** A node of a point as the law sees it, and what stretches it to where its
+     * limit of friction is a circle. */
+    struct Seen
+    {
+      Seen(const LinearRelation &relation, const Index i, const Fields &x)
+        : v(x.v.segment(relation.system().first[i],
+                        relation.system().n_tangents(i) + 1))
+        , r(x.r.segment(relation.system().first[i], v.size()))
+        , aspect(relation.aspect(i, r(v.size() - 1), slip(), gap()))
+        , scale(aspect.scale(v.size()))
+      {}
+
+      double
+      slip() const
+      {
+        return v.head(v.size() - 1).norm();
+      }
+      double
+      gap() const
+      {
+        return std::max(v(v.size() - 1), 0.);
+      }
+      /** How the slip grows with v_t. */
+      SmallVector
+      along() const
+      {
+        const double length = slip();
+        SmallVector  e      = v.head(v.size() - 1);
+        return length > 0 ? SmallVector(e / length) :
+                            SmallVector(SmallVector::Zero(e.size()));
+      }
+      SmallVector
+      slips() const
+      {
+        return scale.cwiseProduct(v);
+      }
+      SmallVector
+      forces() const
+      {
+        return r.cwiseQuotient(scale);
+      }
+
+      SmallVector v, r;
+      Aspect      aspect;
+      SmallVector scale; ///< of slips
+    };
+
     /**
      * Slip as the last increment left it. Its size is not known if the
      * increment is new: then half of z_t is taken for slip.
@@ -81,51 +130,6 @@ namespace conetact::solvers
     }
 
     /**
-     * The part of the slip law's derivative that turns with z_t. Exact would
-     * be ratio (1 - e e^T), and that is what this tends to. Far from the
-     * solution the reaction itself, cut back to the cone, takes the place of
-     * one e: without this, a node that has to slip the other way spoils the
-     * step (Hueber, Stadler, Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
-     * Across e there is no more of it than leaves 1 - T positive definite, if
-     * that is asked for.
-     */
-    SmallMatrix
-    turning_part(const NodeSet     &set,
-                 const double       limit,
-                 const SmallVector &reaction,
-                 const bool         definite)
-    {
-      const SmallVector &e = set.direction;
-      const Index        n = e.size();
-      if (n < 2)
-        return SmallMatrix::Zero(n, n);
-      const double norm   = reaction.norm();
-      const double size   = limit > norm ? norm / limit : 1.;
-      SmallVector  r      = SmallVector::Zero(n);
-      double       cosine = 0;
-      if (norm > 0)
-        {
-          r      = reaction * (size / norm);
-          cosine = e.dot(reaction) / norm;
-        }
-      if (definite)
-        {
-          const double along  = std::max(cosine, 0.) * size;
-          SmallVector  across = r - cosine * size * e;
-          const double rest   = 1 - set.ratio;
-          const double most   = std::sqrt(rest * (rest + set.ratio * along));
-          const double much   = set.ratio * across.norm();
-          if (much > most)
-            across *= most / much;
-          r      = along * e + across;
-          cosine = 0;
-        }
-      const double damping = cosine < 0 ? 1 / (1 - cosine * size) : 1.;
-      return set.ratio *
-             (SmallMatrix::Identity(n, n) - damping * r * e.transpose());
-    }
-
-    /**
      * What can neither deform nor move sticks with any reaction: it keeps the
      * one it has.
      */
@@ -144,93 +148,14 @@ namespace conetact::solvers
           }
     }
 
-    /** A dv + B dr = h. */
-    struct Law
+    /** Whether friction along a direction counts. */
+    bool
+    turns(const NodeSet &set)
     {
-      SmallMatrix A, B;
-      SmallVector h;
-    };
-
-    Law
-    law_of(const NodeSet       &set,
-           const FrictionLimit &limit,
-           const SmallVector   &v,
-           const SmallVector   &r,
-           const bool           definite)
-    {
-      const Index       nt   = v.size() - 1;
-      const SmallMatrix zero = SmallMatrix::Zero(nt + 1, nt + 1);
-      const SmallMatrix one  = SmallMatrix::Identity(nt + 1, nt + 1);
-      if (set.state == NodeState::open)
-        return {zero, one, -r};
-      // Closed, and stuck as long as nothing else is said.
-      Law law{one, zero, -v};
-      if (set.is_lifted)
-        {
-          law.A(nt, nt) = 0;
-          law.B(nt, nt) = 1;
-          law.h(nt)     = -r(nt);
-        }
-      if (set.state == NodeState::stick || nt == 0)
-        return law;
-
-      // r_t = limit(z_n, |v_t|) e, with all of it linearised
-      const double      zn = r(nt) - v(nt), slip = v.head(nt).norm();
-      const SmallMatrix T =
-        turning_part(set, limit.value, r.head(nt), definite);
-      // With dz = dr - dv, A takes what belongs to dv and B the rest.
-      law.A.topLeftCorner(nt, nt) = T;
-      law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
-      law.A.topRightCorner(nt, 1) = limit.by_force * set.direction;
-      law.B.topRightCorner(nt, 1) = -law.A.topRightCorner(nt, 1);
-      if (limit.by_slip != 0 && slip > 0)
-        law.A.topLeftCorner(nt, nt) -=
-          limit.by_slip / slip * set.direction * v.head(nt).transpose();
-      law.A.topRightCorner(nt, 1) -= limit.by_gap * set.direction;
-      // A first guess of the states may not go with z: then the law is asked
-      // for at the end of the step.
-      if (zn > 0 || set.is_lifted)
-        law.h.head(nt) = limit.value * set.direction - r.head(nt);
-      else
-        law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
-      return law;
+      return set.state == NodeState::slip && set.direction.size() == 2 &&
+             set.direction != SmallVector::Zero(2);
     }
 
-    /** A law of r + bond as one of r itself. */
-    void
-    see_bond(const Bond &bond, const SmallVector &v, Law &law)
-    {
-      const Index  nt   = v.size() - 1;
-      const double slip = v.head(nt).norm();
-      if (slip > 0)
-        law.A.leftCols(nt) +=
-          bond.by_slip / slip * law.B.col(nt) * v.head(nt).transpose();
-      law.A.col(nt) += bond.by_gap * law.B.col(nt);
-    }
-
-    /** A law of what is seen as one of v itself: dv' = step (T dv + C dr). */
-    void
-    see_through(const Layer       &layer,
-                const double       step,
-                const SmallVector &seen,
-                Law               &law)
-    {
-      const Index  nt   = seen.size() - 1;
-      const double slip = seen.head(nt).norm();
-      SmallMatrix  T    = SmallMatrix::Identity(nt + 1, nt + 1);
-      SmallMatrix  C    = layer.shear * T;
-      if (slip > 0)
-        T.bottomLeftCorner(1, nt) =
-          layer.by_slip / slip * seen.head(nt).transpose();
-      C.bottomLeftCorner(1, nt) = layer.shear * T.bottomLeftCorner(1, nt);
-      C(nt, nt)                 = layer.by_force;
-      law.B += step * law.A * C;
-      law.A = (step * law.A * T).eval();
-    }
-  } // namespace
-
-  namespace
-  {
     /** v with a slip that is not much larger than r, or r would be rounded. */
     SmallVector
     near_reaction(SmallVector v, const SmallVector &r)
@@ -273,8 +198,10 @@ namespace conetact::solvers
                                      relation.unit_of_length(i);
             const SmallVector r =
               state.r.segment(first, nt + 1) / relation.unit_of_force(i);
-            set = slip_of_state(slip,
-                                r.head(nt),
+            const SmallVector scale =
+              relation.aspect(i, r(nt), slip.norm(), 0).scale(nt + 1).head(nt);
+            set = slip_of_state(scale.cwiseProduct(slip),
+                                r.head(nt).cwiseQuotient(scale),
                                 relation.limit(i, r(nt), slip.norm(), 0).value);
           }
       }
@@ -292,9 +219,9 @@ namespace conetact::solvers
     NodeSets             sets(at(system.n_nodes()));
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
-        const Index       first = system.first[i], nt = system.n_tangents(i);
-        const SmallVector v   = x.v.segment(first, nt + 1);
-        const SmallVector z   = x.r.segment(first, nt + 1) - v;
+        const Index       nt = system.n_tangents(i);
+        const Seen        seen(relation, i, x);
+        const SmallVector z   = seen.forces() - seen.slips();
         NodeSet          &set = sets[at(i)];
         set.direction         = SmallVector::Zero(nt);
         if (relation.is_joined(i))
@@ -304,7 +231,7 @@ namespace conetact::solvers
           continue;
         const double norm = z.head(nt).norm();
         const double limit =
-          limit_at(relation, i, std::max(z(nt), 0.), v).value;
+          limit_at(relation, i, std::max(z(nt), 0.), seen.v).value;
         set.is_lifted = !(z(nt) > 0);
         if (set.is_lifted && !(limit > 0))
           continue;
@@ -351,14 +278,20 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       {
         const Index first = system.first[i], dim = system.n_tangents(i) + 1;
-        const SmallVector v    = x.v.segment(first, dim);
-        const SmallVector r    = x.r.segment(first, dim);
-        const double      zn   = r(dim - 1) - v(dim - 1);
-        const double      slip = v.head(dim - 1).norm();
-        Law               law =
-          law_of(sets[at(i)], limit_at(relation, i, zn, v), v, r, definite);
+        const Seen  seen(relation, i, x);
+        const SmallVector &v = seen.v, &r = seen.r;
+        const double       zn = r(dim - 1) - v(dim - 1), slip = seen.slip();
+        LinearizedLaw      law =
+          law_of(sets[at(i)],
+                 limit_at(relation, i, zn, v),
+                 seen.slips(),
+                 seen.forces(),
+                 seen.along().cwiseQuotient(seen.scale.head(dim - 1)),
+                 definite);
+        if (relation.has_ellipses() && turns(sets[at(i)]))
+          see_stretched(seen.aspect, v, r, seen.along(), law);
         if (relation.is_bonded(i))
-          see_bond(relation.bond(i, slip, std::max(v(dim - 1), 0.)), v, law);
+          see_bond(relation.bond(i, slip, seen.gap()), v, law);
         if (const double step = relation.step(i); relation.has_layers())
           see_through(relation.layer(i, r(dim - 1), slip / step), step, v, law);
         result[at(i)].p = relation.stiffness() ? law.A : law.B;
@@ -398,17 +331,21 @@ namespace conetact::solvers
             sum += v.segment(first, nt + 1).squaredNorm();
             continue;
           }
-        SmallVector  z  = r - near_reaction(v.segment(first, nt + 1), r);
-        const double zn = std::max(z(nt), 0.);
-        const double limit =
-          limit_at(relation, i, zn, x.v.segment(first, nt + 1)).value;
-        const double norm = z.head(nt).norm();
+        const Seen        seen(relation, i, x);
+        const SmallVector forces = seen.forces();
+        SmallVector       z =
+          forces -
+          near_reaction(seen.scale.cwiseProduct(v.segment(first, nt + 1)),
+                        forces);
+        const double zn    = std::max(z(nt), 0.);
+        const double limit = limit_at(relation, i, zn, seen.v).value;
+        const double norm  = z.head(nt).norm();
         if (norm > limit)
           z.head(nt) *= limit / norm;
         // Not the nearest point of the cone, but r_t cut back to mu z_n, as the
         // sets have it. Either residual vanishes where the law holds.
         z(nt) = zn;
-        sum += (r - z).squaredNorm();
+        sum += seen.scale.cwiseProduct(forces - z).squaredNorm();
       }
     return std::sqrt(sum) / relation.force_scale(p, d);
   }
@@ -432,16 +369,16 @@ namespace conetact::solvers
     for (Index i = 0; i < system.n_nodes(); ++i)
       if (sets[at(i)].state == NodeState::slip)
         {
-          const Index       first = system.first[i], nt = system.n_tangents(i);
-          const SmallVector slip   = x.v.segment(first, nt);
-          const double      length = slip.norm();
-          const double      limit =
-            limit_at(relation, i, x.r(first + nt), x.v.segment(first, nt + 1))
-              .value;
-          if (length > rounding * largest)
-            askew =
-              std::max(askew,
-                       (x.r.segment(first, nt) + limit / length * slip).norm());
+          const Index       nt = system.n_tangents(i);
+          const Seen        seen(relation, i, x);
+          const SmallVector slip = seen.slips().head(nt);
+          const double limit = limit_at(relation, i, seen.r(nt), seen.v).value;
+          if (seen.slip() > rounding * largest)
+            askew = std::max(askew,
+                             seen.scale.head(nt)
+                               .cwiseProduct(seen.forces().head(nt) +
+                                             limit / slip.norm() * slip)
+                               .norm());
         }
     return largest > 0 ? askew / largest : 0.;
   }

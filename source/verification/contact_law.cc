@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace conetact::verification
 {
@@ -32,17 +34,84 @@ namespace conetact::verification
     /** A node as the laws of its contact see it, by their definitions. */
     struct Seen
     {
-      double   limit; ///< of friction [force]
+      double   limit; ///< of friction, along the first axis [force]
       double   pull;  ///< of its bond, at most [force]
       double   gap;   ///< with what layers and wear take [length]
       VectorXd slip;  ///< without what layers give way by [length]
+      /** Along the second axis, if it is another one [force]. */
+      std::optional<double> second = {};
+
+      /** What friction carries beyond its limit [force]. */
+      double
+      beyond(const VectorXd &r_t) const
+      {
+        return second ? -left_of_ellipse(r_t) :
+                        r_t.norm() - std::max(limit, 0.);
+      }
+      /** The friction that goes with a slip of that length [force]. */
+      VectorXd
+      friction(const double way) const
+      {
+        if (!second)
+          return -limit / way * slip;
+        const Eigen::Vector2d axes(limit, *second), e = axes.cwiseProduct(slip);
+        const double          size = e.norm();
+        return size > 0 ? VectorXd(-axes.cwiseProduct(e) / size) :
+                          VectorXd(VectorXd::Zero(2));
+      }
+      /** How far it turns with a slip of that length, at most [force/length].
+       */
+      double
+      turning(const double way) const
+      {
+        if (!second)
+          return limit / way;
+        const Eigen::Vector2d axes(limit, *second);
+        const double          most = axes.maxCoeff();
+        const double          size = axes.cwiseProduct(slip).norm();
+        return size > 0 ? most * most / size : 0.;
+      }
+
+    private:
+      /** What is left up to the ellipse, along r_t; an axis without friction
+       * bears nothing. */
+      double
+      left_of_ellipse(const VectorXd &r_t) const
+      {
+        const Eigen::Vector2d axes(limit, *second);
+        double                part = 0;
+        for (const Index k : {0, 1})
+          if (axes[k] > 0)
+            part = std::hypot(part, r_t[k] / axes[k]);
+          else if (r_t[k] != 0)
+            return -std::abs(r_t[k]);
+        return part > 0 ? r_t.norm() * (1 / part - 1) : axes.maxCoeff();
+      }
     };
 
+    /** Of the ellipse of a node what is left where supports hold a direction:
+     * the half of its width along the other one. */
+    double
+    width_along(const pairing::ContactNode &node,
+                const Tensor<1, 3>         &tangent,
+                const double                one,
+                const double                two)
+    {
+      double sum = 0;
+      for (const auto &[axis, limit] :
+           {std::pair(node.axis_1, one), std::pair(node.axis_2, two)})
+        if (const double part = std::abs(axis * tangent); part > 1e-12)
+          sum = std::hypot(sum,
+                           limit > 0 ? part / limit :
+                                       std::numeric_limits<double>::infinity());
+      return 1 / sum;
+    }
+
     /** What is left of its bond: of a brittle one that of the start. */
-    void
-    add_bond(const pairing::ContactNode &node,
-             const pairing::Situation   &here,
-             Seen                       &seen)
+    double
+    rest_of_bond(const pairing::ContactNode &node,
+                 const pairing::Situation   &here,
+                 const Seen                 &seen)
     {
       const pairing::BondLaw &law   = *node.bond;
       const bool              now   = !law.is_brittle();
@@ -50,39 +119,38 @@ namespace conetact::verification
       const double            least = node.least_opening();
       const double opened  = now ? std::max(here.opened, gap) : here.opened;
       const double slipped = here.slipped + (now ? seen.slip.norm() : 0.);
-      const double force =
-        law.rest(opened, slipped, least) * node.bonded_area();
-      seen.pull =
-        force * law.strength(here) * law.unloading(gap, here.opened, least);
-      seen.limit += force * law.cohesion(here);
+      return law.rest(opened, slipped, least) * node.bonded_area();
     }
 
-    /** Its part of the reaction has no friction. */
-    void
-    add_fluid(const pairing::ContactNode &node,
-              const double                r_n,
-              pairing::Situation          here,
-              Seen                       &seen)
+    /** Of friction along an axis, with `bond` left of a bond [length^2]. */
+    double
+    limit_along(const unsigned int          axis,
+                const pairing::ContactNode &node,
+                const pairing::Situation   &here,
+                const double                r_n,
+                const double                bond)
     {
-      const double area  = node.covered_area();
-      const double force = node.fluid->pressure(here.t) * area;
-      here.pressure      = std::max(r_n - force, 0.) / area;
-      seen.pull -= force;
-      seen.limit = std::min(node.friction->coefficient(here) * (r_n - force),
-                            node.friction->largest_force(here, area));
+      double limit = node.friction->coefficient(here, axis) * r_n;
+      if (bond > 0)
+        limit += bond * node.bond->cohesion(here);
+      limit = std::min(limit,
+                       node.friction->largest_force(here, node.covered_area()));
+      // a coefficient or a limit that falls below 0 is none
+      return std::max(limit, 0.);
     }
 
     /** `slip` and `gap` are those of the bodies. */
     Seen
-    seen_by_laws(const Claim                &claim,
-                 const std::size_t           i,
-                 const pairing::ContactNode &node,
-                 const VectorXd             &r_t,
-                 const double                r_n,
-                 const double                gap,
-                 VectorXd                    slip)
+    seen_by_laws(const Claim                 &claim,
+                 const std::size_t            i,
+                 const contact::ContactPoint &point,
+                 const VectorXd              &r_t,
+                 const double                 r_n,
+                 const double                 gap,
+                 VectorXd                     slip)
     {
       const contact::IncrementLaws &laws = *claim.laws;
+      const pairing::ContactNode   &node = *point.node;
       const double                  area = node.covered_area();
       pairing::Situation            here = laws.known(i);
       if (area > 0)
@@ -101,17 +169,34 @@ namespace conetact::verification
       if (node.layer && node.layer->wears_at_once())
         seen.gap +=
           here.pressure * node.layer->wear_by_pressure(here) * slip.norm();
-      seen.limit = node.friction->coefficient(here) * r_n;
+      double bond = 0, pressing = r_n;
       if (!laws.sees(i))
         seen.gap = std::numeric_limits<double>::infinity();
       else if (node.bond)
-        add_bond(node, here, seen);
-      seen.limit =
-        std::min(seen.limit, node.friction->largest_force(here, area));
-      if (laws.is_wet(i))
-        add_fluid(node, r_n, here, seen);
-      // a coefficient or a limit that falls below 0 is none
-      seen.limit = std::max(seen.limit, 0.);
+        {
+          bond      = rest_of_bond(node, here, seen);
+          seen.pull = bond * node.bond->strength(here) *
+                      node.bond->unloading(std::max(seen.gap, 0.),
+                                           here.opened,
+                                           node.least_opening());
+        }
+      if (laws.is_wet(i)) // the fluid's part of the reaction has no friction
+        {
+          const double force = node.fluid->pressure(here.t) * area;
+          pressing -= force;
+          here.pressure = std::max(pressing, 0.) / area;
+          seen.pull -= force;
+        }
+      seen.limit = limit_along(0, node, here, pressing, bond);
+      if (node.friction->is_elliptic() && slip.size() > 0)
+        {
+          const double two = limit_along(1, node, here, pressing, bond);
+          if (slip.size() == 2)
+            seen.second = two;
+          else
+            seen.limit =
+              width_along(node, point.directions.front(), seen.limit, two);
+        }
       return seen;
     }
   } // namespace
@@ -195,13 +280,12 @@ namespace conetact::verification
           const double    tolerance)
     {
       if (slips)
-        force(seen.limit - r_t.norm(), "slips below the limit of friction");
+        force(-seen.beyond(r_t), "slips below the limit of friction");
       const double way = seen.slip.norm();
       // A slip that is rounding has no direction, and a longer one has it
       // up to position / |slip|.
       if (way > position + (k > 0 ? tolerance * F / k : 0.))
-        force((r_t + seen.limit * seen.slip / way).norm() -
-                seen.limit * position / way,
+        force((r_t - seen.friction(way)).norm() - seen.turning(way) * position,
               "does not slip against its friction");
     }
   };
@@ -295,7 +379,7 @@ namespace conetact::verification
         return errors;
       }
     if (claim.laws && node.friction)
-      seen = seen_by_laws(claim, i, node, r_t, r_n, seen.gap, seen.slip);
+      seen = seen_by_laws(claim, i, point, r_t, r_n, seen.gap, seen.slip);
     const double    limit = seen.limit, gap = seen.gap;
     const VectorXd &slip = seen.slip;
 
@@ -306,8 +390,7 @@ namespace conetact::verification
                  seen.pull > 0 ? "is pulled by more than its bond bears" :
                  seen.pull < 0 ? "carries less than the fluid there" :
                                  "is pulled by its contact");
-    errors.force(r_t.norm() - std::max(limit, 0.),
-                 "carries more than friction");
+    errors.force(seen.beyond(r_t), "carries more than friction");
     if (claim.states[i] == solvers::NodeState::open)
       {
         // The zeros of open nodes are exact: all of what exceeds rounding

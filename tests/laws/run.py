@@ -14,8 +14,8 @@ import sys
 from pathlib import Path
 
 sys.path[0] = str(Path(__file__).resolve().parents[1])
-from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, scene_pictures, couplings,  # noqa: E402
-                  round_pairs, sliding,
+from laws import (automatic, axisymmetric, backends, balance, bodies, bonds, corners, drawn, driven, driven_far, elements, ellipses, examples, far_ties, far_turns, friction, gmsh, hertz, initial_strain, iterative, iterative_sliding, joints, kill, layers, limits, load_sums, loads, mortar, obstacles, orthotropic, pairs, passing, patch, path, pieces, preload, processes, quadratic, quadratic_round, refinement, restart, rolling, redundant, seals, kinematics, axisymmetric_sliding, mesh_kinds, meshes, rims, interrupt, scene_pictures, couplings,  # noqa: E402
+                  round_pairs, sliding, stages,
                   supports, threads, tie, transformations, vanishing, uniqueness, varying_friction, worn)
 from support.checks import run_families  # noqa: E402
 
@@ -23,7 +23,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "mirror": transformations.mirror, "units": transformations.units, "patch": patch.patch,
             "elements": elements.elements, "refinement": refinement.refinement, "obstacles": obstacles.obstacles,
             "shapes": driven.shapes, "free": driven.free_obstacles, "turning": driven.turning,
-            "supports": supports.supports, "loads": loads.loads, "load-sums": load_sums.load_sums, "friction": friction.friction, "bodies": bodies.bodies,
+            "supports": supports.supports, "loads": loads.loads, "load-sums": load_sums.load_sums, "stages": stages.stages, "friction": friction.friction, "bodies": bodies.bodies,
             "corners": corners.corners, "pairs": pairs.pairs, "threads": threads.threads, "processes": processes.processes, "processes-four": processes.four, "pieces": pieces.pieces, "kill": kill.kill, "interrupt": interrupt.interrupt, "couplings": couplings.couplings,
             "hertz": hertz.hertz, "axisymmetric": axisymmetric.axisymmetric, "axisymmetric-sliding": axisymmetric_sliding.axisymmetric_sliding,
             "gmsh": gmsh.gmsh,
@@ -44,7 +44,7 @@ FAMILIES = {"balance": balance.balance, "extrusion": transformations.extrusion, 
             "quadratic-far": quadratic.far, "quadratic-tetrahedra": quadratic.tetrahedra, "quadratic-bent": quadratic.bent,
             "quadratic-one-by-one": quadratic.one_by_one, "quadratic-rings": quadratic_round.rings, "quadratic-pins": quadratic_round.pins,
             "quadratic-balls": quadratic_round.balls, "quadratic-sheared-balls": quadratic_round.sheared_balls, "automatic": automatic.automatic,
-            "varying-friction": varying_friction.varying_friction, "layers": layers.layers, "bonds": bonds.bonds, "joints": joints.joints, "seals": seals.seals, "pictures": scene_pictures.pictures, "worn": worn.worn, "worn-half-planes": worn.half_planes,
+            "varying-friction": varying_friction.varying_friction, "ellipses": ellipses.ellipses, "layers": layers.layers, "bonds": bonds.bonds, "joints": joints.joints, "seals": seals.seals, "pictures": scene_pictures.pictures, "worn": worn.worn, "worn-half-planes": worn.half_planes, "worn-faster": worn.faster,
             "uniqueness": uniqueness.uniqueness}
 
 if __name__ == "__main__":

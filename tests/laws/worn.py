@@ -11,7 +11,11 @@ Fretting wears half planes as boundary elements say, which are apart from the pr
 """
 import math
 
-from support.scenes import SHIPPED, box, joint, load, support
+import re
+
+from laws.layers import clamped
+from support.logs import log_of
+from support.scenes import SHIPPED, box, joint, load, merge, support
 from support.worn_half_planes import HalfPlanes
 
 CYLINDER = SHIPPED / "cylinder-on-plane.prm"
@@ -118,3 +122,51 @@ def compare(laws, what, run, planes, bounds):
     laws.check(f"{what}: pressure in the middle", abs(rows[0.0]["pressure"] / interpolated(0.0, 2) - 1), bounds[2])
     for x in (.6875, .75, .8125):
         laws.check(f"{what}: depth at {x}", abs(2 * rows[x]["wear"] - interpolated(x, 1)) / deepest, bounds[3])
+
+
+def told(run, name):
+    """Parts by which half of Wear acceleration would change depths and volume, as the log has them."""
+    found = re.search(rf"Contact '{name}': Wear acceleration = \S+ half of it would change depths of wear by about (\S+) % of the largest, "
+                      r"the volume by (\S+) %", log_of(run))
+    return tuple(float(x) / 100 for x in found.groups())
+
+
+def compare_halves(laws, what, run, half, name):
+    """What the log tells against a run with half of it and twice the increments: within a factor of 2."""
+    rows = [[row for row in r.last() if row["contact"] == name] for r in (run, half)]
+    deepest = max(row["wear"] for row in rows[1])
+    depth = max(abs(a["wear"] - b["wear"]) for a, b in zip(*rows)) / deepest
+    volume = abs(run.increments[-1][f"{name}_worn"] / half.increments[-1][f"{name}_worn"] - 1)
+    found = told(run, name)
+    laws.demand(f"{what}: depths are off by {depth:.3g}, told {found[0]:.3g}", .5 < found[0] / depth < 2)
+    if volume > 1e-3:
+        laws.demand(f"  the volume by {volume:.3g}, told {found[1]:.3g}", .5 < found[1] / volume < 2)
+
+
+def faster(laws):
+    """Wear acceleration N beside half of it in twice as many increments: between plates, and in cycles of fretting."""
+    for dim in (2, 3):
+        for way in ("explicit", "implicit"):
+            for n, k in ((10, .002), (40, .002), (10, .02)):
+                def drawn(acceleration, increments):
+                    scene = clamped(dim, .01, 0, increments=increments, end=increments / 10, mu=0,
+                                    **{"Wear coefficient": k, "Wear acceleration": acceleration, "Wear integration": way})
+                    scene["Support springs"] = support("0, 1", "x", "0.02*t")
+                    return laws.run(scene)
+                compare_halves(laws, f"{dim}D, between plates, {way}, {n} increments, k = {k}", drawn(10, n), drawn(5, 2 * n), "below")
+    for way in ("explicit", "implicit"):
+        def fretted(acceleration, cycles):
+            return laws.run(SHIPPED / "fretting-wear.prm", "-s", "Output/VTU=0", "-s", f"Contact joint/Wear acceleration={acceleration}",
+                            "-s", f"Contact joint/Wear integration={way}", "-s", "Contact joint/Wear coefficient=1e-4",
+                            "-s", f"Time/Stages=1 : 1, {1 + 4 * cycles} : {8 * cycles}")
+        compare_halves(laws, f"fretting, {way}", fretted(400, 12), fretted(200, 24), "joint")
+    scene = clamped(2, .01, 0, increments=10, mu=0, **{"Wear coefficient": .002})
+    scene["Support springs"] = support("0, 1", "x", "0.02*t")
+    once = laws.run(scene)
+    laws.demand("without it nothing is told", "Wear acceleration" not in log_of(once))
+    rough = laws.run(merge(scene, {"Contact below": {"Wear acceleration": 200}, "Contact above": {"Wear acceleration": 200}}))
+    laws.demand("a large error is a warning", "warning: Contact 'below': Wear acceleration = 200, half of it" in log_of(rough))
+    scene = merge(scene, {"Contact below": {"Wear acceleration": 10}, "Output": {"Checkpoint": 1}})
+    whole = laws.run(scene)
+    part = laws.run(scene, "-s", "Time/End=0.5", "-s", "Time/Increments=5")
+    laws.check("the estimate of a run that goes on", abs(told(laws.run(scene, "--restart", part.folder), "below")[0] / told(whole, "below")[0] - 1), 1e-9)

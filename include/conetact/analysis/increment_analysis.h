@@ -7,6 +7,7 @@
 #include "conetact/analysis/analysis.h"
 #include "conetact/analysis/contact_search.h"
 #include "conetact/analysis/increment_parts.h"
+#include "conetact/analysis/wear_error.h"
 #include "conetact/contact/fluid.h"
 #include "conetact/contact/open_motions.h"
 #include "conetact/solvers/contact_solver.h"
@@ -139,6 +140,9 @@ namespace conetact::analysis
                  solvers::ContactProblem     &problem);
     void
     say_leaks(const PendingIncrement &increment);
+    /** Compares the wear of an increment with that of two halves. */
+    void
+    estimate_wear(const PendingIncrement &increment);
     /** How many solutions it has, and another one. */
     void
     judge_uniqueness(PendingIncrement              &increment,
@@ -206,6 +210,9 @@ namespace conetact::analysis
     std::optional<contact::Fluid>           fluid; ///< once it is asked for
     std::set<unsigned int>                  said_leaks; ///< contacts
     std::optional<solvers::UniquenessCheck> uniqueness;
+    WearError                               wear_error;
+    /** Of increments that are solved again with what has worn in them. */
+    std::unique_ptr<solvers::ContactSolver> solver_of_halves;
     IncrementParts                          parts; ///< of the one that is next
     bool lost_contacts = false; ///< that slide, in what failed last
     bool unsolved      = false; ///< what failed last, by its solver

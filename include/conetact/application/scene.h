@@ -149,6 +149,9 @@ namespace conetact::application
       unsigned int          n_done = 0; ///< increments
     };
     std::optional<Restart> restart;
+    /** Whether supports may change in the course of the scene. */
+    bool
+    has_stages() const;
     /** Ends of the stages in which the same supports are active: the last time,
      * and those after which others are. */
     std::vector<double>

@@ -131,6 +131,12 @@ namespace conetact::contact
     {
       return depth;
     }
+    /** Its nodes have lost so much more, which opens their gaps. */
+    void
+    wear_by(const Eigen::VectorXd &depths)
+    {
+      depth += depths;
+    }
     /** Work against bonds of each node so far [force x length]. */
     const Eigen::VectorXd &
     fracture() const

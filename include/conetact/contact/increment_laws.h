@@ -7,6 +7,7 @@
 #include "conetact/contact/contact_points.h"
 #include "conetact/solvers/nodal_laws.h"
 
+#include <array>
 #include <vector>
 
 namespace conetact::contact
@@ -32,6 +33,16 @@ namespace conetact::contact
           const double s,
           const double slip,
           const double gap) const override;
+    solvers::Aspect
+    aspect(const Index  i,
+           const double s,
+           const double slip,
+           const double gap) const override;
+    bool
+    has_ellipses() const override
+    {
+      return elliptic;
+    }
     solvers::Layer
     layer(const Index i, const double r_n, const double slip) const override;
     bool
@@ -124,10 +135,32 @@ namespace conetact::contact
     pairing::Situation
     situation(const std::size_t i, const double r_n, const double slip) const;
     double
-    coefficient(const std::size_t i, const pairing::Situation &at) const;
-    /** Of what presses by r_n, without a bond. */
+    coefficient(const std::size_t         i,
+                const pairing::Situation &at,
+                const unsigned int        axis) const;
+    /** Of what presses by r_n, without a bond, along an axis of friction. */
     solvers::FrictionLimit
-    friction(const std::size_t i, const double r_n, const double slip) const;
+    friction(const std::size_t  i,
+             const unsigned int axis,
+             const double       r_n,
+             const double       slip) const;
+    /** The same with its bond, as limit(). */
+    solvers::FrictionLimit
+    limit_along(const std::size_t  i,
+                const unsigned int axis,
+                const double       s,
+                const double       slip,
+                const double       gap) const;
+    /** Whether friction along its tangents is that of an ellipse, and whether
+     * it has both. */
+    bool
+    has_axes(const std::size_t i) const;
+    bool
+    is_elliptic(const std::size_t i) const;
+    solvers::FrictionLimit
+    mean_of(const std::size_t             i,
+            const solvers::FrictionLimit &one,
+            const solvers::FrictionLimit &two) const;
     /** What little is, to a bond [length]. */
     double
     step_of(const std::size_t i) const;
@@ -147,17 +180,18 @@ namespace conetact::contact
              const double      gap_at_end,
              const double      slip) const;
 
-    const ContactPoints            &points;
-    std::vector<pairing::Situation> start;
-    Eigen::VectorXd                 r_start;
-    double                          time;
-    std::vector<double>             constant; ///< mu where it is known
-    std::vector<bool>               active, joined;
-    std::vector<double>             strength, cohesion; ///< whole [force]
-    std::vector<double>             fluids; ///< of what is wet [force]
-    std::vector<bool>               bonds;
-    bool                            soft; ///< something gives way
-    bool bonded; ///< something is bonded, wet or joined
+    const ContactPoints               &points;
+    std::vector<pairing::Situation>    start;
+    Eigen::VectorXd                    r_start;
+    double                             time;
+    std::vector<std::array<double, 2>> constant; ///< mu where it is known
+    std::vector<bool>                  active, joined;
+    std::vector<double>                strength, cohesion; ///< whole [force]
+    std::vector<double>                fluids; ///< of what is wet [force]
+    std::vector<bool>                  bonds;
+    bool                               soft; ///< something gives way
+    bool bonded;   ///< something is bonded, wet or joined
+    bool elliptic; ///< something has an ellipse for its limit of friction
   };
 
   /** Whether any candidate has laws of its own: each of them, whatever it is,

@@ -78,7 +78,7 @@ namespace conetact::pairing
      * the middle as well, in place of means over faces at their corners. */
     bool holds_every_node = false;
 
-    /** Along the first axis; none: bound contacts. */
+    /** None: bound contacts. */
     std::shared_ptr<const FrictionLaw> friction;
     /** Of t: 0 where both sides do not see each other; none: they do. */
     std::shared_ptr<const Expression> active;
@@ -90,9 +90,7 @@ namespace conetact::pairing
     std::shared_ptr<const FluidLaw> fluid;
     /** What is between its points, where it is a spring. */
     std::shared_ptr<const SpringLaw> spring;
-    /** Along the second axis; none: isotropic. */
-    std::optional<Expression> second_friction;
-    double                    friction_angle = 0; ///< first axis from t1 [rad]
+    double friction_angle = 0; ///< first axis of an ellipse from t1 [rad]
     /** At each node, functions of position [force]; cohesion of a load path
      * only. */
     std::optional<Expression> prestress, path_cohesion;

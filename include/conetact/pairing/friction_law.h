@@ -39,19 +39,23 @@ namespace conetact::pairing
   /**
    * Friction that changes: |traction| <= min(mu p, shear limit), of both
    * expressions in x, y, z, t and T, s, p, v, which are the other members of
-   * Situation.
+   * Situation. With a second coefficient the limit is an ellipse, whose
+   * semi-axes are min(mu_1 p, shear limit) and min(mu_2 p, shear limit).
    */
   class FrictionLaw
   {
   public:
-    /** `in` is what errors begin with. Throws InputError. */
+    /** `in` is what errors begin with. Throws InputError. An empty second
+     * coefficient: friction is the same along both axes. */
     FrictionLaw(const std::string &coefficient,
+                const std::string &second_coefficient,
                 const std::string &shear_limit,
                 const std::string &in);
 
-    /** mu [-]; of what does not press yet, p = 0. */
+    /** mu along the first axis, 0, or the second one, 1 [-]; of what does not
+     * press yet, p = 0. */
     double
-    coefficient(const Situation &at) const;
+    coefficient(const Situation &at, const unsigned int axis = 0) const;
     /** What the limit allows on an area [force]; infinite without one. */
     double
     largest_force(const Situation &at, const double area) const;
@@ -70,16 +74,25 @@ namespace conetact::pairing
     uses_temperature() const;
     bool
     uses_speed() const;
+    /** Whether both axes have coefficients of their own. */
+    bool
+    is_elliptic() const
+    {
+      return second.has_value();
+    }
 
     const Expression &
-    expression() const
+    expression(const unsigned int axis = 0) const
     {
-      return mu;
+      return axis > 0 && second ? *second : mu;
     }
 
   private:
+    bool
+    uses(const std::string &name) const;
+
     Expression                mu;
-    std::optional<Expression> tau;
+    std::optional<Expression> second, tau;
   };
 } // namespace conetact::pairing
 

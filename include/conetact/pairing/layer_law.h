@@ -81,6 +81,12 @@ namespace conetact::pairing
     uses_temperature() const;
     bool
     uses_speed() const;
+    /** How many times the slip of an increment counts. */
+    double
+    acceleration() const
+    {
+      return cycles;
+    }
     /** Of the depth, what the slave loses. */
     double
     share_of_slave() const

@@ -48,6 +48,9 @@ namespace conetact::solvers
     unchanged(const ContactProblem &problem, ContactState &state) const;
     SolverReport
     solve_from_states(const ContactProblem &problem, ContactState &state);
+    /** Of laws whose friction falls so fast that their slopes lead astray. */
+    SolverReport
+    solve_without_fall(const ContactProblem &problem, ContactState &state);
     SolverReport
     run(const ContactProblem  &problem,
         const Eigen::VectorXd &p,

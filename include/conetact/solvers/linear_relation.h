@@ -83,6 +83,17 @@ namespace conetact::solvers
           const double r_n,
           const double slip,
           const double gap) const;
+    /** Of its limit there, 1 where that is a circle. */
+    Aspect
+    aspect(const Index  i,
+           const double r_n,
+           const double slip,
+           const double gap) const;
+    bool
+    has_ellipses() const
+    {
+      return laws && laws->has_ellipses();
+    }
     /** Whether node i has no friction, however it is pressed. */
     bool
     is_frictionless(const Index i) const

@@ -17,6 +17,30 @@ namespace conetact::solvers
     double by_gap   = 0; ///< with the gap, of what is bonded [force/length]
   };
 
+  /**
+   * Of friction that differs along both tangents of a node: the limit is an
+   * ellipse, |(r_1 / a, a r_2)| <= value of its FrictionLimit, and what slips
+   * does so along its normal. Stretched reactions (r_1 / a, a r_2) and slips
+   * (a u_1, u_2 / a) have a circle for it, and do the same work.
+   */
+  struct Aspect
+  {
+    double value    = 1; ///< a [-]
+    double by_force = 0; ///< with the normal reaction [1/force]
+    double by_slip  = 0; ///< with the slip of the increment [1/length]
+    double by_gap   = 0; ///< with the gap, of what is bonded [1/length]
+
+    /** Slips are multiplied by it, reactions divided. */
+    SmallVector
+    scale(const Eigen::Index size) const
+    {
+      SmallVector s = SmallVector::Ones(size);
+      if (value != 1)
+        s.head(2) << value, 1 / value;
+      return s;
+    }
+  };
+
   /** How much pull a node bears before it opens, r_n >= -value, or while it
    * does, and how that changes. */
   struct Bond
@@ -88,6 +112,22 @@ namespace conetact::solvers
           const double gap) const = 0;
     virtual Layer
     layer(const Index node, const double r_n, const double slip) const = 0;
+
+    /** Arguments as of limit(); slips are true ones, not stretched. */
+    virtual Aspect
+    aspect(const Index /*node*/,
+           const double /*s*/,
+           const double /*slip*/,
+           const double /*gap*/) const
+    {
+      return {};
+    }
+    /** Whether the limit of any node is an ellipse. */
+    virtual bool
+    has_ellipses() const
+    {
+      return false;
+    }
 
     /** Whether friction is a coefficient a node, known before anything is
      * solved. */

@@ -160,6 +160,106 @@ TEST(NodeSets, LawsAreDerivatives)
 
 namespace
 {
+  /** An ellipse whose axes change with pressure and slip. */
+  class AnyEllipse : public NodalLaws
+  {
+  public:
+    FrictionLimit
+    limit(const Index,
+          const double s,
+          const double slip,
+          const double) const override
+    {
+      return {.3 * s - .02 * s * s + .05 * slip, .3 - .04 * s, .05, 0};
+    }
+    Layer
+    layer(const Index, const double, const double) const override
+    {
+      return {};
+    }
+    Aspect
+    aspect(const Index,
+           const double s,
+           const double slip,
+           const double) const override
+    {
+      return {1.4 + .1 * s - .2 * slip, .1, -.2, 0};
+    }
+    bool
+    has_ellipses() const override
+    {
+      return true;
+    }
+    bool
+    has_cones() const override
+    {
+      return false;
+    }
+    bool
+    has_layers() const override
+    {
+      return false;
+    }
+  };
+
+  /** Stretched friction less its limit along z, and the gap. */
+  SmallVector
+  broken_ellipse(const AnyEllipse  &laws,
+                 const SmallVector &v,
+                 const SmallVector &r)
+  {
+    const double      slip  = v.head(2).norm();
+    const SmallVector scale = laws.aspect(0, r(2), slip, 0).scale(3);
+    const SmallVector z     = r.cwiseQuotient(scale) - scale.cwiseProduct(v);
+    SmallVector       law   = v;
+    law.head(2)             = r.cwiseQuotient(scale).head(2) -
+                  laws.limit(0, z(2), slip, 0).value * z.head(2).normalized();
+    return law;
+  }
+} // namespace
+
+// It slips along the normal of the ellipse, with all slopes of its axes.
+TEST(NodeSets, EllipsesAreDerivatives)
+{
+  const AnyEllipse laws;
+  for (const Form form : {Form::stiffness, Form::compliance})
+    {
+      const LinearRelation relation =
+        relation_of_one_node(form, std::make_shared<AnyEllipse>());
+      SmallVector v(3), r(3);
+      v << -.42, .56, 0;
+      const double most = laws.limit(0, 2, .7, 0).value;
+      const double a    = laws.aspect(0, 2, .7, 0).value;
+      // E^2 u / |E u| of the semi-axes a most and most / a
+      const double one = a * most, two = most / a;
+      const double size = std::hypot(one * v(0), two * v(1));
+      r << -one * one * v(0) / size, -two * two * v(1) / size, 2;
+      const Eigen::VectorXd p    = form == Form::stiffness ? v : r;
+      const Eigen::VectorXd d    = form == Form::stiffness ? r : v;
+      const NodeSets        sets = sets_of_point(relation, p, d);
+      ASSERT_EQ(sets[0].state, NodeState::slip);
+      EXPECT_LT(law_residual(relation, p, d), 1e-14);
+      const NodeLaw law = linearized_laws(relation, sets, p, d).front();
+      EXPECT_LT(law.h.norm(), 1e-14);
+      constexpr double step = 1e-6;
+      for (Eigen::Index k = 0; k < 3; ++k)
+        for (const bool moves : {false, true})
+          {
+            const SmallVector unit  = step * SmallVector::Unit(3, k);
+            const SmallVector zero  = SmallVector::Zero(3);
+            const SmallVector dv    = moves ? unit : zero,
+                              dr    = moves ? zero : unit;
+            const SmallVector slope = (broken_ellipse(laws, v + dv, r + dr) -
+                                       broken_ellipse(laws, v - dv, r - dr)) /
+                                      (2 * step);
+            const bool of_p = moves == (form == Form::stiffness);
+            EXPECT_LT((slope - (of_p ? law.p : law.d).col(k)).norm(), 1e-8);
+          }
+    }
+}
+
+namespace
+{
   /** A bond that gives way with the slip and with the gap, and friction of
    * what is pressed beyond it, with cohesion. */
   class AnyBonds : public NodalLaws

@@ -185,6 +185,17 @@ namespace
       " set Wear integration = implicit\n");
   }
 
+  /** The same with an ellipse of friction whose axes vary. */
+  std::string
+  with_ellipse(std::string text)
+  {
+    const std::string friction = " set Friction coefficient = ";
+    return text.insert(text.find(friction),
+                       " set Second friction coefficient = 0.1/(1 + p/200) + "
+                       "0.08*exp(-s/0.01) + 0.05*exp(-v/0.01)\n"
+                       " set Friction angle = 20\n");
+  }
+
   /** The same with a bond that softens, pressed or pulled; or all wet. */
   std::string
   held_by_bonds(const bool space, const bool pulled)
@@ -394,6 +405,12 @@ TEST(Verification, PlantedFaultsAreFoundWhateverTheLaw)
     {
       plant_faults(held_by_laws(space), n);
       plant_faults(held_wet(space), n);
+      if (space)
+        for (const std::string &scene : {held(space),
+                                         held_by_laws(space),
+                                         held_by_bonds(space, false),
+                                         held_wet(space)})
+          plant_faults(with_ellipse(scene), n);
       plant_faults(joined(space), n);
       for (const bool pulled : {false, true})
         plant_faults(held_by_bonds(space, pulled), n);

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_solvers_linearized_law_h
+#define conetact_solvers_linearized_law_h
+
+#include "conetact/solvers/node_sets.h"
+
+namespace conetact::solvers
+{
+  /** @f$A\,\delta v + B\,\delta r = h@f$ of one node, in the scaled variables
+   * of LinearRelation. */
+  struct LinearizedLaw
+  {
+    SmallMatrix A, B;
+    SmallVector h;
+  };
+
+  /** Of a node whose limit of friction is a circle; `along` is how its slip
+   * grows with v_t. `definite` as in linearized_laws(). */
+  LinearizedLaw
+  law_of(const NodeSet       &set,
+         const FrictionLimit &limit,
+         const SmallVector   &v,
+         const SmallVector   &r,
+         const SmallVector   &along,
+         const bool           definite);
+
+  /** A law of stretched reactions and slips as one of (v, r), which are not;
+   * `along` is how the slip grows with v_t. */
+  void
+  see_stretched(const Aspect      &aspect,
+                const SmallVector &v,
+                const SmallVector &r,
+                const SmallVector &along,
+                LinearizedLaw     &law);
+
+  /** A law of r + bond as one of r itself. */
+  void
+  see_bond(const Bond &bond, const SmallVector &v, LinearizedLaw &law);
+
+  /** A law of what is seen as one of v itself: dv' = step (T dv + C dr). */
+  void
+  see_through(const Layer       &layer,
+              const double       step,
+              const SmallVector &seen,
+              LinearizedLaw     &law);
+} // namespace conetact::solvers
+
+#endif

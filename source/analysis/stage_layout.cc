@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/stage_layout.h"
+
+#include "conetact/base/errors.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace conetact::analysis
+{
+  namespace
+  {
+    using Numbers = std::vector<double>;
+    using Key     = std::array<double, 3>; ///< contact, body, node
+
+    const std::string layout_name = "contact/points";
+
+    /** A contact node of the layout that an archive was written with. */
+    struct KeptPoint
+    {
+      Key         key;
+      std::size_t number = 0, n = 0; ///< of unknowns
+      std::size_t first = 0, first_direction = 0;
+      bool        is_candidate = false;
+    };
+
+    Numbers
+    layout_of(const contact::ContactPoints &points)
+    {
+      Numbers numbers;
+      for (std::size_t i = 0; i < points.all().size(); ++i)
+        {
+          const contact::ContactPoint &point = points.all()[i];
+          for (const double x : {static_cast<double>(point.node->contact),
+                                 static_cast<double>(point.node->body),
+                                 static_cast<double>(point.node->node),
+                                 static_cast<double>(point.dual.size()),
+                                 i < points.size() ? 1. : 0.})
+            numbers.push_back(x);
+        }
+      return numbers;
+    }
+
+    std::vector<KeptPoint>
+    kept_points(const Numbers &layout)
+    {
+      std::vector<KeptPoint> points;
+      std::size_t            first = 0;
+      for (std::size_t k = 0; k + 4 < layout.size(); k += 5)
+        {
+          KeptPoint point;
+          point.key          = {layout[k], layout[k + 1], layout[k + 2]};
+          point.number       = points.size();
+          point.n            = static_cast<std::size_t>(layout[k + 3]);
+          point.first        = first;
+          point.is_candidate = layout[k + 4] > 0;
+          first += point.n;
+          points.push_back(point);
+        }
+      return points;
+    }
+
+    /** From the points of one layout to those of the other. */
+    class Translation
+    {
+    public:
+      Translation(const contact::ContactModel &m, Archive &kept)
+        : model(m)
+        , archive(kept)
+        , old(kept_points(kept.get(layout_name)))
+        , directions(kept.get("contact/directions"))
+      {
+        std::map<Key, std::size_t> places;
+        for (const KeptPoint &point : old)
+          places.emplace(point.key, point.number);
+        for (const contact::ContactPoint &point : points().all())
+          {
+            const auto found =
+              places.find({static_cast<double>(point.node->contact),
+                           static_cast<double>(point.node->body),
+                           static_cast<double>(point.node->node)});
+            before.push_back(found == places.end() ?
+                               std::nullopt :
+                               std::optional(found->second));
+          }
+      }
+
+      /** Numbers of each node, `candidates` only or all, `fresh` of those that
+       * are new. */
+      template <typename Fresh>
+      void
+      nodes(const std::string &name,
+            const bool         candidates,
+            const std::size_t  per_node,
+            const Fresh       &fresh)
+      {
+        if (!archive.has(name))
+          return;
+        const Numbers kept = archive.get(name);
+        Numbers       now;
+        for (std::size_t i = 0;
+             i < (candidates ? points().size() : points().all().size());
+             ++i)
+          for (std::size_t k = 0; k < per_node; ++k)
+            if (const auto at = before[i];
+                at && per_node * *at + k < kept.size())
+              now.push_back(kept[per_node * *at + k]);
+            else
+              now.push_back(fresh(*points().all()[i].node));
+        archive.put(name, now);
+      }
+
+      /** Components of forces along the unknowns, or of displacements, of which
+       * `u` knows those that are new. */
+      void
+      unknowns(const std::string     &name,
+               const bool             all,
+               const bool             are_forces,
+               const Eigen::VectorXd &u)
+      {
+        const Numbers kept = archive.get(name);
+        Numbers       now;
+        for (std::size_t i = 0;
+             i < (all ? points().all().size() : points().size());
+             ++i)
+          {
+            const contact::ContactPoint &point = points().all()[i];
+            const KeptPoint *const       from =
+              before[i] ? &old[*before[i]] : nullptr;
+            const bool alike = from != nullptr && from->n == point.dual.size();
+            const Tensor<1, 3> force = from != nullptr && are_forces ?
+                                         force_of(*from, kept) :
+                                         Tensor<1, 3>();
+            for (std::size_t k = 0; k < point.dual.size(); ++k)
+              now.push_back(
+                alike      ? kept[from->first + k] :
+                are_forces ? force * point.directions[k] :
+                             u[point.first + static_cast<Eigen::Index>(k)]);
+          }
+        archive.put(name, now);
+      }
+
+      void
+      new_directions()
+      {
+        Numbers now;
+        for (std::size_t i = 0; i < points().all().size(); ++i)
+          {
+            const contact::ContactPoint &point = points().all()[i];
+            const bool                   alike =
+              before[i] && old[*before[i]].n == point.dual.size();
+            for (std::size_t k = 0; k < point.directions.size(); ++k)
+              for (unsigned int d = 0; d < 3; ++d)
+                now.push_back(
+                  alike ? directions[3 * (old[*before[i]].first + k) + d] :
+                          point.directions[k][d]);
+          }
+        archive.put("contact/directions", now);
+      }
+
+    private:
+      const contact::ContactPoints &
+      points() const
+      {
+        return model.points;
+      }
+
+      /** Directions are orthogonal, of any length. */
+      Tensor<1, 3>
+      force_of(const KeptPoint &point, const Numbers &r) const
+      {
+        Tensor<1, 3> force;
+        for (std::size_t k = 0; k < point.n; ++k)
+          {
+            const std::size_t at = 3 * (point.first + k);
+            AssertIndexRange(at + 2, directions.size());
+            const Tensor<1, 3> d(
+              {directions[at], directions[at + 1], directions[at + 2]});
+            force += r.at(point.first + k) / d.norm_square() * d;
+          }
+        return force;
+      }
+
+      const contact::ContactModel &model;
+      Archive                     &archive;
+      std::vector<KeptPoint>       old;
+      Numbers                      directions;
+      /** Each point's number before, if it was there. */
+      std::vector<std::optional<std::size_t>> before;
+    };
+  } // namespace
+
+  void
+  put_layout(const contact::ContactPoints &points, Archive &archive)
+  {
+    archive.put(layout_name, layout_of(points));
+  }
+
+  bool
+  take_to_layout(const contact::ContactModel &model, Archive &archive)
+  {
+    const Numbers now = layout_of(model.points);
+    if (!archive.has(layout_name) || archive.get(layout_name) == now)
+      return false;
+    using Node = pairing::ContactNode;
+    Translation  translation(model, archive);
+    const double t    = archive.get("contact/time").at(0);
+    const auto   zero = [](const Node &) { return 0.; };
+    const auto   gap  = [](const Node &node) { return node.gap; };
+    const auto   open = [](const Node &node) {
+      return node.gap > 0 ? pairing::never_closed : 0.;
+    };
+    Eigen::VectorXd u(model.coordinates.n_dofs());
+    archive.fill("energies/u", u);
+    u = model.relative_displacements(u, t);
+    for (const char *name : {"contact/slipped",
+                             "contact/worn",
+                             "contact/packed",
+                             "contact/parted",
+                             "contact/broken",
+                             "contact/states",
+                             "wear/error",
+                             "wear/depth"})
+      translation.nodes(name, true, 1, zero);
+    translation.nodes("contact/gap", true, 1, gap);
+    translation.nodes("contact/opened", true, 1, open);
+    translation.nodes("rows/gaps", false, 1, gap);
+    translation.nodes("rows/states", false, 1, zero);
+    for (const char *name : {"rows/u",
+                             "rows/du",
+                             "rows/reactions",
+                             "rows/other",
+                             "energies/reactions"})
+      translation.nodes(name, false, 3, zero);
+    translation.unknowns("contact/q", false, false, u);
+    translation.unknowns("contact/r", false, true, u);
+    translation.unknowns("energies/r", true, true, u);
+    translation.new_directions();
+    archive.put("energies/points",
+                static_cast<double>(model.points.all().size()));
+    archive.put("contact/elastic", Numbers());
+    return true;
+  }
+} // namespace conetact::analysis

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// What the laws of an increment say of its end.
+
+#include "conetact/contact/increment_laws.h"
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::contact
+{
+  Eigen::VectorXd
+  IncrementLaws::seen(const std::size_t            i,
+                      const solvers::ContactState &end) const
+  {
+    AssertIndexRange(points[i].normal(), end.v.size());
+    AssertIndexRange(points[i].normal(), end.r.size());
+    const ContactPoint &point = points[i];
+    const Index         size  = point.normal() - point.first + 1;
+    return solvers::see(
+      [&](const double r_n, const double slip) {
+        return layer(static_cast<Index>(i), r_n, slip);
+      },
+      end.v.segment(point.first, size),
+      end.r.segment(point.first, size));
+  }
+
+  double
+  IncrementLaws::slip(const std::size_t            i,
+                      const solvers::ContactState &end) const
+  {
+    const Eigen::VectorXd v = seen(i, end);
+    return v.head(v.size() - 1).norm();
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::coefficients(const solvers::ContactState &end) const
+  {
+    Eigen::VectorXd mu(static_cast<Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      {
+        const auto   k   = static_cast<Index>(i);
+        const double r_n = end.r[points[i].normal()] - fluids[i];
+        const double way = slip(i, end);
+        auto         now = friction(i, 0, r_n, way);
+        if (has_axes(i))
+          now = mean_of(i, now, friction(i, 1, r_n, way));
+        mu[k] = r_n > 0 ? now.value / r_n : now.by_force;
+      }
+    return mu;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::slips(const solvers::ContactState &end) const
+  {
+    AssertDimension(end.node.size(), start.size());
+    Eigen::VectorXd way =
+      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (end.node[i] == solvers::NodeState::slip ||
+          (end.node[i] == solvers::NodeState::open && bonds[i]))
+        way[static_cast<Index>(i)] = slip(i, end);
+    return way;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::wear(const solvers::ContactState &end) const
+  {
+    Eigen::VectorXd depth = slips(end);
+    for (std::size_t i = 0; i < start.size(); ++i)
+      {
+        const auto               k   = static_cast<Index>(i);
+        const auto               law = points[i].node->layer;
+        const pairing::Situation here =
+          situation(i, end.r[points[i].normal()], depth[k]);
+        depth[k] *= law ? here.pressure * law->wear_by_pressure(here) : 0.;
+      }
+    return depth;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::pressures(const solvers::ContactState &end) const
+  {
+    Eigen::VectorXd p(static_cast<Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      p[static_cast<Index>(i)] =
+        situation(i, end.r[points[i].normal()], 0).pressure;
+    return p;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::openings(const solvers::ContactState &end) const
+  {
+    AssertDimension(end.node.size(), start.size());
+    Eigen::VectorXd gaps =
+      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (bonds[i] && end.node[i] == solvers::NodeState::open)
+        gaps[static_cast<Index>(i)] = std::max(0., seen(i, end).tail<1>()(0));
+    return gaps;
+  }
+
+  Eigen::VectorXd
+  IncrementLaws::fracture(const Eigen::VectorXd       &before,
+                          const solvers::ContactState &end) const
+  {
+    AssertDimension(before.size(), static_cast<Index>(start.size()));
+    Eigen::VectorXd work =
+      Eigen::VectorXd::Zero(static_cast<Index>(start.size()));
+    const Eigen::VectorXd after = openings(end), way = slips(end);
+    for (std::size_t i = 0; i < start.size(); ++i)
+      if (const auto k = static_cast<Index>(i); bonds[i])
+        work[k] = fracture(i, before[k], after[k], way[k]);
+    return work;
+  }
+
+  /* Along a straight way from the start to the end, in so many steps that kinks
+     do not count. */
+  double
+  IncrementLaws::fracture(const std::size_t i,
+                          const double      gap_at_start,
+                          const double      gap_at_end,
+                          const double      slip) const
+  {
+    Assert(slip >= 0, dealii::ExcMessage("A way of slip has no sign."));
+    constexpr unsigned int n   = 1000;
+    const double           h   = 1. / n;
+    const double           dg  = gap_at_end - gap_at_start;
+    double                 sum = 0;
+    if (dg == 0 && slip == 0)
+      return 0;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const double x = (k + .5) * h, g = gap_at_start + x * dg;
+        sum +=
+          pull(i, x * slip, g) * dg + cohesion[i] * rest(i, x * slip, g) * slip;
+      }
+    return h * sum;
+  }
+
+  bool
+  IncrementLaws::is_whole(const std::size_t i,
+                          const double      opened,
+                          const double      slipped) const
+  {
+    AssertIndexRange(i, start.size());
+    const pairing::ContactNode &node = *points[i].node;
+    return bonds[i] && opened <= node.least_opening() &&
+           node.bond->rest(opened, slipped, node.least_opening()) > 0;
+  }
+
+  bool
+  has_nodal_laws(const ContactPoints &points)
+  {
+    return std::any_of(points.begin(),
+                       points.end(),
+                       [](const ContactPoint &point) {
+                         return point.node->friction != nullptr;
+                       });
+  }
+} // namespace conetact::contact

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/solvers/linearized_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace conetact::solvers
+{
+  namespace
+  {
+    using Eigen::Index;
+
+    /**
+     * The part of the slip law's derivative that turns with z_t. Exact would
+     * be ratio (1 - e e^T), and that is what this tends to. Far from the
+     * solution the reaction itself, cut back to the cone, takes the place of
+     * one e: without this, a node that has to slip the other way spoils the
+     * step (Hueber, Stadler, Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596).
+     * Across e there is no more of it than leaves 1 - T positive definite, if
+     * that is asked for.
+     */
+    SmallMatrix
+    turning_part(const NodeSet     &set,
+                 const double       limit,
+                 const SmallVector &reaction,
+                 const bool         definite)
+    {
+      const SmallVector &e = set.direction;
+      const Index        n = e.size();
+      if (n < 2)
+        return SmallMatrix::Zero(n, n);
+      const double norm   = reaction.norm();
+      const double size   = limit > norm ? norm / limit : 1.;
+      SmallVector  r      = SmallVector::Zero(n);
+      double       cosine = 0;
+      if (norm > 0)
+        {
+          r      = reaction * (size / norm);
+          cosine = e.dot(reaction) / norm;
+        }
+      if (definite)
+        {
+          const double along  = std::max(cosine, 0.) * size;
+          SmallVector  across = r - cosine * size * e;
+          const double rest   = 1 - set.ratio;
+          const double most   = std::sqrt(rest * (rest + set.ratio * along));
+          const double much   = set.ratio * across.norm();
+          if (much > most)
+            across *= most / much;
+          r      = along * e + across;
+          cosine = 0;
+        }
+      const double damping = cosine < 0 ? 1 / (1 - cosine * size) : 1.;
+      return set.ratio *
+             (SmallMatrix::Identity(n, n) - damping * r * e.transpose());
+    }
+  } // namespace
+
+  LinearizedLaw
+  law_of(const NodeSet       &set,
+         const FrictionLimit &limit,
+         const SmallVector   &v,
+         const SmallVector   &r,
+         const SmallVector   &along,
+         const bool           definite)
+  {
+    const Index       nt   = v.size() - 1;
+    const SmallMatrix zero = SmallMatrix::Zero(nt + 1, nt + 1);
+    const SmallMatrix one  = SmallMatrix::Identity(nt + 1, nt + 1);
+    if (set.state == NodeState::open)
+      return {zero, one, -r};
+    // Closed, and stuck as long as nothing else is said.
+    LinearizedLaw law{one, zero, -v};
+    if (set.is_lifted)
+      {
+        law.A(nt, nt) = 0;
+        law.B(nt, nt) = 1;
+        law.h(nt)     = -r(nt);
+      }
+    if (set.state == NodeState::stick || nt == 0)
+      return law;
+
+    // r_t = limit(z_n, |v_t|) e, with all of it linearised
+    const double      zn = r(nt) - v(nt);
+    const SmallMatrix T  = turning_part(set, limit.value, r.head(nt), definite);
+    // With dz = dr - dv, A takes what belongs to dv and B the rest.
+    law.A.topLeftCorner(nt, nt) = T;
+    law.B.topLeftCorner(nt, nt) = SmallMatrix::Identity(nt, nt) - T;
+    law.A.topRightCorner(nt, 1) = limit.by_force * set.direction;
+    law.B.topRightCorner(nt, 1) = -law.A.topRightCorner(nt, 1);
+    if (limit.by_slip != 0)
+      law.A.topLeftCorner(nt, nt) -=
+        limit.by_slip * set.direction * along.transpose();
+    law.A.topRightCorner(nt, 1) -= limit.by_gap * set.direction;
+    // A first guess of the states may not go with z: then the law is asked
+    // for at the end of the step.
+    if (zn > 0 || set.is_lifted)
+      law.h.head(nt) = limit.value * set.direction - r.head(nt);
+    else
+      law.h.head(nt) = -(law.A.topRows(nt) * v + law.B.topRows(nt) * r);
+    return law;
+  }
+
+  /* Of v' = S v and r' = r / S with S = diag(a, 1/a, 1), and a changes with
+     both. */
+  void
+  see_stretched(const Aspect      &aspect,
+                const SmallVector &v,
+                const SmallVector &r,
+                const SmallVector &along,
+                LinearizedLaw     &law)
+  {
+    const Index  nt = v.size() - 1;
+    const double a  = aspect.value;
+    eigen_assert(a > 0);
+    eigen_assert(along.size() == nt);
+    if (nt < 2)
+      return;
+    // how the law changes with a
+    SmallVector by_aspect = SmallVector::Zero(nt + 1);
+    by_aspect += law.A.col(0) * v(0) - law.A.col(1) * (v(1) / (a * a)) -
+                 law.B.col(0) * (r(0) / (a * a)) + law.B.col(1) * r(1);
+    const SmallVector scale = aspect.scale(nt + 1);
+    law.A                   = (law.A * scale.asDiagonal()).eval();
+    law.B = (law.B * scale.cwiseInverse().asDiagonal()).eval();
+    law.A.leftCols(nt) += aspect.by_slip * by_aspect * along.transpose();
+    law.A.col(nt) += aspect.by_gap * by_aspect;
+    law.B.col(nt) += aspect.by_force * by_aspect;
+  }
+
+  void
+  see_bond(const Bond &bond, const SmallVector &v, LinearizedLaw &law)
+  {
+    const Index  nt   = v.size() - 1;
+    const double slip = v.head(nt).norm();
+    if (slip > 0)
+      law.A.leftCols(nt) +=
+        bond.by_slip / slip * law.B.col(nt) * v.head(nt).transpose();
+    law.A.col(nt) += bond.by_gap * law.B.col(nt);
+  }
+
+  void
+  see_through(const Layer       &layer,
+              const double       step,
+              const SmallVector &seen,
+              LinearizedLaw     &law)
+  {
+    const Index  nt   = seen.size() - 1;
+    const double slip = seen.head(nt).norm();
+    SmallMatrix  T    = SmallMatrix::Identity(nt + 1, nt + 1);
+    SmallMatrix  C    = layer.shear * T;
+    if (slip > 0)
+      T.bottomLeftCorner(1, nt) =
+        layer.by_slip / slip * seen.head(nt).transpose();
+    C.bottomLeftCorner(1, nt) = layer.shear * T.bottomLeftCorner(1, nt);
+    C(nt, nt)                 = layer.by_force;
+    law.B += step * law.A * C;
+    law.A = (step * law.A * T).eval();
+  }
+} // namespace conetact::solvers

@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: Conetact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Supports that hold contact nodes in some stages only: closed forms of blocks that are confined, let go and confined again."""
+import math
+
+from support.scenes import box, contact, floor, joint, load, merge, support
+
+YOUNG, POISSON, PRESSED = 1000.0, .3, .01
+
+
+def confined(dim, backend, mu, side):
+    """A unit block on a floor, pressed by its top, between a wall at x = 0 and a support at x = 1 with that Active."""
+    bottom, top = (2, 3) if dim == 2 else (4, 5)
+    scene = {"Dimension": dim, "Body block": box((3,) * dim, (1.0,) * dim, young=YOUNG, poisson=POISSON), "Obstacle floor": floor(dim),
+             "Contact bottom": contact(ids=bottom, mu=mu), "Support wall": support(0, "x"), "Support side": support(1, "x", Active=side),
+             "Support press": support(top, "xyz"[dim - 1], f"-{PRESSED}*min(t, 1)"),
+             "Time": {"End": 3, "Increments": 3}, "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+    if dim == 3:
+        scene["Support front"] = support(2, "y")
+        scene["Support back"] = support(3, "y")
+    return scene
+
+
+def pressures(confinement):
+    """Of a plane state of strain: with one side free, and with none."""
+    free = YOUNG * PRESSED / (1 - POISSON**2)
+    none = YOUNG * PRESSED * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))
+    return none if confinement else free
+
+
+def frictionless(laws, dim, backend):
+    """Held, let go, held again where it was: no memory of the way."""
+    run = laws.run(confined(dim, backend, 0, "t < 1.5 || t > 2.5"))
+    for t in (1, 2, 3):
+        rows = [row for row in run.rows if row["time"] == t]
+        p = pressures(t != 2)
+        laws.check(f"{dim}D, {backend}, t = {t}: pressure", max(abs(row["pressure"] / p - 1) for row in rows), 1e-10)
+        spread = 0 if t != 2 else PRESSED * POISSON / (1 - POISSON)
+        laws.check("  way of the side", max(abs(row["u_t1"] - spread * row["x"]) for row in rows) / PRESSED, 1e-10)
+
+
+def with_friction(laws, dim, backend):
+    """Friction takes what the support held: it acts inwards, and by its own law; both sides and supports are in balance."""
+    mu = .1
+    run = laws.run(confined(dim, backend, mu, "t < 1.5"))
+    laws.admissible(f"{dim}D, {backend}, friction", run, lambda row: mu)
+    before = [row for row in run.rows if row["time"] == 1]
+    after = [row for row in run.rows if row["time"] == 2]
+    edge = [row for row in after if row["x"] == 1]
+    laws.demand("  released nodes have slipped outwards against friction", edge and all(
+        row["state"] == "slip" and row["du_t1"] > 0 and abs(row["r_t1"] + mu * row["r_n"]) < 1e-9 for row in edge))
+    laws.demand("  none of it along what was held", all(row["r_t1"] == 0 for row in before if row["x"] == 1))
+    laws.check("  balance of forces", max(record["balance"] for record in run.increments), 1e-10)
+    for record in run.increments:
+        laws.check(f"  energy, t = {record['time']}", abs(energy_gap(run, record)), 1e-9)
+    size = run.largest("r_n")
+    laws.check("  it rests then", max(abs(a["r_t1"] - b["r_t1"]) + abs(a["r_n"] - b["r_n"])
+                                      for a, b in zip(run_at(run, 2), run_at(run, 3))) / size, 1e-9)
+
+
+def energy_gap(run, record):
+    """work - change of energy - what is lost, over the energy."""
+    before = [other for other in run.increments if other["increment"] == record["increment"] - 1]
+    stored = record["strain_energy"] - (before[0]["strain_energy"] if before else 0)
+    return (record["external_work"] - stored - record["dissipation"] - record["contact_work_normal"]) / record["strain_energy"]
+
+
+def run_at(run, t):
+    return [row for row in run.rows if row["time"] == t]
+
+
+def normal(laws, dim, backend):
+    """Half of the bottom rests on a support until the floor carries it, at the same pressure."""
+    scene = confined(dim, backend, 0, "1")
+    scene["Body block"]["Mesh"]["Boundary ids"] = f"8: {'yz'[dim - 2]} < 1e-9 && x < 0.5"
+    scene["Contact bottom"]["Boundary ids"] = ("2" if dim == 2 else "4") + ", 8"
+    scene["Support rest"] = support(8, "xyz"[dim - 1], Active="t < 1.5")
+    run = laws.run(scene)
+    first, second = run_at(run, 1), run_at(run, 2)
+    laws.demand(f"{dim}D, {backend}: {len(first)} contact nodes, then {len(second)}", 0 < len(first) < len(second))
+    laws.check("  pressure", max(abs(row["r_n"] / row["area"] / pressures(True) - 1) for row in second), 1e-10)
+
+
+def assembled(laws, backend):
+    """Press, tie, release: a block that a tie has taken keeps its place on the other one when its support lets go."""
+    scene = {"Dimension": 2, "Body low": box((4, 2), (2.0, 1.0), young=YOUNG, poisson=POISSON),
+             "Body high": box((4, 2), (2.0, 1.0), (0.0, 1.0), young=YOUNG, poisson=POISSON),
+             "Contact touch": joint("high", 2, "low", 3, **{"Friction coefficient": .2, "Pairing": "node to face"}),
+             "Contact tie": joint("high", 2, "low", 3, Kind="tie", Active="t > 1.5", Pairing="node to face"),
+             "Support ground": support(2, "x, y", body="low"), "Support jig": support(0, "x", body="high", Active="t < 2.5"),
+             "Support hand": support(3, "y", "-0.01*min(t, 1)", body="high", Active="t < 2.5"),
+             "Load push": load("traction", "0.5*max(t - 3, 0) ; -1", 3, body="high"),
+             "Time": {"End": 4, "Increments": 4}, "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+    run = laws.run(scene)
+    held = [row for row in run.rows if row["contact"] == "tie" and row["time"] > 2]
+    laws.check(f"{backend}: press, tie, release: the tie keeps its sides", max(abs(row["du_t1"]) for row in held) / PRESSED, 1e-10)
+    last = run.increments[-1]
+    laws.check("  what is left is the load", abs(last["tie_f_x"] + last["touch_f_x"] + 1.0), 1e-9)
+    laws.check("  and the weight", abs(last["tie_f_y"] + last["touch_f_y"] - 2.0), 1e-9)
+
+
+def press_fit(laws, backend):
+    """A ring is pressed on another without friction, which is then switched on and carries a force along the axis, up to mu p A."""
+    inner, joint_radius, outer, depth, mu = 1.0, 2.0, 3.0, .002, .2
+    a, b, c = inner**2, joint_radius**2, outer**2
+    lame = depth * YOUNG / (joint_radius * ((c + b) / (c - b) + (b + a) / (b - a)))
+    limit = mu * lame * 2 * math.pi * joint_radius
+
+    def scene(part):
+        result = {"Dimension": 2, "Contact joint": joint("hub", 0, "shaft", 1, Gap=f"-{depth}*min(t, 1)", Pairing="node to face",
+                                                         **{"Friction coefficient": f"if(t < 1.1, 0, {mu})"}),
+                  "Support shaft": support(2, "y", body="shaft"), "Support jig": support(2, "y", body="hub", Active="t < 1.5"),
+                  "Load push": load("traction", f"0 ; -{part * limit / (math.pi * (c - b))!r}*max(t - 2, 0)", 3, body="hub"),
+                  "Time": {"End": 3, "Increments": 3}, "Solver": {"Backend": backend}, "Output": {"VTU": 0}}
+        for name, radius in (("shaft", inner), ("hub", joint_radius)):
+            result[f"Body {name}"] = box((16, 4), (1.0, 1.0), (radius, 0.0), young=YOUNG, poisson=POISSON)
+            result[f"Body {name}"]["Material"]["Plane"] = "axisymmetric"
+        return result
+    run = laws.run(scene(.8))
+    rows = [row for row in run_at(run, 1) if row["contact"] == "joint"]
+    laws.check(f"{backend}, press fit: Lame's pressure", abs(sum(row["pressure"] for row in rows) / len(rows) / lame - 1), 2e-3)
+    laws.demand("  no friction while it is pressed", all(row["r_t1"] == 0 for row in rows))
+    last = run.increments[-1]
+    laws.check("  friction carries the load", abs(last["joint_f_y"] / (.8 * limit) - 1), 1e-9)
+    done, _ = laws.start(scene(1.2))
+    laws.demand("  and no more than mu p A", done.returncode == 2)
+
+
+def stages(laws):
+    for dim in (2, 3):
+        for backend in ("condensed", "iterative"):
+            frictionless(laws, dim, backend)
+            with_friction(laws, dim, backend)
+            normal(laws, dim, backend)
+    for backend in ("condensed", "iterative"):
+        assembled(laws, backend)
+        press_fit(laws, backend)
