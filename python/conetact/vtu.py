@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: Conetact authors
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads the VTU files of the program, arrays as text or zipped and in base64, and the PVTU files that join some."""
+"""Reads the VTU files of the program, XML with zipped arrays behind it, and the PVTU files that join some."""
 from __future__ import annotations
 
-import base64
 import xml.etree.ElementTree as xml
 import zlib
 from collections.abc import Mapping, Sequence
@@ -36,24 +35,21 @@ class VtuMesh:
     cell_arrays: dict[str, Array]
 
 
-def unzipped(text: str) -> bytes:
+ARRAYS = b'<AppendedData encoding="raw">\n_'
+
+
+def unzipped(data: memoryview) -> bytes:
     """Blocks behind a head that tells how many there are, their size, that of the last one, and zipped sizes."""
-    head_length = 4 * -(-16 // 3)  # of the first four numbers
-    n_blocks = int(np.frombuffer(base64.b64decode(text[:head_length])[:4], "<u4")[0])
-    head_length = 4 * -(-4 * (3 + n_blocks) // 3)
-    sizes = np.frombuffer(base64.b64decode(text[:head_length]), "<u4", 3 + n_blocks)[3:]
-    data, ends = base64.b64decode(text[head_length:]), np.cumsum(sizes)
+    n_blocks = int(np.frombuffer(data, "<u4", 1)[0])
+    sizes = np.frombuffer(data, "<u4", 3 + n_blocks)[3:]
+    ends = 4 * (3 + n_blocks) + np.cumsum(sizes, dtype=int)
     return b"".join(zlib.decompress(data[end - size:end]) for size, end in zip(sizes, ends))
 
 
-def array_of(element: xml.Element | None) -> Array:
+def array_of(element: xml.Element | None, arrays: memoryview) -> Array:
     if element is None:
         raise ValueError("it lacks an array")
-    kind, text = TYPES[element.attrib["type"]], (element.text or "").strip()
-    if element.get("format") == "ascii":
-        values: Array = np.array(text.split(), dtype=kind)
-    else:
-        values = np.frombuffer(unzipped(text) if text else b"", kind)
+    values: Array = np.frombuffer(unzipped(arrays[int(element.attrib["offset"]):]), TYPES[element.attrib["type"]])
     components = int(element.get("NumberOfComponents", 1))
     return values.reshape(-1, components) if components > 1 else values
 
@@ -98,14 +94,14 @@ def read_vtu(file: str | Path) -> VtuMesh:
     if Path(file).suffix == ".pvtu":
         return joined([read_vtu(Path(file).parent / name) for name in pieces_of(file)])
     try:
-        root = xml.parse(file).getroot()
-        piece = root.find("UnstructuredGrid/Piece")
+        text, _, behind = Path(file).read_bytes().partition(ARRAYS)
+        piece, data = xml.fromstring(text + b"</VTKFile>" if behind else text).find("UnstructuredGrid/Piece"), memoryview(behind)
         if piece is None:
             raise ValueError("it holds no grid")
-        points = array_of(piece.find("Points/DataArray")).astype(float)
-        cells = cells_of({a.attrib["Name"]: array_of(a) for a in piece.findall("Cells/DataArray")})
-        arrays = {a.attrib["Name"]: array_of(a).astype(float) for a in piece.findall("PointData/DataArray")}
-        of_cells = {a.attrib["Name"]: array_of(a) for a in piece.findall("CellData/DataArray")}
+        points = array_of(piece.find("Points/DataArray"), data).astype(float)
+        cells = cells_of({a.attrib["Name"]: array_of(a, data) for a in piece.findall("Cells/DataArray")})
+        arrays = {a.attrib["Name"]: array_of(a, data).astype(float) for a in piece.findall("PointData/DataArray")}
+        of_cells = {a.attrib["Name"]: array_of(a, data) for a in piece.findall("CellData/DataArray")}
     except (xml.ParseError, AttributeError, KeyError, ValueError, zlib.error) as error:
         raise ValueError(f"{file} is no VTU file of the program ({error}).") from None
     return VtuMesh(points.reshape(-1, 3), cells, arrays, of_cells)

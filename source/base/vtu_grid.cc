@@ -8,12 +8,11 @@
 #include <libdeflate.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <memory>
-#include <stdexcept>
+#include <new>
 
 namespace conetact
 {
@@ -31,49 +30,7 @@ namespace conetact
     template <>
     constexpr const char *type_name<VtuGrid::Shape> = "UInt8";
 
-    constexpr char digits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-    /** Two digits at a time. */
-    std::vector<std::array<char, 2>>
-    make_pairs()
-    {
-      std::vector<std::array<char, 2>> pairs;
-      for (unsigned int i = 0; i < 64; ++i)
-        for (unsigned int j = 0; j < 64; ++j)
-          pairs.push_back({{digits[i], digits[j]}});
-      return pairs;
-    }
-
-    /** Pictures are mostly this: deal.II's encoder takes a third of all. */
-    void
-    append_base64(std::string &text, const std::vector<unsigned char> &bytes)
-    {
-      static const auto pairs   = make_pairs();
-      const std::size_t n_whole = bytes.size() / 3, rest = bytes.size() % 3;
-      std::size_t       end = text.size();
-      text.resize(end + 4 * (n_whole + (rest > 0)), '=');
-      const auto put = [&](const unsigned int number) {
-        const auto &pair = pairs[number & 0xfff];
-        std::memcpy(&text[end], pair.data(), 2);
-        end += 2;
-      };
-      const unsigned char *p = bytes.data();
-      for (std::size_t i = 0; i < n_whole; ++i, p += 3)
-        {
-          const unsigned int number = p[0] << 16 | p[1] << 8 | p[2];
-          put(number >> 12);
-          put(number);
-        }
-      if (rest == 0)
-        return;
-      const unsigned int number = p[0] << 16 | (rest > 1 ? p[1] << 8 : 0);
-      put(number >> 12);
-      if (rest > 1)
-        text[end] = digits[number >> 6 & 0x3f];
-    }
-
-    /** In zlib's format. */
+    /** Arrays in zlib's format, one behind the other. */
     class Zipper
     {
     public:
@@ -84,24 +41,49 @@ namespace conetact
         if (!compressor)
           throw std::bad_alloc();
       }
-      /** Adds a zipped block to bytes: its size. */
+
+      /**
+       * What vtkZLibDataCompressor reads: the number of blocks, their size,
+       * that of the last one if it is shorter, zipped sizes; then the blocks.
+       */
+      void
+      append(const unsigned char *data, const std::size_t size)
+      {
+        std::vector<std::uint32_t> head = {
+          static_cast<std::uint32_t>((size + block_size - 1) / block_size),
+          block_size,
+          static_cast<std::uint32_t>(size % block_size)};
+        const std::size_t start = bytes.size();
+        head.resize(head.size() + head[0]);
+        bytes.resize(start + sizeof(std::uint32_t) * head.size());
+        for (std::size_t b = 0; b < head[0]; ++b)
+          head[3 + b] = static_cast<std::uint32_t>(
+            append_block(data + b * block_size,
+                         std::min(block_size, size - b * block_size)));
+        std::memcpy(&bytes[start],
+                    head.data(),
+                    sizeof(std::uint32_t) * head.size());
+      }
+
+      std::string bytes;
+
+    private:
+      static constexpr int fast = 1;
+
+      /** The size of the zipped block. */
       std::size_t
-      append(const unsigned char        *data,
-             const std::size_t           size,
-             std::vector<unsigned char> &bytes)
+      append_block(const unsigned char *data, const std::size_t size)
       {
         const std::size_t start = bytes.size();
         const std::size_t room =
           libdeflate_zlib_compress_bound(compressor.get(), size);
         bytes.resize(start + room);
         const std::size_t n = libdeflate_zlib_compress(
-          compressor.get(), data, size, bytes.data() + start, room);
+          compressor.get(), data, size, &bytes[start], room);
         bytes.resize(start + n);
         return n;
       }
 
-    private:
-      static constexpr int fast = 1;
       std::unique_ptr<libdeflate_compressor,
                       decltype(&libdeflate_free_compressor)>
         compressor;
@@ -149,13 +131,10 @@ namespace conetact
                               unit + "</InformationKey>\n";
     }
 
-    /** Text and arrays, one behind the other. */
+    /** Text, and the arrays that it names by their place behind it. */
     class Writer
     {
     public:
-      explicit Writer(const VtuGrid::ArrayVisitor &v)
-        : visit(v)
-      {}
       void
       add(const std::string &more)
       {
@@ -199,12 +178,13 @@ namespace conetact
         add("<Array type=\"String\" Name=\"" + name +
             "\" NumberOfTuples=\"1\"");
         add_bytes(value.c_str(), value.size() + 1);
-        add("\n</Array>\n");
+        add("</Array>\n");
       }
       std::string
-      rest()
+      file() const
       {
-        return std::move(text);
+        return text + "<AppendedData encoding=\"raw\">\n_" + arrays.bytes +
+               "\n</AppendedData>\n</VTKFile>\n";
       }
 
     private:
@@ -213,18 +193,18 @@ namespace conetact
       add_values(const std::vector<T> &values, const std::string &unit = {})
       {
         add_bytes(values.data(), sizeof(T) * values.size());
-        add('\n' + information(unit) + "</DataArray>\n");
+        add(information(unit) + "</DataArray>\n");
       }
       void
       add_bytes(const void *data, const std::size_t size)
       {
-        add(" format=\"binary\">\n");
-        visit(text, static_cast<const unsigned char *>(data), size);
-        text.clear();
+        add(" format=\"appended\" offset=\"" +
+            std::to_string(arrays.bytes.size()) + "\">\n");
+        arrays.append(static_cast<const unsigned char *>(data), size);
       }
 
-      const VtuGrid::ArrayVisitor &visit;
-      std::string                  text;
+      std::string text;
+      Zipper      arrays;
     };
 
     std::vector<double>
@@ -236,23 +216,6 @@ namespace conetact
         for (unsigned int d = 0; d < 3; ++d)
           x.push_back(p[d]);
       return x;
-    }
-
-    /** Room for the text of a grid: base64 takes four bytes for three, if
-     * nothing can be zipped. */
-    std::size_t
-    room_for(const VtuGrid &grid, const std::size_t n_connections)
-    {
-      std::size_t bytes =
-        sizeof(double) * 3 * grid.points.size() +
-        sizeof(int) *
-          (n_connections + (2 + grid.cell_ids.size()) * grid.n_cells() +
-           grid.point_ids.size() * grid.points.size());
-      for (const auto *fields : {&grid.point_fields, &grid.cell_fields})
-        for (const VtuField &field : *fields)
-          bytes += sizeof(double) * field.values.size();
-      constexpr std::size_t words = 1 << 14;
-      return words + bytes / 3 * 4;
     }
 
     /** Values of some points or cells. */
@@ -321,38 +284,7 @@ namespace conetact
         text += of_parts(heading<int>("PDataArray", numbers.name));
       return text;
     }
-  } // namespace
 
-
-
-  /*
-   * What vtkZLibDataCompressor reads: the number of blocks, their size, that
-   * of the last one if it is shorter, zipped sizes; then the blocks.
-   */
-  void
-  append_encoded(std::string         &text,
-                 const unsigned char *data,
-                 const std::size_t    size)
-  {
-    std::vector<std::uint32_t> head = {
-      static_cast<std::uint32_t>((size + block_size - 1) / block_size),
-      block_size,
-      static_cast<std::uint32_t>(size % block_size)};
-    Zipper                     zipper;
-    std::vector<unsigned char> blocks;
-    for (std::size_t start = 0; start < size; start += block_size)
-      head.push_back(static_cast<std::uint32_t>(zipper.append(
-        data + start, std::min(block_size, size - start), blocks)));
-    std::vector<unsigned char> head_bytes(sizeof(std::uint32_t) * head.size());
-    std::memcpy(head_bytes.data(), head.data(), head_bytes.size());
-    append_base64(text, head_bytes);
-    append_base64(text, blocks);
-  }
-
-
-
-  namespace
-  {
     /** VTK goes round, deal.II does not. Empty: the order is the same. */
     const std::vector<std::size_t> &
     order_of_vtk(const VtuGrid::Shape shape)
@@ -434,11 +366,9 @@ namespace conetact
 
 
   std::string
-  VtuGrid::for_each_array(const double        time,
-                          const unsigned int  increment,
-                          const ArrayVisitor &visit) const
+  VtuGrid::text(const double time, const unsigned int increment) const
   {
-    Writer writer(visit);
+    Writer writer;
     writer.add(opening("UnstructuredGrid") +
                "<UnstructuredGrid>\n<FieldData>\n");
     writer.add_single("TIME", time);
@@ -458,26 +388,8 @@ namespace conetact
     writer.add_arrays(point_fields, point_ids);
     writer.add("</PointData>\n<CellData>\n");
     writer.add_arrays(cell_fields, cell_ids);
-    writer.add("</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-    return writer.rest();
-  }
-
-
-
-  std::string
-  VtuGrid::text(const double time, const unsigned int increment) const
-  {
-    std::string text;
-    text.reserve(room_for(*this, connectivity.size()));
-    text += for_each_array(time,
-                           increment,
-                           [&](const std::string_view before,
-                               const unsigned char   *bytes,
-                               const std::size_t      n_bytes) {
-                             text += before;
-                             append_encoded(text, bytes, n_bytes);
-                           });
-    return text;
+    writer.add("</CellData>\n</Piece>\n</UnstructuredGrid>\n");
+    return writer.file();
   }
 
 

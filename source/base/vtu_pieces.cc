@@ -8,8 +8,10 @@
 #include "conetact/base/index.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
 
-#include <cstring>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
 namespace conetact
 {
@@ -17,50 +19,20 @@ namespace conetact
   {
     namespace fs = std::filesystem;
 
-    /** Texts and arrays of a file one behind the other, each with its length
-     * before it. */
-    class Message
+    /** A piece of a picture on its way to the process that writes it. */
+    struct Piece
     {
-    public:
-      Message() = default;
-      explicit Message(std::vector<char> received)
-        : bytes(std::move(received))
-      {}
-      void
-      add(const void *data, const std::size_t size)
-      {
-        const auto *const length = reinterpret_cast<const char *>(&size);
-        bytes.insert(bytes.end(), length, length + sizeof(size));
-        const auto *const begin = static_cast<const char *>(data);
-        bytes.insert(bytes.end(), begin, begin + size);
-      }
-      void
-      add(const std::string_view text)
-      {
-        add(text.data(), text.size());
-      }
-      std::string_view
-      next()
-      {
-        std::size_t size = 0;
-        std::memcpy(&size, bytes.data() + place, sizeof(size));
-        place += sizeof(size) + size;
-        return {bytes.data() + place - size, size};
-      }
-      bool
-      is_at_end() const
-      {
-        return place == bytes.size();
-      }
-      const std::vector<char> &
-      all() const
-      {
-        return bytes;
-      }
+      std::string  file;
+      VtuGrid      grid;
+      double       time      = 0;
+      unsigned int increment = 0;
 
-    private:
-      std::vector<char> bytes;
-      std::size_t       place = 0;
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &file &grid &time &increment;
+      }
     };
 
     /** A sentence if that failed: others wait for this process. */
@@ -76,29 +48,6 @@ namespace conetact
           return error.what();
         }
       return {};
-    }
-
-    void
-    send_piece(const fs::path     &file,
-               const VtuGrid      &piece,
-               const double        time,
-               const unsigned int  increment,
-               const int           to,
-               const Communicator &processes)
-    {
-      Message message;
-      message.add(fs::absolute(file).string());
-      const std::string rest =
-        piece.for_each_array(time,
-                             increment,
-                             [&](const std::string_view before,
-                                 const unsigned char   *bytes,
-                                 const std::size_t      n_bytes) {
-                               message.add(before);
-                               message.add(bytes, n_bytes);
-                             });
-      message.add(rest);
-      processes.send(message.all(), to);
     }
   } // namespace
 
@@ -116,12 +65,13 @@ namespace conetact
     AssertDimension(files.size(), cells.size());
     AssertDimension(files.size(), at(processes.size()));
     for (int p = 1; p < processes.size(); ++p)
-      send_piece(folder / files[at(p)],
-                 grid.part(cells[at(p)]),
-                 time,
-                 increment,
-                 p,
-                 processes);
+      processes.send(dealii::Utilities::pack(
+                       Piece{fs::absolute(folder / files[at(p)]).string(),
+                             grid.part(cells[at(p)]),
+                             time,
+                             increment},
+                       /* allow_compression = */ false),
+                     p);
     std::string why = try_to_write(folder / files[0],
                                    grid.part(cells[0]).text(time, increment));
     for (int p = 1; p < processes.size(); ++p)
@@ -138,18 +88,11 @@ namespace conetact
   void
   write_own_piece(const Communicator &processes)
   {
-    Message        message(processes.receive<char>(0));
-    const fs::path file = std::string(message.next());
-    std::string    text;
-    text.reserve(message.all().size() / 3 * 4);
-    for (text += message.next(); !message.is_at_end(); text += message.next())
-      {
-        const std::string_view array = message.next();
-        append_encoded(text,
-                       reinterpret_cast<const unsigned char *>(array.data()),
-                       array.size());
-      }
-    const std::string why = try_to_write(file, text);
+    const auto piece =
+      dealii::Utilities::unpack<Piece>(processes.receive<char>(0),
+                                       /* allow_compression = */ false);
+    const std::string why =
+      try_to_write(piece.file, piece.grid.text(piece.time, piece.increment));
     processes.send(std::vector<char>(why.begin(), why.end()), 0);
   }
 } // namespace conetact

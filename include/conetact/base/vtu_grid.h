@@ -6,9 +6,7 @@
 
 #include "conetact/base/points.h"
 
-#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace conetact
@@ -22,6 +20,13 @@ namespace conetact
     /** Of each component, where x, y, z would be wrong. */
     std::vector<std::string> components = {};
     std::string              unit       = {}; ///< empty: not known
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &name &n_components &values &components &unit;
+    }
   };
 
   /** Whole numbers of cells or points, such as ids. */
@@ -29,13 +34,20 @@ namespace conetact
   {
     std::string      name;
     std::vector<int> values;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &name &values;
+    }
   };
 
   /**
    * Points, cells and fields of a picture, as VTK's unstructured grids are:
    * deal.II's writers know neither fields of cells nor double precision, and
-   * double each point for each cell. The text is XML with arrays in binary,
-   * zipped and in base64, positions and fields with all their digits.
+   * double each point for each cell. The text is XML, behind which arrays stand
+   * zipped in binary, positions and fields with all their digits.
    */
   struct VtuGrid
   {
@@ -88,16 +100,6 @@ namespace conetact
     std::string
     text(const double time, const unsigned int increment) const;
 
-    /** Text before an array, and what it is in memory. */
-    using ArrayVisitor = std::function<void(const std::string_view before,
-                                            const unsigned char   *bytes,
-                                            const std::size_t      n_bytes)>;
-    /** The file array by array; returns the text behind the last one. */
-    std::string
-    for_each_array(const double        time,
-                   const unsigned int  increment,
-                   const ArrayVisitor &visit) const;
-
     /** Some of the cells, with their points. */
     VtuGrid
     part(const std::vector<unsigned int> &cells) const;
@@ -106,6 +108,14 @@ namespace conetact
     std::string
     text_of_parts(const std::vector<std::string> &files) const;
 
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &points &point_fields &cell_fields &point_ids &cell_ids &units
+        &unit_of_points &connectivity &offsets &shapes;
+    }
+
   private:
     void
     add_vtk_cell(const Shape shape, const int *begin, const int *end);
@@ -113,12 +123,6 @@ namespace conetact
     std::vector<int>   connectivity, offsets; ///< as VTK has them
     std::vector<Shape> shapes;
   };
-
-  /** Adds an array to the text of a file: zipped, in base64. */
-  void
-  append_encoded(std::string         &text,
-                 const unsigned char *bytes,
-                 const std::size_t    n_bytes);
 } // namespace conetact
 
 #endif

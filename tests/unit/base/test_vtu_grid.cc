@@ -3,8 +3,6 @@
 
 #include "conetact/base/vtu_grid.h"
 
-#include <deal.II/base/utilities.h>
-
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -19,34 +17,28 @@ namespace
   std::vector<T>
   values(const std::string &text, const std::string &name)
   {
-    const auto        at    = text.find("Name=\"" + name + "\"");
-    const auto        begin = text.find('\n', at) + 1;
-    const std::string body = text.substr(begin, text.find('\n', begin) - begin);
-    const auto        word = [&](const std::vector<unsigned char> &bytes,
-                          const std::size_t                 i) {
+    const std::string offset = "offset=\"";
+    const auto        at =
+      text.find(offset, text.find("Name=\"" + name + "\"")) + offset.size();
+    const char *const head =
+      text.data() + text.find("raw\">\n_") + 7 + std::stoul(text.substr(at));
+    const auto word = [&](const std::size_t i) {
       std::uint32_t n = 0;
-      std::memcpy(&n, bytes.data() + 4 * i, 4);
+      std::memcpy(&n, head + 4 * i, 4);
       return n;
     };
-    const auto n_blocks =
-      word(dealii::Utilities::decode_base64(body.substr(0, 16)), 0);
-    const std::size_t head_length = (4 * (3 + n_blocks) + 2) / 3 * 4;
-    const auto        head =
-      dealii::Utilities::decode_base64(body.substr(0, head_length));
-    const auto data =
-      dealii::Utilities::decode_base64(body.substr(head_length));
+    const auto        n_blocks = word(0);
+    const auto *const data =
+      reinterpret_cast<const unsigned char *>(head + 4 * (3 + n_blocks));
     std::vector<unsigned char> bytes;
     std::size_t                start = 0;
     for (std::uint32_t b = 0; b < n_blocks; ++b)
       {
-        uLongf                     size = word(head, 1);
+        uLongf                     size = word(1);
         std::vector<unsigned char> block(size);
-        EXPECT_EQ(uncompress(block.data(),
-                             &size,
-                             data.data() + start,
-                             word(head, 3 + b)),
+        EXPECT_EQ(uncompress(block.data(), &size, data + start, word(3 + b)),
                   Z_OK);
-        start += word(head, 3 + b);
+        start += word(3 + b);
         bytes.insert(bytes.end(),
                      block.begin(),
                      block.begin() + static_cast<std::ptrdiff_t>(size));
