@@ -27,8 +27,8 @@ def read_table(file: str | Path) -> Table:
     array([8])
     """
     try:
-        with open(file, newline="") as stream:
-            names, *rows = csv.reader(stream)
+        whole, _, _ = Path(file).read_text().rpartition("\n")  # a kill may tear the last row
+        names, *rows = csv.reader(whole.splitlines())
         columns: list[Table] = [np.array([row[i] for row in rows], dtype=str).astype(KINDS.get(name, float))
                    for i, name in enumerate(names)]
     except OSError:

@@ -7,6 +7,7 @@
 #include "conetact/base/new_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -30,8 +31,9 @@ namespace conetact
     void
     write_file(const fs::path &file, const std::string_view text, const int how)
     {
-      const int fd = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | how, 0666);
-      if (fd < 0)
+      const int   fd = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | how, 0666);
+      struct stat before;
+      if (fd < 0 || ::fstat(fd, &before) != 0)
         fail(file);
       for (std::string_view rest = text; !rest.empty();)
         {
@@ -41,6 +43,8 @@ namespace conetact
           if (n < 0)
             {
               const std::error_code error(errno, std::generic_category());
+              // The error that is told is the first one.
+              [[maybe_unused]] const int cut = ::ftruncate(fd, before.st_size);
               ::close(fd);
               fail_to_write(file, error);
             }

@@ -94,8 +94,9 @@ namespace conetact::output
         ++number;
         if (!std::getline(stream, line))
           return false;
-        const unsigned long k = std::strtoul(line.c_str(), nullptr, 10);
-        if (k > n_increments)
+        const unsigned long k       = std::strtoul(line.c_str(), nullptr, 10);
+        const bool          is_torn = stream.eof(); // by a kill
+        if (k > n_increments || (is_torn && increment == n_increments))
           return false;
         if (k != increment && k != increment + 1)
           refuse(file,

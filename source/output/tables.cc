@@ -26,7 +26,7 @@ namespace conetact::output
     }
 
     /** A table of something that only some runs look for. */
-    std::filesystem::path
+    void
     begin_table(const std::filesystem::path &file,
                 const bool                   is_wanted,
                 const std::string           &header)
@@ -35,15 +35,15 @@ namespace conetact::output
         write_atomically(file, header);
       else
         std::filesystem::remove(file);
-      return file;
     }
   } // namespace
 
   Tables::Tables(const RunDescription &run)
     : reactions(run)
     , increments(run)
-    , reactions_file(run.folder / "reactions.csv")
-    , increments_file(run.folder / "increments.csv")
+    , folder(run.folder)
+    , has_others(run.judges_uniqueness)
+    , has_branches(run.follows_branches)
   {
     const std::string first_reactions =
       reactions.header() +
@@ -58,19 +58,11 @@ namespace conetact::output
                        write_atomically(run.folder / "increments.csv",
                                         first_increments);
                      });
-    beginning = first_reactions.size() + first_increments.size();
-    const std::filesystem::path others =
-      begin_table(run.folder / "reactions-2.csv",
-                  run.judges_uniqueness,
-                  reactions.header());
-    if (run.judges_uniqueness)
-      others_file.emplace(others);
-    const std::filesystem::path all =
-      begin_table(run.folder / "solutions.csv",
-                  run.follows_branches,
-                  "branch,parent," + reactions.header());
-    if (run.follows_branches)
-      branches_file.emplace(all);
+    n_bytes = first_reactions.size() + first_increments.size();
+    begin_table(folder / "reactions-2.csv", has_others, reactions.header());
+    begin_table(folder / "solutions.csv",
+                has_branches,
+                "branch,parent," + reactions.header());
   }
 
 
@@ -80,25 +72,13 @@ namespace conetact::output
   {
     std::string new_reactions, new_increments, new_others, new_branches;
     const auto  publish = [&] {
-      try
-        {
-          reactions_file.add(new_reactions);
-          increments_file.add(new_increments);
-          reactions_file.publish();
-          increments_file.publish();
-          for (auto *const file : {&others_file, &branches_file})
-            if (*file)
-              {
-                (*file)->add(file == &others_file ? new_others : new_branches);
-                (*file)->publish();
-              }
-        }
-      catch (const WriteError &)
-        {
-          reactions_file.clear();
-          increments_file.clear();
-          throw;
-        }
+      append_to_file(folder / "reactions.csv", new_reactions);
+      append_to_file(folder / "increments.csv", new_increments);
+      n_bytes += new_reactions.size() + new_increments.size();
+      if (has_others)
+        append_to_file(folder / "reactions-2.csv", new_others);
+      if (has_branches)
+        append_to_file(folder / "solutions.csv", new_branches);
     };
     try
       {
@@ -133,7 +113,6 @@ namespace conetact::output
   OutputWork
   Tables::work() const
   {
-    return {0,
-            beginning + reactions_file.n_bytes() + increments_file.n_bytes()};
+    return {0, n_bytes};
   }
 } // namespace conetact::output

@@ -22,8 +22,8 @@ def root_of(file):
     return xml.etree.ElementTree.fromstring(text + b"</VTKFile>" if arrays else text)
 
 
-def readable(laws, folder, what, quiet=False):
-    """Every table and picture on disk is whole."""
+def readable(laws, folder, what, quiet=False, killed=False):
+    """Every table and picture on disk is whole, but for the last row where the program was killed."""
     faults = []
     tables = {}
     for name in ("increments.csv", "reactions.csv", "events.csv"):
@@ -31,6 +31,8 @@ def readable(laws, folder, what, quiet=False):
         if not file.exists():
             continue
         content = file.read_text()
+        if killed:
+            content = content[:content.rfind("\n") + 1]
         if content and not content.endswith("\n"):
             faults.append(f"{name} ends within a line")
         rows = list(csv.reader(content.splitlines()))
@@ -44,7 +46,7 @@ def readable(laws, folder, what, quiet=False):
     counts = [seen.count(k) for k in dict.fromkeys(seen)]
     if list(dict.fromkeys(seen)) != [str(k + 1) for k in range(len(counts))] or len(set(counts)) > 1:
         faults.append("reactions have holes")
-    if abs(len(counts) - len(written)) > TOGETHER:  # a kill between their two renames
+    if abs(len(counts) - len(written)) > TOGETHER:  # a kill between the two
         faults.append(f"{len(counts)} increments of reactions, {len(written)} of resultants")
     pictures = 0
     for file in folder.glob("*.*"):
@@ -81,7 +83,7 @@ def kill_at(laws, file, n, name):
     process.kill()
     if process.wait() != -signal.SIGKILL:
         return None
-    return readable(laws, folder, f"killed at increment {n}", quiet=True) if folder.exists() else 0
+    return readable(laws, folder, f"killed at increment {n}", quiet=True, killed=True) if folder.exists() else 0
 
 
 def kill(laws):

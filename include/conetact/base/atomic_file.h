@@ -24,8 +24,9 @@ namespace conetact
   fail_to_write(const std::filesystem::path &file,
                 const std::error_code       &error);
 
-  /** Adds to a file that is there; no more of it may be seen as whole if that
-   * fails. Throws WriteError. */
+  /** Adds whole lines to a file that is there, by one call of the system.
+   * Throws WriteError, with the file as it was; only a kill in between can
+   * leave a part of a line at its end. */
   void
   append_to_file(const std::filesystem::path &file,
                  const std::string_view       text);

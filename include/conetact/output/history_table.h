@@ -4,7 +4,6 @@
 #ifndef conetact_output_history_table_h
 #define conetact_output_history_table_h
 
-#include "conetact/base/growing_file.h"
 #include "conetact/output/output.h"
 
 #include <cstdint>
@@ -32,8 +31,7 @@ namespace conetact::output
     append(const IncrementRecord &record, std::string &text) const;
 
     const RunDescription run;
-    GrowingFile          file;
-    std::uint64_t        beginning = 0; ///< bytes that the constructor wrote
+    std::uint64_t        n_bytes = 0; ///< written so far
   };
 } // namespace conetact::output
 

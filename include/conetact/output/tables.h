@@ -4,20 +4,19 @@
 #ifndef conetact_output_tables_h
 #define conetact_output_tables_h
 
-#include "conetact/base/growing_file.h"
 #include "conetact/output/increment_table.h"
 #include "conetact/output/output.h"
 #include "conetact/output/reaction_table.h"
 
 #include <cstdint>
-#include <optional>
+#include <filesystem>
 
 namespace conetact::output
 {
   /**
-   * `reactions.csv` and `increments.csv`, which grow together, once for
-   * increments that finish together, and `reactions-2.csv` of increments that
-   * have another solution, `solutions.csv` of all of them. The constructor
+   * `reactions.csv` and `increments.csv`, which grow by the rows of increments
+   * that finish together, the latter last, and `reactions-2.csv` of increments
+   * that have another solution, `solutions.csv` of all of them. The constructor
    * writes them without rows, or with those of the run that is continued, so
    * that old tables do not pass for those of this run.
    */
@@ -32,13 +31,12 @@ namespace conetact::output
     work() const override;
 
   private:
-    ReactionTable  reactions;
-    IncrementTable increments;
-    GrowingFile    reactions_file, increments_file;
-    /** Other solutions, where they are looked for. */
-    std::optional<GrowingFile> others_file;
-    std::optional<GrowingFile> branches_file; ///< the same, of all
-    std::uint64_t beginning = 0; ///< bytes that the constructor wrote
+    ReactionTable               reactions;
+    IncrementTable              increments;
+    const std::filesystem::path folder;
+    /** Of other solutions, where they are looked for; and of all of them. */
+    const bool    has_others, has_branches;
+    std::uint64_t n_bytes = 0; ///< of the first two tables, written so far
   };
 } // namespace conetact::output
 

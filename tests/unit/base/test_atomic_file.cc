@@ -4,6 +4,8 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 
+#include <sys/resource.h>
+
 #include "files.h"
 
 using namespace conetact;
@@ -38,4 +40,25 @@ TEST(AtomicFile, AFailureLeavesTheOldOneAndNoRest)
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".tmp"));
   EXPECT_THROW(write_atomically(test::folder() / "no" / "file", "text"),
                WriteError);
+}
+
+
+
+TEST(AtomicFile, LinesAreAddedAsAWholeOrNotAtAll)
+{
+  const auto file = test::folder() / "growing.txt";
+  write_atomically(file, "one\n");
+  append_to_file(file, "two\n");
+  EXPECT_EQ(read_file(file), "one\ntwo\n");
+  take_size_limits_as_errors();
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  rlimit ten   = before;
+  ten.rlim_cur = 10; // two bytes more than the file has
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &ten), 0);
+  EXPECT_THROW(append_to_file(file, "three\n"), WriteError);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(read_file(file), "one\ntwo\n");
+  std::filesystem::remove(file);
+  EXPECT_THROW(append_to_file(file, "four\n"), WriteError);
 }

@@ -746,6 +746,8 @@ namespace
     run.former   = run.folder;
     run.n_former = 2;
     run.loads    = {"new"};
+    for (const char *table : {"increments.csv", "reactions.csv"})
+      append_to_file(run.folder / table, "2"); // of 23, torn by a kill
     create("tables")->write({record(3), record(4)});
     const Rows rows = read_csv(run.folder / "increments.csv");
     ASSERT_EQ(rows.size(), 5u);
