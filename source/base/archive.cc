@@ -8,7 +8,12 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
 #include <boost/crc.hpp>
+#include <boost/serialization/map.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <cmath>
 #include <cstring>
@@ -21,7 +26,7 @@ namespace conetact
 {
   namespace
   {
-    constexpr const char *first_line = "Conetact archive 3";
+    constexpr const char *first_line = "Conetact archive 4";
     constexpr const char *last_word  = "checksum ";
 
     [[noreturn]] void
@@ -66,38 +71,24 @@ namespace conetact
       return text;
     }
 
-    /** All that a run keeps is finite. */
-    std::vector<double>
-    numbers_of(const std::string           &bytes,
-               const std::string           &name,
-               const std::filesystem::path &file)
+    template <class Kept>
+    const Kept &
+    named(const std::map<std::string, Kept> &all, const std::string &name)
     {
-      if (bytes.size() % sizeof(double) != 0)
-        refuse(file);
-      std::vector<double> values(bytes.size() / sizeof(double));
-      if (!bytes.empty())
-        std::memcpy(values.data(), bytes.data(), bytes.size());
-      for (const double value : values)
-        if (!std::isfinite(value))
-          throw InputError("The checkpoint " + file.string() +
-                           " is damaged: its '" + name +
-                           "' holds what is no finite number. Run the scene "
-                           "from its start.");
-      return values;
+      const auto found = all.find(name);
+      if (found == all.end())
+        throw InputError("The checkpoint does not know '" + name +
+                         "': it was written by another version of the "
+                         "program. Run the scene from its start.");
+      return found->second;
     }
 
-    // "numbers BYTES NAME", then so many bytes and the end of the line
-    void
-    append(std::string       &text,
-           const char        *kind,
-           const std::string &name,
-           const char        *data,
-           const std::size_t  size)
+    bool
+    are_finite(const std::vector<double> &values)
     {
-      text +=
-        std::string(kind) + ' ' + std::to_string(size) + ' ' + name + '\n';
-      text.append(data, size);
-      text += '\n';
+      return std::all_of(values.begin(), values.end(), [](const double x) {
+        return std::isfinite(x);
+      });
     }
   } // namespace
 
@@ -133,12 +124,7 @@ namespace conetact
   const std::vector<double> &
   Archive::get(const std::string &name) const
   {
-    const auto found = numbers.find(name);
-    if (found == numbers.end())
-      throw InputError("The checkpoint does not know '" + name +
-                       "': it was written by another version of the program. "
-                       "Run the scene from its start.");
-    return found->second;
+    return named(numbers, name);
   }
 
 
@@ -146,12 +132,7 @@ namespace conetact
   const std::string &
   Archive::get_text(const std::string &name) const
   {
-    const auto found = texts.find(name);
-    if (found == texts.end())
-      throw InputError("The checkpoint does not know '" + name +
-                       "': it was written by another version of the program. "
-                       "Run the scene from its start.");
-    return found->second;
+    return named(texts, name);
   }
 
 
@@ -177,23 +158,13 @@ namespace conetact
     Assert(std::all_of(numbers.begin(),
                        numbers.end(),
                        [](const auto &list) {
-                         return std::all_of(list.second.begin(),
-                                            list.second.end(),
-                                            [](const double x) {
-                                              return std::isfinite(x);
-                                            });
+                         return are_finite(list.second);
                        }),
            dealii::ExcMessage("All that a run keeps is finite."));
-    std::string text = std::string(first_line) + '\n';
-    for (const auto &[name, value] : texts)
-      append(text, "text", name, value.data(), value.size());
-    for (const auto &[name, values] : numbers)
-      append(text,
-             "numbers",
-             name,
-             reinterpret_cast<const char *>(values.data()),
-             sizeof(double) * values.size());
-    append(text, "end", "end", "", 0);
+    std::ostringstream stream;
+    stream << first_line << '\n';
+    boost::archive::binary_oarchive(stream) << texts << numbers;
+    const std::string text = stream.str();
     write_atomically(file, text + last_word + checksum(text) + '\n');
   }
 
@@ -202,30 +173,25 @@ namespace conetact
   Archive
   Archive::read(const std::filesystem::path &file)
   {
-    const std::string  content = checked_content(file);
-    const std::size_t  most    = content.size();
-    std::istringstream stream(content);
-    std::string        line;
-    std::getline(stream, line); // the first one
-    for (Archive archive; std::getline(stream, line);)
+    std::istringstream stream(checked_content(file));
+    std::string        first;
+    std::getline(stream, first);
+    Archive archive;
+    try
       {
-        std::istringstream head(line);
-        std::string        kind, name;
-        std::size_t        size = 0;
-        if (!(head >> kind >> size) || head.get() != ' ' ||
-            !std::getline(head, name) || size > most)
-          refuse(file);
-        std::string bytes(size, '\0');
-        if (!stream.read(bytes.data(), static_cast<std::streamsize>(size)) ||
-            stream.get() != '\n')
-          refuse(file);
-        if (kind == "end")
-          return archive;
-        if (kind == "text")
-          archive.texts[name] = bytes;
-        else
-          archive.numbers[name] = numbers_of(bytes, name, file);
+        boost::archive::binary_iarchive(stream) >> archive.texts >>
+          archive.numbers;
       }
-    refuse(file);
+    catch (const boost::archive::archive_exception &)
+      {
+        refuse(file);
+      }
+    for (const auto &[name, values] : archive.numbers)
+      if (!are_finite(values))
+        throw InputError("The checkpoint " + file.string() +
+                         " is damaged: its '" + name +
+                         "' holds what is no finite number. Run the scene "
+                         "from its start.");
+    return archive;
   }
 } // namespace conetact

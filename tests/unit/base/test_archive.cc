@@ -85,7 +85,7 @@ TEST(Archive, PartsOfAFileAreRefused)
     EXPECT_NE(reading(whole.substr(0, n)).find("is not a whole checkpoint"),
               std::string::npos)
       << n;
-  EXPECT_NE(reading("Conetact archive 3\nnumbers 99999999999 x\n")
+  EXPECT_NE(reading("Conetact archive 4\nnumbers 99999999999 x\n")
               .find("is not a whole checkpoint"),
             std::string::npos);
 }
