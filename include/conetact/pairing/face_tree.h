@@ -6,14 +6,14 @@
 
 #include "conetact/base/points.h"
 
-#include <functional>
+#include <memory>
 #include <vector>
 
 namespace conetact::pairing
 {
   /**
-   * A tree of balls around faces, so that what is near a point or a line is
-   * found without looking at all faces. Lengths as in the coordinates.
+   * Balls around faces in a tree of boxes, so that what is near a point or a
+   * line is found without looking at all faces. Lengths as in the coordinates.
    */
   class FaceTree
   {
@@ -40,22 +40,17 @@ namespace conetact::pairing
           const double        reach) const;
 
   private:
-    struct Branch
-    {
-      Ball        ball;
-      std::size_t begin, end;          ///< in `order`
-      std::size_t left = 0, right = 0; ///< 0: a leaf
-    };
-    std::size_t
-    grow(const std::size_t begin, const std::size_t end);
-    Ball
-    around(const std::size_t begin, const std::size_t end) const;
+    struct Boxes;
+    /** Those that meet, of balls whose boxes come near the line from a to b. */
+    template <class Meets>
     std::vector<std::size_t>
-    find(const std::function<bool(const Ball &)> &may_meet) const;
+    find(const Point<3> &a,
+         const Point<3> &b,
+         const double    distance,
+         const Meets    &meets) const;
 
-    std::vector<Ball>        balls;
-    std::vector<std::size_t> order;
-    std::vector<Branch>      branches;
+    std::vector<Ball>            balls;
+    std::shared_ptr<const Boxes> boxes; ///< around the balls
   };
 } // namespace conetact::pairing
 
