@@ -49,7 +49,7 @@ namespace conetact::analysis
       }
   }
 
-  ContactSearch::Nodes
+  ContactSearch::Found
   ContactSearch::find_there(const Eigen::VectorXd &u,
                             const double           t,
                             const bool             keep_faced) const
@@ -63,15 +63,15 @@ namespace conetact::analysis
       keep_faced);
   }
 
-  ContactSearch::Nodes
-  ContactSearch::linearised(Nodes nodes) const
+  ContactSearch::Found
+  ContactSearch::linearised(Found found) const
   {
-    contact::align_with_supports(model.bodies, nodes);
-    contacts.linearise(nodes);
-    return nodes;
+    contact::align_with_supports(model.bodies, found.nodes);
+    contacts.linearise(found.nodes);
+    return found;
   }
 
-  ContactSearch::Nodes
+  ContactSearch::Found
   ContactSearch::find(const Eigen::VectorXd &u,
                       const double           t,
                       const bool             keep_faced) const
@@ -79,13 +79,14 @@ namespace conetact::analysis
     return linearised(find_there(u, t, keep_faced));
   }
 
-  ContactSearch::Nodes
+  ContactSearch::Found
   ContactSearch::find_between(const Eigen::VectorXd &u,
                               const double           t,
                               const double           part) const
   {
     Assert(part >= 0 && part <= 1, dealii::ExcMessage("A part of the way."));
-    Nodes nodes = find_there(u, t, /*keep_faced=*/true);
+    Found  found = find_there(u, t, /*keep_faced=*/true);
+    Nodes &nodes = found.nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (const Tensor<1, 3> &last = model.points.nodes()[i].n;
           nodes[i].slides && nodes[i].n * last > 0)
@@ -93,7 +94,7 @@ namespace conetact::analysis
           nodes[i].n = last + part * (nodes[i].n - last);
           nodes[i].n /= nodes[i].n.norm();
         }
-    return linearised(std::move(nodes));
+    return linearised(std::move(found));
   }
 
   /* Friction opposes the slip from one end of an increment to the other: a
@@ -135,7 +136,7 @@ namespace conetact::analysis
            to_text(largest) + " degrees at most";
   }
 
-  ContactSearch::Nodes
+  ContactSearch::Found
   ContactSearch::guess(const double t)
   {
     const contact::RigidMotions &motions = model.motions;
@@ -207,10 +208,12 @@ namespace conetact::analysis
     return worst;
   }
 
-  void
-  ContactSearch::take(Nodes found, contact::ContactHistory &history) const
+  std::string
+  ContactSearch::take(Found found, contact::ContactHistory &history) const
   {
-    history.relink(std::move(found), start, start_t);
+    return found.why_not.empty() ?
+             history.relink(std::move(found.nodes), start, start_t) :
+             found.why_not;
   }
 
   void
@@ -280,6 +283,7 @@ namespace conetact::analysis
     start_inside =
       pairing::restore_entries(archive, model.bodies.structures, start_nodes);
     go_back();
-    take(start_nodes, history);
+    if (const std::string why = take({start_nodes}, history); !why.empty())
+      throw AnalysisError(why);
   }
 } // namespace conetact::analysis

@@ -134,7 +134,7 @@ namespace conetact::analysis
           }
         if (why.empty() && search.is_needed())
           {
-            why           = try_to_settle(batch.back());
+            why           = settle(batch.back());
             lost_contacts = !why.empty();
           }
         if (!why.empty())
@@ -180,7 +180,7 @@ namespace conetact::analysis
   {
     const double t = parts.end(scene.times[k - 1]);
     if (search.is_needed())
-      take(search.guess(t));
+      must_take(search.guess(t));
     PendingIncrement increment{history, history};
     increment.record.increment = k;
     increment.record.time      = t;

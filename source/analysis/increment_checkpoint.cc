@@ -26,7 +26,7 @@ namespace conetact::analysis
         if (at_end) // the model has contacts of an increment that failed
           {
             search.go_back();
-            take(search.accepted());
+            must_take({search.accepted()});
           }
       }
     write_checkpoint();

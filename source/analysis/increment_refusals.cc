@@ -78,7 +78,8 @@ namespace conetact::analysis
   {
     if (!lost_contacts)
       return "";
-    take(search.guess(search.time()));
+    if (const std::string why = take(search.guess(search.time())); !why.empty())
+      return why;
     PendingIncrement increment{history, history};
     increment.record.increment = k;
     increment.record.time      = parts.end(scene.times[k - 1]);

@@ -16,32 +16,45 @@
 
 namespace conetact::analysis
 {
-  void
-  IncrementAnalysis::take(ContactSearch::Nodes found)
+  std::string
+  IncrementAnalysis::take(ContactSearch::Found found)
   {
-    search.take(std::move(found), history);
+    if (std::string why = search.take(std::move(found), history); !why.empty())
+      return why;
     acceptance.relink();
     existence.reset();
     if (const std::string why = model.why_not(); !why.empty())
       {
         if (!fits_condensed(model, scene.times.size(), scene.n_drawings()))
-          throw AnalysisError(
-            "Contacts have slid to where Backend = iterative " + why +
-            ", and condensed bodies take more memory "
-            "than this machine has.");
+          return "Contacts have slid to where Backend = iterative " + why +
+                 ", and condensed bodies take more memory than this machine "
+                 "has.";
         condense_from_here("Contacts have slid to where Backend = iterative " +
                            why + ".");
       }
+    return {};
+  }
+
+  void
+  IncrementAnalysis::must_take(ContactSearch::Found found)
+  {
+    if (const std::string why = take(std::move(found)); !why.empty())
+      throw AnalysisError(why);
   }
 
   std::string
-  IncrementAnalysis::solve_with(ContactSearch::Nodes found,
+  IncrementAnalysis::solve_with(ContactSearch::Found found,
                                 PendingIncrement    &increment)
   {
     const Eigen::VectorXd w = model.elasticity().deformation(increment.primal);
     const Eigen::VectorXd motions = increment.motions;
     history                       = increment.before;
-    take(std::move(found));
+    if (std::string lost = take(std::move(found)); !lost.empty())
+      {
+        if (lost.back() == '.') // the sentence goes on
+          lost.pop_back();
+        return lost;
+      }
     increment.before = history;
     apply_loads(increment);
     solvers::ContactState guess = history.start();
@@ -51,22 +64,6 @@ namespace conetact::analysis
     const std::string  why      = solve_contact(increment, guess);
     increment.record.report.iterations += before;
     return why;
-  }
-
-  std::string
-  IncrementAnalysis::try_to_settle(PendingIncrement &increment)
-  {
-    try
-      {
-        return settle(increment);
-      }
-    catch (const AnalysisError &error) // nodes without a place
-      {
-        std::string why = error.what();
-        if (!why.empty() && why.back() == '.') // the sentence goes on
-          why.pop_back();
-        return why;
-      }
   }
 
   std::string
@@ -83,10 +80,13 @@ namespace conetact::analysis
         const Eigen::VectorXd w =
           model.elasticity().expand({&increment.load}, {increment.primal});
         const Eigen::VectorXd u = acceptance.displacements(increment, w);
-        ContactSearch::Nodes  found =
+        ContactSearch::Found  found =
           search.find(u, increment.record.time, n_slow > 1);
-        const ContactSearch::Change change = search.change(increment, u, found);
-        const Eigen::VectorXd       moved =
+        if (!found.why_not.empty())
+          return found.why_not;
+        const ContactSearch::Change change =
+          search.change(increment, u, found.nodes);
+        const Eigen::VectorXd moved =
           acceptance.amounts(increment) +
           model.motions.of_free(model.motions.free_in(w));
         // cos a - 1 is what a small rotation by a strains its body

@@ -3,7 +3,6 @@
 
 #include "conetact/analysis/small_kinematics.h"
 
-#include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/bodies/displaced.h"
 #include "conetact/bodies/face_nodes.h"
@@ -339,19 +338,13 @@ namespace conetact::analysis
       {
         const auto motion =
           obstacle_motion(node, end.amounts, end.increment.record.time);
-        try
-          {
-            const Tensor<1, 3> own = motion.relative(
-              node.position,
-              model.displacement(end.finding.u, node.body, node.node));
-            change =
-              motion.direction_to_space(
-                node.obstacle->shape->closest(node.position + own, node.spacing)
-                  .normal) -
-              node.n;
-          }
-        catch (const InputError &)
-          {} // there is no normal there
+        const Tensor<1, 3> own = motion.relative(
+          node.position,
+          model.displacement(end.finding.u, node.body, node.node));
+        if (const auto there =
+              node.obstacle->shape->closest_if_any(node.position + own,
+                                                   node.spacing))
+          change = motion.direction_to_space(there->normal) - node.n;
         return change;
       }
     const auto faces = faces_at.find({node.contact, node.node});

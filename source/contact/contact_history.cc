@@ -120,14 +120,16 @@ namespace conetact::contact
     return gap;
   }
 
-  void
+  std::string
   ContactHistory::relink(std::vector<pairing::ContactNode> nodes,
                          const Eigen::VectorXd            &u,
                          const double                      t)
   {
     Assert(u.size() == 0 || u.size() == model->coordinates.n_dofs(),
            dealii::ExcMessage("Displacements of all dofs, or none yet."));
-    model->relink(std::move(nodes), elastic);
+    if (std::string why = model->relink(std::move(nodes), elastic);
+        !why.empty())
+      return why;
     Eigen::Index i = 0;
     for (const ContactPoint &point : model->points)
       initial_gap[i++] = point.node->gap;
@@ -138,6 +140,7 @@ namespace conetact::contact
       if (model->frames.has(
             model->motions.body_of_free()[static_cast<std::size_t>(j)]))
         elastic.motions[j] = elastic.base[j] = 0;
+    return {};
   }
 
   void

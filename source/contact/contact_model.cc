@@ -326,21 +326,23 @@ namespace conetact::contact
       }
   }
 
-  void
+  std::string
   ContactModel::relink(std::vector<pairing::ContactNode> nodes,
                        ElasticState                     &state)
   {
     turn_ties(bodies, nodes);
-    points.relink(std::move(nodes), times);
+    if (std::string why = points.relink(std::move(nodes), times); !why.empty())
+      return why;
     motions.see_contacts(points);
     if (!made || made->relink())
-      return;
+      return {};
     Eigen::VectorXd w;
     if (why_not().empty() && state.start.size() > 0)
       w = made->deformation(state.start);
     made.reset(); // before there is another one
     if (w.size() > 0)
       state.start = elasticity().nearby(w, Eigen::VectorXd());
+    return {};
   }
 
   bool

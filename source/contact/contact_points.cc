@@ -74,11 +74,11 @@ namespace conetact::contact
         point.frictionless.push_back(tangent);
     }
 
-    /** Neither along the normal nor across it is it held. */
-    [[noreturn]] void
-    refuse_oblique(const pairing::ContactNode &node,
-                   const NodeRule             &rule,
-                   const Bodies               &bodies)
+    /** A sentence: neither along the normal nor across it is it held. */
+    std::string
+    why_oblique(const pairing::ContactNode &node,
+                const NodeRule             &rule,
+                const Bodies               &bodies)
     {
       const bodies::Support &support =
         bodies.supports[rule.held.back().terms.front().support];
@@ -86,18 +86,17 @@ namespace conetact::contact
         to_text(node.position) + " of body '" + bodies.names[node.body] + "'";
       if (bodies.are_axisymmetric() &&
           support.ids.empty()) // no entry: the axis
-        throw InputError(
-          "The contact node at " + at + " lies on the axis, but its contact " +
-          "normal " + to_text(node.n) + " is not along it. A body of " +
-          "revolution (Plane = axisymmetric) meets an obstacle that goes round " +
-          "the axis, too: centre the obstacle on the axis, with its normal " +
-          "there along y, or take the node out of the contact.");
-      throw InputError("Support '" + support.name +
-                       "' holds the contact node at " + at + " along " +
-                       to_text(rule.held.back().direction) +
-                       ", neither along its contact normal " + to_text(node.n) +
-                       " nor across it. Take the node out of the support or of "
-                       "the contact.");
+        return "The contact node at " + at +
+               " lies on the axis, but its contact normal " + to_text(node.n) +
+               " is not along it. A body of revolution (Plane = axisymmetric) "
+               "meets an obstacle that goes round the axis, too: centre the "
+               "obstacle on the axis, with its normal there along y, or take "
+               "the node out of the contact.";
+      return "Support '" + support.name + "' holds the contact node at " + at +
+             " along " + to_text(rule.held.back().direction) +
+             ", neither along its contact normal " + to_text(node.n) +
+             " nor across it. Take the node out of the support or of "
+             "the contact.";
     }
   } // namespace
 
@@ -121,12 +120,13 @@ namespace conetact::contact
     : bodies(b)
     , supports(s)
   {
-    add_all(times);
+    if (const std::string why = add_all(times); !why.empty())
+      throw InputError(why);
   }
 
 
 
-  void
+  std::string
   ContactPoints::add_all(const std::vector<double> &times)
   {
     const BoundNodes bound(nodes());
@@ -135,13 +135,14 @@ namespace conetact::contact
         continue;
       else if (bound.hold(node)) // its gap cannot change: no unknown
         ++n_held_normals;
-      else
-        add(node, times);
+      else if (const std::string why = add(node, times); !why.empty())
+        return why;
     n_candidates = points.size();
     for (const pairing::ContactNode &node : nodes())
       if (node.is_bound())
         add_bound(node);
     number();
+    return {};
   }
 
 
@@ -156,7 +157,7 @@ namespace conetact::contact
 
 
 
-  void
+  std::string
   ContactPoints::relink(std::vector<pairing::ContactNode> nodes,
                         const std::vector<double>        &times)
   {
@@ -167,25 +168,21 @@ namespace conetact::contact
     n_held_normals = 0;
     n_all          = 0;
     points.clear();
-    try
-      {
-        add_all(times);
-      }
-    catch (const InputError &error)
-      {
-        throw AnalysisError(error.what());
-      }
-    bool same = contact_layout.first == before.first;
+    const std::string why = add_all(times);
+    bool same             = why.empty() && contact_layout.first == before.first;
     for (std::size_t i = 0; i < n_candidates && same; ++i)
       if (const auto k = static_cast<Eigen::Index>(i); points[i].node->friction)
         contact_layout.mu[k] = points[i].mu = before.mu[k];
       else
         same = contact_layout.mu[k] == before.mu[k];
-    if (!same)
-      throw AnalysisError(
-        "A contact node that supports hold slides to where they hold it in "
-        "another way: along its contact normal, or no longer. Take the nodes "
-        "that supports hold out of the contact");
+    if (same)
+      return {};
+    contact_layout = before; // what is taken next must fit it, too
+    return !why.empty() ?
+             why :
+             "A contact node that supports hold slides to where they hold "
+             "it in another way: along its contact normal, or no longer. "
+             "Take the nodes that supports hold out of the contact";
   }
 
 
@@ -343,7 +340,7 @@ namespace conetact::contact
 
 
 
-  void
+  std::string
   ContactPoints::add(const pairing::ContactNode &node,
                      const std::vector<double>  &times)
   {
@@ -353,15 +350,18 @@ namespace conetact::contact
     const std::vector<Tensor<1, 3>> held =
       rule != nullptr ? directions(rule->held) : std::vector<Tensor<1, 3>>();
     if (node.spring)
-      return add_spring(node);
+      {
+        add_spring(node);
+        return {};
+      }
     // Its gap cannot change by deformation: no unknown.
     if (is_spanned(node.n, held))
       {
         ++n_held_normals;
-        return;
+        return {};
       }
     if (!is_across(node.n, held))
-      refuse_oblique(node, *rule, bodies);
+      return why_oblique(node, *rule, bodies);
 
     ContactPoint point;
     point.node = &node;
@@ -378,6 +378,7 @@ namespace conetact::contact
     // the normal comes last, as solvers want it
     add_cone(point, node.n, 1);
     points.push_back(std::move(point));
+    return {};
   }
 
 

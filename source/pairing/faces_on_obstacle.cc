@@ -109,7 +109,7 @@ namespace conetact::pairing
         parts.add(face, j, rows[face.nodes[j]]);
   }
 
-  FacesOnObstacle::Met
+  std::optional<FacesOnObstacle::Met>
   FacesOnObstacle::meet(const ContactNode  &node,
                         const RigidMotion  &motion,
                         const Displacement &at) const
@@ -122,14 +122,19 @@ namespace conetact::pairing
       return shape.closest_after(body.position(i), moved_by(i), node.spacing);
     };
     const Row &row = rows.at(node.node);
-    Met        met{0, closest(node.node).normal, {}};
+    const auto own = closest(node.node);
+    if (!own)
+      return {};
+    Met met{0, own->normal, {}};
     for (const auto &[slave, weight] : row.weights)
       {
-        const ObstacleShape::Closest there = closest(slave);
-        met.gap += row.slaves.at(slave) / row.whole * there.gap;
+        const auto there = closest(slave);
+        if (!there)
+          return {};
+        met.gap += row.slaves.at(slave) / row.whole * there->gap;
         met.foot += weight / row.whole *
                     (Tensor<1, 3>(body.position(slave)) + moved_by(slave) -
-                     there.gap * there.normal);
+                     there->gap * there->normal);
       }
     return met;
   }
@@ -137,9 +142,10 @@ namespace conetact::pairing
   void
   FacesOnObstacle::place(ContactNode &node) const
   {
+    // Shapes that have no normal there have said so to the constructor.
     const Met met  = meet(node, RigidMotion(), [](const unsigned int) {
-      return Tensor<1, 3>();
-    });
+                      return Tensor<1, 3>();
+                    }).value();
     node.gap       = met.gap;
     node.n         = met.normal;
     const Row &row = rows.at(node.node);

@@ -3,7 +3,6 @@
 
 #include "conetact/pairing/flatness.h"
 
-#include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 
 #include <algorithm>
@@ -189,20 +188,12 @@ namespace conetact::pairing
       double least = M_PI;
       for (const double way : {-1., 1.})
         {
-          double turn = 0;
-          try
-            {
-              const Tensor<1, 3> n =
-                node.obstacle->shape
-                  ->closest(node.position + way * node.spacing * tangent,
-                            node.spacing)
-                  .normal;
-              if (n * node.n > cosine_of_edge)
-                turn = (n - node.n).norm();
-            }
-          catch (const InputError &)
-            {} // there is no normal there
-          least = std::min(least, turn);
+          const auto there = node.obstacle->shape->closest_if_any(
+            node.position + way * node.spacing * tangent, node.spacing);
+          const bool is_edge =
+            !there || there->normal * node.n <= cosine_of_edge;
+          least =
+            std::min(least, is_edge ? 0 : (there->normal - node.n).norm());
         }
       return least;
     }

@@ -3,7 +3,6 @@
 
 #include "conetact/pairing/sliding.h"
 
-#include "conetact/base/errors.h"
 #include "conetact/bodies/displaced.h"
 #include "conetact/bodies/rigid_body.h"
 #include "conetact/pairing/face_net.h"
@@ -74,14 +73,16 @@ namespace conetact::pairing
     using Displacement = SlidingContacts::Displacement;
     using Met          = FacesOnObstacle::Met;
 
-    Met
+    std::optional<Met>
     met_by_node(const ContactNode &node, const Tensor<1, 3> &own)
     {
       const auto closest =
         node.obstacle->shape->closest_after(node.position, own, node.spacing);
-      return {closest.gap,
-              closest.normal,
-              node.position + own - closest.gap * closest.normal};
+      if (!closest)
+        return {};
+      return Met{closest->gap,
+                 closest->normal,
+                 node.position + own - closest->gap * closest->normal};
     }
 
     /** What a node is a mean over, if it is one, and how that is displaced. */
@@ -106,15 +107,12 @@ namespace conetact::pairing
       const Tensor<1, 3> own = motion.relative(node.position, u);
       const double       gap = node.gap + node.n * last;
       const Tensor<1, 3> n   = motion.direction_to_own(node.n);
-      Met                met{gap, n, node.position + own - gap * n};
-      try
-        {
-          met = faces.all == nullptr ?
-                  met_by_node(node, own) :
-                  faces.all->meet(node, motion, faces.displacement);
-        }
-      catch (const InputError &)
-        {} // no normal there, as far away or deep inside: the last one
+      // no normal there, as far away or deep inside: the last one
+      const Met last_one{gap, n, node.position + own - gap * n};
+      const Met met = (faces.all == nullptr ?
+                         met_by_node(node, own) :
+                         faces.all->meet(node, motion, faces.displacement))
+                        .value_or(last_one);
       node.n   = motion.direction_to_space(met.normal);
       node.gap = std::min(met.gap, far_away * node.spacing);
       return met.foot;
@@ -275,20 +273,20 @@ namespace conetact::pairing
                         [](const Contact &contact) { return contact.slides; });
   }
 
-  std::vector<ContactNode>
+  SlidingContacts::Found
   SlidingContacts::find(const std::vector<ContactNode> &last,
                         const Displacement             &at,
                         const double                    t,
                         const bool                      keep_faced) const
   {
     Assert(std::isfinite(t), dealii::ExcMessage("Times are finite."));
-    std::vector<ContactNode> nodes = last;
-    for (ContactNode &node : nodes)
+    Found found{last};
+    for (ContactNode &node : found.nodes)
       if (node.slides && node.obstacle != nullptr)
         node = find_on_obstacle(std::move(node), at, t);
     if (std::any_of(contacts.begin(), contacts.end(), is_pair_that_slides))
-      find_pairs(at, keep_faced, nodes);
-    return nodes;
+      found.why_not = find_pairs(at, keep_faced, found.nodes);
+    return found;
   }
 
   ContactNode
@@ -309,7 +307,7 @@ namespace conetact::pairing
     return node;
   }
 
-  void
+  std::string
   SlidingContacts::find_pairs(const Displacement       &at,
                               const bool                keep_faced,
                               std::vector<ContactNode> &nodes) const
@@ -324,14 +322,17 @@ namespace conetact::pairing
     std::vector<std::optional<ContactNode>> found(nodes.size());
     for (unsigned int c = 0; c < contacts.size(); ++c)
       if (is_pair_that_slides(contacts[c]))
-        find_pair(c, there, keep_faced, nodes, found);
+        if (std::string why = find_pair(c, there, keep_faced, nodes, found);
+            !why.empty())
+          return why;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (found[i])
         take(*found[i], at, nodes[i]);
     share_areas(contacts, there, /*only_sliding=*/true, nodes);
+    return {};
   }
 
-  void
+  std::string
   SlidingContacts::find_pair(
     const unsigned int                       c,
     const Structures                        &displaced,
@@ -352,17 +353,17 @@ namespace conetact::pairing
     for (const std::size_t i : shared.of(c))
       {
         if (now == paired.nodes.end() || now->node != nodes[i].node)
-          throw AnalysisError(
-            "contact '" + contact.name +
-            "': bodies come so deep into each other, or bend so much, that "
-            "its nodes do not find their places again. Use smaller "
-            "increments");
+          return "contact '" + contact.name +
+                 "': bodies come so deep into each other, or bend so much, "
+                 "that its nodes do not find their places again. Use smaller "
+                 "increments";
         if (found[i])
           unite_places(*found[i], *now, dim);
         else
           found[i] = std::move(*now);
         ++now;
       }
+    return {};
   }
 
   std::vector<SlidingContacts::PairPassage>

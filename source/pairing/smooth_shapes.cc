@@ -116,19 +116,26 @@ namespace conetact::pairing
         , entry(where)
       {}
       Closest
-      closest(const Point<3> &p, const double) const override
+      closest(const Point<3> &p, const double spacing) const override
+      {
+        if (const auto found = closest_if_any(p, spacing))
+          return *found;
+        throw InputError(entry + ": a contact node stands at its centre, " +
+                         to_text(p) +
+                         ", where no point of the surface is "
+                         "the closest. Move the obstacle or the body.");
+      }
+      std::optional<Closest>
+      closest_if_any(const Point<3> &p, const double) const override
       {
         Tensor<1, 3> arm = p - centre;
         arm -= (arm * axis) * axis;
         const double distance = arm.norm();
         if (distance <= 1e-12 * radius)
-          throw InputError(entry + ": a contact node stands at its centre, " +
-                           to_text(p) +
-                           ", where no point of the surface is "
-                           "the closest. Move the obstacle or the body.");
+          return {};
         const double side = inside ? -1 : 1;
         // In a hole the body is inside: gap and normal change their sign.
-        return {side * (distance - radius), side / distance * arm};
+        return Closest{side * (distance - radius), side / distance * arm};
       }
       /** Also at the centre, where there is a gap but no normal. */
       double
@@ -193,17 +200,24 @@ namespace conetact::pairing
       Closest
       closest(const Point<3> &p, const double spacing) const override
       {
+        if (const auto found = closest_if_any(p, spacing))
+          return *found;
+        throw InputError(entry + ": the gradient vanishes at the contact " +
+                         "node " + to_text(p) +
+                         ". Give a function whose "
+                         "gradient is not zero near its surface.");
+      }
+      std::optional<Closest>
+      closest_if_any(const Point<3> &p, const double spacing) const override
+      {
         // Steps small beside a cell, on which the surface is taken for smooth.
         const Tensor<1, 3> gradient = gradient_at(p, .02 * spacing);
         const double       norm     = gradient.norm();
         if (norm == 0 || !std::isfinite(norm))
-          throw InputError(entry + ": the gradient vanishes at the contact " +
-                           "node " + to_text(p) +
-                           ". Give a function whose "
-                           "gradient is not zero near its surface.");
+          return {};
         // The distance to first order: exact on the surface, and enough near
         // it.
-        return {phi(p) / norm, gradient / norm};
+        return Closest{phi(p) / norm, gradient / norm};
       }
       /** Without gradient a node is far from the surface, or deep in it. */
       double

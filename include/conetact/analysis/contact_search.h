@@ -68,9 +68,10 @@ namespace conetact::analysis
     angle_to_body(const pairing::ContactNode &node) const;
 
     using Nodes = std::vector<pairing::ContactNode>;
+    using Found = pairing::SlidingContacts::Found;
     /** Contacts where bodies are at time t: displacements u of all dofs.
      * `keep_faced`: see SlidingContacts::find(). */
-    Nodes
+    Found
     find(const Eigen::VectorXd &u,
          const double           t,
          const bool             keep_faced = false) const;
@@ -79,7 +80,7 @@ namespace conetact::analysis
      * has. On the edge between two facets each of them leads to the other one;
      * what holds there is a normal between theirs. Nodes at a rim are kept.
      */
-    Nodes
+    Found
     find_between(const Eigen::VectorXd &u,
                  const double           t,
                  const double           part) const;
@@ -87,7 +88,7 @@ namespace conetact::analysis
      * The same before anything is solved: supports carry bodies and their
      * frames along.
      */
-    Nodes
+    Found
     guess(const double t);
 
     /** With the node that is farthest from where it is found. */
@@ -106,10 +107,10 @@ namespace conetact::analysis
 
     /**
      * The model takes them, and so does the history, which must be at the start
-     * of the increment. Throws AnalysisError.
+     * of the increment. Returns why they cannot be taken, a sentence.
      */
-    void
-    take(Nodes found, contact::ContactHistory &history) const;
+    std::string
+    take(Found found, contact::ContactHistory &history) const;
 
     /** An increment, or a part of one, was accepted: the next starts there. */
     void
@@ -168,12 +169,12 @@ namespace conetact::analysis
     approach(const Places &from, const Places &to) const;
     std::string
     master_comes_between(const Eigen::VectorXd &u, const double deep);
-    Nodes
+    Found
     find_there(const Eigen::VectorXd &u,
                const double           t,
                const bool             keep_faced) const;
-    Nodes
-    linearised(Nodes nodes) const;
+    Found
+    linearised(Found found) const;
 
     pairing::SlidingContacts          contacts;
     contact::ContactModel            &model;

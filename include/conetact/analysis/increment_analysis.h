@@ -85,8 +85,6 @@ namespace conetact::analysis
     std::string
     settle(PendingIncrement &increment);
     std::string
-    try_to_settle(PendingIncrement &increment);
-    std::string
     why_unsettled(const ContactSearch::Change &change, const double turn) const;
     /** A node as part of a sentence; empty without one. */
     std::string
@@ -113,9 +111,14 @@ namespace conetact::analysis
     keep(output::IncrementRecord               record,
          std::vector<output::IncrementRecord> &finished);
     std::string
-    solve_with(ContactSearch::Nodes found, PendingIncrement &increment);
+    solve_with(ContactSearch::Found found, PendingIncrement &increment);
+    /** The model and the history take contacts. Returns why they cannot, a
+     * sentence. */
+    std::string
+    take(ContactSearch::Found found);
+    /** The same; throws AnalysisError. */
     void
-    take(ContactSearch::Nodes found);
+    must_take(ContactSearch::Found found);
     std::string
     why_not_held(const solvers::ContactProblem &problem,
                  const PendingIncrement        &increment);

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace conetact::contact
 {
@@ -53,9 +54,9 @@ namespace conetact::contact
      * The model takes contacts that were found again: their gaps are other
      * ones, and their displacements so far, which belong to the displacements u
      * of all dofs at time t (none: the start). Reactions and states stay,
-     * components and all. Throws AnalysisError.
+     * components and all. Returns why they cannot be taken, a sentence.
      */
-    void
+    std::string
     relink(std::vector<pairing::ContactNode> nodes,
            const Eigen::VectorXd            &u,
            const double                      t);

@@ -13,6 +13,7 @@
 #include "conetact/iterative/preconditioner.h"
 
 #include <memory>
+#include <string>
 
 namespace conetact::contact
 {
@@ -119,9 +120,9 @@ namespace conetact::contact
      * Takes contact nodes that were found again (finite sliding): other rows
      * over the same bodies, nothing is factorised. What is not condensed is
      * made anew if nodes face others or turn, unless why_not() has a reason
-     * now. Throws AnalysisError.
+     * now. Returns why they cannot be taken, a sentence.
      */
-    void
+    std::string
     relink(std::vector<pairing::ContactNode> nodes, ElasticState &state);
 
     /**

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace conetact::contact
@@ -124,10 +125,9 @@ namespace conetact::contact
     }
     /**
      * Takes nodes that were found again (finite sliding), in the same order.
-     * Points keep their unknowns; throws AnalysisError where supports do not
-     * allow for that.
+     * Points keep their unknowns; returns why supports do not allow for that.
      */
-    void
+    std::string
     relink(std::vector<pairing::ContactNode> nodes,
            const std::vector<double>        &times);
 
@@ -219,9 +219,10 @@ namespace conetact::contact
     slides_along_supports(const NodeRule             &rule,
                           const pairing::ContactNode &node,
                           const std::vector<double>  &times) const;
-    void
+    /** Both return why a node cannot be taken, as supports hold it. */
+    std::string
     add_all(const std::vector<double> &times);
-    void
+    std::string
     add(const pairing::ContactNode &node, const std::vector<double> &times);
     void
     add_spring(const pairing::ContactNode &node);

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace conetact::pairing
@@ -51,8 +52,9 @@ namespace conetact::pairing
       Tensor<1, 3> normal; ///< at the corner: on planes of symmetry in them
       Point<3>     foot;   ///< on the obstacle
     };
-    /** Where the obstacle and the nodes are. Throws InputError as shapes do. */
-    Met
+    /** Where the obstacle and the nodes are; nothing where it has no normal at
+     * one of them. */
+    std::optional<Met>
     meet(const ContactNode  &node,
          const RigidMotion  &motion,
          const Displacement &at) const;

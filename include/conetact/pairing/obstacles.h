@@ -41,6 +41,13 @@ namespace conetact::pairing
      */
     virtual Closest
     closest(const Point<3> &p, const double spacing) const = 0;
+    /** The same; nothing where closest() would throw. To be overridden by
+     * shapes of which there are such places. */
+    virtual std::optional<Closest>
+    closest_if_any(const Point<3> &p, const double spacing) const
+    {
+      return closest(p, spacing);
+    }
 
     /**
      * The gap of a node that stood at X and moved by u in the obstacle's own
@@ -60,15 +67,16 @@ namespace conetact::pairing
       return false;
     }
     /** What a node meets that stood at X and moved by u in the obstacle's own
-     * frame. Gaps that are stated are those of the undeformed node. */
-    Closest
+     * frame; nothing where there is no normal. Gaps that are stated are those
+     * of the undeformed node. */
+    std::optional<Closest>
     closest_after(const Point<3>     &X,
                   const Tensor<1, 3> &u,
                   const double        spacing) const
     {
       if (states_gaps())
-        return {gap_after(X, u, spacing), closest(X, spacing).normal};
-      return closest(X + u, spacing);
+        return Closest{gap_after(X, u, spacing), closest(X, spacing).normal};
+      return closest_if_any(X + u, spacing);
     }
   };
 

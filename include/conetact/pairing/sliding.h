@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace conetact::pairing
@@ -53,6 +54,13 @@ namespace conetact::pairing
     bool
     empty() const;
 
+    /** Contact nodes, or why they are not found, a sentence without its stop.
+     */
+    struct Found
+    {
+      std::vector<ContactNode> nodes;
+      std::string              why_not = {};
+    };
     /**
      * All contact nodes as they are at time t, in their order, from those that
      * were found last. Nodes that slide have the normal and the gap that they
@@ -60,7 +68,7 @@ namespace conetact::pairing
      * faces keep nodes that faced the master last somewhat longer (mortar.h):
      * for those that are at its rim, and found on either side of it in turn.
      */
-    std::vector<ContactNode>
+    Found
     find(const std::vector<ContactNode> &last,
          const Displacement             &at,
          const double                    t,
@@ -112,12 +120,13 @@ namespace conetact::pairing
     master_in_slave(const unsigned int  contact,
                     const Displacement &at,
                     const double        depth) const;
-    void
+    /** Returns why not, as what follows. */
+    std::string
     find_pairs(const Displacement       &at,
                const bool                keep_faced,
                std::vector<ContactNode> &nodes) const;
     /** Adds what a contact finds for its nodes: those that it shares unite. */
-    void
+    std::string
     find_pair(const unsigned int                       contact,
               const Structures                        &displaced,
               const bool                               keep_faced,

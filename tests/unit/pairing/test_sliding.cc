@@ -67,12 +67,15 @@ namespace
   found(const Scene &scene, const Tensor<1, 3> &u_of_first, const double t)
   {
     const SlidingContacts    contacts = scene.sliding_contacts();
-    std::vector<ContactNode> nodes    = contacts.find(
-      scene.bodies.contact_nodes,
-      [&](const unsigned int body, const unsigned int) {
-        return body == 0 ? u_of_first : Tensor<1, 3>();
-      },
-      t);
+    std::vector<ContactNode> nodes =
+      contacts
+        .find(
+          scene.bodies.contact_nodes,
+          [&](const unsigned int body, const unsigned int) {
+            return body == 0 ? u_of_first : Tensor<1, 3>();
+          },
+          t)
+        .nodes;
     contacts.linearise(nodes);
     return nodes;
   }
