@@ -50,7 +50,7 @@ namespace conetact::analysis
       return why;
     if (problem.laws) // its cones are others in each increment, or none
       existence.reset();
-    if (problem.laws && !problem.laws->has_cones())
+    if (!problem.has_cones())
       return "";
     if (!existence)
       existence = std::make_unique<solvers::ExistenceCheck>(

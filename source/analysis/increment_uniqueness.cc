@@ -34,8 +34,7 @@ namespace conetact::analysis
       log.note(when + why);
     };
     increment.another.reset();
-    const bool varies = problem.laws && (!problem.laws->has_cones() ||
-                                         problem.laws->has_layers());
+    const bool varies = !problem.has_cones() || problem.has_layers();
     if (varies)
       return tell("open",
                   "whether the solution is unique is open: its laws are not "

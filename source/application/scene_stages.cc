@@ -6,6 +6,7 @@
 #include "conetact/application/scene.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
+#include "conetact/bodies/entries.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -38,12 +39,11 @@ namespace conetact::application
   {
     for (const std::string &name : support_names)
       {
-        const std::string entry = "Support '" + name + "', Active";
+        const std::string in = "Support '" + name + "', ";
         prm.enter_subsection("Support " + name);
-        activity.emplace_back(prm.get("Active"), entry);
+        activity.push_back(
+          bodies::read_active(prm, in).value_or(Expression("1", in)));
         prm.leave_subsection();
-        if (activity.back().uses_space())
-          throw InputError(entry + ": it depends on the place. Use t only.");
       }
     if (stage_ends().size() < 2)
       return;

@@ -97,4 +97,18 @@ namespace conetact::bodies
                        std::to_string(n) + ", separated by ';'.");
     return expressions;
   }
+
+  std::optional<Expression>
+  read_active(const dealii::ParameterHandler &prm,
+              const std::string              &in,
+              const std::string              &instead)
+  {
+    Expression active(prm.get("Active"), in + "Active");
+    if (active.uses_space())
+      throw InputError(in + "Active: it depends on the place. Use t only" +
+                       instead + ".");
+    if (!active.uses_time() && active(Point<3>()) != 0)
+      return {};
+    return active;
+  }
 } // namespace conetact::bodies

@@ -289,11 +289,7 @@ namespace conetact::bodies
       if (text == prm.get("Kind"))
         load.kind = kind;
     refuse_idle(prm, load.kind, in);
-    if (const Expression active(prm.get("Active"), in + "Active");
-        active.uses_space())
-      throw InputError(in + "Active: it depends on the place. Use t only.");
-    else if (active.uses_time() || active(Point<3>()) == 0)
-      load.active = active;
+    load.active = read_active(prm, in);
     if (has_ids(load.kind))
       load.ids = find_boundary(prm.get("Boundary ids"),
                                *structures[load.body],

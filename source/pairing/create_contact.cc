@@ -335,12 +335,9 @@ namespace conetact::pairing
       contact.bond = bond;
     contact.friction_angle =
       to_number(prm.get("Friction angle"), in + "Friction angle") * M_PI / 180;
-    if (Expression active(prm.get("Active"), in + "Active");
-        active.uses_space())
-      throw InputError(in + "Active: it depends on the place. Use t only, and "
-                            "Boundary ids for what is where.");
-    else if (active.uses_time() || active(Point<3>()) == 0)
-      contact.active = std::make_shared<Expression>(std::move(active));
+    if (auto active =
+          bodies::read_active(prm, in, ", and Boundary ids for what is where"))
+      contact.active = std::make_shared<Expression>(*std::move(active));
     if (contact.bond && !prm.get("Unloading compliance").empty())
       throw InputError(in + "Unloading compliance: what is glued springs back "
                             "as it closed. Leave the entry empty, or Cohesion "

@@ -108,8 +108,7 @@ namespace conetact::solvers
              const double          slip)
     {
       constexpr double at_limit = 1e-11;
-      if (!problem.laws || !problem.laws->has_layers() ||
-          problem.laws->layer(i, r_n, slip).is_none())
+      if (!problem.has_layers() || problem.laws->layer(i, r_n, slip).is_none())
         return true;
       const double s = r_n + problem.laws->bond(i, slip, 0).value;
       return r_t >= (1 - at_limit) * friction_limit(problem, i, s, slip).value;

@@ -10,6 +10,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,15 @@ namespace conetact::bodies
                 const Structure   &structure,
                 const std::string &body,
                 const std::string &entry);
+
+  /**
+   * The entry `Active`, of t only: `instead` says what else would do. Nothing
+   * where it is never 0. Throws InputError that names it by what it is `in`.
+   */
+  std::optional<Expression>
+  read_active(const dealii::ParameterHandler &prm,
+              const std::string              &in,
+              const std::string              &instead = "");
 
   /**
    * The unit vector of an entry `Turn axis`; in 2D everything turns about z.

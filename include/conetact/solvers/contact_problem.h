@@ -116,13 +116,11 @@ namespace conetact::solvers
     }
   };
 
-  /** The data of one increment. */
-  struct ContactProblem
+  /** The data of one increment. Its laws are those beyond the system's
+   * coefficients. */
+  struct ContactProblem : WithLaws
   {
     std::shared_ptr<const ContactSystem> system;
-
-    /** Beyond the system's coefficients, where there are any; else none. */
-    std::shared_ptr<const NodalLaws> laws = {};
 
     Eigen::VectorXd load; ///< f [force], or q [length] and -b, n values
     Eigen::VectorXd gap;  ///< gap g >= 0 at the start of the increment [length]
@@ -135,28 +133,6 @@ namespace conetact::solvers
      * problem stands alone.
      */
     double reference_force = 0;
-
-    /** Whether a bond, or a fluid, acts at any node, or one is joined. */
-    bool
-    has_bonds() const
-    {
-      return laws && laws->has_bonds();
-    }
-    bool
-    is_bonded(const Eigen::Index node) const
-    {
-      return laws && laws->is_bonded(node);
-    }
-    bool
-    is_apart(const Eigen::Index node) const
-    {
-      return laws && laws->is_apart(node);
-    }
-    bool
-    is_joined(const Eigen::Index node) const
-    {
-      return laws && laws->is_joined(node);
-    }
   };
 
   enum class NodeState : unsigned char

@@ -21,10 +21,9 @@ namespace conetact::solvers
    * diagonal block of M has mean 1. Motions are scaled so that their columns of
    * M have norm 1.
    */
-  class LinearRelation
+  class LinearRelation : public WithLaws
   {
   public:
-    using Index = Eigen::Index;
     using Array = Eigen::VectorXd;
 
     /**
@@ -100,37 +99,6 @@ namespace conetact::solvers
     {
       const FrictionLimit least = limit(i, 0, 0, 0);
       return least.by_force <= 0 && least.value <= 0;
-    }
-    /** Whether all limits are linear in r_n, and do not depend on slips. */
-    bool
-    has_cones() const
-    {
-      return !laws || laws->has_cones();
-    }
-    bool
-    has_layers() const
-    {
-      return laws && laws->has_layers();
-    }
-    bool
-    has_bonds() const
-    {
-      return laws && laws->has_bonds();
-    }
-    bool
-    is_apart(const Index i) const
-    {
-      return laws && laws->is_apart(i);
-    }
-    bool
-    is_joined(const Index i) const
-    {
-      return laws && laws->is_joined(i);
-    }
-    bool
-    is_bonded(const Index i) const
-    {
-      return laws && laws->is_bonded(i);
     }
     /** Of node i, as limit(). */
     Bond
@@ -218,7 +186,6 @@ namespace conetact::solvers
     set_steps();
 
     std::shared_ptr<const ContactSystem> contact_system;
-    std::shared_ptr<const NodalLaws>     laws; ///< of the increment; or none
     bool                                 has_units;
     Array  scale;     ///< 1/sqrt(c) (stiffness) or sqrt(c) (compliance)
     double alpha = 1; ///< sqrt(force x length)

@@ -6,6 +6,8 @@
 
 #include "conetact/solvers/cone.h"
 
+#include <memory>
+
 namespace conetact::solvers
 {
   /** How much friction a node has, |r_t| <= value, and how that changes. */
@@ -170,6 +172,47 @@ namespace conetact::solvers
     is_joined(const Index /*node*/) const
     {
       return false;
+    }
+  };
+
+  /** The laws of an increment; without any all is a coefficient a node. */
+  struct WithLaws
+  {
+    using Index = Eigen::Index;
+
+    std::shared_ptr<const NodalLaws> laws = {};
+
+    /** Whether all limits are linear in r_n, and do not depend on slips. */
+    bool
+    has_cones() const
+    {
+      return !laws || laws->has_cones();
+    }
+    bool
+    has_layers() const
+    {
+      return laws && laws->has_layers();
+    }
+    /** Whether a bond, or a fluid, acts at any node, or one is joined. */
+    bool
+    has_bonds() const
+    {
+      return laws && laws->has_bonds();
+    }
+    bool
+    is_bonded(const Index node) const
+    {
+      return laws && laws->is_bonded(node);
+    }
+    bool
+    is_apart(const Index node) const
+    {
+      return laws && laws->is_apart(node);
+    }
+    bool
+    is_joined(const Index node) const
+    {
+      return laws && laws->is_joined(node);
     }
   };
 } // namespace conetact::solvers
