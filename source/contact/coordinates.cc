@@ -273,12 +273,12 @@ namespace conetact::contact
                            const double       factor)
   {
     const std::size_t n = number(body, node);
-    if (free_directions(n) != nullptr)
+    if (c < bodies.dim && free_directions(n) != nullptr)
       append_own(n, c, factor);
     else if (const Eigen::Index unknown =
                own_unknown[static_cast<std::size_t>(dof(body, node)) + c];
              unknown >= 0)
-      append(unknown, factor);
+      append(unknown, c < bodies.dim ? factor : factor / arm);
   }
 
   /* Along what no support holds. */
@@ -320,28 +320,17 @@ namespace conetact::contact
             append_row(body, 0, k, factor * way);
         return;
       }
-    const std::size_t n = number(body, node);
-    if (corners(body, node) != nullptr && c < bodies.dim)
-      {
-        append_free(body, node, c, factor);
-        append_corners(body, node, c, factor);
-        return;
-      }
-    if (free_directions(n) == nullptr || c >= bodies.dim)
-      {
-        if (const Eigen::Index unknown =
-              own_unknown[static_cast<std::size_t>(dof(body, node)) + c];
-            unknown >= 0)
-          append(unknown, c < bodies.dim ? factor : factor / arm);
-        return;
-      }
-    const NodeRule *rule = rule_of_node[n];
+    const NodeRule *const rule      = rule_of_node[number(body, node)];
+    const bool            is_middle = c < bodies.dim && corners(body, node);
     // Masters may be held themselves, or have a frame: their own rows know.
-    if (rule == nullptr || rule->masters.empty())
-      append_own(n, c, factor);
-    else
+    if (rule != nullptr && c < bodies.dim && !is_middle &&
+        !rule->masters.empty())
       for (const auto &[master, weight] : rule->masters)
         append_row(body, master, c, factor * weight);
+    else
+      append_free(body, node, c, factor);
+    if (is_middle)
+      append_corners(body, node, c, factor);
   }
 
   std::vector<bool>

@@ -4,15 +4,19 @@
 #include "conetact/contact/elastic_system.h"
 
 #include "conetact/bodies/element_forces.h"
-#include "conetact/contact/element_reduction.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/affine_constraints.templates.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/sparse_matrix.h>
 
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
 
 namespace conetact::contact
 {
@@ -33,116 +37,170 @@ namespace conetact::contact
       return shifted;
     }
 
-    /** Unknowns of all elements, and for each unknown its elements. */
-    struct Connectivity
+    using Number  = dealii::types::global_dof_index;
+    using Numbers = std::vector<Number>;
+
+    /**
+     * The map u = C q as constraints: the numbers of dofs that are unknowns are
+     * these, all others stand behind the unknowns and depend on them.
+     */
+    class Constraints
     {
-      std::vector<std::size_t> start = {0};
-      std::vector<int>         unknowns;
-      std::vector<std::size_t> element_start;
-      std::vector<int>         elements;
+    public:
+      explicit Constraints(const LinearMap &c)
+        : n_unknowns(static_cast<Number>(c.n_unknowns()))
+        , coordinates(c)
+      {
+        for (Eigen::Index i = 0; i < coordinates.n_rows(); ++i)
+          if (coordinates.plain(i) < 0)
+            add(i);
+        affine.close();
+        n_numbers = n_unknowns + static_cast<Number>(affine.n_constraints());
+      }
+
+      /** Whether all of the element's dofs are unknowns. */
+      bool
+      find_numbers(const std::vector<unsigned int> &dofs, Numbers &found) const
+      {
+        found.clear();
+        bool are_plain = true;
+        for (const unsigned int dof : dofs)
+          {
+            found.push_back(number_of(dof));
+            are_plain = are_plain && found.back() < n_unknowns;
+          }
+        return are_plain;
+      }
+
+      const Number                      n_unknowns;
+      Number                            n_numbers;
+      dealii::AffineConstraints<double> affine;
+
+    private:
+      Number
+      number_of(const Eigen::Index dof) const
+      {
+        // LinearMap counts rows of the other kind downwards from -1.
+        const Eigen::Index plain = coordinates.plain(dof);
+        return static_cast<Number>(
+          plain >= 0 ? plain : coordinates.n_unknowns() - 1 - plain);
+      }
+      void
+      add(const Eigen::Index dof)
+      {
+        std::map<Number, double> entries; // an unknown may come twice
+        coordinates.for_row(dof,
+                            [&](const Eigen::Index unknown,
+                                const double       factor) {
+                              entries[static_cast<Number>(unknown)] += factor;
+                            });
+        const Number number = number_of(dof);
+        affine.add_line(number);
+        for (const auto &[unknown, factor] : entries)
+          affine.add_entry(number, unknown, factor);
+      }
+
+      const LinearMap &coordinates;
     };
 
-    /** The pattern comes first, so that values go to their places at once. */
-    Connectivity
-    connect(const ElasticSystem &system, const LinearMap &coordinates)
+    /** One element on the unknowns that it touches: a matrix for
+     * AffineConstraints to add to, of which it knows these rows and columns. */
+    class ReducedElement
     {
-      Connectivity              c;
-      std::vector<Eigen::Index> unknowns;
-      const ElementReduction    reduction(coordinates);
-      system.for_each_connection([&](const std::vector<unsigned int> &dofs) {
-        reduction.find_unknowns(dofs, unknowns);
-        for (const Eigen::Index q : unknowns)
-          c.unknowns.push_back(static_cast<int>(q));
-        c.start.push_back(c.unknowns.size());
-      });
-      // Lists of elements by unknown, one behind the other: counted first, then
-      // filled.
-      c.element_start.assign(
-        static_cast<std::size_t>(coordinates.n_unknowns()) + 1, 0);
-      for (const int q : c.unknowns)
-        ++c.element_start[static_cast<std::size_t>(q) + 1];
-      for (std::size_t q = 1; q < c.element_start.size(); ++q)
-        c.element_start[q] += c.element_start[q - 1];
-      c.elements.resize(c.unknowns.size());
-      std::vector<std::size_t> next = c.element_start;
-      for (std::size_t e = 0; e + 1 < c.start.size(); ++e)
-        for (std::size_t k = c.start[e]; k < c.start[e + 1]; ++k)
-          c.elements[next[static_cast<std::size_t>(c.unknowns[k])]++] =
-            static_cast<int>(e);
-      return c;
+    public:
+      using value_type = double;
+      explicit ReducedElement(const Constraints &c)
+        : constraints(c)
+      {}
+      virtual ~ReducedElement() = default; // deal.II asks for its type
+      void
+      reinit(const LinearMap                 &coordinates,
+             const std::vector<unsigned int> &dofs)
+      {
+        unknowns.clear();
+        for (const unsigned int dof : dofs)
+          coordinates.for_row(dof, [&](const Eigen::Index unknown, double) {
+            unknowns.push_back(unknown);
+          });
+        std::sort(unknowns.begin(), unknowns.end());
+        unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
+                       unknowns.end());
+        matrix.assign(unknowns.size() * unknowns.size(), 0.);
+      }
+
+      Number
+      m() const
+      {
+        return constraints.n_numbers;
+      }
+      Number
+      n() const
+      {
+        return m();
+      }
+      void
+      add(const Number row, const Number column, const double value)
+      {
+        if (row < constraints.n_unknowns) // others have a diagonal only
+          matrix[place(row) * unknowns.size() + place(column)] += value;
+      }
+      void
+      add(const Number  row,
+          const Number  n_columns,
+          const Number *columns,
+          const double *values,
+          const bool /*elide_zero_values*/,
+          const bool /*columns_are_sorted*/)
+      {
+        for (Number k = 0; k < n_columns; ++k)
+          add(row, columns[k], values[k]);
+      }
+
+      std::vector<Eigen::Index> unknowns; ///< ascending
+      std::vector<double>       matrix;   ///< row by row
+
+    private:
+      std::size_t
+      place(const Number unknown) const
+      {
+        return static_cast<std::size_t>(
+          std::lower_bound(unknowns.begin(),
+                           unknowns.end(),
+                           static_cast<Eigen::Index>(unknown)) -
+          unknowns.begin());
+      }
+
+      const Constraints &constraints;
+    };
+
+    void
+    copy(const std::size_t           n,
+         const double               *matrix,
+         dealii::FullMatrix<double> &k)
+    {
+      if (k.m() != n)
+        k.reinit(n, n, /*omit_default_initialization=*/true);
+      k.fill(matrix);
     }
 
-    /** Zero matrix with the pattern of the upper triangle. */
+    /** Of the first unknowns, with a diagonal: an unknown that no element
+     * touches shall be found as singular by direct solvers. */
     Eigen::SparseMatrix<double>
-    upper_pattern(const Connectivity &c, const Eigen::Index n)
+    upper_triangle(const dealii::SparseMatrix<double> &all, const Number n)
     {
       Eigen::SparseMatrix<double> upper(n, n);
-      // Column by column: all unknowns of the elements around, each once.
-      std::vector<int> rows, last_seen(static_cast<std::size_t>(n), -1);
-      std::vector<int> all_rows;
-      all_rows.reserve(c.unknowns.size() * 2);
-      int *const outer = upper.outerIndexPtr();
-      outer[0]         = 0;
-      for (int q = 0; q < n; ++q)
+      upper.reserve((all.n_nonzero_elements() + n) / 2);
+      for (Number q = 0; q < n; ++q)
         {
-          rows.clear();
-          const auto column = static_cast<std::size_t>(q);
-          for (std::size_t k = c.element_start[column];
-               k < c.element_start[column + 1];
-               ++k)
-            {
-              const auto e = static_cast<std::size_t>(c.elements[k]);
-              for (std::size_t j = c.start[e]; j < c.start[e + 1]; ++j)
-                {
-                  const int p = c.unknowns[j];
-                  // Unknowns of an element ascend: what follows is below the
-                  // diagonal.
-                  if (p > q)
-                    break;
-                  if (last_seen[static_cast<std::size_t>(p)] != q)
-                    {
-                      last_seen[static_cast<std::size_t>(p)] = q;
-                      rows.push_back(p);
-                    }
-                }
-            }
-          // Direct solvers want a diagonal, and an unknown that no element
-          // touches shall be found by them as singular.
-          if (rows.empty())
-            rows.push_back(q);
-          std::sort(rows.begin(), rows.end());
-          all_rows.insert(all_rows.end(), rows.begin(), rows.end());
-          outer[q + 1] = static_cast<int>(all_rows.size());
+          upper.startVec(q);
+          // deal.II has the diagonal first, and then ascending columns.
+          for (auto entry = all.begin(q); entry != all.end(q); ++entry)
+            if (entry->column() < q)
+              upper.insertBack(entry->column(), q) = entry->value();
+          upper.insertBack(q, q) = all.diag_element(q);
         }
-      upper.resizeNonZeros(static_cast<Eigen::Index>(all_rows.size()));
-      std::copy(all_rows.begin(), all_rows.end(), upper.innerIndexPtr());
-      std::fill_n(upper.valuePtr(), all_rows.size(), 0.);
+      upper.finalize();
       return upper;
-    }
-
-    /** Adds an element; `unknowns` ascend, `order` are their places in it. */
-    void
-    scatter(const std::vector<Eigen::Index> &unknowns,
-            const std::vector<Eigen::Index> &order,
-            const double                    *matrix,
-            Eigen::SparseMatrix<double>     &upper)
-    {
-      const std::size_t n     = unknowns.size();
-      const int *const  outer = upper.outerIndexPtr();
-      const int *const  inner = upper.innerIndexPtr();
-      for (std::size_t b = 0; b < n; ++b)
-        {
-          int                 place = outer[unknowns[b]];
-          const double *const row =
-            matrix + order[b] * static_cast<Eigen::Index>(n);
-          for (std::size_t a = 0; a <= b; ++a, ++place)
-            {
-              // Both ascend: one walk through the column finds all places.
-              while (inner[place] != unknowns[a])
-                ++place;
-              upper.valuePtr()[place] += row[order[a]];
-            }
-        }
     }
 
     /**
@@ -380,14 +438,15 @@ namespace conetact::contact
     const LinearMap                                              &coordinates,
     const std::function<void(const std::vector<Eigen::Index> &)> &visit)
   {
-    const ElementReduction    reduction(coordinates);
-    std::vector<Eigen::Index> unknowns;
+    const Constraints constraints(coordinates);
+    ReducedElement    element(constraints);
+    Numbers           numbers;
     system.for_each_connection([&](const std::vector<unsigned int> &dofs) {
-      if (is_plain(dofs, coordinates))
-        find_plain(dofs, coordinates, unknowns);
+      if (constraints.find_numbers(dofs, numbers))
+        element.unknowns.assign(numbers.begin(), numbers.end());
       else
-        reduction.find_unknowns(dofs, unknowns);
-      visit(unknowns);
+        element.reinit(coordinates, dofs);
+      visit(element.unknowns);
     });
   }
 
@@ -396,47 +455,46 @@ namespace conetact::contact
                    const LinearMap       &coordinates,
                    const UnknownsVisitor &visit)
   {
-    ElementReduction          reduction(coordinates);
-    ReducedElement            element;
-    std::vector<Eigen::Index> unknowns;
+    const Constraints          constraints(coordinates);
+    ReducedElement             element(constraints);
+    dealii::FullMatrix<double> k;
+    Numbers                    numbers;
     system.for_each_element(
       [&](const std::vector<unsigned int> &dofs, const double *matrix) {
-        // Most elements have no special node: these go on as they are, without
-        // C^T k C.
-        if (!is_plain(dofs, coordinates))
+        // Most elements have no special node: they need no C^T k C.
+        if (constraints.find_numbers(dofs, numbers))
           {
-            reduction.reduce(dofs, matrix, element);
-            visit(element.unknowns, element.matrix.data());
+            element.unknowns.assign(numbers.begin(), numbers.end());
+            visit(element.unknowns, matrix);
             return;
           }
-        find_plain(dofs, coordinates, unknowns);
-        visit(unknowns, matrix);
+        element.reinit(coordinates, dofs);
+        copy(dofs.size(), matrix, k);
+        constraints.affine.distribute_local_to_global(k, numbers, element);
+        visit(element.unknowns, element.matrix.data());
       });
   }
 
   Eigen::SparseMatrix<double>
   assemble(const ElasticSystem &system, const LinearMap &coordinates)
   {
-    Eigen::SparseMatrix<double> upper =
-      upper_pattern(connect(system, coordinates), coordinates.n_unknowns());
-    std::vector<Eigen::Index> order, sorted;
-    for_each_element(
-      system,
-      coordinates,
-      [&](const std::vector<Eigen::Index> &unknowns, const double *matrix) {
-        order.resize(unknowns.size());
-        std::iota(order.begin(), order.end(), 0);
-        const auto unknown = [&](const Eigen::Index i) {
-          return unknowns[static_cast<std::size_t>(i)];
-        };
-        std::sort(order.begin(), order.end(), [&](const auto a, const auto b) {
-          return unknown(a) < unknown(b);
-        });
-        sorted.clear();
-        for (const Eigen::Index i : order)
-          sorted.push_back(unknown(i));
-        scatter(sorted, order, matrix, upper);
+    const Constraints              constraints(coordinates);
+    Numbers                        numbers;
+    dealii::DynamicSparsityPattern entries(constraints.n_numbers);
+    system.for_each_connection([&](const std::vector<unsigned int> &dofs) {
+      constraints.find_numbers(dofs, numbers);
+      constraints.affine.add_entries_local_to_global(numbers, entries, false);
+    });
+    dealii::SparsityPattern pattern;
+    pattern.copy_from(entries);
+    dealii::SparseMatrix<double> all(pattern);
+    dealii::FullMatrix<double>   k;
+    system.for_each_element(
+      [&](const std::vector<unsigned int> &dofs, const double *matrix) {
+        constraints.find_numbers(dofs, numbers);
+        copy(dofs.size(), matrix, k);
+        constraints.affine.distribute_local_to_global(k, numbers, all);
       });
-    return upper;
+    return upper_triangle(all, constraints.n_unknowns);
   }
 } // namespace conetact::contact

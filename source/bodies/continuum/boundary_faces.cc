@@ -7,11 +7,8 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_simplex_p.h>
 
 #include <algorithm>
-#include <memory>
 #include <set>
 
 namespace conetact::bodies
@@ -31,127 +28,44 @@ namespace conetact::bodies
     }
 
     template <int dim>
-    std::unique_ptr<FiniteElement<dim - 1>>
-    element_of_faces(const bool has_simplices, const unsigned int degree)
-    {
-      if (dim == 3 && has_simplices)
-        return std::make_unique<FE_SimplexP<dim - 1>>(degree);
-      return std::make_unique<FE_Q<dim - 1>>(degree);
-    }
-
-    /** Area times normal of the face that tangents span. */
-    Tensor<1, 2>
-    across(const Tensor<1, 2> (&tangents)[1])
-    {
-      return cross_product_2d(tangents[0]);
-    }
-    Tensor<1, 3>
-    across(const Tensor<1, 3> (&tangents)[2])
-    {
-      return cross_product_3d(tangents[0], tangents[1]);
-    }
-
-    /** Whether the normal of the first `dim` nodes of a face points out of its
-     * cell, 1, or into it, -1: as it does on the unit cell. */
-    template <int dim>
-    double
-    side_of(const std::vector<Point<dim>> &unit_nodes, const Point<dim> &centre)
-    {
-      Tensor<1, dim> tangents[dim - 1];
-      for (unsigned int d = 0; d + 1 < dim; ++d)
-        tangents[d] = unit_nodes[d + 1] - unit_nodes[0];
-      return across(tangents) * (unit_nodes[0] - centre) > 0 ? 1 : -1;
-    }
-
-    template <int dim>
-    Point<dim>
-    mean(const std::vector<Point<dim>> &points, const unsigned int n)
-    {
-      Point<dim> sum;
-      for (unsigned int i = 0; i < n; ++i)
-        sum += Tensor<1, dim>(points[i]) / n;
-      return sum;
-    }
-
-    template <int dim>
     typename BoundaryFaces<dim>::Face
     make_face(const Discretization<dim>                        &body,
               const typename Discretization<dim>::CellIterator &cell,
               const unsigned int                                number)
     {
-      const FESystem<dim> &fe      = body.fe;
-      const auto           face    = cell->face(number);
-      const auto           of_cell = body.nodes_of(cell);
-      const auto          &unit = fe.base_element(0).get_unit_support_points();
+      const FESystem<dim>                 &fe      = body.fe;
+      const auto                           of_cell = body.nodes_of(cell);
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face(number));
-      face->get_dof_indices(dofs, cell->active_fe_index());
-      typename BoundaryFaces<dim>::Face result{face->boundary_id(), 0, {}};
-      std::vector<Point<dim>>           unit_nodes;
+      cell->face(number)->get_dof_indices(dofs, cell->active_fe_index());
+      typename BoundaryFaces<dim>::Face face{cell->face(number)->boundary_id(),
+                                             cell->active_cell_index(),
+                                             number,
+                                             {},
+                                             {}};
       for (unsigned int i = 0; i < dofs.size(); ++i)
         {
           if (fe.face_system_to_component_index(i, number).first != 0)
             continue;
-          result.nodes.push_back(static_cast<unsigned int>(dofs[i] / dim));
+          face.nodes.push_back(static_cast<unsigned int>(dofs[i] / dim));
           // The face's own order of nodes is not that of its cell.
           const auto place =
-            std::find(of_cell.begin(), of_cell.end(), result.nodes.back());
+            std::find(of_cell.begin(), of_cell.end(), face.nodes.back());
           Assert(place != of_cell.end(), ExcInternalError());
-          unit_nodes.push_back(
-            unit[static_cast<std::size_t>(place - of_cell.begin())]);
+          face.in_cell.push_back(
+            static_cast<unsigned int>(place - of_cell.begin()));
         }
-      result.side = side_of<dim>(unit_nodes, mean(unit, cell->n_vertices()));
-      return result;
+      return face;
     }
   } // namespace
 
   template <int dim>
-  FaceValues<dim>::FaceValues(const Discretization<dim> &body)
-  {
-    const auto fe = element_of_faces<dim>(body.has_simplices(), body.fe.degree);
-    const auto rule = quadrature_of_faces<dim>(body.has_simplices());
-    weights         = rule.get_weights();
-    for (const Point<dim - 1> &q : rule.get_points())
-      {
-        shapes.emplace_back();
-        gradients.emplace_back();
-        for (unsigned int v = 0; v < fe->dofs_per_cell; ++v)
-          {
-            shapes.back().push_back(fe->shape_value(v, q));
-            gradients.back().push_back(fe->shape_grad(v, q));
-          }
-      }
-    points.resize(weights.size());
-    normals.resize(weights.size());
-    areas.resize(weights.size());
-  }
-
-  template <int dim>
-  void
-  FaceValues<dim>::reinit(const ContinuumMesh<dim>        &mesh,
-                          const std::vector<unsigned int> &nodes,
-                          const double                     side)
-  {
-    AssertDimension(nodes.size(), shapes[0].size());
-    for (std::size_t q = 0; q < weights.size(); ++q)
-      {
-        Tensor<1, dim> tangents[dim - 1];
-        points[q] = Point<dim>();
-        for (std::size_t v = 0; v < nodes.size(); ++v)
-          {
-            const Tensor<1, dim> x(mesh.nodes[nodes[v]]);
-            points[q] += shapes[q][v] * x;
-            for (unsigned int d = 0; d + 1 < dim; ++d)
-              tangents[d] += gradients[q][v][d] * x;
-          }
-        const Tensor<1, dim> a = across(tangents);
-        areas[q]               = weights[q] * a.norm();
-        normals[q]             = side / a.norm() * a;
-      }
-  }
-
-  template <int dim>
   BoundaryFaces<dim>::BoundaryFaces(const Discretization<dim> &body)
-    : values(body)
+    : mapping(body.fe.base_element(0))
+    , values(mapping,
+             mapping.element(),
+             quadrature_of_faces<dim>(body.has_simplices()),
+             update_values | update_quadrature_points | update_normal_vectors |
+               update_JxW_values)
   {
     for (const auto &cell : body.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
@@ -201,8 +115,6 @@ namespace conetact::bodies
     });
   }
 
-  template class FaceValues<2>;
-  template class FaceValues<3>;
   template class BoundaryFaces<2>;
   template class BoundaryFaces<3>;
 } // namespace conetact::bodies

@@ -5,10 +5,11 @@
 
 #include "conetact/base/text.h"
 #include "conetact/bodies/continuum/boundary_faces.h"
-#include "conetact/bodies/continuum/cell_quadrature.h"
 #include "conetact/bodies/continuum/discretization.h"
 #include "conetact/bodies/continuum/graphics.h"
 #include "conetact/bodies/continuum/refinement.h"
+
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,34 +90,35 @@ namespace conetact::bodies
       return nodes.size() == 6;
     }
 
-    /** What stands for a node in the area of a face at a point: its shape
+    /** What stands for node v in the area of a face at a point: its shape
      * function, or on a six-node triangle the linear one of a corner. */
     template <int dim>
     double
-    area_part(const FaceValues<dim>           &fe,
-              const std::vector<unsigned int> &nodes,
-              const unsigned int               v,
-              const unsigned int               q)
+    area_part(const FEFaceValues<dim>                 &fe,
+              const typename BoundaryFaces<dim>::Face &face,
+              const unsigned int                       v,
+              const unsigned int                       q)
     {
-      if (!has_corners_without_area(nodes))
-        return fe.shape_value(v, q);
-      return v >= 3 ?
-               0. :
-               fe.shape_value(v, q) + .5 * (fe.shape_value(3 + v, q) +
-                                            fe.shape_value(3 + (v + 2) % 3, q));
+      const auto shape = [&](const unsigned int node) {
+        return fe.shape_value(face.in_cell[node], q);
+      };
+      if (!has_corners_without_area(face.nodes))
+        return shape(v);
+      return v >= 3 ? 0. :
+                      shape(v) + .5 * (shape(3 + v) + shape(3 + (v + 2) % 3));
     }
 
     /** The weight of the normal there, of nodes in the middle of edges, too. */
     template <int dim>
     double
-    normal_part(const FaceValues<dim>           &fe,
-                const std::vector<unsigned int> &nodes,
-                const unsigned int               v,
-                const unsigned int               q)
+    normal_part(const FEFaceValues<dim>                 &fe,
+                const typename BoundaryFaces<dim>::Face &face,
+                const unsigned int                       v,
+                const unsigned int                       q)
     {
-      if (has_corners_without_area(nodes) && v >= 3)
-        return fe.shape_value(v, q);
-      return area_part(fe, nodes, v, q);
+      if (has_corners_without_area(face.nodes) && v >= 3)
+        return fe.shape_value(face.in_cell[v], q);
+      return area_part(fe, face, v, q);
     }
 
     /**
@@ -167,7 +169,8 @@ namespace conetact::bodies
                                               row.degree,
                                               nodes))
     , mesh(plain(*discretization, materials.size() > 1))
-    , cells(std::make_unique<CellQuadrature<dim>>(*discretization))
+    , element(discretization->fe.base_element(0).clone())
+    , quadrature(discretization->quadrature)
     , faces(std::make_unique<BoundaryFaces<dim>>(*discretization))
     , at_corners(faces->are_triangles_of_second_degree() ||
                  (faces->is_bent(mesh) && !faces->have_hanging_nodes(mesh)))
@@ -307,8 +310,8 @@ namespace conetact::bodies
               // The tributary area int N_v, times thickness or circumference in
               // 2D, and the same with the normal.
               const double dx = extent(fe.quadrature_point(q)) * fe.JxW(q);
-              nodes[numbers[v]].area += dx * area_part(fe, numbers, v, q);
-              shares[v] += dx * normal_part(fe, numbers, v, q) * normal;
+              nodes[numbers[v]].area += dx * area_part(fe, face, v, q);
+              shares[v] += dx * normal_part(fe, face, v, q) * normal;
             }
         }
       surface.faces.push_back({numbers, mean / mean.norm(), at_corners});
@@ -375,7 +378,7 @@ namespace conetact::bodies
   std::string
   Continuum<dim>::caution() const
   {
-    if (!cells->has_simplices() || cells->degree() > 1)
+    if (!element->reference_cell().is_simplex() || element->degree > 1)
       return of_file;
     const std::string kind = dim == 2 ? "triangles" : "tetrahedra";
     return "linear " + kind + " are too stiff in bending and lock near nu = " +
@@ -412,10 +415,24 @@ namespace conetact::bodies
   std::optional<Point<3>>
   Continuum<dim>::folded_cell() const
   {
-    if (cells->degree() > 1)
-      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-        if (!(cells->least_volume(mesh, c) > 0))
-          return to_space(cells->middle(mesh, c));
+    if (element->degree == 1)
+      return {};
+    std::vector<Point<dim>> points = quadrature.get_points();
+    for (const Point<dim> &node : element->get_unit_support_points())
+      points.push_back(node);
+    NodeMapping<dim> mapping(*element);
+    FEValues<dim>    fe_values(mapping,
+                            *element,
+                            Quadrature<dim>(points),
+                            update_jacobians);
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      {
+        const auto &cell = mapping.cell_at(mesh.vertices(c));
+        fe_values.reinit(cell);
+        for (const auto &jacobian : fe_values.get_jacobians())
+          if (!(jacobian.determinant() > 0))
+            return to_space(cell->center());
+      }
     return {};
   }
 
@@ -423,7 +440,8 @@ namespace conetact::bodies
   std::vector<double>
   Continuum<dim>::element_errors(const Eigen::VectorXd &u) const
   {
-    if (cells->has_simplices() || !discretization) // nothing can be refined
+    if (element->reference_cell().is_simplex() ||
+        !discretization) // nothing can be refined
       return {};
     std::vector<double> errors = squared_jumps(*discretization, u);
     for (const auto &cell : discretization->dof_handler.active_cell_iterators())

@@ -4,8 +4,10 @@
 // Forces of loads on nodes, springs of foundations.
 
 #include "conetact/bodies/continuum/boundary_faces.h"
-#include "conetact/bodies/continuum/cell_quadrature.h"
 #include "conetact/bodies/continuum/continuum.h"
+#include "conetact/bodies/continuum/point_search.h"
+
+#include <deal.II/fe/fe_values.h>
 
 namespace conetact::bodies
 {
@@ -21,7 +23,9 @@ namespace conetact::bodies
       for (const unsigned int q : fe.quadrature_point_indices())
         distribute(
           face.nodes,
-          [&](const unsigned int v) { return fe.shape_value(v, q); },
+          [&](const unsigned int v) {
+            return fe.shape_value(face.in_cell[v], q);
+          },
           extent(fe.quadrature_point(q)) * fe.JxW(q) *
             traction(to_space(fe.quadrature_point(q)),
                      to_space(fe.normal_vector(q))),
@@ -35,18 +39,23 @@ namespace conetact::bodies
   Continuum<dim>::add_body_force(const VectorField &force,
                                  Eigen::VectorXd   &f) const
   {
+    NodeMapping<dim> mapping(*element);
+    FEValues<dim>    fe_values(mapping,
+                            *element,
+                            quadrature,
+                            update_values | update_quadrature_points |
+                              update_JxW_values);
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      cells->for_each_point(mesh,
-                            c,
-                            [&](const Point<dim>      &p,
-                                const double           dx,
-                                const Eigen::VectorXd &shapes) {
-                              distribute(
-                                mesh.cell(c),
-                                [&](const unsigned int v) { return shapes[v]; },
-                                extent(p) * dx * force(to_space(p)),
-                                f);
-                            });
+      {
+        fe_values.reinit(mapping.cell_at(mesh.vertices(c)));
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          distribute(
+            mesh.cell(c),
+            [&](const unsigned int v) { return fe_values.shape_value(v, q); },
+            extent(fe_values.quadrature_point(q)) * fe_values.JxW(q) *
+              force(to_space(fe_values.quadrature_point(q))),
+            f);
+      }
     clear_axis(f);
   }
 
@@ -63,7 +72,7 @@ namespace conetact::bodies
       p[d] = point[d];
     if (point.distance(to_space(p)) > 0) // off the plane of a 2D body
       return false;
-    const auto place = cells->find(mesh, p);
+    const auto place = find_cell(mesh, *element, p);
     if (!place)
       return false;
     distribute(
@@ -90,7 +99,7 @@ namespace conetact::bodies
                                  stiffness(to_space(fe.quadrature_point(q)),
                                            to_space(fe.normal_vector(q)));
           const auto shape = [&](const unsigned int i) {
-            return fe.shape_value(i / dim, q);
+            return fe.shape_value(face.in_cell[i / dim], q);
           };
           for (unsigned int i = 0; i < n; ++i)
             for (unsigned int j = 0; j <= i; ++j)

@@ -3,7 +3,11 @@
 
 #include "conetact/bodies/continuum/elements.h"
 
-#include "conetact/bodies/continuum/quadratic_element.h"
+#include "conetact/bodies/continuum/element_formulation.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
 
 #include <Eigen/Cholesky>
 
@@ -11,7 +15,7 @@
 
 namespace conetact::bodies
 {
-  using dealii::Point;
+  using dealii::FEValues;
   using dealii::Tensor;
 
   namespace
@@ -34,6 +38,11 @@ namespace conetact::bodies
       using typename Base::StrainField;
       using typename Base::Vertices;
 
+      bool
+      is_improved() const override
+      {
+        return true;
+      }
       void
       improve(const Vertices &, StrainField &strains) const override
       {
@@ -70,7 +79,13 @@ namespace conetact::bodies
     class IncompatibleModes : public DLinearElement<dim>
     {
     public:
-      using DLinearElement<dim>::DLinearElement;
+      explicit IncompatibleModes(const ElasticMaterial &material)
+        : DLinearElement<dim>(material)
+        , centre(this->mapping,
+                 this->mapping.element(),
+                 dealii::QMidpoint<dim>(),
+                 dealii::update_jacobians)
+      {}
 
     private:
       using Base = DLinearElement<dim>;
@@ -80,36 +95,39 @@ namespace conetact::bodies
       static constexpr int n_modes = dim * dim;
       using ModeStrains = Eigen::Matrix<double, Base::n_strains, n_modes>;
 
-      /** Strains of the modes at points of the unit cell. */
+      mutable FEValues<dim> centre; ///< of the cell at hand
+
+      /** Strains of the modes at the points of the cell at hand. */
       std::vector<ModeStrains>
-      modes(const Vertices                &vertices,
-            const std::vector<Point<dim>> &unit_points) const
+      modes(const FEValues<dim> &fe_values) const
       {
-        Point<dim> centre;
-        for (int d = 0; d < dim; ++d)
-          centre[d] = .5;
-        const Tensor<2, dim> j0 =
-          this->jacobian(vertices, this->unit_gradients(centre));
+        const Tensor<2, dim>     j0      = centre.jacobian(0);
         const Tensor<2, dim>     inverse = invert(j0);
         std::vector<ModeStrains> result;
-        for (const Point<dim> &p : unit_points)
+        for (const unsigned int q : fe_values.quadrature_point_indices())
           {
+            const auto  &p = fe_values.get_quadrature().point(q);
             const double ratio =
-              determinant(j0) /
-              determinant(this->jacobian(vertices, this->unit_gradients(p)));
-            typename Base::template Gradients<dim> gradients;
-            for (unsigned int i = 0; i < dim; ++i)
-              gradients[i] = ratio * (2 * p[i] - 1) * inverse[i];
-            result.push_back(this->template strain_matrix<dim>(gradients));
+              determinant(j0) / fe_values.jacobian(q).determinant();
+            result.push_back(
+              this->strain_matrix(dim, [&](const unsigned int i) {
+                return ratio * (2 * p[i] - 1) * inverse[i];
+              }));
           }
         return result;
       }
 
+      bool
+      is_improved() const override
+      {
+        return true;
+      }
       void
       improve(const Vertices &vertices, StrainField &strains) const override
       {
-        using Square         = Eigen::Matrix<double, n_modes, n_modes>;
-        const auto of_points = modes(vertices, this->points);
+        using Square = Eigen::Matrix<double, n_modes, n_modes>;
+        centre.reinit(this->mapping.cell_at(vertices));
+        const auto of_points = modes(this->points);
         Square     k         = Square::Zero();
         Eigen::Matrix<double, n_modes, Eigen::Dynamic> f =
           Eigen::Matrix<double, n_modes, Eigen::Dynamic>::Zero(
@@ -130,7 +148,7 @@ namespace conetact::bodies
         };
         add(of_points, strains.at_points);
         if (!strains.at_vertices.empty())
-          add(modes(vertices, this->corners), strains.at_vertices);
+          add(modes(this->nodes), strains.at_vertices);
       }
     };
 
@@ -141,11 +159,28 @@ namespace conetact::bodies
       return std::make_unique<Element<dim>>(material);
     }
 
-    template <int dim, bool is_simplex>
+    template <int dim>
     std::unique_ptr<ElementFormulation<dim>>
     create_quadratic(const ElasticMaterial &material)
     {
-      return std::make_unique<QuadraticElement<dim>>(material, is_simplex);
+      return std::make_unique<ElementFormulation<dim>>(material,
+                                                       dealii::FE_Q<dim>(2),
+                                                       dealii::QGauss<dim>(3));
+    }
+
+    /* Strains are uniform and one point is enough. Round an axis they are not,
+       and in one point a triangle would turn about it without strain: three
+       points integrate r times a linear strain as it is. */
+    template <int dim, unsigned int degree>
+    std::unique_ptr<ElementFormulation<dim>>
+    create_simplex(const ElasticMaterial &material)
+    {
+      const unsigned int n_points =
+        degree == 1 && material.is_axisymmetric() ? 2 : 2 * degree - 1;
+      return std::make_unique<ElementFormulation<dim>>(
+        material,
+        dealii::FE_SimplexP<dim>(degree),
+        dealii::QGaussSimplex<dim>(n_points));
     }
 
     template <int dim>
@@ -186,13 +221,13 @@ namespace conetact::bodies
        true,
        "linear displacements on triangles or tetrahedra, uniform strains; far "
        "too stiff in bending, locks near nu = 0.5",
-       &create<dim, LinearElement>},
+       &create_simplex<dim, 1>},
       {"Q2",
        false,
        "bi- or triquadratic displacements, nodes in the middle of edges, faces "
        "and cells too, on the curve where edges are bent; for bending and for "
        "stresses, nu up to 0.499; not for bodies of revolution",
-       &create_quadratic<dim, false>,
+       &create_quadratic<dim>,
        // a node on the axis has no area: int r N dr = 0
        false,
        2},
@@ -201,7 +236,7 @@ namespace conetact::bodies
        "quadratic displacements on triangles or tetrahedra, nodes in the middle "
        "of edges too, on the curve where these are bent; for bending and for "
        "stresses, nu up to 0.499; not for bodies of revolution",
-       &create_quadratic<dim, true>,
+       &create_simplex<dim, 2>,
        false,
        2}};
     return table;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "conetact/bodies/continuum/boundary_faces.h"
-#include "conetact/bodies/continuum/cell_quadrature.h"
+#include "conetact/bodies/continuum/point_search.h"
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -52,24 +52,33 @@ namespace
   {
     const Discretization<dim> body(distorted_box<dim>());
     const ContinuumMesh<dim>  mesh = arrays_of(body);
-    const CellQuadrature<dim> cells(body);
+    NodeMapping<dim>          mapping(body.fe.base_element(0));
+    dealii::FEValues<dim>     fe_values(mapping,
+                                    mapping.element(),
+                                    body.quadrature,
+                                    dealii::update_values |
+                                      dealii::update_quadrature_points |
+                                      dealii::update_JxW_values);
     double                    volume = 0, moment = 0;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      cells.for_each_point(mesh,
-                           c,
-                           [&](const dealii::Point<dim> &p,
-                               const double              dx,
-                               const Eigen::VectorXd    &shapes) {
-                             EXPECT_NEAR(shapes.sum(), 1, 1e-14);
-                             volume += dx;
-                             moment += p[0] * dx;
-                           });
+      {
+        fe_values.reinit(mapping.cell_at(mesh.vertices(c)));
+        for (const unsigned int q : fe_values.quadrature_point_indices())
+          {
+            double sum = 0;
+            for (const unsigned int v : fe_values.dof_indices())
+              sum += fe_values.shape_value(v, q);
+            EXPECT_NEAR(sum, 1, 1e-14);
+            volume += fe_values.JxW(q);
+            moment += fe_values.quadrature_point(q)[0] * fe_values.JxW(q);
+          }
+      }
     EXPECT_NEAR(volume, 1, 1e-13);
     EXPECT_NEAR(moment, .5, 1e-13);
 
     const dealii::Point<dim> p     = dim == 2 ? dealii::Point<dim>(.37, .61) :
                                                 dealii::Point<dim>(.37, .61, .9);
-    const auto               place = cells.find(mesh, p);
+    const auto               place = find_cell(mesh, mapping.element(), p);
     ASSERT_TRUE(place);
     dealii::Point<dim> found;
     for (unsigned int v = 0; v < mesh.n_cell_nodes; ++v)
@@ -77,7 +86,7 @@ namespace
                dealii::Tensor<1, dim>(mesh.nodes[mesh.cell(place->cell)[v]]);
     // as exact as deal.II inverts the map of a distorted cell
     EXPECT_NEAR(found.distance(p), 0, 1e-10);
-    EXPECT_FALSE(cells.find(mesh, 3. * p));
+    EXPECT_FALSE(find_cell(mesh, mapping.element(), 3. * p));
 
     const BoundaryFaces<dim> faces(body);
     EXPECT_EQ(faces.ids().size(), 2u * dim);

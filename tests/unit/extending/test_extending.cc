@@ -98,6 +98,11 @@ namespace
   private:
     using Base = DLinearElement<dim>;
 
+    bool
+    is_improved() const override
+    {
+      return true;
+    }
     void
     improve(const typename Base::Vertices & /*vertices*/,
             typename Base::StrainField &strains) const override

@@ -6,66 +6,14 @@
 
 #include "conetact/bodies/continuum/continuum_mesh.h"
 #include "conetact/bodies/continuum/discretization.h"
+#include "conetact/bodies/continuum/node_mapping.h"
 
-#include <deal.II/base/std_cxx20/iota_view.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <vector>
 
 namespace conetact::bodies
 {
-  /**
-   * A face at its quadrature points: positions, outward unit normals, shape
-   * functions of its nodes, and weights times area or length. Positions are
-   * interpolated as displacements are, from the nodes of the face alone.
-   */
-  template <int dim>
-  class FaceValues
-  {
-  public:
-    explicit FaceValues(const Discretization<dim> &body);
-
-    /** Side: 1 where the normal of the nodes' order points out, else -1. */
-    void
-    reinit(const ContinuumMesh<dim>        &mesh,
-           const std::vector<unsigned int> &nodes,
-           const double                     side);
-
-    dealii::std_cxx20::ranges::iota_view<unsigned int, unsigned int>
-    quadrature_point_indices() const
-    {
-      return {0u, static_cast<unsigned int>(weights.size())};
-    }
-    const Point<dim> &
-    quadrature_point(const unsigned int q) const
-    {
-      return points[q];
-    }
-    const Tensor<1, dim> &
-    normal_vector(const unsigned int q) const
-    {
-      return normals[q];
-    }
-    double
-    JxW(const unsigned int q) const
-    {
-      return areas[q];
-    }
-    /** Of node v of the face, in its order. */
-    double
-    shape_value(const unsigned int v, const unsigned int q) const
-    {
-      return shapes[q][v];
-    }
-
-  private:
-    std::vector<double>                          weights;
-    std::vector<std::vector<double>>             shapes; ///< of points
-    std::vector<std::vector<Tensor<1, dim - 1>>> gradients;
-    std::vector<Point<dim>>                      points;
-    std::vector<Tensor<1, dim>>                  normals;
-    std::vector<double>                          areas;
-  };
-
   /** The faces of a body's boundary. */
   template <int dim>
   class BoundaryFaces
@@ -73,9 +21,10 @@ namespace conetact::bodies
   public:
     struct Face
     {
-      unsigned int              id;    ///< boundary id
-      double                    side;  ///< of the normal, see FaceValues
-      std::vector<unsigned int> nodes; ///< in deal.II's order
+      unsigned int              id;           ///< boundary id
+      unsigned int              cell, number; ///< in the cell
+      std::vector<unsigned int> nodes;        ///< in deal.II's order of faces
+      std::vector<unsigned int> in_cell;      ///< their places among the cell's
     };
 
     explicit BoundaryFaces(const Discretization<dim> &body);
@@ -95,25 +44,27 @@ namespace conetact::bodies
     bool
     is_bent(const ContinuumMesh<dim> &mesh) const;
 
-    /** Calls visit(face, FaceValues) for each face that has one of the ids. */
+    /** Calls visit(face, FEFaceValues) for each face that has one of the ids;
+     * shape functions are those of the face's cell. */
     template <class Visitor>
     void
     for_each(const ContinuumMesh<dim> &mesh,
              const BoundaryIds        &wanted,
              const Visitor            &visit) const
     {
-      FaceValues<dim> here = values;
       for (const Face &face : faces)
         if (wanted.count(face.id) > 0)
           {
-            here.reinit(mesh, face.nodes, face.side);
-            visit(face, here);
+            values.reinit(mapping.cell_at(mesh.vertices(face.cell)),
+                          face.number);
+            visit(face, values);
           }
     }
 
   private:
-    FaceValues<dim>   values; ///< of any face
-    std::vector<Face> faces;
+    mutable NodeMapping<dim>          mapping;
+    mutable dealii::FEFaceValues<dim> values; ///< of the face at hand
+    std::vector<Face>                 faces;
   };
 } // namespace conetact::bodies
 

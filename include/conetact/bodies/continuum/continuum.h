@@ -22,8 +22,6 @@ namespace conetact::bodies
   template <int dim>
   class BoundaryFaces;
   template <int dim>
-  class CellQuadrature;
-  template <int dim>
   struct Discretization;
 
   /**
@@ -163,16 +161,18 @@ namespace conetact::bodies
 
     std::unique_ptr<const Discretization<dim>> discretization; ///< or forgotten
     ContinuumMesh<dim>                         mesh;
-    std::unique_ptr<const CellQuadrature<dim>> cells;
-    std::unique_ptr<const BoundaryFaces<dim>>  faces;
-    bool                                       at_corners; ///< contacts stand
-    Phases<dim>                                phases;
-    MeshGroups::Ids                            groups_of_faces;
-    std::string                                of_file; ///< cautions
-    std::string                                notes_of_file, mesh_file;
-    double                                     thickness; ///< 1 in 3D, of rings
-    const char                                *element_name;
-    CellMatrices<dim>                          matrices;
+    /** Of each component. */
+    std::unique_ptr<const dealii::FiniteElement<dim, dim>> element;
+    const dealii::Quadrature<dim>                          quadrature;
+    std::unique_ptr<const BoundaryFaces<dim>>              faces;
+    bool              at_corners; ///< contacts stand
+    Phases<dim>       phases;
+    MeshGroups::Ids   groups_of_faces;
+    std::string       of_file; ///< cautions
+    std::string       notes_of_file, mesh_file;
+    double            thickness; ///< 1 in 3D, of rings
+    const char       *element_name;
+    CellMatrices<dim> matrices;
   };
 } // namespace conetact::bodies
 

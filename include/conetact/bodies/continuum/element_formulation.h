@@ -5,13 +5,15 @@
 #define conetact_bodies_continuum_element_formulation_h
 
 #include "conetact/bodies/continuum/material.h"
+#include "conetact/bodies/continuum/node_mapping.h"
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <Eigen/Core>
 
-#include <array>
 #include <vector>
 
 namespace conetact::bodies
@@ -24,6 +26,9 @@ namespace conetact::bodies
    * ElasticMaterial::elasticity(). Without the thickness of 2D bodies;
    * of bodies of revolution, @f$dx = 2\pi r\,dA@f$ and
    * @f$\varepsilon_{zz} = u_r / r@f$, the whole circumference.
+   *
+   * Here @f$\bar B@f$ is that of the displacements themselves; derived elements
+   * improve it. An object computes one cell at a time: not for several threads.
    */
   template <int dim>
   class ElementFormulation
@@ -38,10 +43,10 @@ namespace conetact::bodies
     /** A column for each node. */
     using Strains = Eigen::Matrix<double, n_strains, Eigen::Dynamic>;
 
-    explicit ElementFormulation(const ElasticMaterial &material)
-      : c(material.elasticity(dim))
-      , is_ring(material.is_axisymmetric())
-    {}
+    /** Of displacements with the shape functions of a scalar element. */
+    ElementFormulation(const ElasticMaterial            &material,
+                       const dealii::FiniteElement<dim> &fe,
+                       const dealii::Quadrature<dim>    &quadrature);
     virtual ~ElementFormulation() = default;
 
     /** Whether cells are rings round the y axis. */
@@ -52,60 +57,60 @@ namespace conetact::bodies
     }
 
     /** Exactly symmetric. */
-    virtual Matrix
-    stiffness(const Vertices &vertices) const = 0;
+    Matrix
+    stiffness(const Vertices &vertices) const;
     /**
      * Nodal forces @f$\int \bar B^T C \varepsilon_0\,dx@f$ that would cause
      * strains of themselves, such as those of a change of temperature, given
      * at the nodes and interpolated between them.
      */
-    virtual Displacements
-    forces(const Vertices &vertices, const Strains &initial) const = 0;
+    Displacements
+    forces(const Vertices &vertices, const Strains &initial) const;
     /** At the nodes, as this cell sees them, less those of `initial`. */
-    virtual Strains
+    Strains
     stresses(const Vertices      &vertices,
              const Displacements &u,
-             const Strains       &initial) const = 0;
+             const Strains       &initial) const;
 
   protected:
-    template <int n>
-    using Gradients = std::array<dealii::Tensor<1, dim>, n>;
-
-    /**
-     * Completes the strains of a ring whose n nodes have shape values N at
-     * the radius r = sum N_v x_v: zz is u_r / r, and du_r / dr on the axis,
-     * the limit. Nodes on the axis have no u_r.
-     */
-    template <int n, class Shapes>
-    void
-    go_round(const Vertices                            &vertices,
-             const Shapes                              &N,
-             const double                               r,
-             Eigen::Matrix<double, n_strains, dim * n> &b) const
+    /** Columns of strains, one or one for each dof; cells of the second degree
+     * have 3^dim nodes at most. */
+    static constexpr int most_dofs = dim == 2 ? 18 : 81;
+    using Columns =
+      Eigen::Matrix<double, n_strains, Eigen::Dynamic, 0, n_strains, most_dofs>;
+    /** Strains in a cell, those at nodes where they are asked for. */
+    struct StrainField
     {
-      for (int v = 0; v < n; ++v)
-        if (vertices[static_cast<std::size_t>(v)][0] > 0)
-          b(2, dim * v) = r > 0 ? N[v] / r : b(0, dim * v);
-        else
-          b.col(dim * v).setZero();
+      std::vector<Columns> at_points, at_vertices;
+      std::vector<double>  weights; ///< volumes of the Gauss points
+    };
+
+    /** Turns strains of the displacements into those of this element. */
+    virtual void
+    improve(const Vertices &, StrainField &) const
+    {}
+    /** Whether it does: strains at nodes may depend on those at points. */
+    virtual bool
+    is_improved() const
+    {
+      return false;
     }
 
-    /** Strains over the factors of n functions in each component. */
-    template <int n>
-    static Eigen::Matrix<double, n_strains, dim * n>
-    strain_matrix(const Gradients<n> &gradients)
+    /** Strains over the factors of n functions in each component, of their
+     * gradients in space. */
+    template <class Gradient>
+    static Columns
+    strain_matrix(const unsigned int n, const Gradient &gradient)
     {
-      Eigen::Matrix<double, n_strains, dim *n> b =
-        Eigen::Matrix<double, n_strains, dim * n>::Zero();
-      for (int v = 0; v < n; ++v)
+      Columns b = Columns::Zero(n_strains, dim * n);
+      for (unsigned int v = 0; v < n; ++v)
         {
-          const dealii::Tensor<1, dim> &g =
-            gradients[static_cast<std::size_t>(v)];
-          for (int d = 0; d < dim; ++d)
+          const dealii::Tensor<1, dim> g = gradient(v);
+          for (unsigned int d = 0; d < dim; ++d)
             b(d, dim * v + d) = g[d];
-          for (int row = 3; row < n_strains; ++row)
+          for (unsigned int row = 3; row < n_strains; ++row)
             {
-              const int i = row - 3, j = (i + 1) % 3;
+              const unsigned int i = row - 3, j = (i + 1) % 3;
               b(row, dim * v + i) = g[j];
               b(row, dim * v + j) = g[i];
             }
@@ -113,118 +118,29 @@ namespace conetact::bodies
       return b;
     }
 
-    const Elasticity c;
-    const bool       is_ring;
+    const Elasticity              c;
+    const bool                    is_ring;
+    mutable NodeMapping<dim>      mapping;
+    mutable dealii::FEValues<dim> points, nodes; ///< of the cell at hand
+
+  private:
+    void
+    add_strains(const Vertices              &vertices,
+                const dealii::FEValues<dim> &fe_values,
+                std::vector<Columns>        &strains) const;
+    StrainField
+    strains_at_points(const Vertices &vertices) const;
+    using Strain = Eigen::Matrix<double, n_strains, 1>;
+    Strain
+    at_point(const Strains &of_nodes, const unsigned int q) const;
   };
 
-  /**
-   * Of quadrilaterals and hexahedra, with 2^dim Gauss points. Here
-   * @f$\bar B@f$ is that of d-linear displacements (Q1); derived elements
-   * improve it.
-   */
+  /** Of quadrilaterals and hexahedra, with 2^dim Gauss points (Q1). */
   template <int dim>
   class DLinearElement : public ElementFormulation<dim>
   {
   public:
-    using Base = ElementFormulation<dim>;
-    using typename Base::Displacements;
-    using typename Base::Matrix;
-    using typename Base::Strains;
-    using typename Base::Vertices;
-    static constexpr int n_vertices = 1 << dim;
-    static constexpr int n_dofs     = dim * n_vertices;
-    static constexpr int n_strains  = Base::n_strains;
-
     explicit DLinearElement(const ElasticMaterial &material);
-
-    Matrix
-    stiffness(const Vertices &vertices) const override;
-    Displacements
-    forces(const Vertices &vertices, const Strains &initial) const override;
-    Strains
-    stresses(const Vertices      &vertices,
-             const Displacements &u,
-             const Strains       &initial) const override;
-
-  protected:
-    template <int n>
-    using Gradients = typename Base::template Gradients<n>;
-    /** Columns of strains, one or one for each dof. */
-    using Columns =
-      Eigen::Matrix<double, n_strains, Eigen::Dynamic, 0, n_strains, n_dofs>;
-    /** Strains in a cell, those at vertices where they are asked for. */
-    struct StrainField
-    {
-      std::vector<Columns> at_points, at_vertices;
-      std::vector<double>  weights; ///< volumes of the Gauss points
-    };
-
-    /** Turns strains of d-linear displacements into those of this element. */
-    virtual void
-    improve(const Vertices &, StrainField &) const
-    {}
-
-    /** @f$\partial x / \partial \xi@f$ at a point of the unit cell. */
-    static dealii::Tensor<2, dim>
-    jacobian(const Vertices &vertices, const Gradients<n_vertices> &unit);
-    static Gradients<n_vertices>
-    unit_gradients(const dealii::Point<dim> &p);
-
-    std::vector<dealii::Point<dim>> points, corners; ///< of the unit cell
-
-  private:
-    std::vector<Gradients<n_vertices>>            at_points, at_corners;
-    std::vector<double>                           unit_weights;
-    Eigen::Matrix<double, n_vertices, n_vertices> shapes; ///< column: a point
-
-    /** Of d-linear displacements, a column for each dof. */
-    StrainField
-    d_linear(const Vertices &vertices, const bool with_vertices) const;
-  };
-
-  /**
-   * Of triangles and tetrahedra: linear displacements, uniform strains but
-   * round an axis.
-   */
-  template <int dim>
-  class LinearElement : public ElementFormulation<dim>
-  {
-  public:
-    using Base = ElementFormulation<dim>;
-    using typename Base::Displacements;
-    using typename Base::Matrix;
-    using typename Base::Strains;
-    using typename Base::Vertices;
-    static constexpr int n_vertices = dim + 1;
-    static constexpr int n_dofs     = dim * n_vertices;
-    static constexpr int n_strains  = Base::n_strains;
-    using Base::Base;
-
-    Matrix
-    stiffness(const Vertices &vertices) const override;
-    Displacements
-    forces(const Vertices &vertices, const Strains &initial) const override;
-    Strains
-    stresses(const Vertices      &vertices,
-             const Displacements &u,
-             const Strains       &initial) const override;
-
-  private:
-    /** Strains over the dofs at a point of the cell, and its volume. */
-    struct PointOfCell
-    {
-      Eigen::Matrix<double, n_strains, n_dofs> b;
-      Eigen::Matrix<double, n_vertices, 1>     shapes;
-      double                                   volume;
-    };
-    /** Of those with the rows of shape values: one, three of a ring. */
-    std::vector<PointOfCell>
-    points(const Vertices &vertices) const;
-    /** At its vertices. */
-    std::vector<PointOfCell>
-    corners(const Vertices &vertices) const;
-    std::vector<PointOfCell>
-    at(const Vertices &vertices, const Eigen::MatrixXd &shapes) const;
   };
 } // namespace conetact::bodies
 
