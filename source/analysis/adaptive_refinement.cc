@@ -4,6 +4,7 @@
 #include "conetact/analysis/adaptive_refinement.h"
 
 #include "conetact/base/atomic_file.h"
+#include "conetact/base/team.h"
 #include "conetact/base/text.h"
 #include "conetact/output/csv.h"
 
@@ -144,5 +145,26 @@ namespace conetact::analysis
     const auto worst = worst_elements(errors, scene.adaptive.fraction);
     for (std::size_t b = 0; b < worst.size(); ++b)
       marked[b].push_back(worst[b]);
+  }
+
+  void
+  AdaptiveRefinement::share()
+  {
+    const auto                n_bodies = static_cast<unsigned int>(marked.size());
+    std::vector<unsigned int> numbers  = {n_done, n_bodies};
+    for (const bodies::Refinements &of_body : marked)
+      for (const std::set<unsigned int> &elements : of_body)
+        {
+          numbers.push_back(static_cast<unsigned int>(elements.size()));
+          numbers.insert(numbers.end(), elements.begin(), elements.end());
+        }
+    team().broadcast(numbers);
+    auto next = numbers.begin();
+    n_done    = *next++;
+    marked.assign(*next++, bodies::Refinements(n_done));
+    for (bodies::Refinements &of_body : marked)
+      for (std::set<unsigned int> &elements : of_body)
+        for (unsigned int n = *next++; n > 0; --n)
+          elements.insert(*next++);
   }
 } // namespace conetact::analysis

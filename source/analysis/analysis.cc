@@ -9,6 +9,8 @@
 #include "conetact/analysis/verify_condensation.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/joined_warnings.h"
+#include "conetact/base/process.h"
+#include "conetact/base/team.h"
 #include "conetact/base/text.h"
 #include "conetact/output/closing.h"
 #include "conetact/output/output_table.h"
@@ -238,14 +240,34 @@ namespace conetact::analysis
     description.fclib_increments = scene.fclib_increments;
     if (!scene.path.follows) // whose stages are no increments
       description.text_increments = scene.text_increments;
-    for (const output::OutputRow &row : output::output_table())
-      outputs.push_back(row.create(description));
-    outputs.push_back(std::make_unique<output::Progress>(description, quiet));
+    const bool speaks = ProcessSession::speaks();
+    agree([&] {
+      for (const output::OutputRow &row : output::output_table())
+        outputs.push_back(row.is_shared || speaks ? row.create(description) :
+                                                    nullptr);
+      outputs.push_back(
+        speaks ? std::make_unique<output::Progress>(description, quiet) :
+                 nullptr);
+    });
     if (scene.restart)
       return; // its pictures begin where it goes on
     const output::IncrementRecord undeformed = acceptance.undeformed();
+    for_outputs([&](output::Output &output) { output.begin(undeformed); });
+  }
+
+  /* One after the other on all processes; those that processes share agree by
+     themselves. */
+  void
+  Analysis::for_outputs(const std::function<void(output::Output &)> &f)
+  {
     for (const auto &output : outputs)
-      output->begin(undeformed);
+      if (output && output->is_shared())
+        f(*output);
+      else
+        agree([&] {
+          if (output)
+            f(*output);
+        });
   }
 
   std::size_t
@@ -281,6 +303,7 @@ namespace conetact::analysis
     work.elastic           = model.work();
     work.load_integrations = loads.n_integrations();
     for (const auto &output : outputs)
+      if (output)
       {
         work.outputs.drawings += output->work().drawings;
         work.outputs.table_bytes += output->work().table_bytes;
@@ -372,8 +395,7 @@ namespace conetact::analysis
       return;
     log.time("contact, displacements and equilibrium of " +
              std::to_string(finished.size()) + " increments");
-    for (const auto &output : outputs)
-      output->write(finished);
+    for_outputs([&](output::Output &output) { output.write(finished); });
     if (scene.adaptive.cycles > 0)
       final_record = finished.back();
     for (const output::IncrementRecord &record : finished)

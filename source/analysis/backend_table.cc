@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/process.h"
+#include "conetact/base/team.h"
 #include "conetact/iterative/large_stiffness.h"
 #include "conetact/solvers/large_newton.h"
 #include "conetact/solvers/solver_table.h"
@@ -16,10 +17,9 @@ namespace conetact::analysis
   namespace
   {
     int
-    processes_that_condense(const application::Scene    &scene,
-                            const contact::ContactModel &model)
+    only_one(const application::Scene &, const contact::ContactModel &)
     {
-      return scene.condenser->useful_processes(largest_system(model));
+      return 1;
     }
 
     int
@@ -52,9 +52,12 @@ namespace conetact::analysis
         if (n_iterations < few)
           return false;
         if (worth == 0)
-          worth = iterations_of_condensing(model,
-                                           scene.times.size(),
-                                           scene.n_drawings());
+          {
+            worth = iterations_of_condensing(model,
+                                             scene.times.size(),
+                                             scene.n_drawings());
+            first_decides(worth);
+          }
         return n_iterations > worth;
       };
       return std::make_unique<solvers::LargeNewton>(whole);
@@ -75,7 +78,10 @@ namespace conetact::analysis
                 "as in the run that is continued"};
       const BackendChoice choice =
         cheaper_backend(model, scene.times.size(), scene.n_drawings());
-      return {choice.row->name, choice.reason};
+      std::string name = choice.row->name, reason = choice.reason;
+      first_decides(name);
+      first_decides(reason);
+      return {name, reason};
     }
 
     std::string
@@ -84,7 +90,7 @@ namespace conetact::analysis
                       const contact::ContactModel &model)
     {
       return backend.useful_processes(scene, model) > 1 ?
-               "they share the " + std::string(backend.shared) :
+               "they share the linear systems" :
                "the first one does the work, the others have nothing to do";
     }
   } // namespace
@@ -93,15 +99,13 @@ namespace conetact::analysis
   backend_table()
   {
     static const Backend              condensed = {&contact::condensed_row(),
-                                                   "condensation",
                                                    true,
-                                                   &processes_that_condense,
+                                                   &only_one,
                                                    &estimate_cost,
                                                    &any_method,
                                                    nullptr};
     static const std::vector<Backend> table     = {condensed,
                                                    {&contact::iterative_row(),
-                                                    "linear systems",
                                                     false,
                                                     &processes_that_iterate,
                                                     &estimate_iterative_cost,

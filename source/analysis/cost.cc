@@ -74,22 +74,15 @@ namespace conetact::analysis
     // Of the iterative backend: seconds an unknown (what is made once, an
     // increment) and bytes, in the plane and in space; from blocks of
     // 32^3 and 64^3 cells (space), squares of 200^2 and 400^2, strips (plane).
-    // What processes share, what the first one has besides its meshes, and what
-    // each other has anyway: from 64^3 and 100^3 cells and 400^2, by one and
-    // two processes. Cells that differ take so many times as long, and as many
+    // What processes share, and what each has besides its meshes: from 64^3 and
+    // 100^3 cells and 400^2, by one and two processes. Cells that differ take so many times as long, and as many
     // bytes: 48^3 of them.
     constexpr double setup_of_unknown[]     = {4e-6, 4e-6};
     constexpr double increment_of_unknown[] = {1e-6, 2e-6};
     constexpr double shared_bytes[]         = {350, 640};
-    constexpr double bytes_of_first[]       = {400, 100};
-    constexpr double bytes_of_others        = 1.7e8;
+    constexpr double bytes_of_each[]        = {400, 100};
     constexpr double longer_if_unequal      = 4;
     constexpr double larger_if_unequal      = 3;
-
-    // Of a factorisation: what processes have more than their share, and how
-    // much longer they take; 24^3 and 30^3 cells by two of them.
-    constexpr double larger_if_shared = 1.2;
-    constexpr double longer_if_shared = 1.5;
 
     // Dense operations a second of a core, in which choices count the seconds
     // above: a choice must not depend on the clock, nor on who else works on
@@ -238,9 +231,8 @@ namespace conetact::analysis
   estimate_cost(const contact::ContactModel &model,
                 const std::size_t            n_increments,
                 const std::size_t            n_drawings,
-                const int                    n_processes)
+                const int)
   {
-    Assert(n_processes > 0, dealii::ExcMessage("There is a process."));
     const auto n_contact  = static_cast<double>(model.points.n_unknowns());
     const auto increments = static_cast<double>(n_increments);
     Cost       cost;
@@ -251,22 +243,14 @@ namespace conetact::analysis
       n_contact + static_cast<double>(model.points.n_bound_unknowns());
     cost.stiffness_bytes = 8 * n_rows * n_rows;
     // and at most as much again for Newton's matrix
-    const bool   shares = n_processes > 1;
-    const double factor_bytes =
-      factor.working_bytes / n_processes * (shares ? larger_if_shared : 1);
-    cost.memory_bytes = peak_memory() + factor_bytes + 2 * cost.stiffness_bytes;
+    cost.memory_bytes =
+      peak_memory() + factor.working_bytes + 2 * cost.stiffness_bytes;
     const double rate = dense_rate();
-    const double factorisation = sparse_over_dense[model.bodies.dim - 2] *
-                                 factor.flops / rate / n_processes *
-                                 (shares ? longer_if_shared : 1);
+    const double factorisation =
+      sparse_over_dense[model.bodies.dim - 2] * factor.flops / rate;
     cost.seconds = cpu_seconds() + factorisation +
                    flops_of_contact(model, increments) / rate +
                    seconds_of_results(model, increments, n_drawings);
-    if (shares)
-      {
-        cost.memory_of_others  = bytes_of_others + factor_bytes;
-        cost.seconds_of_others = factorisation;
-      }
     return cost;
   }
 
@@ -278,6 +262,7 @@ namespace conetact::analysis
                           const std::size_t            n_drawings,
                           const int                    n_processes)
   {
+    Assert(n_processes > 0, dealii::ExcMessage("There is a process."));
     const auto        n = static_cast<double>(model.coordinates.n_unknowns());
     const std::size_t d = model.bodies.dim - 2;
     const auto        increments = static_cast<double>(n_increments);
@@ -288,13 +273,14 @@ namespace conetact::analysis
     const double shared =
       share * shared_bytes[d] * (1 + (larger_if_unequal - 1) * unequal);
     Cost cost;
-    cost.memory_bytes = peak_memory() + bytes_of_first[d] * n + shared;
+    cost.memory_bytes = peak_memory() + bytes_of_each[d] * n + shared;
     cost.seconds      = cpu_seconds() + solution +
                    seconds_of_results(model, increments, n_drawings);
     if (n_processes > 1)
       {
-        cost.memory_of_others  = bytes_of_others + shared;
-        cost.seconds_of_others = solution;
+        // each knows the whole scene
+        cost.memory_of_others  = cost.memory_bytes;
+        cost.seconds_of_others = cost.seconds;
       }
     return cost;
   }

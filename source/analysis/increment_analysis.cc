@@ -7,6 +7,7 @@
 #include "conetact/analysis/scene_report.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/interruption.h"
+#include "conetact/base/team.h"
 #include "conetact/base/text.h"
 #include "conetact/solvers/large_newton.h"
 
@@ -85,6 +86,8 @@ namespace conetact::analysis
                   const std::string why = why_it_leaves(next);
                   throw AnalysisError(why.empty() ? step.why : why);
                 }
+              if (!is_in_team()) // the first process goes on alone
+                return;
           }
       }
     report_skips(scene, model, loads, log);
@@ -310,6 +313,19 @@ namespace conetact::analysis
     return model.elasticity().expand(cases, primal);
   }
 
+  /* Decisions rest on these numbers. */
+  void
+  IncrementAnalysis::demand_equal(const std::vector<PendingIncrement> &batch,
+                                  const Eigen::MatrixXd               &w)
+  {
+    std::vector<std::pair<const double *, Eigen::Index>> numbers = {
+      {w.data(), w.size()}};
+    for (const PendingIncrement &increment : batch)
+      for (const Eigen::VectorXd *x : {&increment.end.v, &increment.end.r})
+        numbers.emplace_back(x->data(), x->size());
+    conetact::demand_equal(numbers);
+  }
+
   IncrementAnalysis::Step
   IncrementAnalysis::finish(std::vector<PendingIncrement> &batch)
   {
@@ -319,6 +335,7 @@ namespace conetact::analysis
     if (batch.empty())
       return {};
     const Eigen::MatrixXd                w = deformations(batch);
+    demand_equal(batch, w);
     std::vector<output::IncrementRecord> finished;
     Step                                 step;
     for (std::size_t i = 0;
@@ -354,7 +371,10 @@ namespace conetact::analysis
                "memory than this machine has.";
         return false;
       }
-    if (!fits_condensed(model, scene.times.size(), scene.n_drawings()))
+    bool fits =
+      fits_condensed(model, scene.times.size(), scene.n_drawings());
+    first_decides(fits);
+    if (!fits)
       {
         in_parts = true;
         solver   = std::make_unique<solvers::LargeNewton>(scene.solver);
@@ -367,6 +387,9 @@ namespace conetact::analysis
   void
   IncrementAnalysis::condense_from_here(const std::string &why)
   {
+    leave_to_first();
+    if (!is_in_team())
+      return;
     log.say(why +
             " From here on bodies are condensed, which has more methods.");
     log.time("an increment that has not been solved");

@@ -7,6 +7,8 @@
 #include "conetact/analysis/increment_analysis.h"
 #include "conetact/analysis/stage_layout.h"
 #include "conetact/base/interruption.h"
+#include "conetact/base/process.h"
+#include "conetact/base/team.h"
 #include "conetact/base/text.h"
 #include "conetact/output/former_rows.h"
 
@@ -35,6 +37,16 @@ namespace conetact::analysis
   void
   IncrementAnalysis::write_checkpoint()
   {
+    n_saved = n_on_disk;
+    agree([&] {
+      if (ProcessSession::speaks())
+        write_archive();
+    });
+  }
+
+  void
+  IncrementAnalysis::write_archive() const
+  {
     Archive archive;
     archive.put_text("scene", scene.values());
     archive.put("times",
@@ -50,7 +62,6 @@ namespace conetact::analysis
     wear_error.save(archive);
     put_layout(model.points, archive);
     archive.write(description.folder / "checkpoint.bin");
-    n_saved = n_on_disk;
   }
 
   /* Parts of the increment that is running follow first. */

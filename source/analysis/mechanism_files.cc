@@ -3,6 +3,7 @@
 
 #include "conetact/analysis/mechanism_files.h"
 
+#include "conetact/base/atomic_file.h"
 #include "conetact/output/csv.h"
 #include "conetact/output/graphics.h"
 
@@ -57,10 +58,9 @@ namespace conetact::analysis
   void
   MechanismFiles::remove() const
   {
-    std::error_code ignored;
-    std::filesystem::remove(folder / "mechanism.pvd", ignored);
+    remove_file(folder / "mechanism.pvd");
     for (std::size_t b = 0; b < model.bodies.names.size(); ++b)
-      std::filesystem::remove(folder / name(b), ignored);
+      remove_file(folder / name(b));
   }
 
 

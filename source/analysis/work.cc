@@ -5,7 +5,6 @@
 
 #include "conetact/analysis/cost.h"
 #include "conetact/base/text.h"
-#include "conetact/base/workers.h"
 
 #include <cmath>
 #include <cstdint>
@@ -48,14 +47,13 @@ namespace conetact::analysis
 
 
   void
-  note_work(const Work &work, Log &log)
+  note_work(const Work &work, const std::vector<Needs> &processes, Log &log)
   {
     log.note("memory: " + megabytes(peak_memory()) + " at most");
-    if (Together::is_possible())
+    if (processes.size() > 1)
       {
-        const Together together({Command::report});
-        std::string    memory, time;
-        for (const Needs &needs : needs_of_processes())
+        std::string memory, time;
+        for (const Needs &needs : processes)
           {
             const char *const comma = memory.empty() ? "" : ", ";
             memory += comma + megabytes(needs.peak_memory);

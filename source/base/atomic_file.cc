@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/new_file.h"
+#include "conetact/base/process.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -97,6 +98,16 @@ namespace conetact
   write_atomically(const fs::path                              &file,
                    const std::function<void(const fs::path &)> &write)
   {
+    if (ProcessSession::speaks())
+      replace_file(file, write);
+  }
+
+
+
+  void
+  replace_file(const fs::path                              &file,
+               const std::function<void(const fs::path &)> &write)
+  {
     const fs::path  temporary = file.string() + ".tmp";
     std::error_code error;
     create_anew(temporary);
@@ -112,6 +123,16 @@ namespace conetact
         fs::remove(temporary, error);
         throw;
       }
+  }
+
+
+
+  void
+  remove_file(const fs::path &file)
+  {
+    std::error_code ignored; // what cannot be removed stays
+    if (ProcessSession::speaks())
+      fs::remove(file, ignored);
   }
 
 

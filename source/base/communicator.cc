@@ -33,6 +33,35 @@ namespace conetact
       Communicator::wait(requests);
     }
 
+    /** Numbers of each process that are added in the order of processes. */
+    constexpr Eigen::Index few = 64;
+
+    template <typename Number>
+    void
+    add_in_order(Number             *x,
+                 const Eigen::Index  length,
+                 MPI_Datatype        type,
+                 const Communicator &processes)
+    {
+      const auto          n = static_cast<Eigen::Index>(processes.size());
+      std::vector<Number> all(at(n * length));
+      MPI_Request         request;
+      MPI_Iallgather(x,
+                     static_cast<int>(length),
+                     type,
+                     all.data(),
+                     static_cast<int>(length),
+                     type,
+                     processes.handle(),
+                     &request);
+      wait_for(request);
+      using Array = Eigen::Map<Eigen::Array<Number, Eigen::Dynamic, 1>>;
+      Array sum(x, length);
+      sum.setZero();
+      for (Eigen::Index p = 0; p < n; ++p)
+        sum += Array(all.data() + p * length, length);
+    }
+
     template <typename Number>
     void
     add_up(Number             *x,
@@ -42,6 +71,8 @@ namespace conetact
     {
       if (processes.size() == 1 || length == 0)
         return;
+      if (length <= few)
+        return add_in_order(x, length, type, processes);
       MPI_Request request;
       MPI_Iallreduce(MPI_IN_PLACE,
                      x,
@@ -149,32 +180,15 @@ namespace conetact
     Counts counts;
     counts.own = static_cast<int>(own_bytes);
     counts.length.resize(at(n));
-    MPI_Allgather(
-      &counts.own, 1, MPI_INT, counts.length.data(), 1, MPI_INT, comm);
+    MPI_Request request;
+    MPI_Iallgather(
+      &counts.own, 1, MPI_INT, counts.length.data(), 1, MPI_INT, comm, &request);
+    wait_for(request);
     for (const int length : counts.length)
       {
         counts.start.push_back(counts.total);
         counts.total += length;
       }
-    return counts;
-  }
-
-
-
-  Communicator::Counts
-  Communicator::count(const std::vector<int> &first, const int bytes) const
-  {
-    AssertDimension(first.size(), at(n) + 1);
-    Assert(std::is_sorted(first.begin(), first.end()),
-           dealii::ExcMessage("Parts of processes follow each other."));
-    Counts counts;
-    for (int p = 0; p < n; ++p)
-      {
-        counts.start.push_back(first[at(p)] * bytes);
-        counts.length.push_back((first[at(p) + 1] - first[at(p)]) * bytes);
-      }
-    counts.own   = counts.length[at(own)];
-    counts.total = first[at(n)] * bytes;
     return counts;
   }
 
@@ -201,44 +215,6 @@ namespace conetact
 
 
   void
-  Communicator::gather(const void *part, void *all, const Counts &counts) const
-  {
-    MPI_Request request;
-    MPI_Igatherv(part,
-                 counts.own,
-                 MPI_BYTE,
-                 all,
-                 counts.length.data(),
-                 counts.start.data(),
-                 MPI_BYTE,
-                 0,
-                 comm,
-                 &request);
-    wait_for(request);
-  }
-
-
-
-  void
-  Communicator::scatter(const void *all, void *part, const Counts &counts) const
-  {
-    MPI_Request request;
-    MPI_Iscatterv(all,
-                  counts.length.data(),
-                  counts.start.data(),
-                  MPI_BYTE,
-                  part,
-                  counts.own,
-                  MPI_BYTE,
-                  0,
-                  comm,
-                  &request);
-    wait_for(request);
-  }
-
-
-
-  void
   Communicator::broadcast(void *x, const std::size_t bytes) const
   {
     for (std::size_t k = 0; k < bytes; k += longest)
@@ -256,43 +232,6 @@ namespace conetact
 
 
 
-  void
-  Communicator::send(const void *x, const std::size_t bytes, const int to) const
-  {
-    Assert(to >= 0 && to < size(),
-           dealii::ExcMessage("There is such a process."));
-    for (std::size_t k = 0; k < bytes; k += longest)
-      MPI_Send(static_cast<const char *>(x) + k,
-               static_cast<int>(std::min(longest, bytes - k)),
-               MPI_BYTE,
-               to,
-               0,
-               comm);
-  }
-
-
-
-  void
-  Communicator::receive(void *x, const std::size_t bytes, const int from) const
-  {
-    Assert(from >= 0 && from < size(),
-           dealii::ExcMessage("There is such a process."));
-    for (std::size_t k = 0; k < bytes; k += longest)
-      {
-        MPI_Request request;
-        MPI_Irecv(static_cast<char *>(x) + k,
-                  static_cast<int>(std::min(longest, bytes - k)),
-                  MPI_BYTE,
-                  from,
-                  0,
-                  comm,
-                  &request);
-        wait_for(request);
-      }
-  }
-
-
-
   std::vector<std::vector<int>>
   Communicator::exchange(const std::vector<std::vector<int>> &lists) const
   {
@@ -300,7 +239,10 @@ namespace conetact
     std::vector<int> sent, received(at(n));
     for (const std::vector<int> &list : lists)
       sent.push_back(static_cast<int>(list.size()));
-    MPI_Alltoall(sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm);
+    MPI_Request request;
+    MPI_Ialltoall(
+      sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, comm, &request);
+    wait_for(request);
     std::vector<std::vector<int>> result(at(n));
     std::vector<MPI_Request>      requests;
     for (int p = 0; p < n; ++p)

@@ -5,6 +5,7 @@
 
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/process.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -42,8 +43,10 @@ namespace conetact
 
 
   FolderLock::FolderLock(const std::filesystem::path &folder)
-    : fd(open_log(folder, O_CREAT))
   {
+    if (!ProcessSession::speaks())
+      return;
+    fd = open_log(folder, O_CREAT);
     if (fd < 0)
       fail_to_write(folder / "log.txt",
                     std::error_code(errno, std::generic_category()));
@@ -54,7 +57,8 @@ namespace conetact
 
   FolderLock::~FolderLock()
   {
-    ::close(fd);
+    if (fd >= 0)
+      ::close(fd);
   }
 
 
@@ -62,7 +66,7 @@ namespace conetact
   void
   FolderLock::check(const std::filesystem::path &folder)
   {
-    const int log = open_log(folder, 0);
+    const int log = ProcessSession::speaks() ? open_log(folder, 0) : -1;
     if (log < 0)
       return;
     refuse_if_held(log, folder);

@@ -4,6 +4,7 @@
 #include "conetact/base/log.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/process.h"
 
 #include <cstdio>
 #include <iostream>
@@ -11,7 +12,8 @@
 namespace conetact
 {
   Log::Log(const bool q, const bool v)
-    : quiet(q)
+    : silent(!ProcessSession::speaks())
+    , quiet(q || silent)
     , verbose(v)
     , last(Clock::now())
   {}
@@ -27,6 +29,8 @@ namespace conetact
   void
   Log::keep(const std::string &line)
   {
+    if (silent)
+      return;
     if (!file.is_open())
       kept += line + "\n";
     else if (!(file << line << std::endl))
@@ -56,11 +60,20 @@ namespace conetact
   void
   Log::open(const std::filesystem::path &folder, const bool goes_on)
   {
+    if (silent)
+      return;
     file.open(folder / "log.txt", goes_on ? std::ios::app : std::ios::out);
     if (!(file << kept << std::flush))
       throw WriteError("The folder " + folder.string() +
                        " cannot be written: check its permissions and the "
                        "space on the disk.");
     kept.clear();
+  }
+
+  void
+  print(const std::string &text)
+  {
+    if (ProcessSession::speaks() && !(std::cout << text << std::flush))
+      throw WriteError("Standard output cannot be written: is the disk full?");
   }
 } // namespace conetact

@@ -5,6 +5,7 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/folder_lock.h"
+#include "conetact/base/process.h"
 
 #include <unistd.h>
 
@@ -28,6 +29,8 @@ namespace conetact
   void
   check_folder(const std::filesystem::path &folder)
   {
+    if (!ProcessSession::speaks())
+      return;
     std::error_code       error;
     std::filesystem::path existing = std::filesystem::absolute(folder, error);
     while (!error && !std::filesystem::exists(existing, error) && !error &&
@@ -48,6 +51,8 @@ namespace conetact
   void
   make_folder(const std::filesystem::path &folder)
   {
+    if (!ProcessSession::speaks())
+      return;
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error || !std::filesystem::is_directory(folder))

@@ -117,12 +117,6 @@ namespace conetact::condensed
       const auto n = static_cast<double>(upper.cols() - n_schur);
       return of_both_triangles(n * n, 2. / 3. * n * n * n, n_schur);
     }
-
-    int
-    only_one(const Index)
-    {
-      return 1;
-    }
   } // namespace
 
 
@@ -135,24 +129,20 @@ namespace conetact::condensed
        "MUMPS itself, whose factorisation returns the condensed stiffness: "
        "the fastest",
        &create_mumps,
-       &MumpsSchur::estimate,
-       &MumpsSchur::useful_processes},
+       &MumpsSchur::estimate},
       {"amesos_klu",
        "KLU of Trilinos' Amesos, an independent method to compare with; slow "
        "in space",
        &create_klu,
-       &estimate_sparse,
-       &only_one},
+       &estimate_sparse},
       {"amesos_mumps",
        "MUMPS as Amesos calls it, contact node by contact node",
        &create_amesos_mumps,
-       &estimate_sparse,
-       &only_one},
+       &estimate_sparse},
       {"amesos_lapack",
        "LAPACK of Amesos, dense, for small bodies (up to 6000 unknowns)",
        &create_lapack,
-       &estimate_lapack,
-       &only_one},
+       &estimate_lapack},
     };
     return table;
   }

@@ -3,11 +3,9 @@
 
 #include "conetact/condensed/mumps.h"
 
-#include "conetact/base/communicator.h"
 #include "conetact/base/process.h"
 #include "conetact/condensed/schur_solver.h"
 
-#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -16,45 +14,19 @@ namespace conetact::condensed
   namespace
   {
     constexpr int job_begin = -1, job_end = -2; // jobs, as MUMPS calls them
-
-    int n_shared = 0; // made so far
-
-    /* Nothing where this process is alone. */
-    std::unique_ptr<Together>
-    order(const Command command, const int number, const int value)
-    {
-      return number == 0 ?
-               nullptr :
-               std::make_unique<Together>(Order{command, number, value});
-    }
-
-    /* All of these processes do so. */
-    void
-    begin_on(const Communicator &processes, DMUMPS_STRUC_C &data)
-    {
-      data.sym = 1; // positive definite
-      data.par = 1; // the first process works, too
-      data.comm_fortran =
-        static_cast<MUMPS_INT>(MPI_Comm_c2f(processes.handle()));
-      data.job = job_begin;
-      dmumps_c(&data);
-      for (const int i : {1, 2, 3}) // silent
-        data.icntl[i - 1] = -1;
-      data.icntl[4 - 1] = 0;
-    }
   } // namespace
 
 
 
-  Mumps::Mumps(const int n_processes)
-    : number(n_processes > 1 ? ++n_shared : 0)
+  Mumps::Mumps()
   {
-    {
-      const auto together = order(Command::make_mumps, number, n_processes);
-      begin_on(number == 0 ? Communicator() :
-                             Communicator::of_first(n_processes),
-               data);
-    }
+    data.sym          = 1; // positive definite
+    data.par          = 1; // this process works
+    data.comm_fortran = ProcessSession::require_mpi();
+    call(job_begin);
+    for (const int i : {1, 2, 3}) // silent
+      control(i) = -1;
+    control(4) = 0;
     throw_errors();
     control(7)  = 1;  // the order is given
     control(8)  = -1; // and the scaling
@@ -66,8 +38,7 @@ namespace conetact::condensed
 
   Mumps::~Mumps()
   {
-    if (number == 0 ? ProcessSession::mpi_is_running() :
-                      Together::is_possible())
+    if (ProcessSession::mpi_is_running())
       call(job_end);
   }
 
@@ -111,8 +82,7 @@ namespace conetact::condensed
   void
   Mumps::call(const int job)
   {
-    const auto together = order(Command::call_mumps, number, job);
-    data.job            = job;
+    data.job = job;
     dmumps_c(&data);
   }
 
@@ -130,29 +100,5 @@ namespace conetact::condensed
       throw std::runtime_error("MUMPS gives up with its error " +
                                std::to_string(error) + " (" +
                                std::to_string(info(2)) + ").");
-  }
-
-
-
-  void
-  MumpsParts::make(const Order &order)
-  {
-    const auto processes = Communicator::of_first(order.value);
-    if (processes.is_member())
-      begin_on(processes, parts[order.number]);
-  }
-
-
-
-  void
-  MumpsParts::call(const Order &order)
-  {
-    const auto part = parts.find(order.number);
-    if (part == parts.end())
-      return;
-    part->second.job = order.value;
-    dmumps_c(&part->second);
-    if (order.value == job_end)
-      parts.erase(part);
   }
 } // namespace conetact::condensed

@@ -70,8 +70,7 @@ namespace conetact::condensed
     // Leaves MUMPS with pointers to the matrix.
     void
     analyse(const SparseMatrix              &upper,
-            const std::vector<unsigned int> &node_of,
-            const int                        n_processes);
+            const std::vector<unsigned int> &node_of);
     void
     factorize(const SparseMatrix              &upper,
               const std::vector<unsigned int> &node_of);
@@ -109,8 +108,7 @@ namespace conetact::condensed
 
   void
   MumpsSchur::Implementation::analyse(const SparseMatrix              &upper,
-                                      const std::vector<unsigned int> &node_of,
-                                      const int n_processes)
+                                      const std::vector<unsigned int> &node_of)
   {
     const std::size_t n_entries = static_cast<std::size_t>(upper.nonZeros());
     rows.resize(n_entries);
@@ -125,7 +123,7 @@ namespace conetact::condensed
     for (int &place : order)
       ++place;
 
-    mumps                = std::make_unique<Mumps>(n_processes);
+    mumps                = std::make_unique<Mumps>();
     DMUMPS_STRUC_C &data = mumps->data;
     data.n               = static_cast<int>(n);
     data.nnz             = upper.nonZeros();
@@ -163,7 +161,7 @@ namespace conetact::condensed
     const VectorXd diagonal = upper.diagonal();
     // Cheap, and it names the node; MUMPS would only say that a pivot is zero.
     refuse_empty_diagonal(diagonal.head(n_eliminated), node_of);
-    analyse(upper, node_of, useful_processes(n));
+    analyse(upper, node_of);
     DMUMPS_STRUC_C &data = mumps->data;
     if (n_schur > 0)
       {
@@ -251,15 +249,6 @@ namespace conetact::condensed
 
 
 
-  int
-  MumpsSchur::useful_processes(const Index n_unknowns)
-  {
-    constexpr Index fewest = 10000; // less is not worth a process
-    return processes_for(n_unknowns, fewest);
-  }
-
-
-
   FactorEstimate
   MumpsSchur::estimate(const SparseMatrix              &upper,
                        const Index                      n_schur,
@@ -269,7 +258,7 @@ namespace conetact::condensed
     if (upper.cols() == n_schur)
       return {};
     Implementation solver(upper, n_schur);
-    solver.analyse(upper, node_of, 1);
+    solver.analyse(upper, node_of);
     const Mumps &mumps = *solver.mumps;
     // Of the analysis: entries of the factor, workspace in MB, operations.
     return {sizeof(double) * in_full(mumps.info(3)),

@@ -4,6 +4,7 @@
 #include "conetact/iterative/direct_system.h"
 
 #include "conetact/base/index.h"
+#include "conetact/base/team.h"
 
 #include <deal.II/base/exceptions.h>
 
@@ -103,6 +104,7 @@ namespace conetact::iterative
     Array       du = solver.solve(b);
     const Array r  = b - matrix * du;
     du += solver.solve(r);
+    team().broadcast(du);
     const double size  = b.norm();
     const double error = size > 0 ? (b - matrix * du).norm() / size : 0.;
     if (!du.allFinite())

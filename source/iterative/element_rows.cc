@@ -4,7 +4,8 @@
 #include "conetact/iterative/element_rows.h"
 
 #include "conetact/base/index.h"
-#include "conetact/base/partition.h"
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 
@@ -203,106 +204,18 @@ namespace conetact::iterative
       std::vector<std::size_t> blocks; ///< of a row, one for each node
     };
 
-    /** Elements on their way to a process that has nodes of them. */
-    class Parcel
-    {
-    public:
-      void
-      add(const std::vector<int> &its_places, const double *matrix)
-      {
-        const std::size_t n = its_places.size();
-        size.push_back(static_cast<int>(n));
-        places.insert(places.end(), its_places.begin(), its_places.end());
-        // Neighbours are often congruent.
-        const bool is_new =
-          last_size != n * n ||
-          !std::equal(matrix, matrix + n * n, numbers.end() - n_last());
-        has_matrix.push_back(is_new ? 1 : 0);
-        if (!is_new)
-          return;
-        numbers.insert(numbers.end(), matrix, matrix + n * n);
-        last_size = n * n;
-      }
-      bool
-      is_empty() const
-      {
-        return size.empty();
-      }
-      bool
-      is_full() const
-      {
-        constexpr std::size_t many = 1 << 20;
-        return numbers.size() + places.size() > many;
-      }
-      /** It is empty then; an empty one is the last. */
-      void
-      send(const int to, const Communicator &processes)
-      {
-        processes.send(size, to);
-        if (is_empty())
-          return;
-        processes.send(has_matrix, to);
-        processes.send(places, to);
-        processes.send(numbers, to);
-        *this = {};
-      }
-      /** False: that was the last one. */
-      bool
-      receive(const Communicator &processes)
-      {
-        size = processes.receive<int>(0);
-        if (is_empty())
-          return false;
-        has_matrix = processes.receive<char>(0);
-        places     = processes.receive<int>(0);
-        numbers    = processes.receive<double>(0);
-        return true;
-      }
-      /** Calls visit(places, matrix) for all. */
-      template <typename Visit>
-      void
-      for_each(const Visit &visit) const
-      {
-        std::vector<int> own;
-        auto             next   = places.begin();
-        const double    *matrix = numbers.data(), *behind = matrix;
-        for (std::size_t e = 0; e < size.size(); ++e)
-          {
-            own.assign(next, next + size[e]);
-            next += size[e];
-            if (has_matrix[e] != 0)
-              {
-                matrix = behind;
-                behind += own.size() * own.size();
-              }
-            visit(own, matrix);
-          }
-      }
-
-    private:
-      std::ptrdiff_t
-      n_last() const
-      {
-        return static_cast<std::ptrdiff_t>(last_size);
-      }
-
-      std::vector<int>    size;       ///< unknowns of each
-      std::vector<char>   has_matrix; ///< 0: that of the one before
-      std::vector<int>    places;
-      std::vector<double> numbers;
-      std::size_t         last_size = 0; ///< of the last matrix
-    };
-
-    /** Elements as the first process knows them, in places. */
+    /** Elements in places, those that have some of this process. */
     class PlacedElements
     {
     public:
       PlacedElements(const Elements         &e,
                      const std::vector<int> &p,
-                     const std::vector<int> &f)
+                     const int               own_begin,
+                     const int               own_end)
         : elements(e)
         , places(p)
-        , first(f)
+        , begin(own_begin)
+        , end(own_end)
       {}
       template <typename Visit>
       void
@@ -311,76 +224,53 @@ namespace conetact::iterative
         std::vector<int> own;
         elements.for_each(
           [&](const std::vector<Index> &unknowns, const double *matrix) {
-            find_places(unknowns, own);
-            visit(own, matrix);
+            if (find_places(unknowns, own))
+              visit(own, matrix);
           });
       }
-      /** Of all nodes. */
+      /** Of own nodes. */
       template <int block>
       std::vector<int>
       elements_of_nodes() const
       {
-        std::vector<int>    count(at(first.back() / block), 0);
+        std::vector<int>    count(at((end - begin) / block), 0);
         ElementNodes<block> element;
         std::vector<int>    own;
         elements.for_each_connection([&](const std::vector<Index> &unknowns) {
-          find_places(unknowns, own);
+          if (!find_places(unknowns, own))
+            return;
           element.find(own);
           for (const int i : element.nodes)
-            ++count[at(i)];
+            if (is_own(i * block))
+              ++count[at(i - begin / block)];
         });
         return count;
       }
-      void
-      send(const Communicator &processes) const
-      {
-        if (processes.size() == 1)
-          return;
-        std::vector<Parcel> parcels(at(processes.size()));
-        std::vector<int>    owners;
-        for_each([&](const std::vector<int> &own, const double *matrix) {
-          find_owners(own, owners);
-          for (const int p : owners)
-            {
-              Parcel &parcel = parcels[at(p)];
-              parcel.add(own, matrix);
-              if (parcel.is_full())
-                parcel.send(p, processes);
-            }
-        });
-        for (int p = 1; p < processes.size(); ++p)
-          {
-            if (!parcels[at(p)].is_empty())
-              parcels[at(p)].send(p, processes);
-            parcels[at(p)].send(p, processes); // the last one
-          }
-      }
 
     private:
-      void
-      find_places(const std::vector<Index> &unknowns,
-                  std::vector<int>         &own) const
+      bool
+      is_own(const int place) const
       {
-        own.clear();
-        for (const Index q : unknowns)
-          own.push_back(places[at(q)]);
+        return place >= begin && place < end;
       }
-      /** Processes but the first that have unknowns of an element. */
-      void
-      find_owners(const std::vector<int> &own, std::vector<int> &owners) const
+      /** Whether some are own. */
+      bool
+      find_places(const std::vector<Index> &unknowns,
+                  std::vector<int>         &found) const
       {
-        owners.clear();
-        for (const int place : own)
-          if (place >= first[1])
-            {
-              const int p = owner_of(place, first);
-              if (std::find(owners.begin(), owners.end(), p) == owners.end())
-                owners.push_back(p);
-            }
+        bool any = false;
+        found.clear();
+        for (const Index q : unknowns)
+          {
+            found.push_back(places[at(q)]);
+            any = any || is_own(found.back());
+          }
+        return any;
       }
 
       const Elements         &elements;
-      const std::vector<int> &places, &first;
+      const std::vector<int> &places;
+      const int               begin, end;
     };
   } // namespace
 
@@ -390,23 +280,13 @@ namespace conetact::iterative
   BlockMatrix<block, block, double>
   rows_of_elements(const Elements         &elements,
                    const std::vector<int> &places,
-                   const std::vector<int> &first,
-                   const Communicator     &processes)
+                   const int               begin,
+                   const int               end)
   {
-    std::vector<int> first_node;
-    for (const int place : first)
-      first_node.push_back(place / block);
-    const PlacedElements placed(elements, places, first);
-    const bool           has_elements = processes.rank() == 0;
-    Eigen::VectorXi      count;
-    if (has_elements)
-      {
-        const auto all = placed.elements_of_nodes<block>();
-        count =
-          Eigen::Map<const Eigen::VectorXi>(all.data(),
-                                            static_cast<Index>(all.size()));
-      }
-    count = processes.scatter(std::move(count), first_node);
+    Assert(0 <= begin && begin <= end && begin % block == 0 &&
+             end % block == 0,
+           dealii::ExcMessage("Rows are those of whole nodes."));
+    const PlacedElements placed(elements, places, begin, end);
 
     RowByRow<block, block, double> matrix(true);
     std::vector<int>               number, columns;
@@ -418,20 +298,11 @@ namespace conetact::iterative
       matrix.append(columns.data(), columns.size(), numbers);
       number.push_back(i);
     };
-    OpenRows<block> rows({count.begin(), count.end()},
-                         first_node[at(processes.rank())]);
-    const auto add = [&](const std::vector<int> &own, const double *element) {
+    OpenRows<block> rows(placed.template elements_of_nodes<block>(),
+                         begin / block);
+    placed.for_each([&](const std::vector<int> &own, const double *element) {
       rows.add(own, element, take);
-    };
-    if (has_elements)
-      {
-        // The others first: they have begun, then.
-        placed.send(processes);
-        placed.for_each(add);
-      }
-    else
-      for (Parcel parcel; parcel.receive(processes);)
-        parcel.for_each(add);
+    });
     rows.finish(take);
     return matrix.finish(number);
   }
@@ -439,11 +310,11 @@ namespace conetact::iterative
   template BlockMatrix<2, 2, double>
   rows_of_elements<2>(const Elements         &elements,
                       const std::vector<int> &places,
-                      const std::vector<int> &first,
-                      const Communicator     &processes);
+                      const int               begin,
+                      const int               end);
   template BlockMatrix<3, 3, double>
   rows_of_elements<3>(const Elements         &elements,
                       const std::vector<int> &places,
-                      const std::vector<int> &first,
-                      const Communicator     &processes);
+                      const int               begin,
+                      const int               end);
 } // namespace conetact::iterative

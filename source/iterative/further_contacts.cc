@@ -4,6 +4,7 @@
 #include "conetact/iterative/further_contacts.h"
 
 #include "conetact/base/index.h"
+#include "conetact/base/team.h"
 #include "conetact/iterative/flexible_gmres.h"
 
 #include <deal.II/base/exceptions.h>
@@ -352,13 +353,14 @@ namespace conetact::iterative
             return du;
           unsigned int iterations = 0;
           responses.clear();
-          const Array part = size * gmres
-                                      .solve((left / size).cast<float>(),
-                                             std::max(goal / size, digits),
-                                             product,
-                                             as_it_is,
-                                             iterations)
-                                      .cast<double>();
+          Array part = size * gmres
+                                .solve((left / size).cast<float>(),
+                                       std::max(goal / size, digits),
+                                       product,
+                                       as_it_is,
+                                       iterations)
+                                .cast<double>();
+          team().broadcast(part);
           // the changes are orthonormal
           for (const auto &[change, response] : responses)
             {

@@ -5,11 +5,14 @@
 
 #include "conetact/base/index.h"
 #include "conetact/base/partition.h"
-#include "conetact/base/process.h"
+#include "conetact/base/team.h"
 #include "conetact/iterative/block_system.h"
+#include "conetact/iterative/element_rows.h"
+#include "conetact/solvers/local_system.h"
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace conetact::iterative
@@ -33,7 +36,6 @@ namespace conetact::iterative
     {
       std::vector<int> of;    ///< each unknown
       std::vector<int> first; ///< of each process, and behind the last one
-      int              block; ///< places of a node
     };
 
     /** Nodes of each process: what elements bring to their rows is its work. */
@@ -116,7 +118,6 @@ namespace conetact::iterative
       const auto [nodes, node] = number_nodes(given.node_of);
       const auto part          = parts_of_nodes(given, nodes, node, n_parts);
       Places     places;
-      places.block = block;
       std::vector<int> next(nodes.size()); // place of each node
       int              n = 0;
       for (const auto &own : sort_nodes(given, nodes, part, n_parts))
@@ -134,48 +135,42 @@ namespace conetact::iterative
       return places;
     }
 
-    /** The number of a vector that processes keep. */
-    struct KeptVector : solvers::LargeVector
+    /** All of the team, or each process by itself for what is small. */
+    Communicator
+    processes_of(const LargeStiffness &given)
     {
-      KeptVector(const int n, std::shared_ptr<std::vector<int>> list)
-        : number(n)
-        , forgotten(std::move(list))
-      {}
-      ~KeptVector() override
-      {
-        forgotten->push_back(number);
-      }
-      KeptVector(const KeptVector &) = delete;
-      KeptVector &
-      operator=(const KeptVector &) = delete;
+      const bool is_shared =
+        given.preconditioner == Preconditioner::aggregation &&
+        given.node_of.size() > at(small_enough);
+      return is_shared ? team() : Communicator();
+    }
 
-      const int                               number;
-      const std::shared_ptr<std::vector<int>> forgotten;
-    };
-
-    /** As the first process sees it. */
-    class FirstPart : public solvers::LargeSystem
+    /** A BlockSystem of which each process has its places. */
+    template <int block>
+    class SharedSystem : public solvers::LargeSystem
     {
     public:
-      FirstPart(LargeStiffness &given, const unsigned int dim)
-        : n_parts(given.preconditioner == Preconditioner::aggregation ?
-                    useful_processes(static_cast<Index>(given.node_of.size())) :
-                    1)
-        , number(n_parts > 1 ? ++n_made : 0)
-        , places(find_places(given, static_cast<int>(dim), n_parts))
+      explicit SharedSystem(LargeStiffness &&given)
+        : processes(processes_of(given))
+        , places(find_places(given, block, processes.size()))
+        , begin(places.first[at(processes.rank())])
+        , end(places.first[at(processes.rank()) + 1])
       {
-        WholeSystem whole = to_whole(given);
-        const auto  together =
-          call(on(dim == 2 ? Command::make_plane : Command::make_space));
-        system = share_system(std::move(whole),
-                              dim,
-                              n_parts > 1 ? Communicator::of_first(n_parts) :
-                                            Communicator());
-      }
-      ~FirstPart() override
-      {
-        if (Together::is_possible())
-          call(on(Command::forget));
+        take_contact(given);
+        BlockShare<block> share;
+        share.processes      = processes;
+        share.first          = places.first;
+        share.surface        = surface_of(given);
+        share.exists         = own_part(Array::Ones(n_unknowns()));
+        share.modes          = own_modes(given.modes);
+        share.side           = own_sides(given);
+        share.preconditioner = given.preconditioner;
+        share.K =
+          rows_of_elements<block>(given.elements, places.of, begin, end);
+        for (const std::size_t i : own_nodes)
+          share.contact.push_back(own_contact_of(given.contact, i));
+        given  = {};
+        system = std::make_unique<const BlockSystem<block>>(std::move(share));
       }
 
       Index
@@ -186,231 +181,198 @@ namespace conetact::iterative
       Kept
       keep(const Array &x) const override
       {
-        return make(on(Command::keep),
-                    [&](const int to) { system->keep(scatter(x), to); });
+        return make(own_part(x));
       }
       Array
       numbers(const Kept &x) const override
       {
-        const auto together = call(on(Command::numbers, of(x)));
-        return gather(system->numbers(of(x)));
+        return all_of(part(x));
       }
       Array
       of_contact(const Kept &x) const override
       {
-        const auto together = call(on(Command::of_contact, of(x)));
-        return system->of_contact(of(x));
+        return processes.gather_all(Array(part(x)(contact)))(contact_order);
       }
       Kept
       add(const Kept &x, const double factor, const Kept &y) const override
       {
-        return make(on(Command::add, of(x), of(y), factor), [&](const int to) {
-          system->add(of(x), factor, of(y), to);
-        });
+        return make(part(x) + factor * part(y));
       }
       double
       product_elsewhere(const Kept &x, const Kept &y) const override
       {
-        const auto together =
-          call(on(Command::product_elsewhere, of(x), of(y)));
-        return system->product_elsewhere(of(x), of(y));
+        const Array &a = part(x), &b = part(y);
+        double       sum  = 0;
+        Index        from = 0;
+        const auto   add  = [&](const Index to) {
+          sum += a.segment(from, to - from).dot(b.segment(from, to - from));
+          from = to + 1;
+        };
+        for (const int p : ascending_contact)
+          add(p);
+        add(a.size());
+        return processes.sum(sum);
       }
       Kept
       multiply(const Kept &u) const override
       {
-        return make(on(Command::multiply, of(u)),
-                    [&](const int to) { system->multiply(of(u), to); });
+        return make(system->multiply(part(u)));
       }
       Array
       diagonal() const override
       {
-        const auto together = call(on(Command::diagonal));
-        return gather(system->diagonal());
+        return all_of(system->diagonal());
       }
       std::optional<Step>
       solve(const std::vector<NodeLaw> &laws,
             const Kept                 &f,
             const Precision            &precision) const override
       {
-        std::optional<SharedSystem::Found> found;
-        const Kept du = make(on(Command::solve, of(f)), [&](const int to) {
-          found = system->solve(laws, of(f), precision, to);
-        });
-        if (!found)
+        std::vector<NodeLaw> own;
+        if (!laws.empty())
+          for (const std::size_t i : own_nodes)
+            own.push_back(laws[i]);
+        auto step = system->solve(own, part(f), precision);
+        if (processes.size() == 1) // each has all of it
+          team().broadcast(step.du);
+        if (processes.sum(step.du.allFinite() ? 0. : 1.) > 0)
           return {};
-        return Step{du, found->iterations, found->error};
+        return Step{make(std::move(step.du)), step.iterations, step.error};
       }
 
     private:
-      static Order
-      on(const Command command,
-         const int     x      = 0,
-         const int     y      = 0,
-         const double  factor = 0)
+      static Kept
+      make(Array x)
       {
-        return {command, 0, 0, 0, x, y, factor};
+        return std::make_shared<solvers::LocalVector>(std::move(x));
       }
-      static int
-      of(const Kept &x)
+      /** What this process has of a vector. */
+      static const Array &
+      part(const Kept &x)
       {
-        return static_cast<const KeptVector &>(*x).number;
+        return static_cast<const solvers::LocalVector &>(*x).x;
       }
-      /** Asks the other processes, if they have parts of it. */
-      std::unique_ptr<Together>
-      call(Order order) const
+      bool
+      is_own(const int place) const
       {
-        if (number == 0)
-          return nullptr;
-        order.number = number;
-        order.value  = n_parts;
-        return std::make_unique<Together>(order);
+        return place >= begin && place < end;
       }
-      /** All forget what nobody refers to any more. */
+      Array
+      own_part(const Array &x) const
+      {
+        AssertDimension(x.size(), n_unknowns());
+        Array own = Array::Zero(end - begin);
+        for (std::size_t q = 0; q < places.of.size(); ++q)
+          if (is_own(places.of[q]))
+            own[places.of[q] - begin] = x[static_cast<Index>(q)];
+        return own;
+      }
+      Array
+      all_of(const Array &own) const
+      {
+        const Array all = processes.gather_all(own);
+        return all(places.of);
+      }
+
+      /** Which unknowns of contact are this process's, and the order of all:
+       * each process has its nodes in that. */
       void
-      forget_vectors() const
+      take_contact(const LargeStiffness &given)
       {
-        for (const int x : std::exchange(*forgotten, {}))
+        const solvers::ContactSystem &nodes = given.contact;
+        contact_begin = at(n_unknowns() - nodes.n_unknowns());
+        std::vector<std::vector<Index>> of_process(at(processes.size()));
+        for (Index i = 0; i < nodes.n_nodes(); ++i)
           {
-            const auto together = call(on(Command::forget_vector, x));
-            system->forget(x);
+            const Index      from = nodes.first[at(i)];
+            const int        p    = owner_of(place(from), places.first);
+            for (Index k = from; k < nodes.first[at(i) + 1]; ++k)
+              of_process[at(p)].push_back(k);
+            if (p != processes.rank())
+              continue;
+            own_nodes.push_back(at(i));
+            for (const int own : own_contact_of(nodes, at(i)))
+              contact.push_back(own);
           }
+        contact_order.resize(at(nodes.n_unknowns()));
+        int next = 0;
+        for (const std::vector<Index> &unknowns : of_process)
+          for (const Index k : unknowns)
+            contact_order[at(k)] = next++;
+        ascending_contact = contact;
+        std::sort(ascending_contact.begin(), ascending_contact.end());
       }
-      /** A vector that make_vector(its number) makes here, and this order in
-       * other processes. */
-      template <typename Do>
-      Kept
-      make(Order order, const Do &make_vector) const
+      /** Of an unknown of contact. */
+      int
+      place(const Index k) const
       {
-        forget_vectors();
-        const auto made     = std::make_shared<KeptVector>(++n_kept, forgotten);
-        order.to            = made->number;
-        const auto together = call(order);
-        make_vector(made->number);
-        return made;
+        return places.of[contact_begin + at(k)];
       }
-      WholeSystem
-      to_whole(LargeStiffness &given) const
+      std::vector<int>
+      own_contact_of(const solvers::ContactSystem &nodes,
+                     const std::size_t             i) const
       {
-        WholeSystem whole;
-        whole.elements       = std::move(given.elements);
-        whole.places         = places.of;
-        whole.first          = places.first;
-        whole.preconditioner = given.preconditioner;
-        whole.modes.resize(places.first.back(), given.modes.cols());
-        for (Index j = 0; j < given.modes.cols(); ++j)
-          whole.modes.col(j) = scatter(given.modes.col(j));
-        const Index begin = n_unknowns() - given.contact.n_unknowns();
-        for (Index i = 0; i < given.contact.n_nodes(); ++i)
-          {
-            std::vector<int> &node = whole.contact.emplace_back();
-            for (Index k = given.contact.first[at(i)];
-                 k < given.contact.first[at(i) + 1];
-                 ++k)
-              node.push_back(places.of[at(begin + k)]);
-          }
+        std::vector<int> node;
+        for (Index k = nodes.first[i]; k < nodes.first[i + 1]; ++k)
+          node.push_back(place(k) - begin);
+        return node;
+      }
+      /** Nodes of all processes. */
+      std::vector<int>
+      surface_of(const LargeStiffness &given) const
+      {
+        std::set<int> nodes;
         for (std::size_t q = 0; q < given.node_of.size(); ++q)
           if (given.surface.count(given.node_of[q]) > 0)
-            whole.surface.push_back(places.of[q]);
-        if (!given.side.empty())
-          whole.side = sides_of_places(given);
-        given = {};
-        return whole;
+            nodes.insert(places.of[q] / block);
+        return {nodes.begin(), nodes.end()};
       }
-      /** That of its node for each place, 0 if nothing is said. */
-      Array
-      sides_of_places(const LargeStiffness &given) const
+      Eigen::MatrixXd
+      own_modes(const Eigen::MatrixXd &modes) const
       {
-        const int block = places.block;
-        Array     sides = Array::Zero(places.first.back());
+        Eigen::MatrixXd own(end - begin, modes.cols());
+        for (Index j = 0; j < modes.cols(); ++j)
+          own.col(j) = own_part(modes.col(j));
+        return own;
+      }
+      /** A number for each own node, or for none at all; 0 if nothing is said.
+       */
+      std::vector<int>
+      own_sides(const LargeStiffness &given) const
+      {
+        if (given.side.empty())
+          return {};
+        std::vector<int> sides(at((end - begin) / block), 0);
         for (std::size_t q = 0; q < given.node_of.size(); ++q)
-          if (const auto it = given.side.find(given.node_of[q]);
-              it != given.side.end())
-            sides.segment(places.of[q] / block * block, block)
-              .setConstant(it->second);
+          if (is_own(places.of[q]))
+            if (const auto it = given.side.find(given.node_of[q]);
+                it != given.side.end())
+              sides[at((places.of[q] - begin) / block)] = it->second;
         return sides;
       }
-      Array
-      scatter(const Array &u) const
-      {
-        Array x = Array::Zero(places.first.back());
-        for (std::size_t q = 0; q < places.of.size(); ++q)
-          x[places.of[q]] = u[static_cast<Index>(q)];
-        return x;
-      }
-      Array
-      gather(const Array &x) const
-      {
-        Array u(n_unknowns());
-        for (std::size_t q = 0; q < places.of.size(); ++q)
-          u[static_cast<Index>(q)] = x[places.of[q]];
-        return u;
-      }
 
-      static inline int                       n_made = 0; ///< with others
-      const int                               n_parts;
-      const int                               number; ///< among those; 0: alone
-      const Places                            places;
-      std::unique_ptr<SharedSystem>           system;
-      mutable int                             n_kept = 0;
-      const std::shared_ptr<std::vector<int>> forgotten =
-        std::make_shared<std::vector<int>>();
+      const Communicator       processes;
+      const Places             places;
+      const int                begin, end;        ///< own places
+      std::size_t              contact_begin = 0; ///< among unknowns
+      std::vector<std::size_t> own_nodes;         ///< of contact
+      std::vector<int> contact, ascending_contact; ///< their places among own
+      /** Of each unknown of contact, among those of all processes one behind
+       * the other. */
+      std::vector<int>                          contact_order;
+      std::unique_ptr<const BlockSystem<block>> system;
     };
   } // namespace
-
-
-
-  void
-  SystemParts::make(const Order &order, const unsigned int dim)
-  {
-    const Communicator processes = Communicator::of_first(order.value);
-    if (processes.is_member())
-      systems[order.number] = share_system({}, dim, processes);
-  }
-
-  void
-  SystemParts::go_along(const Order &order) const
-  {
-    const auto it = systems.find(order.number);
-    if (it == systems.end())
-      return;
-    SharedSystem &system = *it->second;
-    const int     to = order.to, x = order.x, y = order.y;
-    switch (order.command)
-      {
-        case Command::keep:
-          return system.keep({}, to);
-        case Command::numbers:
-          return (void)system.numbers(x);
-        case Command::of_contact:
-          return (void)system.of_contact(x);
-        case Command::add:
-          return system.add(x, order.factor, y, to);
-        case Command::product_elsewhere:
-          return (void)system.product_elsewhere(x, y);
-        case Command::multiply:
-          return system.multiply(x, to);
-        case Command::diagonal:
-          return (void)system.diagonal();
-        case Command::solve:
-          return (void)system.solve({}, x, {}, to);
-        case Command::forget_vector:
-          return system.forget(x);
-        default:
-          break;
-      }
-  }
-
-  void
-  SystemParts::forget(const Order &order)
-  {
-    systems.erase(order.number);
-  }
 
 
 
   std::shared_ptr<const solvers::LargeSystem>
   make_large_system(LargeStiffness &&given, const unsigned int dim)
   {
-    return std::make_shared<FirstPart>(given, dim);
+    Assert(dim == 2 || dim == 3,
+           dealii::ExcMessage("Nodes have two unknowns or three."));
+    if (dim == 2)
+      return std::make_shared<SharedSystem<2>>(std::move(given));
+    return std::make_shared<SharedSystem<3>>(std::move(given));
   }
 } // namespace conetact::iterative

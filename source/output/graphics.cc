@@ -6,8 +6,8 @@
 #include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 #include "conetact/base/partition.h"
-#include "conetact/base/vtu_pieces.h"
-#include "conetact/base/workers.h"
+#include "conetact/base/process.h"
+#include "conetact/base/team.h"
 #include "conetact/output/csv.h"
 
 #include <deal.II/base/exceptions.h>
@@ -79,6 +79,32 @@ namespace conetact::output
       return cells;
     }
 
+    void
+    check_sizes(const VtuGrid &grid)
+    {
+      Assert(std::all_of(grid.point_fields.begin(),
+                         grid.point_fields.end(),
+                         [&](const VtuField &field) {
+                           return field.values.size() ==
+                                  field.n_components * grid.points.size();
+                         }),
+             dealii::ExcMessage("Fields of points have values for each."));
+      Assert(std::all_of(grid.cell_fields.begin(),
+                         grid.cell_fields.end(),
+                         [&](const VtuField &field) {
+                           return field.values.size() ==
+                                  field.n_components * grid.n_cells();
+                         }),
+             dealii::ExcMessage("Fields of cells have values for each."));
+      Assert(std::all_of(grid.cell_ids.begin(),
+                         grid.cell_ids.end(),
+                         [&](const VtuIds &ids) {
+                           return ids.values.size() == grid.n_cells();
+                         }),
+             dealii::ExcMessage("Ids of cells are those of each."));
+      (void)grid;
+    }
+
     // ParaView groups files by their numbers: those of a longer run before
     // this one would seem to go on where this one ends. Those of a run that
     // goes on stay.
@@ -125,9 +151,8 @@ namespace conetact::output
               n_kept)
           entries += line + '\n';
       }
-    std::error_code ignored; // if it cannot be removed, nor can it be written
     if (entries.empty())
-      fs::remove(file, ignored);
+      remove_file(file); // if it cannot be removed, nor can it be written
     else
       write();
   }
@@ -171,7 +196,8 @@ namespace conetact::output
     , contact(run.folder / "contact.pvd", n_kept)
     , scene(run.folder / "scene.pvd", n_kept)
   {
-    remove_old_files(run.folder, n_kept);
+    if (ProcessSession::speaks())
+      remove_old_files(run.folder, n_kept);
   }
 
 
@@ -211,13 +237,40 @@ namespace conetact::output
   {
     Assert(record.displacements.size() <= run.structures.size(),
            dealii::ExcMessage("What is drawn are bodies of the run."));
-    for (std::size_t b = skins.size(); b < record.displacements.size(); ++b)
-      skins.push_back(make_skin(*run.structures.at(b)));
+    agree([&] { write_bodies(record); });
+    agree([&] {
+      if (ProcessSession::speaks())
+        write_rest(record);
+    });
+  }
+
+
+
+  std::string
+  Graphics::stem(const IncrementRecord &record, const std::size_t body) const
+  {
+    return numbered("solution-" + names.at(body), record.increment);
+  }
+
+
+
+  void
+  Graphics::write_rest(const IncrementRecord &record)
+  {
     const auto list = [&](const std::vector<Block> &blocks, PvdFile &pvd) {
       if (!blocks.empty())
         pvd.add(record.time, blocks);
     };
-    std::vector<Block> bodies = write_bodies(record);
+    std::vector<Block> bodies;
+    for (std::size_t b = 0; b < record.displacements.size(); ++b)
+      {
+        const bool is_one = pieces.at(b).n == 1;
+        bodies.emplace_back(names.at(b),
+                            stem(record, b) + (is_one ? ".vtu" : ".pvtu"));
+        if (!is_one)
+          write_atomically(run.folder / bodies.back().second,
+                           pieces[b].joint);
+      }
     list(bodies, solution);
     list(write_surfaces(record), surface);
     list(write_contacts(record), contact);
@@ -237,83 +290,53 @@ namespace conetact::output
 
 
 
-  std::vector<Block>
+  void
   Graphics::write_bodies(const IncrementRecord &record)
   {
-    std::vector<Block> blocks;
-    for (unsigned int b = 0; b < record.displacements.size(); ++b)
-      {
-        VtuGrid grid = run.structures.at(b)->drawing(record.displacements[b],
-                                                     deformation(record, b),
-                                                     record.actions.at(b));
-        grid.cell_ids.push_back(
-          {"body", std::vector<int>(grid.n_cells(), static_cast<int>(b))});
-        add_contact(run, record, b, grid);
-        run.units.label(grid);
-        blocks.emplace_back(names.at(b), write_body(grid, record, b));
-      }
-    return blocks;
+    const std::size_t n = record.displacements.size();
+    for (std::size_t b = skins.size(); b < n; ++b)
+      skins.push_back(make_skin(*run.structures.at(b)));
+    pieces.resize(std::max(pieces.size(), n));
+    for (unsigned int b = 0; b < n; ++b)
+      if (pieces[b].n != 1 || ProcessSession::speaks())
+        write_body(record, b);
   }
 
 
 
   /* In pieces where there are processes to share it; each keeps its cells from
      one increment to the next. */
-  std::string
-  Graphics::write_body(const VtuGrid         &grid,
-                       const IncrementRecord &record,
-                       const std::size_t      body)
+  void
+  Graphics::write_body(const IncrementRecord &record, const unsigned int body)
   {
-    Assert(std::all_of(grid.point_fields.begin(),
-                       grid.point_fields.end(),
-                       [&](const VtuField &field) {
-                         return field.values.size() ==
-                                field.n_components * grid.points.size();
-                       }),
-           dealii::ExcMessage("Fields of points have values for each."));
-    Assert(std::all_of(grid.cell_fields.begin(),
-                       grid.cell_fields.end(),
-                       [&](const VtuField &field) {
-                         return field.values.size() ==
-                                field.n_components * grid.n_cells();
-                       }),
-           dealii::ExcMessage("Fields of cells have values for each."));
-    Assert(std::all_of(grid.cell_ids.begin(),
-                       grid.cell_ids.end(),
-                       [&](const VtuIds &ids) {
-                         return ids.values.size() == grid.n_cells();
-                       }),
-           dealii::ExcMessage("Ids of cells are those of each."));
-    const int n_pieces =
-      processes_for(static_cast<Eigen::Index>(grid.n_cells()),
-                    cells_worth_a_piece);
-    const std::string stem =
-      numbered("solution-" + names[body], record.increment);
-    if (n_pieces == 1)
-      {
-        write_atomically(run.folder / (stem + ".vtu"),
-                         grid.text(record.time, record.increment));
-        return stem + ".vtu";
-      }
-    auto &cells = pieces[body];
-    if (cells.empty())
-      cells = cells_of_pieces(grid, n_pieces);
-    const auto  files = names_of_pieces(stem, n_pieces);
-    std::string why;
-    {
-      const Together together({Command::draw, 0, n_pieces});
-      why = write_pieces(run.folder,
-                         files,
-                         grid,
-                         cells,
-                         record.time,
-                         record.increment,
-                         Communicator::of_first(n_pieces));
-    }
-    if (!why.empty())
-      throw WriteError(why);
-    write_atomically(run.folder / (stem + ".pvtu"), grid.text_of_parts(files));
-    return stem + ".pvtu";
+    VtuGrid grid = run.structures.at(body)->drawing(record.displacements[body],
+                                                    deformation(record, body),
+                                                    record.actions.at(body));
+    grid.cell_ids.push_back(
+      {"body", std::vector<int>(grid.n_cells(), static_cast<int>(body))});
+    add_contact(run, record, body, grid);
+    run.units.label(grid);
+    check_sizes(grid);
+    Pieces &piece = pieces[body];
+    // those of a run that the first process goes on with alone, too
+    const int n = processes_for(static_cast<Eigen::Index>(grid.n_cells()),
+                                cells_worth_a_piece);
+    const auto p = static_cast<std::size_t>(team().rank());
+    const auto write = [&](const std::string &file, const VtuGrid &part) {
+      replace_file(run.folder / file, [&](const fs::path &temporary) {
+        append_to_file(temporary, part.text(record.time, record.increment));
+      });
+    };
+    if (n > 1 && piece.n != n)
+      piece.own = cells_of_pieces(grid, n).at(p);
+    piece.n = n;
+    if (n == 1 && ProcessSession::speaks())
+      write(stem(record, body) + ".vtu", grid);
+    if (n == 1)
+      return;
+    const auto files = names_of_pieces(stem(record, body), n);
+    piece.joint      = grid.text_of_parts(files);
+    write(files.at(p), grid.part(piece.own));
   }
 
 

@@ -32,22 +32,27 @@ namespace conetact::output
        "reactions.csv: gap, displacements, reactions and state of each contact "
        "node; increments.csv: iterations, residuals, numbers of states, "
        "resultants and energies",
-       create<Tables>},
+       create<Tables>,
+       false},
       {"history",
        "history.csv: largest displacement and pressure, displacements of chosen "
        "points",
-       create<HistoryTable>},
+       create<HistoryTable>,
+       false},
       {"problems",
        "problem-0001.hdf5: condensed problems of chosen increments for FCLib",
-       create<ProblemFiles>},
+       create<ProblemFiles>,
+       false},
       {"problem texts",
        "problem-0001.txt: condensed problems of chosen increments as plain "
        "text",
-       create<ProblemTexts>},
+       create<ProblemTexts>,
+       false},
       {"graphics",
        "scene.pvd, surface.pvd, contact.pvd and VTU files of bodies, their "
        "surfaces and contact nodes",
-       create<Graphics>}};
+       create<Graphics>,
+       true}};
     return table;
   }
 } // namespace conetact::output

@@ -5,6 +5,7 @@ import subprocess
 
 import numpy as np
 
+from laws.processes import ITERATIVE
 from laws.scene_pictures import arrays_of, label, read
 from support.scenes import box, load, merge, press_and_shear, write_scene
 
@@ -41,9 +42,9 @@ def pieces(laws):
     hot = merge(box((260, 240), (2.0, 1.0)), {"Material": {"Expansion coefficient": 1e-4}})
     scene = merge(press_and_shear(2, increments=2), {
         "Body block": hot, "Load warmth": load("temperature", "3*x*t"), "Output": {"VTU": 2, "Units": "N, mm"}})
-    one = laws.run(scene)
+    one = laws.run(scene, *ITERATIVE)
     for n in (2, 3):
-        many = laws.run(scene, "--processes", str(n))
+        many = laws.run(scene, *ITERATIVE, "--processes", str(n))
         parts = [f"solution-block-000{k}{end}" for k in (0, 2) for end in (*(f".{p}.vtu" for p in range(n)), ".pvtu")]
         laws.demand(f"{n} pieces and what joins them", sorted(f.name for f in many.folder.glob("solution-*-*")) == parts)
         for increment in (0, 2):
@@ -60,7 +61,7 @@ def pieces(laws):
     write_scene(scene, large)
 
     def again(*arguments):
-        return subprocess.run([laws.program, *arguments, "-o", many.folder, "--quiet"], capture_output=True, text=True, timeout=300)
+        return subprocess.run([laws.program, *arguments, *ITERATIVE, "-o", many.folder, "--quiet"], capture_output=True, text=True, timeout=300)
     again(small)
     laws.demand("a later run removes them", sorted(f.name for f in many.folder.glob("solution-*-*"))
                 == ["solution-block-0000.vtu", "solution-block-0002.vtu"])

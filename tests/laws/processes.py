@@ -3,20 +3,24 @@
 """Neither the number of processes of mpirun nor how nodes are shared among them changes a result."""
 import os
 import re
+import signal
 import subprocess
+import time
+from pathlib import Path
 
 from laws.iterative_sliding import ball
 from laws.preload import flanged
-from support.scenes import SHIPPED, box, joint, load, merge, press_and_shear, support
+from support.scenes import SHIPPED, box, joint, load, merge, press_and_shear, support, write_scene
 
 # as many processes as a test wants, whatever the cores are and whoever starts it
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
-ITERATIVE, CONDENSED = (("-s", f"Solver/Backend={name}") for name in ("iterative", "condensed"))
+ITERATIVE = ("-s", "Solver/Backend=iterative")
 
 
-def compare(laws, what, scene, *numbers, arguments=ITERATIVE, says="they share the linear systems"):
+def compare(laws, what, scene, *numbers, says="they share the linear systems"):
     """Tables of one process and of several ones."""
+    arguments = ITERATIVE
     one = laws.run(scene, *arguments)
     for n in numbers:
         many = laws.run(scene, *arguments, "--processes", str(n))
@@ -94,18 +98,61 @@ def endings(laws):
     laws.demand("no mpirun: one sentence", done.returncode == 1 and "mpirun" in "".join(ours(done.stderr)))
 
 
-def condensed(laws):
-    """A factor is shared from 20000 unknowns on: all that is solved with it, also where nodes join or bodies float."""
+def killed(laws):
+    """Whichever process is killed, or the one that has started them: none is left behind, what was finished can be read."""
+    scene = press_and_shear(3, cells=(24, 20, 20), increments=40)
+    for what, number, which in (("the first process", signal.SIGKILL, 0), ("another one", signal.SIGKILL, 2), ("another one, as by a user", signal.SIGTERM, 1),
+                                ("mpirun, as by a batch system", signal.SIGTERM, None)):
+        file, folder = laws.folder / "killed.prm", laws.folder / f"killed-{number}-{which}"
+        write_scene(merge(scene, {"Solver": {"Backend": "iterative"}}), file)
+        with subprocess.Popen(["mpirun", "-n", "3", laws.program, file, "-o", folder, "--quiet"], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            table = folder / "increments.csv"
+            while process.poll() is None and not (table.exists() and table.read_text().count("\n") > 2):
+                time.sleep(.02)
+            ranks = runs_of(folder)
+            os.kill(process.pid if which is None else ranks[which], number)
+            process.wait(timeout=60)
+        end = time.monotonic() + 20
+        while runs_of(folder) and time.monotonic() < end:
+            time.sleep(.1)
+        laws.demand(f"{what} is killed: of {len(ranks)} processes {len(runs_of(folder))} are left, exit code {process.returncode}",
+                    len(ranks) == 3 and not runs_of(folder) and process.returncode != 0)
+        lines = table.read_text().splitlines()
+        laws.demand("  the table has whole rows", len(lines) > 2 and len({line.count(",") for line in lines}) == 1)
+
+
+def runs_of(folder):
+    """The processes that write there, in the order of their ranks."""
+    found = {}
+    for process in Path("/proc").iterdir():
+        try:
+            words = (process / "cmdline").read_bytes().split(b"\0")
+            if str(folder).encode() in words and not words[0].endswith(b"mpirun"):
+                environment = dict(word.split(b"=", 1) for word in (process / "environ").read_bytes().split(b"\0") if b"=" in word)
+                found[int(environment[b"OMPI_COMM_WORLD_RANK"])] = int(process.name)
+        except (OSError, KeyError, ValueError):
+            continue
+    return [found[rank] for rank in sorted(found)]
+
+
+ALONE = "the first one does the work, the others have nothing to do"
+
+
+def alone(laws):
+    """What the first process does while others sleep, and what they know of it when they are needed again."""
     one, many = (laws.run(press_and_shear(2), *more) for more in ((), ("--processes", "2")))
     laws.same("condensed by the first of two processes", one, many, 1e-14)
-    laws.demand("  the log says so", "nothing to do" in (many.folder / "log.txt").read_text())
-    for what, scene, numbers, changes in (
-            ("3D", press_and_shear(3, cells=(24, 18, 18), increments=2), (2, 3), ()),
-            ("2D, a pair", merge(pair(2, "mortar"), {"Body upper": box((150, 75), (2.0, 1.0), (0.0, 1.0))}), (2,), ()),
-            ("floating-block", SHIPPED / "floating-block.prm", (2,), ("Body block/Mesh/Arguments=142, 70 : 0, 0 : 2, 1 : true",)),
-            ("sphere-on-layer", SHIPPED / "sphere-on-layer.prm", (2,), ("Time/Times=1, 4, 6",))):
-        compare(laws, f"condensed, {what}", scene, *numbers, says="they share the condensation",
-                arguments=[*CONDENSED, "-s", "Output/VTU=0", *(word for change in changes for word in ("-s", change))])
+    laws.demand("  the log says so", ALONE in (many.folder / "log.txt").read_text())
+    stages = merge(press_and_shear(2), {"Support top": {"Active": "t < 1.5"}, "Support again": support(3, "x, y", "0 ; -0.01", Active="t > 1.5")})
+    for what, scene, arguments, says in (
+            ("other supports from a time on", stages, (), ALONE),
+            ("a mesh that is refined twice", SHIPPED / "cylinder-on-plane.prm", ("-s", "Adaptive refinement=2"), ALONE),
+            ("a mesh that is shared once it has been refined", press_and_shear(2, cells=(14, 14), increments=2),
+             (*ITERATIVE, "-s", "Adaptive refinement=1", "-s", "Adaptive fraction=0.5"), "they share the linear systems")):
+        one, many = (laws.run(scene, "-s", "Output/VTU=0", *arguments, *more) for more in ((), ("--processes", "3")))
+        laws.same(what, one, many, 1e-8)
+        laws.demand(f"  the log says: {says}", says in (many.folder / "log.txt").read_text())
 
 
 def four(laws):
@@ -113,7 +160,18 @@ def four(laws):
     compare(laws, "3D, more processes than are worth it", press_and_shear(3, cells=(7, 7, 8), increments=2), 4)
 
 
+def seven(laws):
+    """More processes than layers of cells: some have no contact node, some hardly a cell of their own; a body of a few nodes."""
+    thin = press_and_shear(3, cells=(16, 9, 9), increments=2)
+    compare(laws, "3D, parts of some nodes", thin, 3, 7)
+    small = merge(pair(3, "mortar"), {"Body upper": box((1, 1, 1), (1.0, 1.0, .7), (0.0, 0.0, .7), young=1e4),
+                                      "Body lower": box((14, 12, 8), (1.0, 1.0, .7)),
+                                      "Contact joint": joint("lower", 5, "upper", 4, **{"Friction coefficient": .3})})
+    compare(laws, "3D, a body of fewer nodes than processes", small, 7)
+
+
 def processes(laws):
     tables(laws)
-    condensed(laws)
+    alone(laws)
     endings(laws)
+    killed(laws)

@@ -52,6 +52,10 @@ namespace conetact::analysis
             const std::filesystem::path   &folder,
             Log                           &log);
 
+    /** All processes get what the first one has. */
+    void
+    share();
+
   private:
     std::vector<bodies::Refinements> marked;
     unsigned int                     n_done = 0;

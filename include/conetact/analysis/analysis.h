@@ -14,6 +14,7 @@
 #include "conetact/output/output.h"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -81,6 +82,13 @@ namespace conetact::analysis
       return acceptance.leaves_small();
     }
 
+    /** Processes of the run that share its work. */
+    int
+    useful_processes() const
+    {
+      return backend->useful_processes(scene, model);
+    }
+
     /** What was done so far. */
     Work
     work() const;
@@ -105,6 +113,8 @@ namespace conetact::analysis
     create_outputs(const std::filesystem::path &folder,
                    const std::size_t            n_increments,
                    const bool                   quiet);
+    void
+    for_outputs(const std::function<void(output::Output &)> &f);
     /** Increments whose displacements are recovered together. */
     std::size_t
     most_at_once() const;
@@ -143,6 +153,7 @@ namespace conetact::analysis
     output::IncrementRecord   final_record;  ///< of adaptive scenes
     std::vector<std::string>  closing_lines; ///< of the last increment
     unsigned int              n_on_disk = 0; ///< increments
+    /** Null: those of the first process. */
     std::vector<std::unique_ptr<output::Output>> outputs;
     Work                                         done;
   };

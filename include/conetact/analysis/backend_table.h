@@ -18,7 +18,6 @@ namespace conetact::analysis
   struct Backend
   {
     const contact::ElasticityRow *elasticity;
-    const char                   *shared; ///< what many processes share
     /** Whether displacements of several increments are recovered at once. */
     bool batches;
     /** Processes that share its work. */

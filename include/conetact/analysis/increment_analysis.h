@@ -55,6 +55,12 @@ namespace conetact::analysis
     save_state(const bool at_end);
     void
     write_checkpoint();
+    void
+    write_archive() const;
+    /** Of what processes have found; throws AnalysisError. */
+    static void
+    demand_equal(const std::vector<PendingIncrement> &batch,
+                 const Eigen::MatrixXd               &w);
     /** Throws Interrupted between increments. */
     void
     stop_if_asked(const unsigned int next);

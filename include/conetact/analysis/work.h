@@ -5,11 +5,13 @@
 #define conetact_analysis_work_h
 
 #include "conetact/base/log.h"
+#include "conetact/base/team.h"
 #include "conetact/condensed/schur_solver.h"
 #include "conetact/output/output.h"
 #include "conetact/solvers/contact_problem.h"
 
 #include <string>
+#include <vector>
 
 namespace conetact::analysis
 {
@@ -34,9 +36,9 @@ namespace conetact::analysis
   std::string
   describe(const Work &work);
 
-  /** The same with memory, and what other processes needed, to the log. */
+  /** The same with memory, and what many processes needed, to the log. */
   void
-  note_work(const Work &work, Log &log);
+  note_work(const Work &work, const std::vector<Needs> &processes, Log &log);
 } // namespace conetact::analysis
 
 #endif

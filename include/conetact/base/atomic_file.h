@@ -35,7 +35,8 @@ namespace conetact
    * Replaces a file by `text`: written under a temporary name in the same
    * folder, closed, renamed. Whoever looks sees the old file or the new one,
    * never a part, even after a kill or on a full disk. Throws WriteError, with
-   * the old file intact and the temporary one removed.
+   * the old file intact and the temporary one removed. Of many processes the
+   * first one writes, others do nothing.
    */
   void
   write_atomically(const std::filesystem::path &file,
@@ -46,6 +47,15 @@ namespace conetact
   write_atomically(
     const std::filesystem::path                              &file,
     const std::function<void(const std::filesystem::path &)> &write);
+
+  /** The same by any process: a file of its own. */
+  void
+  replace_file(const std::filesystem::path                              &file,
+               const std::function<void(const std::filesystem::path &)> &write);
+
+  /** Removes a file that may be there; of many processes the first one does. */
+  void
+  remove_file(const std::filesystem::path &file);
 } // namespace conetact
 
 #endif

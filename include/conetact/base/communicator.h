@@ -44,9 +44,10 @@ namespace conetact
     MPI_Comm
     handle() const;
 
+    /** The same on all processes to the last bit: in the order of processes. */
     double
     sum(const double x) const;
-    /** Of each number. */
+    /** Of each number; so are sums of few. */
     void
     sum(double *x, const Eigen::Index length) const;
     void
@@ -72,31 +73,6 @@ namespace conetact
       gather_all(part.data(), all.data(), counts);
       return all;
     }
-    /** The same for the first process only, where lengths are known. */
-    template <typename Vector>
-    Vector
-    gather(Vector part, const std::vector<int> &first) const
-    {
-      if (n == 1)
-        return part;
-      const Counts counts = count(first, scalar<Vector>);
-      Vector       all(own == 0 ? counts.total / scalar<Vector> : 0);
-      gather(part.data(), all.data(), counts);
-      return all;
-    }
-    /** The first process has all; process p gets first[p], ... */
-    template <typename Vector>
-    Vector
-    scatter(Vector all, const std::vector<int> &first) const
-    {
-      if (n == 1)
-        return all;
-      const Counts counts = count(first, scalar<Vector>);
-      Vector       part(counts.own / scalar<Vector>);
-      scatter(all.data(), part.data(), counts);
-      return part;
-    }
-
     /** What the first process has, of any length. */
     template <typename T>
     void
@@ -110,25 +86,12 @@ namespace conetact
       x.resize(length);
       broadcast(x.data(), length * sizeof(T));
     }
-    template <typename T>
+    /** The same where all know its length. */
     void
-    send(const std::vector<T> &x, const int to) const
+    broadcast(Eigen::Ref<Eigen::VectorXd> x) const
     {
-      static_assert(std::is_trivially_copyable_v<T>);
-      const unsigned long long length = x.size();
-      send(&length, sizeof(length), to);
-      send(x.data(), length * sizeof(T), to);
-    }
-    template <typename T>
-    std::vector<T>
-    receive(const int from) const
-    {
-      static_assert(std::is_trivially_copyable_v<T>);
-      unsigned long long length = 0;
-      receive(&length, sizeof(length), from);
-      std::vector<T> x(length);
-      receive(x.data(), length * sizeof(T), from);
-      return x;
+      if (n > 1)
+        broadcast(x.data(), static_cast<std::size_t>(x.size()) * sizeof(double));
     }
     /** Lists for each process; returns those from each. */
     std::vector<std::vector<int>>
@@ -144,23 +107,12 @@ namespace conetact
     template <typename Vector>
     static constexpr int scalar = sizeof(typename Vector::Scalar);
 
-    /** Of lengths that the processes do not know of each other. */
     Counts
     count(const Eigen::Index own_bytes) const;
-    Counts
-    count(const std::vector<int> &first, const int bytes) const;
     void
     gather_all(const void *part, void *all, const Counts &counts) const;
     void
-    gather(const void *part, void *all, const Counts &counts) const;
-    void
-    scatter(const void *all, void *part, const Counts &counts) const;
-    void
     broadcast(void *x, const std::size_t bytes) const;
-    void
-    send(const void *x, const std::size_t bytes, const int to) const;
-    void
-    receive(void *x, const std::size_t bytes, const int from) const;
 
     int      n = 1, own = 0;
     MPI_Comm comm = MPI_COMM_NULL;

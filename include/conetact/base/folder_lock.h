@@ -12,7 +12,7 @@ namespace conetact
    * While it lives no other run may write into a folder of results. The lock
    * lies on its log.txt, which every run has; the system takes it from a run
    * that ends, however it ends. Where a file system has no locks there are
-   * none.
+   * none. Of many processes the first one locks for all.
    */
   class FolderLock
   {

@@ -13,7 +13,8 @@ namespace conetact
 {
   /**
    * What a run did, for people: lines go to log.txt (kept until its folder is
-   * known) and, unless quiet, the more important ones to standard output.
+   * known) and, unless quiet, the more important ones to standard output. Of
+   * many processes the first one has a log, those of the others are silent.
    */
   class Log
   {
@@ -49,12 +50,17 @@ namespace conetact
     keep(const std::string &line);
 
     using Clock = std::chrono::steady_clock;
-    const bool        quiet, verbose;
+    const bool        silent, quiet, verbose;
     Clock::time_point last;
     unsigned int      warnings = 0;
     std::string       kept;
     std::ofstream     file;
   };
+
+  /** What was asked for, to standard output; of many processes the first one
+   * does so. Throws WriteError. */
+  void
+  print(const std::string &text);
 } // namespace conetact
 
 #endif

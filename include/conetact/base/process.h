@@ -16,9 +16,8 @@ namespace conetact
    * without its helper daemon and its network layers, which is ten times
    * faster to start and to end.
    *
-   * Of the processes of mpirun the first one runs the program, all others wait
-   * for work that it gives them (workers.h). Threads are those of the
-   * first one; where it works alone, the others sleep.
+   * All processes of mpirun run the program on the same scene (team.h); the
+   * first one speaks and writes files. Where it works alone, the others sleep.
    */
   class ProcessSession
   {
@@ -49,6 +48,12 @@ namespace conetact
     n_processes();
     static unsigned int
     rank();
+    /** Whether this one speaks, and writes files, for all of the run. */
+    static bool
+    speaks()
+    {
+      return rank() == 0;
+    }
     /** Ends all processes at once, as one that has failed must. */
     [[noreturn]] static void
     end_all(const int exit_code);

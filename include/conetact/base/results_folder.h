@@ -8,6 +8,8 @@
 
 namespace conetact
 {
+  // Of many processes the first one does this for all.
+
   /** Finds out early, and without writing, that a folder cannot be made or is
    * in use. Throws WriteError. */
   void

@@ -32,8 +32,6 @@ namespace conetact::condensed
     FactorEstimate (*estimate)(const Eigen::SparseMatrix<double> &upper,
                                const Eigen::Index                 n_schur,
                                const std::vector<unsigned int>   &node_of);
-    /** How many processes of a run share the factor of so many unknowns. */
-    int (*useful_processes)(const Eigen::Index n_unknowns);
   };
   const std::vector<Condenser> &
   condenser_table();

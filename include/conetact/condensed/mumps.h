@@ -4,26 +4,20 @@
 #ifndef conetact_condensed_mumps_h
 #define conetact_condensed_mumps_h
 
-#include "conetact/base/workers.h"
-
 #include <dmumps_c.h>
-
-#include <map>
 
 namespace conetact::condensed
 {
   /**
    * One instance of the direct solver MUMPS for symmetric positive definite
-   * matrices, silent, on the first processes of a run. The first one has
-   * matrices, right-hand sides and the Schur complement, the others have their
-   * parts of the factor. What it complains of becomes exceptions:
-   * SingularMatrix, std::bad_alloc, and std::runtime_error for what should
-   * never happen.
+   * matrices, silent, in this process alone. What it complains of becomes
+   * exceptions: SingularMatrix, std::bad_alloc, and std::runtime_error for what
+   * should never happen.
    */
   class Mumps
   {
   public:
-    explicit Mumps(const int n_processes = 1);
+    Mumps();
     ~Mumps();
     Mumps(const Mumps &) = delete;
     Mumps &
@@ -60,21 +54,6 @@ namespace conetact::condensed
 
     void
     throw_errors() const;
-
-    const int number; ///< among those that are shared, otherwise 0
-  };
-
-  /** What a process but the first has of those that are shared. */
-  class MumpsParts
-  {
-  public:
-    void
-    make(const Order &order);
-    void
-    call(const Order &order);
-
-  private:
-    std::map<int, DMUMPS_STRUC_C> parts;
   };
 } // namespace conetact::condensed
 

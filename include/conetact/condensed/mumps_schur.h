@@ -23,9 +23,6 @@ namespace conetact::condensed
                const Eigen::Index                 n_schur,
                const std::vector<unsigned int>   &node_of);
     ~MumpsSchur() override;
-    /** How many of all processes share the factor of so many unknowns. */
-    static int
-    useful_processes(const Eigen::Index n_unknowns);
     /** What that would take: orders and analyses, but does not factorise. */
     static FactorEstimate
     estimate(const Eigen::SparseMatrix<double> &upper,

@@ -4,7 +4,7 @@
 #ifndef conetact_iterative_direct_system_h
 #define conetact_iterative_direct_system_h
 
-#include "conetact/iterative/shared_system.h"
+#include "conetact/iterative/elements.h"
 #include "conetact/solvers/contact_problem.h"
 #include "conetact/solvers/local_system.h"
 

@@ -4,9 +4,10 @@
 #ifndef conetact_iterative_large_stiffness_h
 #define conetact_iterative_large_stiffness_h
 
-#include "conetact/base/workers.h"
-#include "conetact/iterative/shared_system.h"
+#include "conetact/iterative/elements.h"
+#include "conetact/iterative/preconditioner.h"
 #include "conetact/solvers/contact_problem.h"
+#include "conetact/solvers/large_system.h"
 
 #include <array>
 #include <functional>
@@ -50,8 +51,9 @@ namespace conetact::iterative
    * of nodes, leaves out what is held and knows S. Nodes have `dim` unknowns at
    * most, 2 or 3.
    *
-   * In a run of many processes each has the rows of its nodes, as long as that
-   * is worth a process. What is given is empty then.
+   * Of many processes, which all call this and all functions of the system, each
+   * has the rows and vectors of its nodes; what is given, and what comes out
+   * of the system, is the same on each. A small system is each process's own.
    */
   std::shared_ptr<const solvers::LargeSystem>
   make_large_system(LargeStiffness &&given, const unsigned int dim);
@@ -59,22 +61,6 @@ namespace conetact::iterative
   /** Processes of this run that share a system of so many unknowns. */
   int
   useful_processes(const Eigen::Index n_unknowns);
-
-  /** What a process but the first has of such systems. */
-  class SystemParts
-  {
-  public:
-    void
-    make(const Order &order, const unsigned int dim);
-    /** Does what the first process does with a system, if it has a part. */
-    void
-    go_along(const Order &order) const;
-    void
-    forget(const Order &order);
-
-  private:
-    std::map<int, std::unique_ptr<SharedSystem>> systems;
-  };
 } // namespace conetact::iterative
 
 #endif

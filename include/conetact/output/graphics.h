@@ -7,8 +7,8 @@
 #include "conetact/output/output.h"
 #include "conetact/output/skin.h"
 
-#include <map>
 #include <string>
+#include <vector>
 
 namespace conetact::output
 {
@@ -60,17 +60,25 @@ namespace conetact::output
     write(const std::vector<IncrementRecord> &finished) override;
     OutputWork
     work() const override;
+    bool
+    is_shared() const override
+    {
+      return true;
+    }
 
   private:
     void
     draw(const IncrementRecord &record);
-    std::vector<Block>
+    /** By all processes: what is theirs of the bodies. */
+    void
     write_bodies(const IncrementRecord &record);
-    /** Returns the name of the file. */
+    void
+    write_body(const IncrementRecord &record, const unsigned int body);
+    /** By the first one: the rest, and what joins all. */
+    void
+    write_rest(const IncrementRecord &record);
     std::string
-    write_body(const VtuGrid         &grid,
-               const IncrementRecord &record,
-               const std::size_t      body);
+    stem(const IncrementRecord &record, const std::size_t body) const;
     /** With the units that the scene names. */
     std::string
     text_of(VtuGrid grid, const IncrementRecord &record) const;
@@ -84,9 +92,15 @@ namespace conetact::output
     const unsigned int             n_kept; ///< increments that stay
     PvdFile                        solution, surface, contact, scene;
     std::vector<Skin>              skins; ///< of the bodies, once known
-    /** Cells of the pieces of bodies, where processes share them. */
-    std::map<std::size_t, std::vector<std::vector<unsigned int>>> pieces;
-    unsigned int                                                  drawings = 0;
+    /** How a body is drawn, known once it has been. */
+    struct Pieces
+    {
+      int                       n = 0;
+      std::vector<unsigned int> own;   ///< cells, where there are several
+      std::string               joint; ///< text of the file that joins them
+    };
+    std::vector<Pieces> pieces; ///< of the bodies
+    unsigned int        drawings = 0;
   };
 } // namespace conetact::output
 

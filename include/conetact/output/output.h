@@ -237,6 +237,14 @@ namespace conetact::output
     virtual void
     write(const std::vector<IncrementRecord> &finished) = 0;
 
+    /** Whether all processes of a run write, each a part; otherwise the first
+     * one has it alone. */
+    virtual bool
+    is_shared() const
+    {
+      return false;
+    }
+
     virtual OutputWork
     work() const
     {

@@ -58,8 +58,7 @@ namespace conetact::iterative
                      places[static_cast<std::size_t>(e.unknowns[b])]) +=
               e.matrix(static_cast<Index>(a), static_cast<Index>(b));
 
-      const auto rows =
-        rows_of_elements<2>(all, places, {0, n}, Communicator());
+      const auto rows = rows_of_elements<2>(all, places, 0, n);
       ASSERT_EQ(rows.n_block_rows(), 5u);
       MatrixXd found = MatrixXd::Zero(n, n);
       for (std::size_t i = 0; i < rows.n_block_rows(); ++i)
@@ -71,6 +70,16 @@ namespace conetact::iterative
       // a diagonal where no element is
       EXPECT_EQ(rows.start[5] - rows.start[4], 1u);
       EXPECT_EQ(rows.column.back(), 4);
+
+      // those of a process with nodes 1 and 2 only, and of one without nodes
+      const auto some = rows_of_elements<2>(all, places, 2, 6);
+      ASSERT_EQ(some.n_block_rows(), 2u);
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = some.start[i]; k < some.start[i + 1]; ++k)
+          EXPECT_EQ((some.block(i, k)),
+                    (found.block<2, 2>(2 * static_cast<Index>(i) + 2,
+                                       2 * some.column[k])));
+      EXPECT_EQ(rows_of_elements<2>(all, places, 4, 4).n_block_rows(), 0u);
     }
   } // namespace
 } // namespace conetact::iterative
