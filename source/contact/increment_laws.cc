@@ -32,6 +32,23 @@ namespace conetact::contact
         "Compliance fall more slowly than 1/p.");
     }
 
+    /** An ellipse that is next to a line leads Newton's method nowhere. */
+    void
+    refuse_one_axis(const pairing::ContactNode &node,
+                    const double                one,
+                    const double                two)
+    {
+      constexpr double least = 1e-4;
+      if (std::min(one, two) < least * std::max(one, two))
+        throw InputError(
+          "A contact at " + to_text(node.position) +
+          " has friction along one axis and next to none along the other one: "
+          "coefficients of " +
+          to_text(one) + " and " + to_text(two) +
+          ", which vary. Give each a thousandth of the other one at least, or "
+          "0 to both.");
+    }
+
     /** The law sees both sides far apart. */
     solvers::Layer
     out_of_sight(const pairing::ContactNode &node)
@@ -101,7 +118,9 @@ namespace conetact::contact
         else if (node.friction->is_known())
           for (const unsigned int axis : {0, 1})
             constant[i][axis] = coefficient(i, start[i], axis);
-        elliptic  = elliptic || is_elliptic(i);
+        elliptic = elliptic || is_elliptic(i);
+        if (has_axes(i) && node.friction->is_known())
+          refuse_one_axis(node, constant[i][0], constant[i][1]);
         active[i] = node.is_active(start[i].t);
         joined[i] = active[i] && node.is_joined();
         if (active[i] && node.bond)

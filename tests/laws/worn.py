@@ -139,26 +139,27 @@ def compare_halves(laws, what, run, half, name):
     volume = abs(run.increments[-1][f"{name}_worn"] / half.increments[-1][f"{name}_worn"] - 1)
     found = told(run, name)
     laws.demand(f"{what}: depths are off by {depth:.3g}, told {found[0]:.3g}", .5 < found[0] / depth < 2)
-    if volume > 1e-3:
+    if name != "joint":
         laws.demand(f"  the volume by {volume:.3g}, told {found[1]:.3g}", .5 < found[1] / volume < 2)
 
 
 def faster(laws):
-    """Wear acceleration N beside half of it in twice as many increments: between plates, and in cycles of fretting."""
+    """Wear acceleration N beside half of it in twice as many increments: between plates, and in cycles of fretting that are alike: the
+    first one, which begins at rest, does not wear."""
     for dim in (2, 3):
         for way in ("explicit", "implicit"):
-            for n, k in ((10, .002), (40, .002), (10, .02)):
+            for n, k in ((10, .002), (40, .002), (10, .005)):
                 def drawn(acceleration, increments):
                     scene = clamped(dim, .01, 0, increments=increments, end=increments / 10, mu=0,
                                     **{"Wear coefficient": k, "Wear acceleration": acceleration, "Wear integration": way})
                     scene["Support springs"] = support("0, 1", "x", "0.02*t")
                     return laws.run(scene)
                 compare_halves(laws, f"{dim}D, between plates, {way}, {n} increments, k = {k}", drawn(10, n), drawn(5, 2 * n), "below")
-    for way in ("explicit", "implicit"):
+    for way in ("implicit",):
         def fretted(acceleration, cycles):
             return laws.run(SHIPPED / "fretting-wear.prm", "-s", "Output/VTU=0", "-s", f"Contact joint/Wear acceleration={acceleration}",
-                            "-s", f"Contact joint/Wear integration={way}", "-s", "Contact joint/Wear coefficient=1e-4",
-                            "-s", f"Time/Stages=1 : 1, {1 + 4 * cycles} : {8 * cycles}")
+                            "-s", f"Contact joint/Wear integration={way}", "-s", "Contact joint/Wear coefficient=if(t < 5.1, 0, 1e-4)",
+                            "-s", f"Time/Stages=1 : 1, {5 + 4 * cycles} : {8 + 8 * cycles}")
         compare_halves(laws, f"fretting, {way}", fretted(400, 12), fretted(200, 24), "joint")
     scene = clamped(2, .01, 0, increments=10, mu=0, **{"Wear coefficient": .002})
     scene["Support springs"] = support("0, 1", "x", "0.02*t")

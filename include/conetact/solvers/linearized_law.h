@@ -4,10 +4,12 @@
 #ifndef conetact_solvers_linearized_law_h
 #define conetact_solvers_linearized_law_h
 
-#include "conetact/solvers/node_sets.h"
+#include "conetact/solvers/nodal_laws.h"
 
 namespace conetact::solvers
 {
+  struct NodeSet;
+
   /** @f$A\,\delta v + B\,\delta r = h@f$ of one node, in the scaled variables
    * of LinearRelation. */
   struct LinearizedLaw

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The laws of nodes, linearised.
 
 #include "conetact/solvers/linearized_law.h"
+#include "conetact/solvers/node_sets.h"
 
 #include <algorithm>
 #include <cmath>
