@@ -4,6 +4,7 @@
 #include "conetact/base/expression.h"
 
 #include "conetact/base/errors.h"
+#include "conetact/base/nearest.h"
 #include "conetact/base/text.h"
 
 #include <deal.II/base/exceptions.h>
@@ -117,6 +118,33 @@ namespace conetact
       return text;
     }
 
+    /** A name in front of a bracket that is none of these; empty: there is
+     * none. */
+    std::string
+    unknown_function(const std::string              &text,
+                     const std::vector<std::string> &functions)
+    {
+      const auto is_letter = [&](const std::size_t i) {
+        return std::isalnum(static_cast<unsigned char>(text[i])) != 0 ||
+               text[i] == '_';
+      };
+      for (std::size_t i = text.find('('); i != text.npos;
+           i             = text.find('(', i + 1))
+        {
+                      std::size_t begin = i, end = i;
+                      while (end > 0 && text[end - 1] == ' ')
+            --end;
+          for (begin = end; begin > 0 && is_letter(begin - 1);)
+            --begin;
+          const std::string name = text.substr(begin, end - begin);
+                      if (!name.empty() &&
+              std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
+              std::count(functions.begin(), functions.end(), name) == 0)
+            return name;
+        }
+      return {};
+    }
+
     [[noreturn]] void
     fail(const std::string              &entry,
          const std::string              &text,
@@ -136,6 +164,30 @@ namespace conetact
                        (others.empty() ? "" :
                                          " Variables here are " +
                                            join(others, ", ") + ", too."));
+    }
+  } // namespace
+
+  namespace
+  {
+    /** Throws InputError where the text calls a function that is not there. */
+    void
+    refuse_unknown_functions(const std::string              &text,
+                             const std::string              &entry,
+                             const mu::Parser               &parser,
+                             const std::vector<std::string> &variables)
+    {
+      std::vector<std::string> functions;
+      for (const auto &[function, call] : parser.GetFunDef())
+        functions.push_back(function);
+      std::vector<std::string> known = functions;
+      known.insert(known.end(), variables.begin(), variables.end());
+      const std::string name = unknown_function(text, known);
+      if (name.empty())
+        return;
+      const std::string other = did_you_mean(name, functions);
+      throw InputError(
+        entry + ": '" + text + "': there is no function '" + name + "'." +
+        (other.empty() ? " There are " + join(functions) + "." : other));
     }
   } // namespace
 
@@ -169,6 +221,9 @@ namespace conetact
         p.mu.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
         p.mu.DefineFun("pow",
                        static_cast<double (*)(double, double)>(std::pow));
+        std::vector<std::string> variables = {"x", "y", "z", "t", "pi"};
+        variables.insert(variables.end(), others.begin(), others.end());
+        refuse_unknown_functions(p.text, entry, p.mu, variables);
         p.mu.SetExpr(with_tables_as_functions(p.text));
         for (const auto &[name, address] : p.mu.GetUsedVar())
           {
