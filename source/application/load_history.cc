@@ -68,14 +68,15 @@ namespace conetact::application
     prm.declare_entry("Times",
                       "",
                       Anything(),
-                      "Instead of End and Increments: the times at which "
-                      "increments end, ascending, separated by commas. [time]");
+                      "The times at which increments end, in ascending order, "
+                      "separated by commas. They replace End and Increments. "
+                      "[time]");
     prm.declare_entry("Stages",
                       "",
                       Anything(),
-                      "Instead of End and Increments: stages of equal "
-                      "increments, 'end : increments' each, separated by "
-                      "commas, such as 1 : 1, 11 : 20. [time]");
+                      "Stages of equal increments, each as 'end : "
+                      "increments', separated by commas, such as 1 : 1, 11 : "
+                      "20. They replace End and Increments. [time]");
   }
 
   std::vector<double>

@@ -17,14 +17,16 @@ namespace conetact::application
     constexpr const char *introduction =
       R"(# All entries of a scene
 
-A scene is a text file. Lists of names come first, `set Bodies = block`, then one
-subsection for each name, `subsection Body block` ... `end`. An entry is
-`set Entry = value`; what is not set has its default. `#` begins a comment, a
-backslash at the end of a line goes on in the next, `include FILE` reads another
-file, relative to the folder of the one that says so: entries behind that line
-replace what it sets. Expressions are functions of x, y, z and t, as
-`-0.1*min(t, 1)`; components are separated by `;`, numbers by `,`. Units are
-yours: any consistent ones. The option `-s "Section/Entry=value"` replaces an
+A scene is a text file. Lists of names come first, such as `set Bodies = block`,
+then one subsection for each name, `subsection Body block` ... `end`. An entry is
+`set Entry = value`; entries that are not set have their defaults. `#` begins a
+comment. A backslash at the end of a line continues it in the next one.
+`include FILE` reads another file, relative to the folder of the file that
+includes it. Entries behind that line replace those that it sets, and a list there
+drops the loads, contacts and others that it does not name any more. Expressions
+are functions of x, y, z and t, such as `-0.1*min(t, 1)`. Components are separated
+by `;`, numbers by `,`. Choose any consistent units. The option
+`-s "Section/Entry=value"` replaces an
 entry. NAME stands for names of your own.
 
 )";

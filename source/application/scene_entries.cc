@@ -88,10 +88,11 @@ namespace conetact::application
         "Uniqueness",
         "no",
         dealii::Patterns::Selection("no|yes"),
-        "Judge whether each increment has one solution: proved, by a bound on "
-        "the coefficients of friction from the condensed stiffness, or not, "
-        "with another one in reactions-2.csv, or open. For bodies that "
-        "supports hold, up to 2000 contact unknowns.");
+        "Whether to judge that each increment has one solution. The answer is "
+        "yes, by a bound on the coefficients of friction from the condensed "
+        "stiffness; or no, with another solution in reactions-2.csv; or open. "
+        "Supports must hold the bodies, which may have up to 2000 contact "
+        "unknowns.");
       prm.declare_entry(
         "FCLib increments",
         "",

@@ -184,7 +184,14 @@ namespace conetact
       const std::string name = unknown_function(text, known);
       if (name.empty())
         return;
-      const std::string other = did_you_mean(name, functions);
+      // letters are forgotten within a word rather than at its begin
+      std::vector<std::string> alike;
+      for (const std::string &function : functions)
+        if (function[0] == name[0])
+          alike.push_back(function);
+      std::string other = did_you_mean(name, alike);
+      if (other.empty())
+        other = did_you_mean(name, functions);
       throw InputError(
         entry + ": '" + text + "': there is no function '" + name + "'." +
         (other.empty() ? " There are " + join(functions) + "." : other));

@@ -135,34 +135,30 @@ namespace conetact::bodies
       "Kind",
       "traction",
       Selection(kinds),
-      "traction [force/area] and pressure [force/area, against "
-      "the outward normal] act on boundary ids, body force "
-      "[force/volume] on the whole body, point force [force] "
-      "at Point, distributed by the shape functions of the "
-      "cell or member that holds the point, force [force] "
-      "and moment [force x length, about the axes; in 2D about "
-      "z] are wholes that a linear traction spreads over "
-      "boundary ids without stiffening them (a distributing "
-      "coupling; a force acts at Point, or in the centre of "
-      "the faces; Coupling = rigid makes them move as one), bearing [force] is a whole, too, that presses on "
-      "the half of a bore that it points at as a pin does, by "
-      "the cosine with its direction, centrifugal [rad/time] "
-      "is the angular velocity of the body with its Density "
-      "about Axis through Point, nodal force "
-      "[force, force x length] at each node of boundary ids, "
-      "line load [force/length] on the members of a frame "
-      "with boundary ids, temperature [K] is a change of "
-      "temperature of the whole body, and initial strain [-] "
-      "what it would strain by if nothing resisted (swelling, "
-      "shrinking, misfit): stress = C (strain - initial "
-      "strain). Both act on the whole body, turn with it, and "
-      "add up; forces of frames come from the mean strain "
+      "traction [force/area] and pressure [force/area, against the outward "
+      "normal] act on boundary ids. body force [force/volume] acts on the "
+      "whole body. point force [force] acts at Point; the shape functions of "
+      "the cell or member that holds the point distribute it. force [force] "
+      "and moment [force x length, about the axes; in 2D about z] are total "
+      "ones. With Coupling = distributing a linear traction spreads them over "
+      "boundary ids without stiffening these; a force acts at Point, or in "
+      "the centre of the faces. With Coupling = rigid the faces move as one. "
+      "bearing [force] is the total force of a pin: it presses on the half of "
+      "the bore that it points at, by the cosine with its direction. "
+      "centrifugal [rad/time] is the angular velocity of a body with a "
+      "Density about Axis through Point. nodal force [force, force x length] "
+      "acts at each node of boundary ids. line load [force/length] acts on "
+      "the members of a frame with boundary ids. temperature [K] is a change "
+      "of temperature of the whole body. initial strain [-] is what the body "
+      "would strain by if nothing resisted (swelling, shrinking, misfit): "
+      "stress = C (strain - initial strain). These two act on the whole body, "
+      "turn with it, and add up. Forces of frames come from the mean strain "
       "along each member.");
     prm.declare_entry("Active",
                       "1",
                       Anything(),
-                      "Function of t: 0 where the load is not there, anything "
-                      "else where it is: stages of an assembly. [-]");
+                      "A function of t for stages of an assembly: where it is "
+                      "0 the load does not act, elsewhere it does. [-]");
     prm.declare_entry("Boundary ids",
                       "",
                       Anything(),
@@ -172,30 +168,28 @@ namespace conetact::bodies
     prm.declare_entry("Point",
                       "",
                       Anything(),
-                      "For a point force, and for a force that may act "
-                      "elsewhere than in the centre of its faces: where it "
-                      "acts. For a centrifugal load: a point of its axis, 0 "
-                      "if it is empty. With Coupling = rigid it must be given, "
-                      "anywhere in space. [length]");
+                      "Where a point force acts, and where a force acts that "
+                      "is not to act in the centre of its faces. A "
+                      "centrifugal load has its axis through this point; "
+                      "empty: through the origin. Coupling = rigid needs a "
+                      "point, which may be anywhere. [length]");
     prm.declare_entry(
       "Coupling",
       "distributing",
       Selection("distributing|rigid"),
-      "Of a force or a moment: distributing spreads it over the "
-      "faces of Boundary ids as a linear traction, which lets "
-      "them deform; rigid makes these faces one rigid body with "
-      "Point, where the force acts and about which the moment "
-      "does. Loads with the same faces and the same Point have "
-      "one rigid body. Its motion is 'obstacle coupling LOAD' "
-      "of the tables, what it passes on to the body is the "
-      "contact 'coupling LOAD'. Bodies of revolution: along y "
-      "only.");
+      "How a force or a moment acts on its faces. distributing: a linear "
+      "traction spreads it over the faces of Boundary ids, which still "
+      "deform. rigid: these faces and Point are one rigid body; the force "
+      "acts at Point, and the moment about it. Loads with the same faces and "
+      "the same Point have one rigid body. Tables call its motion 'obstacle "
+      "coupling LOAD', and what it passes on to the body 'coupling LOAD'. "
+      "Faces of bodies of revolution move along y only.");
     prm.declare_entry("Axis",
                       "",
                       Anything(),
-                      "Direction of the axis of a centrifugal load in space; "
-                      "empty: z. In the plane it is z, of bodies of revolution "
-                      "y. [-]");
+                      "Direction of the axis of a centrifugal load in space. "
+                      "Empty: z. In the plane the axis is z; that of bodies "
+                      "of revolution is y. [-]");
     prm.declare_entry("Value",
                       "",
                       Anything(),

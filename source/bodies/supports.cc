@@ -258,11 +258,11 @@ namespace conetact::bodies
     prm.declare_entry("Active",
                       "1",
                       Anything(),
-                      "Function of t: at the end of an increment where it is "
-                      "0 the support holds nothing, and elsewhere it does, at "
-                      "its Displacement: stages of an assembly. A run with "
-                      "stages goes on from a checkpoint where they change, so "
-                      "nodes of contacts must be held alike in all of them. "
+                      "A function of t for stages of an assembly: where it is "
+                      "0 at the end of an increment the support holds "
+                      "nothing; elsewhere it holds, at its Displacement. "
+                      "Where stages change the run goes on from a checkpoint, "
+                      "so nodes of contacts must be held alike in all stages. "
                       "[-]");
     prm.declare_entry(
       "Directions",
@@ -283,16 +283,18 @@ namespace conetact::bodies
       "Stiffness",
       "",
       Anything(),
-      "Empty: the displacement is prescribed exactly. Else springs per area "
-      "along each direction, a function of x, y, z: an elastic foundation, "
-      "whose far end moves by Displacement. [force/length/area]");
+      "Empty: the displacement is prescribed exactly. Otherwise the support "
+      "is an elastic foundation: it has springs of this stiffness per area "
+      "along each direction, and their far end moves by Displacement. It is a "
+      "function of x, y, z. [force/length/area]");
     prm.declare_entry(
       "Turn",
       "0",
       Anything(),
-      "Angle by which all that it holds has turned since the start about its "
-      "Reference point, as far as you like, a function of t; Displacement is "
-      "that beyond. The support must hold all components. [degrees]");
+      "Angle by which all that the support holds has turned about its "
+      "Reference point since the start, a function of t. It may be any angle. "
+      "Displacement comes on top of it. The support must hold all components. "
+      "[degrees]");
     prm.declare_entry("Turn axis",
                       "0, 0, 1",
                       Anything(),

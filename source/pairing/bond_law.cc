@@ -151,18 +151,18 @@ namespace conetact::pairing
       "Cohesion",
       "0",
       Anything(),
-      "Friction that needs no pressure, of what is closed at the start: "
-      "|traction| <= mu p + cohesion, 0 or more, an expression of x, y, z, t, "
-      "T. [stress; contact nodes of frames: force] With Method = load path in "
-      "2D it is a force at each contact node, open ones too, a function of x, "
-      "y, z: |r_t| <= mu r_n + cohesion.");
+      "Friction without pressure of nodes that are closed at the start: "
+      "|traction| <= mu p + cohesion. It is 0 or more, an expression of x, y, "
+      "z, t, T. [stress; contact nodes of frames: force] With Method = load "
+      "path in 2D it is a force at each contact node, open ones too, a "
+      "function of x, y, z: |r_t| <= mu r_n + cohesion.");
     prm.declare_entry(
       "Tensile strength",
       "0",
       Anything(),
-      "Pull that what is closed at the start bears before it opens, p >= "
-      "-strength, an expression of x, y, z, t, T. [stress; contact nodes of "
-      "frames: force]");
+      "Largest pull that nodes which are closed at the start bear before they "
+      "open: p >= -strength. It is an expression of x, y, z, t, T. [stress; "
+      "contact nodes of frames: force]");
     prm.declare_entry(
       "Cohesion lost",
       "never",

@@ -61,11 +61,11 @@ namespace conetact::pairing
         "Sharp edge angle",
         "40",
         Anything(),
-        "Where faces of the body turn by more than this at a "
-        "node, it has a normal and a contact for each side of "
-        "the edge; where by less, one mean normal. Faces oppose "
-        "each other up to half of it (mortar only; beyond, up to the "
-        "Largest angle, node to face). 0 to 90. [degrees]");
+        "Where faces of the body turn by more than this at a node, the node "
+        "has a normal and a contact for each side of the edge. Where they "
+        "turn by less, it has one mean normal. Faces oppose each other up to "
+        "half of it (mortar only; beyond, up to the Largest angle, node to "
+        "face). 0 to 90. [degrees]");
       prm.declare_entry(
         "Largest angle",
         "60",
@@ -112,23 +112,24 @@ namespace conetact::pairing
         };
       declare("Preload",
               "",
-              "Kind = tie: the tension across it, a function of t, as of "
-              "a bolt that is cut in two and tightened. The sides slip over "
+              "Kind = tie: the tension across it, a function of t, as of a "
+              "bolt that is cut in two and tightened. The sides slip over "
               "each other along Preload axis, all nodes by the same length, "
-              "until this force draws them together; they stay tied in all "
-              "else. Give the force of what is modelled: half of it where half "
-              "a bolt is. Its tension and shortening are in increments.csv. "
-              "Empty: none. [force]");
+              "until this force draws them together; otherwise they stay "
+              "tied. Give the force of the part that is modelled: half of it "
+              "for half a bolt. The closing lines on the screen and "
+              "increments.csv tell tension and shortening. Empty: none. "
+              "[force]");
       declare("Preload axis",
               "",
               "Direction of the Preload, of any length and either sense. "
               "Empty: the normal of the faces, which must be plane.");
       declare("Preload locked from",
               "",
-              "Time from which on the shortening by the Preload stays as it "
-              "is, a nut that is no longer turned, and the tension follows "
-              "what happens to the joint; the end of an increment. "
-              "Empty: the force stays prescribed. [time]");
+              "From this time on the shortening by the Preload stays as it "
+              "is, as when the nut is no longer turned, and the tension "
+              "follows what happens to the joint. An increment must end at "
+              "this time. Empty: the force stays prescribed. [time]");
     }
 
     void
@@ -150,9 +151,10 @@ namespace conetact::pairing
                         "",
                         Anything(),
                         "Largest traction of friction, whatever the pressure "
-                        "(Tresca): |traction| <= min(mu p, limit); a function "
-                        "of x, y, z, t, T, s, which may fall to 0, as mu may; "
-                        "less is 0. Empty: none. [stress]");
+                        "(Tresca): |traction| <= min(mu p, limit). It is a "
+                        "function of x, y, z, t, T, s, and may fall to 0, as "
+                        "mu may; values below 0 count as 0. Empty: none. "
+                        "[stress]");
       prm.declare_entry("Second friction coefficient",
                         "",
                         Anything(),
@@ -198,11 +200,12 @@ namespace conetact::pairing
     prm.declare_entry("Active",
                       "1",
                       Anything(),
-                      "An expression of t: at the end of an increment where it "
-                      "is 0 both sides do not see each other, as a part that "
-                      "is not mounted yet. A tie holds its sides as the "
-                      "increment finds in which it begins, and lets go of "
-                      "them where it ends. Not for Kind = bilateral.");
+                      "An expression of t. Where it is 0 at the end of an "
+                      "increment, the sides do not see each other, as with a "
+                      "part that is not mounted yet. A tie holds its sides as "
+                      "they are at the start of the increment in which it "
+                      "begins, and lets go of them in the one in which it "
+                      "ends. Not for Kind = bilateral.");
   }
 
   void

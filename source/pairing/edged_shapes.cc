@@ -69,10 +69,10 @@ namespace conetact::pairing
         prm.declare_entry("Apex radius",
                           "0",
                           dealii::Patterns::Anything(),
-                          "cone: of the ball that rounds its apex, touching "
-                          "the side; Point is where the side alone would end. "
-                          "0: a sharp apex, where the direction to the node "
-                          "is the normal. [length]");
+                          "cone: radius of the ball that rounds its apex and "
+                          "touches its side; Point is where the side alone "
+                          "would end. 0: the apex is sharp, and the direction "
+                          "to the node is the normal there. [length]");
       }
       static Shape
       create(Handler &prm, const unsigned int dim, const std::string &in)

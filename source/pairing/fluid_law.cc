@@ -126,19 +126,19 @@ namespace conetact::pairing
       "Penetrating pressure",
       "",
       Anything(),
-      "Pressure of a fluid that presses both sides apart wherever it gets to: "
-      "from its source on, over nodes that are open or pressed less than this, "
-      "which are then wet. A function of t. Empty: no fluid. [stress]");
+      "Pressure of a fluid, a function of t. From its source on, the fluid "
+      "wets nodes that are open, or pressed less than this, and presses both "
+      "sides apart there. Empty: there is no fluid. [stress]");
     prm.declare_entry(
       "Fluid from boundary ids",
       "",
       Anything(),
-      "Source of the fluid: contact nodes that are on these boundary ids of "
-      "Body, too, such as the wall of a bore.");
+      "The fluid comes from contact nodes that are also on these boundary ids "
+      "of Body, such as the wall of a bore.");
     prm.declare_entry("Fluid from point",
                       "",
                       Anything(),
-                      "Source of the fluid: the contact node next to this "
-                      "point. [length]");
+                      "The fluid comes from the contact node that is next to "
+                      "this point. [length]");
   }
 } // namespace conetact::pairing

@@ -24,30 +24,30 @@ namespace conetact::pairing
       static const std::vector<KinematicsRow> rows = {
         {Kinematics::automatic,
          "automatic",
-         "small, but finite sliding where obstacles or bodies turn, and once "
-         "bodies slide by more than a cell or turn by more than 0.25 rad, as "
-         "the run finds out. Curved sides that are pressed and sheared only "
-         "stay small, with one warning where their normals turn by more than "
-         "a hundredth: finite sliding follows those. log.txt tells "
-         "which. What finite sliding does not know stays small: load paths, "
-         "adaptive meshes, Prestress, a Gap, frames as masters, bilateral "
-         "contacts, and a body that meets itself; a run that would be wrong "
-         "then by more than a hundredth warns or ends"},
+         "finite sliding where obstacles or bodies turn, and as soon as "
+         "bodies slide by more than a cell or turn by more than 0.25 rad; "
+         "small elsewhere. Curved sides that are only pressed and sheared "
+         "stay small; one warning tells where their normals turn by more than "
+         "a hundredth, which finite sliding would follow. log.txt says which "
+         "was taken, and why. Load paths, adaptive meshes, Prestress, a Gap, "
+         "frames as masters, bilateral contacts and bodies that meet "
+         "themselves do not go with finite sliding and stay small; a run that "
+         "would then be wrong by more than a hundredth warns or ends"},
         {Kinematics::finite_sliding,
          "finite sliding",
          "contact is where bodies and obstacles are at the end of each "
-         "increment; they may slide, move and turn as far as they like "
-         "(bodies of frames, on foundations, or held along some directions "
-         "only: turn little). Ties turn with their bodies, whatever is chosen "
-         "for them, where their sides touch at the start. Each increment is "
-         "solved a few times then; friction is that of the slip in its last "
-         "tangent plane, so that the error of a curved way falls with the "
-         "increments"},
+         "increment. They may slide, move and turn by any amount, but frames, "
+         "bodies on foundations and bodies that are held along some "
+         "directions only may turn little. Ties whose sides touch at the "
+         "start turn with their bodies, whatever is chosen for them. Each "
+         "increment is solved a few times. Friction opposes the slip in the "
+         "last tangent plane of the increment, so that the error of a curved "
+         "path falls with the size of increments"},
         {Kinematics::small,
          "small",
-         "gaps and normals are those of the undeformed bodies however far "
-         "these move, as in [K] and [P]; one warning where that is wrong by "
-         "more than a hundredth"}};
+         "gaps and normals are those of the undeformed bodies, however far "
+         "these move, as in [K] and [P]. One warning tells where that is "
+         "wrong by more than a hundredth"}};
       return rows;
     }
   } // namespace

@@ -165,27 +165,28 @@ namespace conetact::pairing
       "Compliance",
       "",
       Anything(),
-      "Of a thin layer between both sides, a gasket, roughness: it closes by "
-      "this times the pressure, an expression of x, y, z, p: "
-      "table(p; 0 : 2e-3; 10 : 1e-3), whose product with p must not fall. A "
-      "closed contact then has a negative "
-      "gap. Empty: none. [length/stress]");
+      "A thin layer between both sides, such as a gasket or roughness, closes "
+      "by this times the pressure. It is an expression of x, y, z, p, such as "
+      "table(p; 0 : 2e-3; 10 : 1e-3); its product with p must not fall. A "
+      "closed contact then has a negative gap. Empty: there is no layer. "
+      "[length/stress]");
     prm.declare_entry(
       unloads,
       "",
       Anything(),
-      "Of a layer that stays compressed, as a gasket: where the pressure falls "
-      "below the largest so far, P, it springs back by this times the change, "
-      "and closes by it again up to P; an expression of x, y, z, and p, which "
-      "is P here, at most the Compliance. Empty: it springs back as it closed. "
+      "For a layer that stays compressed, as a gasket does. Where the "
+      "pressure falls below P, the largest so far, the layer springs back by "
+      "this times the change, and closes by it again up to P. It is an "
+      "expression of x, y, z and p, which is P here, and at most the "
+      "Compliance. Empty: the layer springs back as it closed. "
       "[length/stress]");
     prm.declare_entry(
       "Shear compliance",
       "",
       Anything(),
-      "The same along the sides: what sticks is displaced by this times the "
-      "traction of friction, an expression of x, y, z. Empty: none. "
-      "[length/stress]");
+      "The layer gives way along the sides, too: what sticks is displaced by "
+      "this times the traction of friction. It is an expression of x, y, z. "
+      "Empty: it does not. [length/stress]");
     prm.declare_entry(
       "Wear coefficient",
       "",
@@ -200,17 +201,18 @@ namespace conetact::pairing
     prm.declare_entry("Wear acceleration",
                       "1",
                       Anything(),
-                      "How many times the slip of an increment happens: 100 "
-                      "cycles in the increments of one. The log says at the "
-                      "end of a run by how much half of it would change "
-                      "depths, for which each increment is solved once more. "
-                      "[-]");
+                      "Number of times that the slip of an increment happens: "
+                      "100 computes 100 cycles by the increments of one. The "
+                      "log says at the end of a run by how much half of it "
+                      "would change depths, for which each increment is solved "
+                      "once more. [-]");
     prm.declare_entry(
       "Wear integration",
       "explicit",
       Selection("explicit|implicit"),
-      "explicit: what wears in an increment opens the gap of the next one, "
-      "which must be little beside what pressure compresses. implicit: that "
-      "of its own, stable for increments of any size.");
+      "explicit: the depth that wears in an increment opens the gap of the "
+      "next increment; it must be small compared with the compression by "
+      "pressure. implicit: the depth opens the gap of its own increment, "
+      "which is stable for increments of any size.");
   }
 } // namespace conetact::pairing

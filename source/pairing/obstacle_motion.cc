@@ -161,13 +161,14 @@ namespace conetact::pairing
             "are about the Reference point. Empty: all is prescribed.");
     declare("Force",
             "0",
-            "On a free obstacle at its Reference point, a function of t each "
-            "component, separated by ';'. A single 0: none. [force]");
+            "Force on a free obstacle at its Reference point: a function of t "
+            "for each component, separated by ';'. A single 0: no force. "
+            "[force]");
     declare("Moment",
             "0",
-            "On a free obstacle about its Reference point, functions of t: "
-            "one in 2D, three in 3D, separated by ';'. A single 0: none. "
-            "[force x length]");
+            "Moment on a free obstacle about its Reference point: one "
+            "function of t in 2D, three in 3D, separated by ';'. A single 0: "
+            "no moment. [force x length]");
   }
 
   void

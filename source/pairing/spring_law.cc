@@ -121,8 +121,8 @@ namespace conetact::pairing
     prm.declare_entry("Stiffness",
                       "",
                       Anything(),
-                      "Kind = spring: its force over how far its points come "
-                      "nearer or part. [force/length]");
+                      "Kind = spring: its force over the change of the "
+                      "distance of its points. [force/length]");
     prm.declare_entry(
       "Acts",
       both_ways,

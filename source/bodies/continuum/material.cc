@@ -208,16 +208,16 @@ namespace conetact::bodies
         "Young moduli",
         "",
         Patterns::Anything(),
-        "Of an orthotropic material (wood, plies), instead of Young modulus and "
-        "Poisson ratio: E_1, E_2, E_3 along its axes 1, 2, 3. "
+        "E_1, E_2, E_3 of an orthotropic material (wood, plies) along its "
+        "axes 1, 2, 3. They replace Young modulus and Poisson ratio. "
         "[force/length^2]");
       prm.declare_entry(
         "Poisson ratios",
         "",
         Patterns::Anything(),
-        "Of an orthotropic material: nu_12, nu_13, nu_23, where nu_ij is the "
-        "contraction along j over the strain along i by a stress along i; "
-        "nu_ij / E_i = nu_ji / E_j. [-]");
+        "nu_12, nu_13, nu_23 of an orthotropic material. A stress along i "
+        "makes the strain e_i and the contraction nu_ij e_i along j; nu_ij / "
+        "E_i = nu_ji / E_j. [-]");
       prm.declare_entry("Shear moduli",
                         "",
                         Patterns::Anything(),
