@@ -334,7 +334,7 @@ namespace conetact::analysis
     start_is_known = true;
     if (batch.empty())
       return {};
-    const Eigen::MatrixXd                w = deformations(batch);
+    const Eigen::MatrixXd w = deformations(batch);
     demand_equal(batch, w);
     std::vector<output::IncrementRecord> finished;
     Step                                 step;
@@ -371,8 +371,7 @@ namespace conetact::analysis
                "memory than this machine has.";
         return false;
       }
-    bool fits =
-      fits_condensed(model, scene.times.size(), scene.n_drawings());
+    bool fits = fits_condensed(model, scene.times.size(), scene.n_drawings());
     first_decides(fits);
     if (!fits)
       {
