@@ -150,8 +150,8 @@ namespace conetact::analysis
   void
   AdaptiveRefinement::share()
   {
-    const auto                n_bodies = static_cast<unsigned int>(marked.size());
-    std::vector<unsigned int> numbers  = {n_done, n_bodies};
+    const auto n_bodies = static_cast<unsigned int>(marked.size());
+    std::vector<unsigned int> numbers = {n_done, n_bodies};
     for (const bodies::Refinements &of_body : marked)
       for (const std::set<unsigned int> &elements : of_body)
         {

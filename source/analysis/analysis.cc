@@ -304,10 +304,10 @@ namespace conetact::analysis
     work.load_integrations = loads.n_integrations();
     for (const auto &output : outputs)
       if (output)
-      {
-        work.outputs.drawings += output->work().drawings;
-        work.outputs.table_bytes += output->work().table_bytes;
-      }
+        {
+          work.outputs.drawings += output->work().drawings;
+          work.outputs.table_bytes += output->work().table_bytes;
+        }
     return work;
   }
 

@@ -75,8 +75,8 @@ namespace conetact::analysis
     // increment) and bytes, in the plane and in space; from blocks of
     // 32^3 and 64^3 cells (space), squares of 200^2 and 400^2, strips (plane).
     // What processes share, and what each has besides its meshes: from 64^3 and
-    // 100^3 cells and 400^2, by one and two processes. Cells that differ take so many times as long, and as many
-    // bytes: 48^3 of them.
+    // 100^3 cells and 400^2, by one and two processes. Cells that differ take
+    // so many times as long, and as many bytes: 48^3 of them.
     constexpr double setup_of_unknown[]     = {4e-6, 4e-6};
     constexpr double increment_of_unknown[] = {1e-6, 2e-6};
     constexpr double shared_bytes[]         = {350, 640};

@@ -334,7 +334,7 @@ namespace conetact::analysis
     start_is_known = true;
     if (batch.empty())
       return {};
-    const Eigen::MatrixXd                w = deformations(batch);
+    const Eigen::MatrixXd w = deformations(batch);
     demand_equal(batch, w);
     std::vector<output::IncrementRecord> finished;
     Step                                 step;
@@ -371,8 +371,7 @@ namespace conetact::analysis
                "memory than this machine has.";
         return false;
       }
-    bool fits =
-      fits_condensed(model, scene.times.size(), scene.n_drawings());
+    bool fits = fits_condensed(model, scene.times.size(), scene.n_drawings());
     first_decides(fits);
     if (!fits)
       {
@@ -382,31 +381,6 @@ namespace conetact::analysis
       }
     condense_from_here(why);
     return true;
-  }
-
-  void
-  IncrementAnalysis::condense_from_here(const std::string &why)
-  {
-    leave_to_first();
-    if (!is_in_team())
-      return;
-    log.say(why +
-            " From here on bodies are condensed, which has more methods.");
-    log.time("an increment that has not been solved");
-    backend = backend->otherwise;
-    model.solve_by(*backend->elasticity);
-    existence.reset();
-    solver = backend->create_solver(scene, model);
-    solver_of_halves.reset();
-    try
-      {
-        make_elasticity();
-      }
-    catch (const InputError &error) // too late for one
-      {
-        throw AnalysisError(error.what());
-      }
-    history.see_elasticity();
   }
 
   IncrementAnalysis::Step

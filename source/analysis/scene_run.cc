@@ -30,8 +30,8 @@ namespace conetact::analysis
     /** The contacts of `Contacts = automatic`, to be included or pasted. */
     const char *const automatic_file = "contacts.prm";
 
-    /** To a folder that exists from now on and is this run's as long as the lock
-     * lives. */
+    /** To a folder that exists from now on and is this run's as long as the
+     * lock lives. */
     std::unique_ptr<FolderLock>
     start_writing(const std::filesystem::path &folder,
                   const application::Scene    &scene,
@@ -61,9 +61,7 @@ namespace conetact::analysis
     }
 
     void
-    foretell(Analysis       &analysis,
-             const application::Scene &scene,
-             Log                      &log)
+    foretell(Analysis &analysis, const application::Scene &scene, Log &log)
     {
       analysis.check_history();
       analysis.estimate();
@@ -75,9 +73,7 @@ namespace conetact::analysis
 
     /** What is said of a run that ends before its time. */
     void
-    end_early(const std::exception     &why,
-              const Analysis &analysis,
-              Log                      &log)
+    end_early(const std::exception &why, const Analysis &analysis, Log &log)
     {
       log.note(why.what());
       if (analysis.has_results())
@@ -85,10 +81,10 @@ namespace conetact::analysis
       note_work(analysis.work(), {}, log);
     }
 
-    /** Runs the history on the mesh at hand. mpirun ends many processes, whatever
-     * they would like to do first. */
+    /** Runs the history on the mesh at hand. mpirun ends many processes,
+     * whatever they would like to do first. */
     void
-    run_history(Analysis             &analysis,
+    run_history(Analysis                       &analysis,
                 const std::filesystem::path    &folder,
                 const application::CommandLine &line,
                 Log                            &log)
@@ -117,7 +113,7 @@ namespace conetact::analysis
     /** What goes on from one run of the history to the next. */
     struct Progress
     {
-      AdaptiveRefinement        adaptive;
+      AdaptiveRefinement                  adaptive;
       std::map<unsigned int, std::string> shown_to_slide; ///< contacts
       std::optional<pairing::NearPairs>   near_sides;
       std::unique_ptr<FolderLock>         lock; ///< there may be files on disk
@@ -126,7 +122,7 @@ namespace conetact::analysis
 
     /** Contacts that slide far need all of their history so. */
     void
-    note_slides(const Analysis &analysis,
+    note_slides(const Analysis           &analysis,
                 const application::Scene &scene,
                 Progress                 &progress,
                 Log                      &log)
@@ -154,7 +150,8 @@ namespace conetact::analysis
         return true;
       if (line.dry_run)
         log.say("estimates are those of the first of " +
-                std::to_string(ends.size()) + " stages with their own supports");
+                std::to_string(ends.size()) +
+                " stages with their own supports");
       else
         log.note("supports are the same until t = " + to_text(*end));
       const bool goes_on = progress.reached > done;
@@ -167,7 +164,7 @@ namespace conetact::analysis
     struct Built
     {
       std::unique_ptr<application::Scene> scene;
-      std::unique_ptr<Analysis> analysis;
+      std::unique_ptr<Analysis>           analysis;
       bool                                last_stage = true, last_mesh = true;
     };
 
@@ -202,8 +199,9 @@ namespace conetact::analysis
       return built;
     }
 
-    /** Runs the history of what was built. Returns whether it is to be run again:
-     * on another mesh, with contacts that slide far, with other supports. */
+    /** Runs the history of what was built. Returns whether it is to be run
+     * again: on another mesh, with contacts that slide far, with other
+     * supports. */
     bool
     run_built(const Built                    &built,
               const application::CommandLine &line,
@@ -212,7 +210,7 @@ namespace conetact::analysis
               const double                    reached_before)
     {
       const application::Scene   &scene    = *built.scene;
-      Analysis         &analysis = *built.analysis;
+      Analysis                   &analysis = *built.analysis;
       const std::filesystem::path folder   = application::results_folder(line);
       analysis.prepare();
       agree([&] {
@@ -267,7 +265,10 @@ namespace conetact::analysis
     /** All processes come here when a history has been run, and know then what
      * the first one knows. Returns whether there is another one. */
     bool
-    join_first(const Built &built, bool is_run_again, Progress &progress, Log &log)
+    join_first(const Built &built,
+               bool         is_run_again,
+               Progress    &progress,
+               Log         &log)
     {
       const std::vector<int> codes = meet(goes_on);
       for (const int code : codes)

@@ -181,8 +181,14 @@ namespace conetact
     counts.own = static_cast<int>(own_bytes);
     counts.length.resize(at(n));
     MPI_Request request;
-    MPI_Iallgather(
-      &counts.own, 1, MPI_INT, counts.length.data(), 1, MPI_INT, comm, &request);
+    MPI_Iallgather(&counts.own,
+                   1,
+                   MPI_INT,
+                   counts.length.data(),
+                   1,
+                   MPI_INT,
+                   comm,
+                   &request);
     wait_for(request);
     for (const int length : counts.length)
       {

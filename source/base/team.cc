@@ -122,7 +122,8 @@ namespace conetact
     patience()
     {
       constexpr int of_first = 3, of_others = 20;
-      return std::chrono::seconds(ProcessSession::speaks() ? of_first : of_others);
+      return std::chrono::seconds(ProcessSession::speaks() ? of_first :
+                                                             of_others);
     }
   } // namespace
 
@@ -269,7 +270,7 @@ namespace conetact
     std::vector<int> codes(at(n_of_run()), code);
     if (n_of_run() == 1)
       return codes;
-    using Clock      = std::chrono::steady_clock;
+    using Clock       = std::chrono::steady_clock;
     const auto  start = Clock::now();
     MPI_Request request;
     int         done = 0;

@@ -14,7 +14,7 @@ namespace conetact::condensed
   namespace
   {
     constexpr int job_begin = -1, job_end = -2; // jobs, as MUMPS calls them
-  } // namespace
+  }                                             // namespace
 
 
 

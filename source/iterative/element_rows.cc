@@ -283,8 +283,7 @@ namespace conetact::iterative
                    const int               begin,
                    const int               end)
   {
-    Assert(0 <= begin && begin <= end && begin % block == 0 &&
-             end % block == 0,
+    Assert(0 <= begin && begin <= end && begin % block == 0 && end % block == 0,
            dealii::ExcMessage("Rows are those of whole nodes."));
     const PlacedElements placed(elements, places, begin, end);
 

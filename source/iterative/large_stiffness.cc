@@ -116,8 +116,8 @@ namespace conetact::iterative
     find_places(const LargeStiffness &given, const int block, const int n_parts)
     {
       const auto [nodes, node] = number_nodes(given.node_of);
-      const auto part          = parts_of_nodes(given, nodes, node, n_parts);
-      Places     places;
+      const auto       part    = parts_of_nodes(given, nodes, node, n_parts);
+      Places           places;
       std::vector<int> next(nodes.size()); // place of each node
       int              n = 0;
       for (const auto &own : sort_nodes(given, nodes, part, n_parts))
@@ -284,8 +284,8 @@ namespace conetact::iterative
         std::vector<std::vector<Index>> of_process(at(processes.size()));
         for (Index i = 0; i < nodes.n_nodes(); ++i)
           {
-            const Index      from = nodes.first[at(i)];
-            const int        p    = owner_of(place(from), places.first);
+            const Index from = nodes.first[at(i)];
+            const int   p    = owner_of(place(from), places.first);
             for (Index k = from; k < nodes.first[at(i) + 1]; ++k)
               of_process[at(p)].push_back(k);
             if (p != processes.rank())
@@ -353,9 +353,9 @@ namespace conetact::iterative
 
       const Communicator       processes;
       const Places             places;
-      const int                begin, end;        ///< own places
-      std::size_t              contact_begin = 0; ///< among unknowns
-      std::vector<std::size_t> own_nodes;         ///< of contact
+      const int                begin, end;         ///< own places
+      std::size_t              contact_begin = 0;  ///< among unknowns
+      std::vector<std::size_t> own_nodes;          ///< of contact
       std::vector<int> contact, ascending_contact; ///< their places among own
       /** Of each unknown of contact, among those of all processes one behind
        * the other. */

@@ -268,8 +268,7 @@ namespace conetact::output
         bodies.emplace_back(names.at(b),
                             stem(record, b) + (is_one ? ".vtu" : ".pvtu"));
         if (!is_one)
-          write_atomically(run.folder / bodies.back().second,
-                           pieces[b].joint);
+          write_atomically(run.folder / bodies.back().second, pieces[b].joint);
       }
     list(bodies, solution);
     list(write_surfaces(record), surface);
@@ -319,9 +318,9 @@ namespace conetact::output
     check_sizes(grid);
     Pieces &piece = pieces[body];
     // those of a run that the first process goes on with alone, too
-    const int n = processes_for(static_cast<Eigen::Index>(grid.n_cells()),
+    const int  n     = processes_for(static_cast<Eigen::Index>(grid.n_cells()),
                                 cells_worth_a_piece);
-    const auto p = static_cast<std::size_t>(team().rank());
+    const auto p     = static_cast<std::size_t>(team().rank());
     const auto write = [&](const std::string &file, const VtuGrid &part) {
       replace_file(run.folder / file, [&](const fs::path &temporary) {
         append_to_file(temporary, part.text(record.time, record.increment));

@@ -91,7 +91,8 @@ namespace conetact
     broadcast(Eigen::Ref<Eigen::VectorXd> x) const
     {
       if (n > 1)
-        broadcast(x.data(), static_cast<std::size_t>(x.size()) * sizeof(double));
+        broadcast(x.data(),
+                  static_cast<std::size_t>(x.size()) * sizeof(double));
     }
     /** Lists for each process; returns those from each. */
     std::vector<std::vector<int>>

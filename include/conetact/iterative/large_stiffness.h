@@ -51,9 +51,10 @@ namespace conetact::iterative
    * of nodes, leaves out what is held and knows S. Nodes have `dim` unknowns at
    * most, 2 or 3.
    *
-   * Of many processes, which all call this and all functions of the system, each
-   * has the rows and vectors of its nodes; what is given, and what comes out
-   * of the system, is the same on each. A small system is each process's own.
+   * Of many processes, which all call this and all functions of the system,
+   * each has the rows and vectors of its nodes; what is given, and what comes
+   * out of the system, is the same on each. A small system is each process's
+   * own.
    */
   std::shared_ptr<const solvers::LargeSystem>
   make_large_system(LargeStiffness &&given, const unsigned int dim);
