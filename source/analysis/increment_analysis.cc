@@ -383,31 +383,6 @@ namespace conetact::analysis
     return true;
   }
 
-  void
-  IncrementAnalysis::condense_from_here(const std::string &why)
-  {
-    leave_to_first();
-    if (!is_in_team())
-      return;
-    log.say(why +
-            " From here on bodies are condensed, which has more methods.");
-    log.time("an increment that has not been solved");
-    backend = backend->otherwise;
-    model.solve_by(*backend->elasticity);
-    existence.reset();
-    solver = backend->create_solver(scene, model);
-    solver_of_halves.reset();
-    try
-      {
-        make_elasticity();
-      }
-    catch (const InputError &error) // too late for one
-      {
-        throw AnalysisError(error.what());
-      }
-    history.see_elasticity();
-  }
-
   IncrementAnalysis::Step
   IncrementAnalysis::check(PendingIncrement &increment, Eigen::VectorXd w)
   {

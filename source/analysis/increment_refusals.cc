@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
-// Sentences about increments that have no equilibrium.
+// Increments that are not solved: sentences about those that have no
+// equilibrium, and what else may solve them.
 
 #include "conetact/analysis/increment_analysis.h"
+#include "conetact/base/errors.h"
+#include "conetact/base/team.h"
 #include "conetact/contact/refusal.h"
 
 #include <algorithm>
@@ -120,5 +123,30 @@ namespace conetact::analysis
              "" :
              "no equilibrium exists, " +
                describe_limit(limit, last, scene.contact_names, model);
+  }
+
+  void
+  IncrementAnalysis::condense_from_here(const std::string &why)
+  {
+    leave_to_first();
+    if (!is_in_team())
+      return;
+    log.say(why +
+            " From here on bodies are condensed, which has more methods.");
+    log.time("an increment that has not been solved");
+    backend = backend->otherwise;
+    model.solve_by(*backend->elasticity);
+    existence.reset();
+    solver = backend->create_solver(scene, model);
+    solver_of_halves.reset();
+    try
+      {
+        make_elasticity();
+      }
+    catch (const InputError &error) // too late for one
+      {
+        throw AnalysisError(error.what());
+      }
+    history.see_elasticity();
   }
 } // namespace conetact::analysis
