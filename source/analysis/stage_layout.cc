@@ -56,7 +56,7 @@ namespace conetact::analysis
       for (std::size_t k = 0; k + 4 < layout.size(); k += 5)
         {
           KeptPoint point;
-          point.key          = {layout[k], layout[k + 1], layout[k + 2]};
+          point.key          = {{layout[k], layout[k + 1], layout[k + 2]}};
           point.number       = points.size();
           point.n            = static_cast<std::size_t>(layout[k + 3]);
           point.first        = first;
@@ -83,9 +83,9 @@ namespace conetact::analysis
         for (const contact::ContactPoint &point : points().all())
           {
             const auto found =
-              places.find({static_cast<double>(point.node->contact),
-                           static_cast<double>(point.node->body),
-                           static_cast<double>(point.node->node)});
+              places.find({{static_cast<double>(point.node->contact),
+                            static_cast<double>(point.node->body),
+                            static_cast<double>(point.node->node)}});
             before.push_back(found == places.end() ?
                                std::nullopt :
                                std::optional(found->second));

@@ -121,7 +121,7 @@ _conetact()
     case $previous in
 )";
 
-    constexpr const char *rest = R"(    esac
+    constexpr const char *rest_of_function = R"(    esac
   elif [[ $cur == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$_conetact_options" -- "$cur")
   elif [[ $first == compare ]]; then
@@ -186,6 +186,6 @@ complete -F _conetact conetact
     return "# Completes command lines of conetact in bash. Made by: conetact "
            "--completion bash\n\n_conetact_options=\"" +
            join(options, " ") + "\"\n_conetact_valued=\"" + join(valued, " ") +
-           "\"\n" + functions + cases + rest;
+           "\"\n" + functions + cases + rest_of_function;
   }
 } // namespace conetact::application

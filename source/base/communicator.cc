@@ -18,7 +18,7 @@ namespace conetact
   namespace
   {
     /** Bytes that go in one message, whose length is an int. */
-    constexpr std::size_t longest = 1 << 30;
+    constexpr std::size_t longest_message = 1 << 30;
 
     // Who waits looks again at once, then whenever no other program wants the
     // core, later after an eighth of the time it has waited: a sleep takes 60
@@ -223,11 +223,11 @@ namespace conetact
   void
   Communicator::broadcast(void *x, const std::size_t bytes) const
   {
-    for (std::size_t k = 0; k < bytes; k += longest)
+    for (std::size_t k = 0; k < bytes; k += longest_message)
       {
         MPI_Request request;
         MPI_Ibcast(static_cast<char *>(x) + k,
-                   static_cast<int>(std::min(longest, bytes - k)),
+                   static_cast<int>(std::min(longest_message, bytes - k)),
                    MPI_BYTE,
                    0,
                    comm,

@@ -133,7 +133,6 @@ namespace
                                                           n_schur,
                                                           node_of));
                            },
-                           nullptr,
                            nullptr};
 } // namespace
 
