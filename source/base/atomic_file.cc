@@ -5,7 +5,6 @@
 
 #include "conetact/base/errors.h"
 #include "conetact/base/new_file.h"
-#include "conetact/base/process.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -21,6 +20,8 @@ namespace conetact
   namespace
   {
     namespace fs = std::filesystem;
+
+    bool writes = true; // the files that processes have in common
 
     [[noreturn]] void
     fail(const fs::path &file)
@@ -95,10 +96,18 @@ namespace conetact
 
 
   void
+  leave_files_to_first()
+  {
+    writes = false;
+  }
+
+
+
+  void
   write_atomically(const fs::path                              &file,
                    const std::function<void(const fs::path &)> &write)
   {
-    if (ProcessSession::speaks())
+    if (writes)
       replace_file(file, write);
   }
 
@@ -131,7 +140,7 @@ namespace conetact
   remove_file(const fs::path &file)
   {
     std::error_code ignored; // what cannot be removed stays
-    if (ProcessSession::speaks())
+    if (writes)
       fs::remove(file, ignored);
   }
 

@@ -3,6 +3,7 @@
 
 #include "conetact/base/process.h"
 
+#include "conetact/base/atomic_file.h"
 #include "conetact/base/errors.h"
 
 #include <deal.II/base/multithread_info.h>
@@ -206,6 +207,8 @@ namespace conetact
         joined = {};
         throw;
       }
+    if (joined.rank > 0)
+      leave_files_to_first();
   }
 
 

@@ -19,6 +19,11 @@ namespace conetact
   void
   take_size_limits_as_errors();
 
+  /** From now on write_atomically() and remove_file() do nothing: of many
+   * processes the first one writes what they have in common. */
+  void
+  leave_files_to_first();
+
   /** Throws a WriteError that says so of this file. */
   [[noreturn]] void
   fail_to_write(const std::filesystem::path &file,

@@ -14,7 +14,7 @@ namespace conetact::output
     const char *name;
     const char *description;
     std::unique_ptr<Output> (*create)(const RunDescription &);
-    bool is_shared; ///< see Output
+    bool is_shared = false; ///< see Output
   };
   const std::vector<OutputRow> &
   output_table();

@@ -491,8 +491,7 @@ namespace
   const Condenser dense_row = {"dense",
                                "dense Cholesky, for very small bodies",
                                &create_dense,
-                               &estimate_dense,
-                               [](Eigen::Index) { return 1; }};
+                               &estimate_dense};
   //! [backend row]
 } // namespace
 

@@ -25,7 +25,7 @@ namespace
     contact.master     = 1;
     contact.master_ids = master.boundary_ids();
     contact.reach      = 100;
-    contact.friction   = std::make_shared<FrictionLaw>("0", "", "test");
+    contact.friction   = std::make_shared<FrictionLaw>("0", "", "", "test");
     contact.prestress.emplace("0", "test");
 
     return contact;
