@@ -281,15 +281,21 @@ namespace conetact::solvers
         const Seen  seen(relation, i, x);
         const SmallVector &v = seen.v, &r = seen.r;
         const double       zn = r(dim - 1) - v(dim - 1), slip = seen.slip();
+        const auto         limit = limit_at(relation, i, zn, v);
         LinearizedLaw      law =
           law_of(sets[at(i)],
-                 limit_at(relation, i, zn, v),
+                 limit,
                  seen.slips(),
                  seen.forces(),
                  seen.along().cwiseQuotient(seen.scale.head(dim - 1)),
                  definite);
         if (relation.has_ellipses() && turns(sets[at(i)]))
-          see_stretched(seen.aspect, v, r, seen.along(), law);
+          see_stretched(seen.aspect,
+                        v,
+                        r,
+                        seen.along(),
+                        limit.by_slip * sets[at(i)].direction,
+                        law);
         if (relation.is_bonded(i))
           see_bond(relation.bond(i, slip, seen.gap()), v, law);
         if (const double step = relation.step(i); relation.has_layers())

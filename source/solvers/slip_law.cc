@@ -113,6 +113,7 @@ namespace conetact::solvers
                 const SmallVector &v,
                 const SmallVector &r,
                 const SmallVector &along,
+                const SmallVector &by_slip,
                 LinearizedLaw     &law)
   {
     const Index  nt = v.size() - 1;
@@ -125,6 +126,8 @@ namespace conetact::solvers
     SmallVector by_aspect = SmallVector::Zero(nt + 1);
     by_aspect += law.A.col(0) * v(0) - law.A.col(1) * (v(1) / (a * a)) -
                  law.B.col(0) * (r(0) / (a * a)) + law.B.col(1) * r(1);
+    // friction goes with the slip itself, which does not change with a
+    by_aspect.head(nt) += by_slip * ((along(0) * v(0) - along(1) * v(1)) / a);
     const SmallVector scale = aspect.scale(nt + 1);
     law.A                   = (law.A * scale.asDiagonal()).eval();
     law.B = (law.B * scale.cwiseInverse().asDiagonal()).eval();

@@ -29,12 +29,14 @@ namespace conetact::solvers
          const bool           definite);
 
   /** A law of stretched reactions and slips as one of (v, r), which are not;
-   * `along` is how the slip grows with v_t. */
+   * `along` is how the slip grows with v_t, `by_slip` how friction does with
+   * the slip. */
   void
   see_stretched(const Aspect      &aspect,
                 const SmallVector &v,
                 const SmallVector &r,
                 const SmallVector &along,
+                const SmallVector &by_slip,
                 LinearizedLaw     &law);
 
   /** A law of r + bond as one of r itself. */

@@ -22,8 +22,55 @@ namespace conetact::bodies
      */
     constexpr double bulge = .25;
 
-    /** The coordinates of p in the unit cell, nothing where there are none: far
-     * outside of a distorted cell. */
+    /** The coordinates of p in the unit cell of straight edges, nothing where
+     * there are none: far outside of a distorted cell. */
+    template <int dim>
+    std::optional<Point<dim>>
+    in_straight_cell(const dealii::FiniteElement<dim>      &element,
+                     const typename NodeMapping<dim>::Cell &cell,
+                     const Point<dim>                      &p)
+    {
+      try
+        {
+          return element.reference_cell()
+            .template get_default_linear_mapping<dim>()
+            .transform_real_to_unit_cell(cell, p);
+        }
+      catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
+        {
+          return {};
+        }
+    }
+
+    /** The same of bent edges, by Newton's method from there: that of MappingFE
+     * misses points on edges. */
+    template <int dim>
+    std::optional<Point<dim>>
+    in_bent_cell(const dealii::FiniteElement<dim> &element,
+                 const std::vector<Point<dim>>    &nodes,
+                 Point<dim>                        at,
+                 const Point<dim>                 &p)
+    {
+      constexpr unsigned int n_steps   = 20;
+      constexpr double       round_off = 1e-12, far = 4; // in unit cells
+      for (unsigned int step = 0; step < n_steps && at.norm() < far; ++step)
+        {
+          dealii::Tensor<1, dim> miss = p;
+          dealii::Tensor<2, dim> slope;
+          for (unsigned int v = 0; v < nodes.size(); ++v)
+            {
+              miss -= element.shape_value(v, at) * nodes[v];
+              slope += outer_product(nodes[v], element.shape_grad(v, at));
+            }
+          const dealii::Tensor<1, dim> move = invert(slope) * miss;
+          at += move;
+          if (move.norm() < round_off)
+            return at;
+        }
+      return {};
+    }
+
+    /** Of a cell of any kind. */
     template <int dim>
     std::optional<Point<dim>>
     in_unit_cell(NodeMapping<dim>              &mapping,
@@ -40,16 +87,12 @@ namespace conetact::bodies
       std::vector<Point<dim>> scaled;
       for (const Point<dim> &node : nodes)
         scaled.emplace_back((node - corner) / size);
-      try
-        {
-          return mapping.transform_real_to_unit_cell(mapping.cell_at(scaled),
-                                                     Point<dim>((p - corner) /
-                                                                size));
-        }
-      catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
-        {
-          return {};
-        }
+      const Point<dim> there((p - corner) / size);
+      const auto      &element = mapping.element();
+      const auto at = in_straight_cell(element, mapping.cell_at(scaled), there);
+      return !at || element.degree == 1 ?
+               at :
+               in_bent_cell(element, scaled, *at, there);
     }
   } // namespace
 
