@@ -444,10 +444,7 @@ class Case:
                 refuse(f"{table}: {what}", spoil, f"{table} ")
         for what, (name, change) in BAD_ENTRIES.items():
             def craft(folder):
-                kinds = archive(folder / "checkpoint.bin")
-                kind, value = kinds[name.encode()]
-                kinds[name.encode()] = kind, change(value)
-                write_archive(folder / "checkpoint.bin", kinds)
+                change_numbers(folder / "checkpoint.bin", name, change)
             refuse(f"a checkpoint with {what}", craft, "checkpoint")
         run = self.run(go_on, "--restart", whole)
         self.demand("the whole run goes on", run.returncode == 0, run)
@@ -613,21 +610,14 @@ BAD_ENTRIES = {"a block that is no multiple of 8": ("contact/base", lambda v: v 
                "a number of rows below 0": ("rows of reactions.csv", lambda v: BELOW)}
 
 
-def archive(file):
-    """The first line and the entries of a checkpoint: name, (kind, bytes)."""
+def change_numbers(file, name, change):
+    """Changes a list of numbers of a checkpoint, by Boost: length of the name, name, length of the list, list; with the right checksum."""
     data = file.read_bytes()
-    start, entries = data.index(b"\n") + 1, {b"": (b"", data[:data.index(b"\n") + 1])}
-    while b"end" not in entries:
-        end = data.index(b"\n", start)
-        kind, size, name = data[start:end].split(b" ", 2)
-        entries[name] = kind, data[end + 1:end + 1 + int(size)]
-        start = end + int(size) + 2
-    return entries
-
-
-def write_archive(file, entries):
-    text = entries[b""][1] + b"".join(b"%s %d %s\n%s\n" % (kind, len(value), name, value)
-                                      for name, (kind, value) in entries.items() if name)
+    text = data[:data.rindex(b"checksum ")]
+    start = text.index(struct.pack("<Q", len(name)) + name.encode()) + 8 + len(name)
+    n, = struct.unpack_from("<Q", text, start)
+    new = change(text[start + 8:start + 8 + 8 * n])
+    text = text[:start] + struct.pack("<Q", len(new) // 8) + new + text[start + 8 + 8 * n:]
     file.write_bytes(text + b"checksum %08x\n" % (zlib.crc32(text) & 0xffffffff))
 
 
