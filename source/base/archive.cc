@@ -19,7 +19,9 @@
 #include <cstring>
 #include <fstream>
 #include <iomanip>
+#include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 
 namespace conetact
@@ -183,6 +185,14 @@ namespace conetact
           archive.numbers;
       }
     catch (const boost::archive::archive_exception &)
+      {
+        refuse(file);
+      }
+    catch (const std::bad_alloc &) // of a length that is none
+      {
+        refuse(file);
+      }
+    catch (const std::length_error &)
       {
         refuse(file);
       }
