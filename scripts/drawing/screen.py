@@ -5,9 +5,11 @@
 Xvfb is preferred to the screen of the user: it is always of the same kind, and nothing flickers.
 """
 import atexit
+import ctypes
 import os
 import select
 import shutil
+import signal
 import socket
 import subprocess
 import sys
@@ -22,13 +24,19 @@ def remember(window):
     _open.append(window)
 
 
+def end_with_parent():
+    """Linux ends the server when this process is gone, whatever ends it."""
+    ctypes.CDLL(None).prctl(1, signal.SIGTERM)
+
+
 def start_xvfb():
-    """The X server chooses a free number, tells it when it is ready, and ends when its last window is gone."""
+    """The X server chooses a free number, tells it when it is ready, and waits: large files take longer to read than -terminate lets it
+    live without a window."""
     told, tell = os.pipe()
-    words = ["-screen", "0", "64x64x24", "-nolisten", "tcp", "-terminate"]
+    words = ["-screen", "0", "64x64x24", "-nolisten", "tcp"]
     server = subprocess.Popen(["Xvfb", "-displayfd", str(tell), *words],
                               pass_fds=[tell], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL)
+                              stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
     os.close(tell)
     with os.fdopen(told) as stream:
         number = stream.readline().strip() if select.select([stream], [], [], SECONDS)[0] else ""

@@ -282,14 +282,18 @@ namespace conetact::solvers
         const SmallVector &v = seen.v, &r = seen.r;
         const double       zn = r(dim - 1) - v(dim - 1), slip = seen.slip();
         const auto         limit = limit_at(relation, i, zn, v);
-        LinearizedLaw      law =
+        // what is open or sticks says what v and r are, stretched or not
+        const bool is_stretched = relation.has_ellipses() && turns(sets[at(i)]);
+        LinearizedLaw law =
           law_of(sets[at(i)],
                  limit,
-                 seen.slips(),
-                 seen.forces(),
-                 seen.along().cwiseQuotient(seen.scale.head(dim - 1)),
+                 is_stretched ? seen.slips() : v,
+                 is_stretched ? seen.forces() : r,
+                 is_stretched ?
+                   seen.along().cwiseQuotient(seen.scale.head(dim - 1)) :
+                   seen.along(),
                  definite);
-        if (relation.has_ellipses() && turns(sets[at(i)]))
+        if (is_stretched)
           see_stretched(seen.aspect,
                         v,
                         r,

@@ -218,6 +218,32 @@ namespace
   }
 } // namespace
 
+// What sticks or is open has no axes: a step ends where it says.
+TEST(NodeSets, EllipsesLeaveWhatSticksAlone)
+{
+  for (const Form form : {Form::stiffness, Form::compliance})
+    for (const NodeState state : {NodeState::stick, NodeState::open})
+      {
+        const LinearRelation relation =
+          relation_of_one_node(form, std::make_shared<AnyEllipse>());
+        SmallVector v(3), r(3);
+        v << .2, -.3, .1;
+        r << .4, .5, 2;
+        const Eigen::VectorXd p = form == Form::stiffness ? v : r;
+        const Eigen::VectorXd d = form == Form::stiffness ? r : v;
+        NodeSets              sets(1);
+        sets[0].state     = state;
+        sets[0].direction = SmallVector::Zero(2);
+        const NodeLaw law = linearized_laws(relation, sets, p, d).front();
+        // the vector that vanishes
+        const bool of_p =
+          (state == NodeState::stick) == (form == Form::stiffness);
+        const SmallMatrix one = SmallMatrix::Identity(3, 3);
+        EXPECT_EQ(of_p ? law.p : law.d, one);
+        EXPECT_EQ(law.h, state == NodeState::stick ? -v : -r);
+      }
+}
+
 // It slips along the normal of the ellipse, with all slopes of its axes.
 TEST(NodeSets, EllipsesAreDerivatives)
 {
