@@ -108,6 +108,13 @@ namespace conetact::analysis
           end_early(stop, analysis, log);
           throw;
         }
+      catch (const InputError &error) // of an expression at a later time
+        {
+          if (!analysis.has_results())
+            throw;
+          end_early(error, analysis, log);
+          throw AnalysisError(error.what());
+        }
     }
 
     /** What goes on from one run of the history to the next. */
