@@ -108,13 +108,6 @@ namespace conetact::analysis
           end_early(stop, analysis, log);
           throw;
         }
-      catch (const InputError &error) // of an expression at a later time
-        {
-          if (!analysis.has_results())
-            throw;
-          end_early(error, analysis, log);
-          throw AnalysisError(error.what());
-        }
     }
 
     /** What goes on from one run of the history to the next. */
@@ -124,7 +117,8 @@ namespace conetact::analysis
       std::map<unsigned int, std::string> shown_to_slide; ///< contacts
       std::optional<pairing::NearPairs>   near_sides;
       std::unique_ptr<FolderLock>         lock; ///< there may be files on disk
-      double reached = 0;                       ///< by stages of other supports
+      double reached     = 0;                   ///< by stages of other supports
+      bool   has_results = false; ///< increments of it are on disk
     };
 
     /** Contacts that slide far need all of their history so. */
@@ -224,7 +218,16 @@ namespace conetact::analysis
         if (!progress.lock)
           progress.lock = start_writing(folder, scene, log);
       });
-      run_history(analysis, folder, line, log);
+      try
+        {
+          run_history(analysis, folder, line, log);
+        }
+      catch (const InputError &) // of an expression at a later time
+        {
+          progress.has_results |= analysis.has_results();
+          throw;
+        }
+      progress.has_results = true;
       if (!is_in_team())
         return true; // the first process knows
       if (!analysis.leaves_small().empty())
@@ -285,9 +288,12 @@ namespace conetact::analysis
       const std::vector<Needs> needs = needs_of_processes();
       if (built.last_stage && built.analysis->leaves_small().empty())
         note_work(built.analysis->work(), needs, log);
-      std::vector<double> numbers = {is_run_again ? 1. : 0., progress.reached};
+      std::vector<double> numbers = {is_run_again ? 1. : 0.,
+                                     progress.reached,
+                                     progress.has_results ? 1. : 0.};
       team().broadcast(numbers);
-      progress.reached = numbers[1];
+      progress.reached     = numbers[1];
+      progress.has_results = numbers[2] > 0;
       broadcast(progress.shown_to_slide);
       progress.adaptive.share();
       return numbers[0] > 0;
@@ -335,14 +341,16 @@ namespace conetact::analysis
     catch (const InputError &error)
       {
         const unsigned int n_meshes = progress.adaptive.n_meshes();
-        if (n_meshes == 0 && progress.shown_to_slide.empty())
+        const bool         anew     = !progress.shown_to_slide.empty();
+        if (n_meshes == 0 && !anew && !progress.has_results)
           throw;
-        // results of the run before are on disk
-        const std::string why =
-          (n_meshes == 0 ? std::string("With finite sliding: ") :
-                           "Adaptive refinement, mesh " +
-                             std::to_string(n_meshes + 1) + ": ") +
-          error.what();
+        // what was found before is on disk
+        const std::string place =
+          n_meshes > 0 ?
+            "Adaptive refinement, mesh " + std::to_string(n_meshes + 1) + ": " :
+          anew ? "With finite sliding: " :
+                 "";
+        const std::string why = place + error.what();
         log.note(why);
         throw AnalysisError(why);
       }

@@ -4,6 +4,7 @@
 import math
 
 from support.scenes import box, contact, floor, joint, load, merge, support
+from support.tables import Run
 
 YOUNG, POISSON, PRESSED = 1000.0, .3, .01
 
@@ -126,6 +127,15 @@ def press_fit(laws):
     laws.demand("  and no more than mu p A", done.returncode == 2)
 
 
+def refused_late(laws):
+    """What is wrong in the second stage leaves the first one on disk: no wrong input any more, of which nothing is written."""
+    scene = confined(2, "condensed", 0, "t > 0")
+    scene["Support other"] = support(0, "x", "0.1", Active="t > 1.5")
+    done, folder = laws.start(scene)
+    laws.demand("supports that disagree in a later stage", done.returncode == 2 and "another support moves it" in done.stderr)
+    laws.demand("  the first stage is on disk", [i["increment"] for i in Run(folder).increments] == [1])
+
+
 def stages(laws):
     for dim in (2, 3):
         for backend in ("condensed", "iterative"):
@@ -134,3 +144,4 @@ def stages(laws):
             normal(laws, dim, backend)
     assembled(laws, "condensed")  # the iterative one knows no friction along what supports hold of pairs
     press_fit(laws)
+    refused_late(laws)
