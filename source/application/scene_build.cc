@@ -72,13 +72,13 @@ namespace conetact::application
     /** What a contact remembers of its nodes, in words; empty: reactions only.
      */
     std::string
-    memory_of(Handler &entries, const pairing::Contact &contact)
+    memory_of(const pairing::Contact &contact)
     {
       if (contact.layer && contact.layer->wears())
         return "wear";
-      if (!entries.get("Unloading compliance").empty())
+      if (contact.layer && contact.layer->stays_packed())
         return "what a gasket has carried";
-      if (contact.bond && entries.get("Cohesion lost") != "never")
+      if (contact.bond && contact.bond->may_be_lost())
         return "bonds that are lost";
       const bool uses_way =
         contact.friction && (contact.friction->expression(0).uses("s") ||
@@ -255,7 +255,7 @@ namespace conetact::application
                                                obstacles));
     if (path.follows)
       pairing::take_cohesion_of_path(entries, in, contacts.back());
-    if (const std::string memory = memory_of(entries, contacts.back());
+    if (const std::string memory = memory_of(contacts.back());
         has_stages() && !memory.empty())
       refuse_to_forget(memory, name, contacts.back(), activity, bodies);
     kinematics.push_back({pairing::read_kinematics(entries), {}, {}, {}});

@@ -172,7 +172,7 @@ namespace conetact::solvers
         report.iterations += iterations;
         report.factorizations += factorizations;
       }
-    if (!report.converged && problem.laws && !problem.laws->has_cones())
+    if (!report.converged && !problem.has_cones())
       {
         ContactState       other  = start;
         const SolverReport before = report;

@@ -137,7 +137,7 @@ namespace conetact::solvers
               const double          s,
               const SmallVector    &v)
     {
-      if (!problem.laws || !problem.laws->has_ellipses())
+      if (!problem.has_ellipses())
         return {};
       const Index nt = v.size() - 1;
       return problem.laws->aspect(i, s, v.head(nt).norm(), std::max(v(nt), 0.));
@@ -201,8 +201,7 @@ namespace conetact::solvers
               result.segment(first, nt + 1) = rho(first) * v;
               continue;
             }
-          if (problem.is_bonded(i) ||
-              (problem.laws && problem.laws->has_ellipses()))
+          if (problem.is_bonded(i) || problem.has_ellipses())
             {
               result.segment(first, nt + 1) =
                 bonded_residual(problem, i, factor, r, v);

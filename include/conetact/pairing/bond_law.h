@@ -44,11 +44,17 @@ namespace conetact::pairing
      * slip [length]; `least` is a way that is rounding. */
     double
     rest(const double opened, const double slipped, const double least) const;
+    /** Whether T and c may be lost, for good. */
+    bool
+    may_be_lost() const
+    {
+      return lost != Lost::never;
+    }
     /** T and c are lost at a sudden, at the end of an increment. */
     bool
     is_brittle() const
     {
-      return lost != Lost::never && length == 0;
+      return may_be_lost() && length == 0;
     }
     /** Pull over the strength that is left, at a gap below the largest one so
      * far: a zone that has opened closes along a line to 0. */

@@ -65,6 +65,12 @@ namespace conetact::pairing
     {
       return wear.has_value();
     }
+    /** Whether it remembers the largest pressure that it has carried. */
+    bool
+    stays_packed() const
+    {
+      return unloading.has_value();
+    }
     /** Whether wear of an increment gives way in it, else in the next one. */
     bool
     wears_at_once() const

@@ -88,11 +88,6 @@ namespace conetact::solvers
            const double r_n,
            const double slip,
            const double gap) const;
-    bool
-    has_ellipses() const
-    {
-      return laws && laws->has_ellipses();
-    }
     /** Whether node i has no friction, however it is pressed. */
     bool
     is_frictionless(const Index i) const

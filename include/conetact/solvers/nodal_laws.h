@@ -193,6 +193,11 @@ namespace conetact::solvers
     {
       return laws && laws->has_layers();
     }
+    bool
+    has_ellipses() const
+    {
+      return laws && laws->has_ellipses();
+    }
     /** Whether a bond, or a fluid, acts at any node, or one is joined. */
     bool
     has_bonds() const
