@@ -80,27 +80,10 @@ namespace conetact::analysis
       warn(sentences, log);
     }
 
-    /** The model is solved by it from here on. */
-    const Backend &
-    with_backend(const application::Scene &scene,
-                 contact::ContactModel    &model,
-                 Log                      &log)
-    {
-      const Backend &backend = choose_backend(scene, model, log);
-      model.solve_by(*backend.elasticity);
-      return backend;
-    }
   } // namespace
 
   Analysis::Analysis(const application::Scene &s, Log &l)
-    : scene(s)
-    , log(l)
-    , model(scene.bodies, scene.times, *scene.condenser, scene.preconditioner)
-    , loads(scene.nodal_loads())
-    , prestress(scene.prestress())
-    , backend(&with_backend(scene, model, log))
-    , history(model)
-    , acceptance(scene, model, l)
+    : RunContext(s, l)
     , notices(scene, model)
   {
     check_empty_contacts(scene, model, log);
@@ -134,7 +117,7 @@ namespace conetact::analysis
                           t);
       }
     log.time("loads and supports at all times");
-    report_loads(loads, scene.bodies.dim, log);
+    report_loads(loads, log);
   }
 
   void
@@ -173,19 +156,6 @@ namespace conetact::analysis
     if (!scene.text_increments.empty() && model.points.layout().n_nodes() == 0)
       throw InputError("Output, Text increments: no node may touch anything, "
                        "there is no contact problem. Leave the entry empty.");
-  }
-
-  void
-  Analysis::make_elasticity()
-  {
-    const contact::Elasticity &elastic = model.elasticity();
-    const double               bytes   = elastic.factor_bytes();
-    log.time(elastic.description() +
-             (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
-    const auto n = static_cast<double>(model.points.n_all_unknowns());
-    if (elastic.system()->matrix.size() > 0)
-      log.note("condensed stiffness: " + megabytes(8 * n * n));
-    report_shared_bodies(model.bodies, elastic.n_shared_bodies(), log);
   }
 
   void
@@ -309,72 +279,6 @@ namespace conetact::analysis
           work.outputs.table_bytes += output->work().table_bytes;
         }
     return work;
-  }
-
-  void
-  Analysis::apply_loads(PendingIncrement &increment)
-  {
-    const double                     t      = increment.record.time;
-    const bodies::NodalLoads::Acting acting = loads.acting(t);
-    Eigen::VectorXd                  others = scene.obstacle_forces(t);
-    if (prestress.size() > 0)
-      others += prestress;
-    increment.thermal = acting.thermal;
-    increment.record.each_load.clear();
-    if (model.bodies.frames.empty())
-      {
-        increment.forces     = acting.forces + others;
-        increment.mechanical = acting.mechanical + others;
-        for (const auto &[force, moment] : acting.each)
-          increment.record.each_load.push_back({force, moment});
-      }
-    else
-      turn_loads(others, increment);
-    increment.load = model.load_case(increment.mechanical, acting.thermal, t);
-    increment.wet.clear();
-    set_laws(increment);
-    if (const auto &laws = increment.load.laws)
-      model.points.set_friction(laws->coefficients(history.start()));
-  }
-
-  void
-  Analysis::set_laws(PendingIncrement &increment)
-  {
-    const double t      = increment.record.time;
-    increment.load.laws = history.laws_until(
-      t,
-      [&](const unsigned int body, const Point<3> &p) {
-        return loads.temperature(body, p, t);
-      },
-      increment.wet);
-  }
-
-  /* In the frames of bodies, some loads turn with them and others against
-     them; in space, forces act where bodies have come to. */
-  void
-  Analysis::turn_loads(const Eigen::VectorXd &others,
-                       PendingIncrement      &increment)
-  {
-    const contact::Coordinates &coordinates = model.coordinates;
-    increment.forces                        = increment.mechanical =
-      coordinates.forces_in_frames(others);
-    loads.visit(increment.record.time,
-                [&](const bodies::Load &load, const Eigen::VectorXd &on_body) {
-                  Eigen::VectorXd f = Eigen::VectorXd::Zero(others.size());
-                  f.segment(coordinates.offset(load.body), on_body.size()) =
-                    on_body;
-                  if (!load.follows())
-                    f = coordinates.forces_in_frames(f);
-                  increment.forces += f;
-                  if (!load.strains())
-                    increment.mechanical += f;
-                  increment.record.each_load.push_back(
-                    load.strains() ? // which balances
-                      output::Resultant() :
-                      verification::resultant(model.bodies,
-                                              coordinates,
-                                              coordinates.forces_in_space(f)));
-                });
   }
 
   std::string

@@ -32,9 +32,11 @@ namespace conetact::analysis
     }
 
     std::unique_ptr<solvers::ContactSolver>
-    any_method(const application::Scene &scene, const contact::ContactModel &)
+    any_method(const solvers::SolverOptions &options,
+               const application::Scene &,
+               const contact::ContactModel &)
     {
-      return solvers::make_solver(scene.solver);
+      return solvers::make_solver(options);
     }
 
     /**
@@ -42,11 +44,12 @@ namespace conetact::analysis
      * and left to condensed bodies once these are the faster way.
      */
     std::unique_ptr<solvers::ContactSolver>
-    newton_while_it_pays(const application::Scene    &scene,
-                         const contact::ContactModel &model)
+    newton_while_it_pays(const solvers::SolverOptions &options,
+                         const application::Scene     &scene,
+                         const contact::ContactModel  &model)
     {
       constexpr double       few   = 500; // to ask what condensing takes
-      solvers::SolverOptions whole = scene.solver;
+      solvers::SolverOptions whole = options;
       whole.max_substeps           = 1;
       whole.leaves = [&, worth = 0.](const unsigned int n_iterations) mutable {
         if (n_iterations < few)

@@ -21,14 +21,14 @@ namespace conetact::analysis
     if (every == 0 || n_on_disk == n_saved ||
         (!at_end && n_on_disk % every != 0 && n_on_disk != scene.times.size()))
       return;
-    if (search.is_needed())
+    if (solver.search.is_needed())
       {
-        if (search.time() != scene.times[n_on_disk - 1])
+        if (solver.search.time() != scene.times[n_on_disk - 1])
           return;   // in parts of the next increment
         if (at_end) // the model has contacts of an increment that failed
           {
-            search.go_back();
-            must_take({search.accepted()});
+            solver.search.go_back();
+            solver.must_take({solver.search.accepted()});
           }
       }
     write_checkpoint();
@@ -56,7 +56,7 @@ namespace conetact::analysis
     archive.put_text("backend", backend->elasticity->name);
     put_reaction_rows(archive, n_reaction_rows);
     scene.save_kinematics(archive);
-    search.save(archive);
+    solver.search.save(archive);
     history.save(archive);
     acceptance.save(archive);
     wear_error.save(archive);
@@ -103,7 +103,7 @@ namespace conetact::analysis
     output::check_former_tables(scene.restart->folder,
                                 scene.n_done(),
                                 n_reaction_rows);
-    search.restore(archive, history);
+    solver.search.restore(archive, history);
     history.restore(archive);
     acceptance.restore(archive);
     if (is_other)

@@ -19,15 +19,13 @@ namespace conetact::analysis
     Eigen::VectorXd after_half = worn;
     if (worn.size() > 0 && worn.maxCoeff() > 0)
       {
-        if (!solver_of_halves)
-          solver_of_halves = backend->create_solver(scene, model);
         contact::ContactHistory half = increment.before;
         half.wear_by(.5 * worn);
         const solvers::ContactProblem problem = half.problem(increment.load);
         solvers::ContactState         end     = half.start();
         end.node                              = increment.end.node;
         const solvers::SolverReport report =
-          solver_of_halves->solve(problem, end);
+          solver.solver_of_halves().solve(problem, end);
         done.add(report);
         if (!report.converged)
           return wear_error.miss();

@@ -271,26 +271,19 @@ namespace conetact::analysis
 
 
   void
-  report_loads(const bodies::NodalLoads &loads,
-               const unsigned int        dim,
-               Log                      &log)
+  report_loads(const bodies::NodalLoads &loads, Log &log)
   {
     for (const bodies::NodalLoads::Largest &load : loads.largest())
       {
-        Tensor<1, 3> force, moment; // in the plane rotations are about z
-        for (unsigned int d = 0; d < dim; ++d)
-          force[d] = load.sums[d];
-        for (unsigned int d = dim; d < 6; ++d)
-          moment[dim == 2 ? (d == 2 ? 2 : 0) : d - dim] += load.sums[d];
-        log.note(
-          "Load " + load.name + ": resultant " + to_text(force) +
-          (moment.norm() > 0 ? ", nodal moments " + to_text(moment) : "") +
-          (load.is_constant ? " at all times" :
-                              " at t = " + to_text(load.time)) +
-          ", on " + std::to_string(load.n_nodes) + " nodes");
+        const bool is_couple = load.force.norm() == 0 && load.moment.norm() > 0;
+        log.note("Load " + load.name +
+                 (is_couple ? ": moment " + to_text(load.moment) :
+                              ": resultant " + to_text(load.force)) +
+                 (load.is_constant ? " at all times" :
+                                     " at t = " + to_text(load.time)) +
+                 ", on " + std::to_string(load.n_nodes) + " nodes");
       }
   }
-
 
 
   void

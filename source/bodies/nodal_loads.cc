@@ -5,7 +5,9 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace conetact::bodies
 {
@@ -48,6 +50,13 @@ namespace conetact::bodies
             cross_product_3d(Tensor<1, 3>(structure.position(i)), force);
         }
       return sum;
+    }
+
+    void
+    clear_rounding(const double size, double &sum)
+    {
+      if (std::abs(sum) <= round_off * size)
+        sum = 0;
     }
   } // namespace
 
@@ -164,16 +173,22 @@ namespace conetact::bodies
     const double size    = f.lpNorm<1>();
     if (!(size > largest.size))
       return;
-    const auto n =
-      static_cast<Eigen::Index>(structures[loads[load].body]->n_components());
-    const auto of_nodes  = f.reshaped(n, f.size() / n);
-    largest.time         = t;
-    largest.size         = size;
-    largest.sums.head(n) = of_nodes.rowwise().sum();
-    largest.n_nodes      = static_cast<unsigned int>(
+    const Structure &body     = *structures[loads[load].body];
+    const auto       n        = static_cast<Eigen::Index>(body.n_components());
+    const auto       of_nodes = f.reshaped(n, f.size() / n);
+    double           arm      = 1; // of moments beside forces
+    for (Eigen::Index i = 0; i < of_nodes.cols(); ++i)
+      if (!of_nodes.col(i).isZero(0))
+        arm = std::max(arm, body.position(static_cast<unsigned int>(i)).norm());
+    std::tie(largest.force, largest.moment) = resultant(body, dim, f);
+    for (unsigned int d = 0; d < 3; ++d)
+      {
+        clear_rounding(size, largest.force[d]);
+        clear_rounding(arm * size, largest.moment[d]);
+      }
+    largest.time    = t;
+    largest.size    = size;
+    largest.n_nodes = static_cast<unsigned int>(
       (of_nodes.array() != 0).colwise().any().count());
-    for (double &sum : largest.sums)
-      if (std::abs(sum) <= round_off * size)
-        sum = 0;
   }
 } // namespace conetact::bodies

@@ -335,6 +335,8 @@ namespace conetact::solvers
         state = trial;
         return report;
       }
+    if (options.is_slow)
+      options.is_slow();
     // A few nodes that cannot make up their mind are what node by node is good
     // at; the smoothing sees all nodes at once.
     bool solved = eliminate_motions(problem, state, thorough, report) ||

@@ -4,13 +4,8 @@
 #ifndef conetact_analysis_analysis_h
 #define conetact_analysis_analysis_h
 
-#include "conetact/analysis/acceptance.h"
-#include "conetact/analysis/backend_table.h"
 #include "conetact/analysis/contact_notices.h"
-#include "conetact/analysis/work.h"
-#include "conetact/application/scene.h"
-#include "conetact/base/log.h"
-#include "conetact/contact/contact_history.h"
+#include "conetact/analysis/run_context.h"
 #include "conetact/output/output.h"
 
 #include <filesystem>
@@ -21,10 +16,10 @@
 namespace conetact::analysis
 {
   /**
-   * What all analyses of a scene share: its contact model, loads and history,
-   * the independent check that accepts or rejects, outputs.
+   * What all analyses of a scene do alike: they check it, write what was
+   * accepted, and say how it went.
    */
-  class Analysis
+  class Analysis : protected RunContext
   {
   public:
     /** Throws InputError where a body is not held. */
@@ -101,10 +96,6 @@ namespace conetact::analysis
     }
 
   protected:
-    /** Condensed bodies or levels, with a word to the log. Throws InputError.
-     */
-    void
-    make_elasticity();
     /** Throws InputError where loads drive a body that nothing can hold. */
     void
     refuse_unbalanced(const Eigen::VectorXd &forces, const double t) const;
@@ -118,14 +109,6 @@ namespace conetact::analysis
     /** Increments whose displacements are recovered together. */
     std::size_t
     most_at_once() const;
-    /** Loads and prestress at the increment's time, and what they reduce to. */
-    void
-    apply_loads(PendingIncrement &increment);
-    /** Those of its contacts, with what is wet in it. */
-    void
-    set_laws(PendingIncrement &increment);
-    void
-    turn_loads(const Eigen::VectorXd &others, PendingIncrement &increment);
     /** Its record. Returns why it is not accepted; empty: it is. */
     std::string
     complete(PendingIncrement            &increment,
@@ -140,22 +123,13 @@ namespace conetact::analysis
     std::string
     failed(const output::IncrementRecord &record, const std::string &why) const;
 
-    const application::Scene &scene;
-    Log                      &log;
-    contact::ContactModel     model;
-    bodies::NodalLoads        loads;
-    const Eigen::VectorXd     prestress; ///< all dofs [force]
-    const Backend            *backend;
-    contact::ContactHistory   history;
-    Acceptance                acceptance;
-    ContactNotices            notices;
-    output::RunDescription    description;
-    output::IncrementRecord   final_record;  ///< of adaptive scenes
-    std::vector<std::string>  closing_lines; ///< of the last increment
-    unsigned int              n_on_disk = 0; ///< increments
+    ContactNotices           notices;
+    output::RunDescription   description;
+    output::IncrementRecord  final_record;  ///< of adaptive scenes
+    std::vector<std::string> closing_lines; ///< of the last increment
+    unsigned int             n_on_disk = 0; ///< increments
     /** Null: those of the first process. */
     std::vector<std::unique_ptr<output::Output>> outputs;
-    Work                                         done;
   };
 } // namespace conetact::analysis
 

@@ -27,9 +27,11 @@ namespace conetact::analysis
                      const std::size_t            n_increments,
                      const std::size_t            n_drawings,
                      const int                    n_processes);
+    /** With other options than those of the scene. */
     std::unique_ptr<solvers::ContactSolver> (*create_solver)(
-      const application::Scene    &scene,
-      const contact::ContactModel &model);
+      const solvers::SolverOptions &options,
+      const application::Scene     &scene,
+      const contact::ContactModel  &model);
     /** Where increments go that it does not solve; null: nowhere. */
     const Backend *otherwise;
   };

@@ -16,15 +16,6 @@ namespace conetact::analysis
     solvers::ContactState   end;
   };
 
-  /** One of all solutions that are followed. */
-  struct Branch
-  {
-    contact::ContactHistory before, after; ///< of its increment
-    AnotherSolution         solution;
-    unsigned int            number = 1; ///< among those of its increment
-    unsigned int            parent = 1; ///< the same of the one before
-  };
-
   /** An increment whose displacements are still to be recovered. */
   struct PendingIncrement
   {

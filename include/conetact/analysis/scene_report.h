@@ -22,9 +22,7 @@ namespace conetact::analysis
    * log: what is meant for one node may act on several.
    */
   void
-  report_loads(const bodies::NodalLoads &loads,
-               const unsigned int        dim,
-               Log                      &log);
+  report_loads(const bodies::NodalLoads &loads, Log &log);
 
   /** Memory and time it will take, to the log; nothing is factorised. */
   void

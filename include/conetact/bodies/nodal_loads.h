@@ -68,8 +68,7 @@ namespace conetact::bodies
       double       time        = 0;
       unsigned int n_nodes     = 0; ///< with a force
       double       size        = 0; ///< sum of absolute nodal forces
-      /** Sums of nodal forces [force] and moments, by component of the dofs. */
-      Eigen::Matrix<double, 6, 1> sums = Eigen::Matrix<double, 6, 1>::Zero();
+      Tensor<1, 3> force, moment;   ///< the latter about the origin
     };
     /** Of each load, of all times asked for so far. */
     const std::vector<Largest> &

@@ -61,6 +61,10 @@ namespace conetact::solvers
      */
     std::function<bool()> stop = {};
 
+    /** Called where the fast method has not found an increment, and others that
+     * may take long are tried. */
+    std::function<void()> is_slow = {};
+
     /**
      * Of large systems: asked where one way to an increment has failed after so
      * many linear iterations, and others take more of them. True: the increment

@@ -112,8 +112,7 @@ TEST_F(Report, ResultantsOfLoads)
   loads.at(.5);
   loads.at(2);
   loads.at(1);
-  const std::string text =
-    lines([&](Log &log) { report_loads(loads, 2, log); });
+  const std::string text = lines([&](Log &log) { report_loads(loads, log); });
   expect_contains(text,
                   "Load weight: resultant (0, -7, 0) at all times, on 1 "
                   "nodes\n");

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Conetact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
-//
-// Method = all solutions: every solution of each increment, from every one of
-// the increment before.
 
-#include "conetact/analysis/increment_analysis.h"
+#include "conetact/analysis/branch_follower.h"
+
 #include "conetact/base/errors.h"
 #include "conetact/base/text.h"
 #include "conetact/solvers/all_solutions.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace conetact::analysis
 {
@@ -43,84 +42,86 @@ namespace conetact::analysis
     }
   } // namespace
 
-  void
-  IncrementAnalysis::check_branches() const
+  BranchFollower::BranchFollower(RunContext &r, const bool contacts_change)
+    : run(r)
   {
-    if (!scene.follows_branches)
+    if (!run.scene.follows_branches)
       return;
     const std::string in = "Solver, Method = all solutions: ";
-    if (model.bodies.dim == 3)
+    if (run.model.bodies.dim == 3)
       throw InputError(in + "in space slips have any direction, and solutions "
                             "are no finite number of linear problems. Choose "
                             "automatic.");
-    if (model.motions.n_free() > 0)
+    if (run.model.motions.n_free() > 0)
       throw InputError(in + "bodies must be held by supports or foundations, "
                             "and one of these is not. Add a Support, or "
                             "choose automatic.");
-    if (contact::has_nodal_laws(model.points) || search.is_needed())
+    if (contact::has_nodal_laws(run.model.points) || contacts_change)
       throw InputError(in + "friction must be one coefficient of x, y, z, "
                             "without Cohesion, Compliance, wear, fluid, Active "
                             "and springs, and Kinematics small. Choose "
                             "automatic.");
   }
 
-  /* The first branch is the one that is verified and goes on as the run. */
   void
-  IncrementAnalysis::follow_branches(PendingIncrement              &increment,
-                                     const solvers::ContactProblem &problem)
+  BranchFollower::add(const Branch                  &from,
+                      const solvers::ContactProblem &problem,
+                      const solvers::ContactState   &end,
+                      const PendingIncrement        &increment,
+                      std::vector<Branch>           &next) const
+  {
+    const double edge = longest_edge(run.model.points);
+    Branch       branch{from.after, from.after, {problem, end}, 0, from.number};
+    branch.after.advance(end, increment.record.time);
+    for (const Branch &other : next)
+      if (are_the_same(
+            branch.after, end, other.after, other.solution.end, edge))
+        return;
+    branch.number = static_cast<unsigned int>(next.size()) + 1;
+    next.push_back(std::move(branch));
+  }
+
+  void
+  BranchFollower::say(const std::vector<Branch> &next,
+                      const PendingIncrement    &increment,
+                      const std::string         &open) const
   {
     constexpr std::size_t most = 200;
-    const double          edge = longest_edge(model.points);
-    std::vector<Branch>   next;
-    std::string           open;
-    const auto            add = [&](Branch                        &from,
-                         const solvers::ContactProblem &of,
-                         const solvers::ContactState   &end) {
-      Branch branch{from.after, from.after, {of, end}, 0, from.number};
-      branch.after.advance(end, increment.record.time);
-      for (const Branch &other : next)
-        if (are_the_same(
-              branch.after, end, other.after, other.solution.end, edge))
-          return;
-      branch.number = static_cast<unsigned int>(next.size()) + 1;
-      next.push_back(std::move(branch));
-    };
+    const std::string     k    = std::to_string(increment.record.increment);
+    if (next.size() > most)
+      throw AnalysisError(
+        "Increment " + k + " has " + std::to_string(next.size()) +
+        " solutions, too many to follow. Take fewer increments, or a smaller "
+        "coefficient of friction");
+    run.log.note("increment " + k + ": " + std::to_string(next.size()) +
+                 (next.size() == 1 ? " solution" : " solutions") +
+                 (open.empty() ? "" : ", and there may be others: " + open));
+  }
+
+  void
+  BranchFollower::follow(const PendingIncrement        &increment,
+                         const solvers::ContactProblem &problem)
+  {
+    std::vector<Branch> next;
+    std::string         open;
     if (branches.empty())
       branches.push_back({increment.before, increment.before, {}, 1, 1});
-    branches.front().after = increment.before; // as it was corrected
-    add(branches.front(), problem, increment.end);
-    for (Branch &from : branches)
+    // an increment that is corrected is followed once more
+    if (std::exchange(number, increment.record.increment) != number)
+      starts = branches;
+    starts.front().after = increment.before;
+    add(starts.front(), problem, increment.end, increment, next);
+    for (Branch &from : starts)
       {
         const solvers::ContactProblem own =
           from.number == 1 ? problem : from.after.problem(increment.load);
         const solvers::AllSolutions all =
-          solvers::find_all_solutions(own, scene.solver.tolerance);
+          solvers::find_all_solutions(own, run.scene.solver.tolerance);
         open = open.empty() ? all.open : open;
         for (const solvers::ContactState &end : all.found)
-          add(from, own, end);
+          add(from, own, end, increment, next);
       }
-    if (next.size() > most)
-      throw AnalysisError(
-        "Increment " + std::to_string(increment.record.increment) + " has " +
-        std::to_string(next.size()) +
-        " solutions, too many to follow. Take fewer increments, or a smaller "
-        "coefficient of friction");
-    log.note("increment " + std::to_string(increment.record.increment) + ": " +
-             std::to_string(next.size()) +
-             (next.size() == 1 ? " solution" : " solutions") +
-             (open.empty() ? "" : ", and there may be others: " + open));
+    say(next, increment, open);
     branches = std::move(next);
-  }
-
-  std::vector<output::BranchRows>
-  IncrementAnalysis::rows_of_branches(const PendingIncrement &increment)
-  {
-    std::vector<output::BranchRows> all;
-    for (const Branch &branch : branches)
-      all.push_back(
-        {branch.number,
-         branch.parent,
-         rows_of_solution(increment, branch.before, branch.solution)});
-    return all;
   }
 } // namespace conetact::analysis

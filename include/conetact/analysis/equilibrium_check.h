@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#ifndef conetact_analysis_equilibrium_check_h
+#define conetact_analysis_equilibrium_check_h
+
+#include "conetact/analysis/run_context.h"
+#include "conetact/solvers/existence.h"
+
+#include <memory>
+#include <string>
+
+namespace conetact::analysis
+{
+  /**
+   * Whether contacts can hold bodies that nothing else holds. All answers are
+   * sentences why they cannot, without a full stop; empty: nothing is known
+   * against it.
+   */
+  class EquilibriumCheck
+  {
+  public:
+    /** The context must outlive the object. `contacts_change`: within
+     * increments, too. */
+    EquilibriumCheck(RunContext &run, const bool contacts_change);
+
+    /** Contacts or free motions have become other ones. */
+    void
+    reset()
+    {
+      existence.reset();
+    }
+    /** Before an increment is solved. */
+    std::string
+    refusal(const solvers::ContactProblem &problem,
+            const PendingIncrement        &increment);
+    /** What slips or tips under the part of an increment that its solver has
+     * reached; empty: the method has failed otherwise. */
+    std::string
+    limit(const solvers::ContactProblem &problem,
+          const PendingIncrement        &increment) const;
+    /** Before contacts that slide are found: by nodes that are nearest to the
+     * other side at its start. */
+    std::string
+    refusal_where_it_stands(const PendingIncrement &increment);
+
+  private:
+    /** By contacts that are active. */
+    std::string
+    refusal_by_active(const solvers::ContactProblem &problem,
+                      const PendingIncrement        &increment);
+    /** Reactions balance it on the free motions at the start. */
+    static Eigen::VectorXd
+    load_at_start(const solvers::ContactProblem &problem,
+                  const contact::ContactHistory &before);
+
+    RunContext                              &run;
+    const bool                               contacts_change;
+    std::unique_ptr<solvers::ExistenceCheck> existence; ///< of floating bodies
+  };
+} // namespace conetact::analysis
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/equilibrium_check.h"
+
+#include "conetact/contact/refusal.h"
+
+#include <algorithm>
+
+namespace conetact::analysis
+{
+  EquilibriumCheck::EquilibriumCheck(RunContext &r, const bool change)
+    : run(r)
+    , contacts_change(change)
+  {}
+
+  Eigen::VectorXd
+  EquilibriumCheck::load_at_start(const solvers::ContactProblem &problem,
+                                  const contact::ContactHistory &before)
+  {
+    return -before.start().r.head(problem.system->n_contact_unknowns());
+  }
+
+  std::string
+  EquilibriumCheck::refusal_by_active(const solvers::ContactProblem &problem,
+                                      const PendingIncrement        &increment)
+  {
+    const auto &laws = increment.load.laws;
+    if (!laws)
+      return "";
+    std::vector<bool> active;
+    for (std::size_t i = 0; i < run.model.points.size(); ++i)
+      active.push_back(laws->sees(i));
+    if (std::find(active.begin(), active.end(), false) == active.end())
+      return "";
+    const Eigen::VectorXd load = run.model.elasticity().contact_load(problem);
+    if (contact::drives_what_is_not_held(active, load, run.model))
+      return "no equilibrium exists: loads drive a body that only contacts "
+             "hold which are not active (Active = 0)";
+    const auto result =
+      contact::check_by(active,
+                        load,
+                        load_at_start(problem, increment.before),
+                        run.history.largest_force(),
+                        run.model);
+    return result && !result->admissible && laws->has_cones() ?
+             "no equilibrium exists with the contacts that are active, " +
+               describe(*result, run.model) :
+             "";
+  }
+
+  std::string
+  EquilibriumCheck::refusal(const solvers::ContactProblem &problem,
+                            const PendingIncrement        &increment)
+  {
+    if (problem.system->null_space.cols() == 0 ||
+        problem.system->n_nodes() == 0)
+      return "";
+    if (const std::string why = refusal_by_active(problem, increment);
+        !why.empty())
+      return why;
+    if (problem.laws) // its cones are others in each increment, or none
+      reset();
+    if (!problem.has_cones())
+      return "";
+    if (!existence)
+      existence = std::make_unique<solvers::ExistenceCheck>(
+        contact::make_existence_check(run.model));
+    const solvers::Existence result =
+      existence->check(run.model.elasticity().contact_load(problem),
+                       load_at_start(problem, increment.before),
+                       run.history.largest_force(),
+                       problem.gap);
+    return result.admissible ?
+             "" :
+             std::string("no equilibrium exists") +
+               (contacts_change ? " with contacts as they were found, " :
+                                  ", ") +
+               describe(result, run.model);
+  }
+
+  std::string
+  EquilibriumCheck::limit(const solvers::ContactProblem &problem,
+                          const PendingIncrement        &increment) const
+  {
+    const Eigen::Index n = problem.system->n_contact_unknowns();
+    if (!existence || problem.system->large || increment.end.r.size() < n)
+      return "";
+    const Eigen::VectorXd    last = increment.end.r.head(n);
+    const solvers::Existence limit =
+      existence->limit_state(run.model.elasticity().contact_load(problem),
+                             load_at_start(problem, increment.before),
+                             last);
+    return limit.admissible ?
+             "" :
+             "no equilibrium exists, " +
+               describe_limit(limit, last, run.scene.contact_names, run.model);
+  }
+
+  std::string
+  EquilibriumCheck::refusal_where_it_stands(const PendingIncrement &increment)
+  {
+    const solvers::ContactProblem problem = run.history.problem(increment.load);
+    if (problem.system->null_space.cols() == 0)
+      return "";
+    const auto here =
+      contact::check_where_it_stands(problem.gap,
+                                     run.model.elasticity().contact_load(
+                                       problem),
+                                     load_at_start(problem, run.history),
+                                     run.history.largest_force(),
+                                     run.model);
+    return here && here->friction_needed ?
+             "no equilibrium exists where bodies stand at its start, " +
+               describe(*here, run.model) +
+               ", and none is found where they go from there" :
+             "";
+  }
+} // namespace conetact::analysis

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Conetact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "conetact/analysis/run_context.h"
+
+#include "conetact/analysis/cost.h"
+#include "conetact/analysis/scene_report.h"
+
+#include <deal.II/base/exceptions.h>
+
+namespace conetact::analysis
+{
+  namespace
+  {
+    /** The model is solved by it from here on. */
+    const Backend &
+    with_backend(const application::Scene &scene,
+                 contact::ContactModel    &model,
+                 Log                      &log)
+    {
+      const Backend &backend = choose_backend(scene, model, log);
+      model.solve_by(*backend.elasticity);
+      return backend;
+    }
+  } // namespace
+
+  RunContext::RunContext(const application::Scene &s, Log &l)
+    : scene(s)
+    , log(l)
+    , model(scene.bodies, scene.times, *scene.condenser, scene.preconditioner)
+    , loads(scene.nodal_loads())
+    , prestress(scene.prestress())
+    , backend(&with_backend(scene, model, log))
+    , history(model)
+    , acceptance(scene, model, l)
+  {}
+
+  double
+  RunContext::begin(const unsigned int k) const
+  {
+    AssertIndexRange(k, scene.times.size() + 1);
+    return k > 1 ? scene.times[k - 2] : 0.;
+  }
+
+  double
+  RunContext::duration(const unsigned int k) const
+  {
+    AssertIndexRange(k - 1, scene.times.size());
+    return scene.times[k - 1] - begin(k);
+  }
+
+  std::string
+  RunContext::increment_name(const output::IncrementRecord &record) const
+  {
+    return "Increment " + std::to_string(record.increment) + " of " +
+           std::to_string(scene.times.size());
+  }
+
+  void
+  RunContext::make_elasticity()
+  {
+    const contact::Elasticity &elastic = model.elasticity();
+    const double               bytes   = elastic.factor_bytes();
+    log.time(elastic.description() +
+             (bytes > 0 ? ", factor of " + megabytes(bytes) : ""));
+    const auto n = static_cast<double>(model.points.n_all_unknowns());
+    if (elastic.system()->matrix.size() > 0)
+      log.note("condensed stiffness: " + megabytes(8 * n * n));
+    report_shared_bodies(model.bodies, elastic.n_shared_bodies(), log);
+  }
+
+  void
+  RunContext::apply_loads(PendingIncrement &increment)
+  {
+    const double                     t      = increment.record.time;
+    const bodies::NodalLoads::Acting acting = loads.acting(t);
+    Eigen::VectorXd                  others = scene.obstacle_forces(t);
+    if (prestress.size() > 0)
+      others += prestress;
+    increment.thermal = acting.thermal;
+    increment.record.each_load.clear();
+    if (model.bodies.frames.empty())
+      {
+        increment.forces     = acting.forces + others;
+        increment.mechanical = acting.mechanical + others;
+        for (const auto &[force, moment] : acting.each)
+          increment.record.each_load.push_back({force, moment});
+      }
+    else
+      turn_loads(others, increment);
+    increment.load = model.load_case(increment.mechanical, acting.thermal, t);
+    increment.wet.clear();
+    set_laws(increment);
+    if (const auto &laws = increment.load.laws)
+      model.points.set_friction(laws->coefficients(history.start()));
+  }
+
+  void
+  RunContext::set_laws(PendingIncrement &increment)
+  {
+    const double t      = increment.record.time;
+    increment.load.laws = history.laws_until(
+      t,
+      [&](const unsigned int body, const Point<3> &p) {
+        return loads.temperature(body, p, t);
+      },
+      increment.wet);
+  }
+
+  /* In the frames of bodies, some loads turn with them and others against
+     them; in space, forces act where bodies have come to. */
+  void
+  RunContext::turn_loads(const Eigen::VectorXd &others,
+                         PendingIncrement      &increment)
+  {
+    const contact::Coordinates &coordinates = model.coordinates;
+    increment.forces                        = increment.mechanical =
+      coordinates.forces_in_frames(others);
+    loads.visit(increment.record.time,
+                [&](const bodies::Load &load, const Eigen::VectorXd &on_body) {
+                  Eigen::VectorXd f = Eigen::VectorXd::Zero(others.size());
+                  f.segment(coordinates.offset(load.body), on_body.size()) =
+                    on_body;
+                  if (!load.follows())
+                    f = coordinates.forces_in_frames(f);
+                  increment.forces += f;
+                  if (!load.strains())
+                    increment.mechanical += f;
+                  increment.record.each_load.push_back(
+                    load.strains() ? // which balances
+                      output::Resultant() :
+                      verification::resultant(model.bodies,
+                                              coordinates,
+                                              coordinates.forces_in_space(f)));
+                });
+  }
+} // namespace conetact::analysis
