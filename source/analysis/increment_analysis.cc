@@ -50,6 +50,15 @@ namespace conetact::analysis
   }
 
   void
+  IncrementAnalysis::check_history()
+  {
+    Analysis::check_history();
+    PendingIncrement first{history, history};
+    first.record.time = scene.times[scene.n_done()];
+    set_laws(first);
+  }
+
+  void
   IncrementAnalysis::run(const std::filesystem::path &folder, const bool quiet)
   {
     using Outcome = Step::Outcome;

@@ -25,6 +25,9 @@ namespace conetact::analysis
   public:
     /** Throws InputError. */
     IncrementAnalysis(const application::Scene &scene, Log &log);
+    /** Also the laws of contacts in the first increment. */
+    void
+    check_history() override;
     void
     run(const std::filesystem::path &folder, const bool quiet) override;
 
