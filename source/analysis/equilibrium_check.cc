@@ -45,7 +45,7 @@ namespace conetact::analysis
                         run.model);
     return result && !result->admissible && laws->has_cones() ?
              "no equilibrium exists with the contacts that are active, " +
-               describe(*result, run.model) :
+               describe(*result, run.model, increment.mechanical) :
              "";
   }
 
@@ -76,25 +76,45 @@ namespace conetact::analysis
              std::string("no equilibrium exists") +
                (contacts_change ? " with contacts as they were found, " :
                                   ", ") +
-               describe(result, run.model);
+               describe(result, run.model, increment.mechanical);
+  }
+
+  std::optional<solvers::Existence>
+  EquilibriumCheck::limit_state(const solvers::ContactProblem &problem,
+                                const contact::ContactHistory &before,
+                                const Eigen::VectorXd         &r) const
+  {
+    const Eigen::Index n = problem.system->n_contact_unknowns();
+    if (!existence || problem.system->large || r.size() < n)
+      return {};
+    const solvers::Existence limit =
+      existence->limit_state(run.model.elasticity().contact_load(problem),
+                             load_at_start(problem, before),
+                             r.head(n));
+    return limit.admissible ? std::nullopt : std::optional(limit);
+  }
+
+  bool
+  EquilibriumCheck::is_limit(const solvers::ContactProblem &problem,
+                             const contact::ContactHistory &before,
+                             const Eigen::VectorXd         &r) const
+  {
+    return limit_state(problem, before, r).has_value();
   }
 
   std::string
   EquilibriumCheck::limit(const solvers::ContactProblem &problem,
                           const PendingIncrement        &increment) const
   {
-    const Eigen::Index n = problem.system->n_contact_unknowns();
-    if (!existence || problem.system->large || increment.end.r.size() < n)
-      return "";
-    const Eigen::VectorXd    last = increment.end.r.head(n);
-    const solvers::Existence limit =
-      existence->limit_state(run.model.elasticity().contact_load(problem),
-                             load_at_start(problem, increment.before),
-                             last);
-    return limit.admissible ?
-             "" :
-             "no equilibrium exists, " +
-               describe_limit(limit, last, run.scene.contact_names, run.model);
+    const auto found = limit_state(problem, increment.before, increment.end.r);
+    return found ? "no equilibrium exists, " +
+                     describe_limit(*found,
+                                    increment.end.r.head(
+                                      problem.system->n_contact_unknowns()),
+                                    run.scene.contact_names,
+                                    run.model,
+                                    increment.mechanical) :
+                   "";
   }
 
   std::string
@@ -112,7 +132,7 @@ namespace conetact::analysis
                                      run.model);
     return here && here->friction_needed ?
              "no equilibrium exists where bodies stand at its start, " +
-               describe(*here, run.model) +
+               describe(*here, run.model, increment.mechanical) +
                ", and none is found where they go from there" :
              "";
   }

@@ -85,6 +85,8 @@ namespace conetact::analysis
             case Outcome::failed:
               if (!leaves_small().empty())
                 return;
+              if (Interruption::is_wanted())
+                stop();
               go_on_otherwise(next, step.failure);
               if (!is_in_team()) // the first process goes on alone
                 return;
@@ -133,10 +135,10 @@ namespace conetact::analysis
           continue;
         history = increment.before;
         batch.pop_back();
-        if (failure)
-          return {Step::Outcome::failed, k, failure};
-        one_by_one = true;
-        break;
+        one_by_one = one_by_one || is_early;
+        if (is_early || failure.is_postponed)
+          break;
+        return {Step::Outcome::failed, k, failure};
       }
     return {Step::Outcome::accepted, parts.others_follow() ? first : k};
   }

@@ -68,12 +68,20 @@ namespace conetact::analysis
   void
   IncrementAnalysis::stop_if_asked(const unsigned int next)
   {
-    if (!Interruption::is_wanted() || parts.others_follow() ||
-        next > scene.times.size() || n_on_disk == 0)
-      return;
+    if (Interruption::is_wanted() && !parts.others_follow() &&
+        next <= scene.times.size() && n_on_disk > 0)
+      stop();
+  }
+
+  void
+  IncrementAnalysis::stop()
+  {
+    if (n_on_disk == 0)
+      Interruption::stop("Interrupted in the first increment, which is not "
+                         "found by the fast method: there are no results.");
     const std::string folder  = description.folder.string();
     const bool        goes_on = scene.checkpoint_every > 0;
-    if (goes_on && n_on_disk != n_saved)
+    if (goes_on && n_on_disk != n_saved && !parts.others_follow())
       write_checkpoint();
     Interruption::stop(
       "Interrupted after increment " + std::to_string(n_on_disk) +

@@ -5,6 +5,7 @@
 
 #include "conetact/analysis/cost.h"
 #include "conetact/base/errors.h"
+#include "conetact/base/interruption.h"
 #include "conetact/base/team.h"
 #include "conetact/base/text.h"
 #include "conetact/solvers/large_newton.h"
@@ -81,20 +82,34 @@ namespace conetact::analysis
   IncrementSolver::create_solver()
   {
     solvers::SolverOptions options = run.scene.solver;
-    options.is_slow                = [this] { say_slow(); };
+    options.ends_early             = [this] { return leaves_slow_increment(); };
+    options.stop     = [this] { return is_slow && Interruption::is_wanted(); };
+    options.is_limit = [this](const solvers::ContactState &last) {
+      return problem_at_hand != nullptr &&
+             equilibrium.is_limit(*problem_at_hand,
+                                  increment_at_hand->before,
+                                  last.r);
+    };
     return run.backend->create_solver(options, run.scene, run.model);
   }
 
-  void
-  IncrementSolver::say_slow()
+  bool
+  IncrementSolver::leaves_slow_increment()
   {
     constexpr Eigen::Index many = 300; // unknowns: fewer take no minutes
-    if (run.model.points.n_unknowns() >= many && !current.empty())
-      run.log.say(current +
+    is_slow                     = true;
+    if (!start_is_known)
+      return true;
+    if (increment_at_hand == nullptr)
+      return Interruption::is_wanted();
+    const output::IncrementRecord &record = increment_at_hand->record;
+    if (run.model.points.n_unknowns() >= many &&
+        std::exchange(slow_increment, record.increment) != record.increment)
+      run.log.say(run.increment_name(record) +
                   ": the fast method does not find the states of contacts, "
                   "slower ones are tried, which may take minutes, above all "
                   "where there is no equilibrium");
-    current.clear();
+    return Interruption::is_wanted();
   }
 
   PendingIncrement
@@ -106,7 +121,6 @@ namespace conetact::analysis
     increment.record.increment = k;
     increment.record.time      = t;
     run.apply_loads(increment);
-    current = run.increment_name(increment.record);
     return increment;
   }
 
@@ -142,6 +156,8 @@ namespace conetact::analysis
     if (const solvers::SolverReport &report = increment.record.report;
         !report.converged)
       {
+        if (is_slow && !start_is_known)
+          return {"it is postponed", false, false, true};
         const std::string limit = equilibrium.limit(problem, increment);
         return {limit.empty() ? why_unsolved(report, problem) : limit, true};
       }
@@ -162,6 +178,9 @@ namespace conetact::analysis
   {
     solvers::ContactState &state  = increment.end;
     solvers::SolverReport &report = increment.record.report;
+    problem_at_hand               = &problem;
+    increment_at_hand             = &increment;
+    is_slow                       = false;
     report                        = problem.system->n_nodes() == 0 ?
                                       solve_motions(problem, run.model.motions, state) :
                                       solver->solve(problem, state);
@@ -175,6 +194,8 @@ namespace conetact::analysis
       }
     run.done.add(report);
     let_fluid_in(guess, increment, problem);
+    problem_at_hand   = nullptr;
+    increment_at_hand = nullptr;
   }
 
   void

@@ -240,6 +240,36 @@ namespace conetact
       return one_line(error);
     }
 
+    std::filesystem::path
+    temporary_folder()
+    {
+      std::string folder =
+        (std::filesystem::temp_directory_path() / "conetact-XXXXXX").string();
+      if (mkdtemp(folder.data()) == nullptr)
+        throw FileFault{"there is no place for temporary files"};
+      return folder;
+    }
+
+    /** Gmsh leaves out what the last line says where it has no end. */
+    void
+    open_script(const std::filesystem::path &file)
+    {
+      std::ostringstream read;
+      read << std::ifstream(file, std::ios::binary).rdbuf();
+      const std::string text = read.str();
+      if (text.empty() || text.back() == '\n')
+        return gmsh::open(file.string());
+      for (const char *other : {"Include", "Merge", "ShapeFromFile"})
+        if (text.find(other) != std::string::npos)
+          throw FileFault{"its last line has no end, and Gmsh leaves out what "
+                          "it says. Add a line break behind it"};
+      const std::filesystem::path folder = temporary_folder();
+      const std::filesystem::path whole  = folder / file.filename();
+      std::ofstream(whole, std::ios::binary) << text << '\n';
+      gmsh::open(whole.string());
+      std::filesystem::remove_all(folder);
+    }
+
     /** A script may say so itself, by Error("..."), and goes on. */
     void
     refuse_errors_of_script()
@@ -328,11 +358,8 @@ namespace conetact
             std::pair("Mesh.SaveParametric", 0.),
             std::pair("Mesh.SaveAll", has_group ? 0. : 1.)})
         gmsh::option::setNumber(option, value);
-      std::string folder =
-        (std::filesystem::temp_directory_path() / "conetact-XXXXXX").string();
-      if (mkdtemp(folder.data()) == nullptr)
-        throw FileFault{"there is no place for temporary files"};
-      const auto file = std::filesystem::path(folder) / "mesh.msh";
+      const std::filesystem::path folder = temporary_folder();
+      const std::filesystem::path file   = folder / "mesh.msh";
       gmsh::write(file.string());
       std::ostringstream text;
       text << std::ifstream(file, std::ios::binary).rdbuf();
@@ -347,9 +374,13 @@ namespace conetact
     {
       const std::string extension = extension_of(file);
       start(wishes);
-      gmsh::open(file.string());
       if (extension == "geo")
-        refuse_errors_of_script();
+        {
+          open_script(file);
+          refuse_errors_of_script();
+        }
+      else
+        gmsh::open(file.string());
       double size = 0;
       if (extension == "stl")
         fill_surface();

@@ -14,8 +14,8 @@ namespace conetact
     volatile std::sig_atomic_t is_interrupted = 0;
 
     constexpr char told[] =
-      "\nconetact: The increment that is running is finished first; Ctrl-C "
-      "once more ends the run at once.\n";
+      "\nconetact: The increment that is running is finished first, unless it "
+      "is hard to find; Ctrl-C once more ends the run at once.\n";
 
     /** Nothing but what a handler may call. */
     void

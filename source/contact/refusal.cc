@@ -48,14 +48,23 @@ namespace conetact::contact
       return sum;
     }
 
-    /** The rigid motion of the proof: the body that moves most. */
+    /** The rigid motion of the proof: the body that forces drive, or that moves
+     * most where none are given. */
     RigidMotions::Motion
-    rigid_motion(const solvers::Existence &refusal, const ContactModel &model)
+    rigid_motion(const solvers::Existence &refusal,
+                 const ContactModel       &model,
+                 const Eigen::VectorXd    &forces)
     {
       const RigidMotions   &motions = model.motions;
       const Eigen::VectorXd loose =
         motions.null_space().colPivHouseholderQr().solve(refusal.v);
-      return motions.largest(motions.of_free(motions.unresisted() * loose));
+      const RigidMotions::Amounts amounts =
+        motions.of_free(motions.unresisted() * loose);
+      const RigidMotions::Motion motion =
+        forces.size() > 0 ? motions.driven_most(amounts, forces) :
+                            motions.largest(amounts);
+      // what is tied moves alike; couplings of loads are obstacles to nobody
+      return motions.in_space(amounts, motions.first_tied(motion.body));
     }
 
     bool
@@ -66,34 +75,52 @@ namespace conetact::contact
              least * motion.translation.norm();
     }
 
-    std::string
-    what_happens(const solvers::Existence &refusal, const ContactModel &model)
+    /** Whether it goes much further than it turns. */
+    bool
+    mostly_translates(const RigidMotions::Motion &motion)
     {
-      RigidMotions::Motion motion = rigid_motion(refusal, model);
+      constexpr double little = .1;
+      return motion.size * motion.rotation.norm() <
+             little * motion.translation.norm();
+    }
+
+    /** The proof dilates, as friction is not associated: its normal part and
+     * its small turn are no motion of the body. */
+    std::string
+    how_it_slides(const solvers::Existence &refusal,
+                  const ContactModel       &model,
+                  RigidMotions::Motion      motion)
+    {
+      const Tensor<1, 3> slips = slip_direction(refusal, model, motion.body);
+      if (slips.norm() > 0)
+        motion.translation = slips;
+      motion.rotation = Tensor<1, 3>();
+      return "slides " + describe(motion);
+    }
+
+    std::string
+    what_happens(const solvers::Existence &refusal,
+                 const ContactModel       &model,
+                 const Eigen::VectorXd    &forces)
+    {
+      RigidMotions::Motion motion = rigid_motion(refusal, model, forces);
       const std::string    body   = model.bodies.called(motion.body) + " ";
-      switch (refusal.motion)
-        {
-          // The proof dilates, as friction is not associated: its normal part
-          // and its small turn are no motion of the body.
-          case solvers::Motion::slides:
-            motion.translation = slip_direction(refusal, model, motion.body);
-            motion.rotation    = Tensor<1, 3>();
-            return body + "slides " + describe(motion);
-          case solvers::Motion::tips:
-            motion.translation = Tensor<1, 3>();
-            return body + "tips over, turning " + describe(motion);
-          case solvers::Motion::turns:
-            if (!really_turns(motion)) // it slides along several others
-              {
-                motion.translation =
-                  slip_direction(refusal, model, motion.body);
-                return body + "slides " + describe(motion);
-              }
-            motion.translation = Tensor<1, 3>();
-            return body + "turns " + describe(motion);
-          default:
-            return body + "lifts off, moving " + describe(motion);
-        }
+      const bool           slides =
+        refusal.motion == solvers::Motion::slides ||
+        (refusal.motion == solvers::Motion::tips &&
+         mostly_translates(motion)) ||
+        // along several others
+        (refusal.motion == solvers::Motion::turns && !really_turns(motion));
+      if (slides)
+        return body + how_it_slides(refusal, model, motion);
+      if (refusal.motion != solvers::Motion::tips &&
+          refusal.motion != solvers::Motion::turns)
+        return body + "lifts off, moving " + describe(motion);
+      motion.translation = Tensor<1, 3>();
+      return body +
+             (refusal.motion == solvers::Motion::tips ? "tips over, turning " :
+                                                        "turns ") +
+             describe(motion);
     }
 
     /** Contacts that touch, and where no node has friction left. */
@@ -254,9 +281,11 @@ namespace conetact::contact
   }
 
   std::string
-  describe(const solvers::Existence &refusal, const ContactModel &model)
+  describe(const solvers::Existence &refusal,
+           const ContactModel       &model,
+           const Eigen::VectorXd    &forces)
   {
-    std::string text = what_happens(refusal, model);
+    std::string text = what_happens(refusal, model, forces);
     if (refusal.fraction > 1e-9)
       return text + ": of this increment's load " +
              (refusal.motion == solvers::Motion::slides ||
@@ -285,13 +314,14 @@ namespace conetact::contact
   describe_limit(const solvers::Existence       &limit,
                  const Eigen::VectorXd          &last,
                  const std::vector<std::string> &contact_names,
-                 const ContactModel             &model)
+                 const ContactModel             &model,
+                 const Eigen::VectorXd          &forces)
   {
     constexpr double   digits = 1e4; // more are not known
     const auto         slips  = contacts_that_slip(last, contact_names, model);
     solvers::Existence told   = limit;
     told.fraction = std::max(std::floor(digits * limit.fraction), 1.) / digits;
-    return describe(told, model) +
+    return describe(told, model, forces) +
            (slips.empty() ?
               "" :
               ", where all of contact " + join(slips) + " slips") +

@@ -233,8 +233,29 @@ namespace conetact::contact
           1.001 * modes.segment(static_cast<Eigen::Index>(best) * n_one, n_one)
                     .norm())
         best = body;
-    const auto body    = static_cast<unsigned int>(best);
-    Motion     motion  = of_body(modes, body);
+    return in_space(modes, static_cast<unsigned int>(best));
+  }
+
+  RigidModes::Motion
+  RigidModes::driven_most(const Amounts         &modes,
+                          const Eigen::VectorXd &forces) const
+  {
+    const Amounts work = resultants(forces).cwiseProduct(modes);
+    const auto    of   = [&](const std::size_t body) {
+      return work.segment(static_cast<Eigen::Index>(body) * n_one, n_one).sum();
+    };
+    std::size_t best = 0;
+    for (std::size_t body = 1; body < frames.size(); ++body)
+      if (of(body) > 1.001 * of(best))
+        best = body;
+    return of(best) > 0 ? in_space(modes, static_cast<unsigned int>(best)) :
+                          largest(modes);
+  }
+
+  RigidModes::Motion
+  RigidModes::in_space(const Amounts &modes, const unsigned int body) const
+  {
+    Motion motion      = of_body(modes, body);
     motion.translation = bodies.in_space(body, motion.translation);
     motion.rotation    = bodies.in_space(body, motion.rotation);
     return motion;

@@ -14,20 +14,6 @@ namespace conetact::output
 {
   namespace
   {
-    // Different names may be equal in letters that are safe.
-    std::string
-    resultant_columns(const std::string &name, std::set<std::string> &taken)
-    {
-      std::string unique = name;
-      for (unsigned int i = 2; !taken.insert(unique).second; ++i)
-        unique = name + '_' + std::to_string(i);
-      std::string columns;
-      for (const char *component :
-           {"_f_x", "_f_y", "_f_z", "_m_x", "_m_y", "_m_z"})
-        columns += unique + component + ',';
-      return columns;
-    }
-
     std::array<unsigned int, 3>
     count_states(const std::vector<ContactRow> &rows)
     {
@@ -66,39 +52,86 @@ namespace conetact::output
       return row.fracture;
     }
 
-    /** Adds forces and moments, those that are noise as 0. */
-    class ResultantCells
+    /** Entry k of a list that may be shorter, as that of a load path. */
+    template <typename T>
+    T
+    entry(const std::vector<T> &list, const std::size_t k)
     {
-    public:
-      ResultantCells(CsvRow &row, const IncrementRecord &record)
-        : csv(row)
-        , forces(noise_of_forces(record))
-        , moments(noise_of_moments(record))
-      {}
-
-      void
-      add(const Resultant &resultant)
-      {
-        for (unsigned int d = 0; d < 3; ++d)
-          csv.add("a force resultant", forces.clean(resultant.force[d]));
-        for (unsigned int d = 0; d < 3; ++d)
-          csv.add("a moment resultant", moments.clean(resultant.moment[d]));
-      }
-
-      /** As many as there are columns for, whatever is known. */
-      void
-      add(std::vector<Resultant> resultants, const std::size_t n)
-      {
-        resultants.resize(n);
-        for (const Resultant &resultant : resultants)
-          add(resultant);
-      }
-
-    private:
-      CsvRow          &csv;
-      const NoiseFloor forces, moments;
-    };
+      return k < list.size() ? list[k] : T();
+    }
   } // namespace
+
+  /** Columns of an increment: the name of each, and its cell. */
+  class IncrementTable::Columns
+  {
+  public:
+    explicit Columns(const IncrementRecord &record)
+      : csv(cells, "Increment " + std::to_string(record.increment))
+      , forces(noise_of_forces(record))
+      , moments(noise_of_moments(record))
+    {}
+    Columns(const Columns &) = delete;
+    Columns &
+    operator=(const Columns &) = delete;
+
+    void
+    add(const std::string &name, const double number)
+    {
+      add_name(name);
+      csv.add(name.c_str(), number);
+    }
+    /** A count or a word. */
+    template <typename Cell>
+    void
+    add(const std::string &name, const Cell &cell)
+    {
+      add_name(name);
+      csv.add(cell);
+    }
+    void
+    add_vector(const std::string                &name,
+               const std::array<const char *, 3> components,
+               const Tensor<1, 3>               &v)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        add(name + components[d], v[d]);
+    }
+    /** A force and its moment, what is noise as 0. Different names may be equal
+     * in letters that are safe. */
+    void
+    add_resultant(const std::string &name, const Resultant &resultant)
+    {
+      std::string unique = name;
+      for (unsigned int i = 2; !taken.insert(unique).second; ++i)
+        unique = name + '_' + std::to_string(i);
+      add_vector(unique,
+                 {"_f_x", "_f_y", "_f_z"},
+                 clean(forces, resultant.force));
+      add_vector(unique,
+                 {"_m_x", "_m_y", "_m_z"},
+                 clean(moments, resultant.moment));
+    }
+
+    std::string names, cells;
+
+  private:
+    void
+    add_name(const std::string &name)
+    {
+      names += (names.empty() ? "" : ",") + name;
+    }
+    static Tensor<1, 3>
+    clean(const NoiseFloor &noise, Tensor<1, 3> v)
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        v[d] = noise.clean(v[d]);
+      return v;
+    }
+
+    CsvRow                csv;
+    const NoiseFloor      forces, moments;
+    std::set<std::string> taken;
+  };
 
 
 
@@ -108,53 +141,8 @@ namespace conetact::output
 
 
 
-  std::string
-  IncrementTable::header() const
-  {
-    std::set<std::string> taken;
-    std::string           text =
-      "increment,time,solver,substeps,iterations,residual,equilibrium,"
-      "err1,err2,open,stick,slip,";
-    for (const std::string &contact : run.contacts)
-      text += resultant_columns(safe_name(contact), taken);
-    text += resultant_columns("supports", taken);
-    text += resultant_columns("loads", taken);
-    if (run.bodies.size() > 1)
-      for (const std::string &body : safe_names(run.bodies))
-        text += "balance_" + body + ',';
-    text += "balance,";
-    for (const std::string &support : run.supports)
-      text += resultant_columns("support_" + safe_name(support), taken);
-    for (const std::string &load : run.loads)
-      text += resultant_columns("load_" + safe_name(load), taken);
-    text += "strain_energy,external_work,dissipation,contact_work_normal,"
-            "determinate";
-    for (const std::string &obstacle : run.obstacles)
-      {
-        const std::string name = "obstacle_" + safe_name(obstacle);
-        for (const char *component :
-             {"_u_x", "_u_y", "_u_z", "_rot_x", "_rot_y", "_rot_z"})
-          text += ',' + name + component;
-        std::string columns = resultant_columns(name, taken);
-        columns.pop_back(); // the comma at the end
-        text += ',' + columns;
-      }
-    for (const std::string &preload : safe_names(run.preloads))
-      text +=
-        ",preload_" + preload + "_force,preload_" + preload + "_shortening";
-    for (const unsigned int contact : run.wearing)
-      text += ',' + safe_name(run.contacts[contact]) + "_worn";
-    for (const unsigned int contact : run.breaking)
-      text += ',' + safe_name(run.contacts[contact]) + "_fracture";
-    if (run.judges_uniqueness)
-      text += ",unique";
-    return text + '\n';
-  }
-
-
-
-  std::string
-  IncrementTable::row(const IncrementRecord &record) const
+  void
+  IncrementTable::fill(const IncrementRecord &record, Columns &columns) const
   {
     Assert(record.contacts.size() <= run.contacts.size(),
            dealii::ExcMessage("Each contact has its columns."));
@@ -164,61 +152,108 @@ namespace conetact::output
            dealii::ExcMessage("Each free obstacle has its columns."));
     Assert(record.preloads.size() <= run.preloads.size(),
            dealii::ExcMessage("Each preload has its columns."));
-    Assert(record.body_balance.empty() ||
-             record.body_balance.size() == run.bodies.size(),
-           dealii::ExcMessage("Each body has its column."));
-    const std::string where = "Increment " + std::to_string(record.increment);
-    std::string       text;
-    CsvRow            csv(text, where);
-    ResultantCells    resultants(csv, record);
-    csv.add(record.increment);
-    csv.add("time", record.time);
-    csv.add(record.report.solver);
-    csv.add(record.report.substeps);
-    csv.add(record.report.iterations);
-    csv.add("residual", record.report.residual);
-    csv.add("equilibrium", record.equilibrium);
-    csv.add("err1", record.errors.err1);
-    csv.add("err2", record.errors.err2);
-    for (const unsigned int n : count_states(record.rows))
-      csv.add(n);
-    resultants.add(record.contacts, run.contacts.size());
-    resultants.add(record.supports);
-    resultants.add(record.loads);
-    for (const double balance : record.body_balance)
-      csv.add("the balance of a body", balance);
-    csv.add("balance", record.balance);
-    resultants.add(record.each_support, run.supports.size());
-    resultants.add(record.each_load, run.loads.size());
-    csv.add("the strain energy", record.strain_energy);
-    csv.add("the external work", record.external_work);
-    csv.add("the dissipation", record.dissipation);
-    csv.add("the work of normal reactions", record.contact_work_normal);
-    csv.add(std::string(record.determinate ? "yes" : "no"));
+    columns.add("increment", record.increment);
+    columns.add("time", record.time);
+    columns.add("solver", record.report.solver);
+    columns.add("substeps", record.report.substeps);
+    columns.add("iterations", record.report.iterations);
+    columns.add("residual", record.report.residual);
+    columns.add("equilibrium", record.equilibrium);
+    columns.add("err1", record.errors.err1);
+    columns.add("err2", record.errors.err2);
+    const auto n = count_states(record.rows);
+    columns.add("open", n[0]);
+    columns.add("stick", n[1]);
+    columns.add("slip", n[2]);
+    for (std::size_t c = 0; c < run.contacts.size(); ++c)
+      columns.add_resultant(safe_name(run.contacts[c]),
+                            entry(record.contacts, c));
+    columns.add_resultant("supports", record.supports);
+    columns.add_resultant("loads", record.loads);
+    if (run.bodies.size() > 1)
+      for (std::size_t b = 0; b < run.bodies.size(); ++b)
+        columns.add("balance_" + safe_names(run.bodies)[b],
+                    entry(record.body_balance, b));
+    columns.add("balance", record.balance);
+    fill_external(record, columns);
+    fill_further(record, columns);
+  }
+
+
+
+  /* One by one, and energies. */
+  void
+  IncrementTable::fill_external(const IncrementRecord &record,
+                                Columns               &columns) const
+  {
+    for (std::size_t k = 0; k < run.supports.size(); ++k)
+      columns.add_resultant("support_" + safe_name(run.supports[k]),
+                            entry(record.each_support, k));
+    for (std::size_t k = 0; k < run.loads.size(); ++k)
+      columns.add_resultant("load_" + safe_name(run.loads[k]),
+                            entry(record.each_load, k));
+    columns.add("strain_energy", record.strain_energy);
+    columns.add("external_work", record.external_work);
+    columns.add("dissipation", record.dissipation);
+    columns.add("contact_work_normal", record.contact_work_normal);
+    columns.add("determinate", std::string(record.determinate ? "yes" : "no"));
+  }
+
+
+
+  /* What only some scenes have comes last. */
+  void
+  IncrementTable::fill_further(const IncrementRecord &record,
+                               Columns               &columns) const
+  {
     for (std::size_t k = 0; k < run.obstacles.size(); ++k)
       {
-        const ObstacleRecord obstacle =
-          k < record.obstacles.size() ? record.obstacles[k] : ObstacleRecord();
-        for (const Tensor<1, 3> &motion :
-             {obstacle.displacement, obstacle.rotation})
-          for (unsigned int d = 0; d < 3; ++d)
-            csv.add("the motion of an obstacle", motion[d]);
-        resultants.add(obstacle.contacts);
+        const std::string    name = "obstacle_" + safe_name(run.obstacles[k]);
+        const ObstacleRecord obstacle = entry(record.obstacles, k);
+        columns.add_vector(name,
+                           {"_u_x", "_u_y", "_u_z"},
+                           obstacle.displacement);
+        columns.add_vector(name,
+                           {"_rot_x", "_rot_y", "_rot_z"},
+                           obstacle.rotation);
+        columns.add_resultant(name, obstacle.contacts);
       }
-    for (std::size_t k = 0; k < run.preloads.size(); ++k)
+    const std::vector<std::string> preloads = safe_names(run.preloads);
+    for (std::size_t k = 0; k < preloads.size(); ++k)
       {
-        const PreloadRecord preload =
-          k < record.preloads.size() ? record.preloads[k] : PreloadRecord();
-        csv.add("the force of a preload", preload.force);
-        csv.add("the shortening by a preload", preload.shortening);
+        const PreloadRecord preload = entry(record.preloads, k);
+        columns.add("preload_" + preloads[k] + "_force", preload.force);
+        columns.add("preload_" + preloads[k] + "_shortening",
+                    preload.shortening);
       }
     for (const unsigned int contact : run.wearing)
-      csv.add("the worn volume", sum_over(record.rows, contact, worn_volume));
+      columns.add(safe_name(run.contacts[contact]) + "_worn",
+                  sum_over(record.rows, contact, worn_volume));
     for (const unsigned int contact : run.breaking)
-      csv.add("the work of fracture", sum_over(record.rows, contact, fracture));
+      columns.add(safe_name(run.contacts[contact]) + "_fracture",
+                  sum_over(record.rows, contact, fracture));
     if (run.judges_uniqueness)
-      csv.add(record.unique);
-    csv.end();
-    return text;
+      columns.add("unique", record.unique);
+  }
+
+
+
+  std::string
+  IncrementTable::header() const
+  {
+    const IncrementRecord nothing;
+    Columns               columns(nothing);
+    fill(nothing, columns);
+    return columns.names + '\n';
+  }
+
+
+
+  std::string
+  IncrementTable::row(const IncrementRecord &record) const
+  {
+    Columns columns(record);
+    fill(record, columns);
+    return columns.cells + '\n';
   }
 } // namespace conetact::output

@@ -392,4 +392,59 @@ namespace conetact::pairing
     const Closest at = nearest(p);
     return side(at, p) * at.distance / faces[at.face].size;
   }
+
+  namespace
+  {
+    /** Of all directions from p those in which a triangle is, towards whose
+     * outward side it is positive (van Oosterom, Strackee, IEEE Trans. Biomed.
+     * Eng. 30 (1983) 125-126). */
+    double
+    share_of_triangle(const std::array<Tensor<1, 3>, 3> &corner,
+                      const Tensor<1, 3>                &outward)
+    {
+      const auto &[a, b, c]     = corner;
+      const Tensor<1, 3> normal = cross_product_3d(b - a, c - a);
+      const double       volume = a * cross_product_3d(b, c);
+      const double       angle =
+        2 * std::atan2(volume,
+                       a.norm() * b.norm() * c.norm() + (a * b) * c.norm() +
+                         (b * c) * a.norm() + (c * a) * b.norm());
+      return (normal * outward < 0 ? -angle : angle) / (4 * M_PI);
+    }
+
+    /** The same of a line in the plane. */
+    double
+    share_of_line(const Tensor<1, 3> &a,
+                  const Tensor<1, 3> &b,
+                  const Tensor<1, 3> &outward)
+    {
+      const double angle = std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
+      const double along = (b - a)[1] * outward[0] - (b - a)[0] * outward[1];
+      return (along < 0 ? -angle : angle) / (2 * M_PI);
+    }
+
+    double
+    share_of_view(const FaceNet::Face &face, const Point<3> &p)
+    {
+      std::vector<Tensor<1, 3>> arm;
+      for (const Point<3> &corner : face.corners)
+        arm.push_back(corner - p);
+      if (arm.size() == 2)
+        return share_of_line(arm[0], arm[1], face.outward);
+      double share =
+        share_of_triangle({{arm[0], arm[1], arm[2]}}, face.outward);
+      if (arm.size() == 4)
+        share += share_of_triangle({{arm[1], arm[3], arm[2]}}, face.outward);
+      return share;
+    }
+  } // namespace
+
+  bool
+  FaceNet::encloses(const Point<3> &p) const
+  {
+    double share = 0;
+    for (const Face &face : faces)
+      share += share_of_view(face, p);
+    return share > .5;
+  }
 } // namespace conetact::pairing

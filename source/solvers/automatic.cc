@@ -328,15 +328,32 @@ namespace conetact::solvers
                          ContactState         &state,
                          const bool            thorough)
   {
+    SolverReport report = solve_fast(problem, state);
+    if (!report.converged)
+      solve_slowly(problem, state, thorough, report);
+    return report;
+  }
+
+
+
+  SolverReport
+  Automatic::solve_fast(const ContactProblem &problem, ContactState &state)
+  {
     ContactState trial  = state;
     SolverReport report = active_set.solve(problem, trial);
     if (report.converged)
-      {
-        state = trial;
-        return report;
-      }
-    if (options.is_slow)
-      options.is_slow();
+      state = trial;
+    return report;
+  }
+
+
+
+  void
+  Automatic::solve_slowly(const ContactProblem &problem,
+                          ContactState         &state,
+                          const bool            thorough,
+                          SolverReport         &report)
+  {
     // A few nodes that cannot make up their mind are what node by node is good
     // at; the smoothing sees all nodes at once.
     bool solved = eliminate_motions(problem, state, thorough, report) ||
@@ -352,7 +369,6 @@ namespace conetact::solvers
       report.reason.clear();
     else if (report.reason.empty())
       report.reason = "residual stalled";
-    return report;
   }
 
 
@@ -370,29 +386,80 @@ namespace conetact::solvers
 
 
 
+  LoadParts
+  Automatic::parts_of(const ContactProblem &problem,
+                      const ContactState   &state) const
+  {
+    LoadParts parts;
+    parts.smallest = 1. / options.max_substeps;
+    parts.stop     = options.stop;
+    parts.load     = [&problem,
+                  change = change_of(problem, state)](const double    done,
+                                                      const VectorXd &slipped,
+                                                      ContactProblem &part) {
+      // What has slipped so far is part of the load of the next part.
+      part.load = problem.load - (1 - done) * change.of_load;
+      if (problem.system->form == Form::stiffness)
+        part.offset =
+          change.offset_at_end - (1 - done) * change.of_offset - slipped;
+      else
+        part.load -= slipped;
+    };
+    return parts;
+  }
+
+
+
   SolverReport
   Automatic::solve_in_parts(const ContactProblem &problem, ContactState &state)
   {
-    const Change change = change_of(problem, state);
-    LoadParts    parts;
-    parts.smallest = 1. / options.max_substeps;
-    parts.stop     = options.stop;
-    parts.load =
-      [&](const double done, const VectorXd &slipped, ContactProblem &part) {
-        // What has slipped so far is part of the load of the next part.
-        part.load = problem.load - (1 - done) * change.of_load;
-        if (problem.system->form == Form::stiffness)
-          part.offset =
-            change.offset_at_end - (1 - done) * change.of_offset - slipped;
-        else
-          part.load -= slipped;
-      };
-    parts.solve = [&](const ContactProblem &part, ContactState &trial) {
+    LoadParts parts = parts_of(problem, state);
+    parts.solve     = [&](const ContactProblem &part, ContactState &trial) {
       // u of the part before does not go with the offset of this one
       trial.u = VectorXd();
       return solve_whole(part, trial, false);
     };
     return solvers::solve_in_parts(parts, problem, state);
+  }
+
+
+
+  SolverReport
+  Automatic::solve_in_fast_parts(const ContactProblem &problem,
+                                 ContactState         &state)
+  {
+    LoadParts parts = parts_of(problem, state);
+    parts.solve     = [&](const ContactProblem &part, ContactState &trial) {
+      trial.u = VectorXd();
+      return solve_fast(part, trial);
+    };
+    parts.otherwise = [&](const ContactProblem &part, ContactState &trial) {
+      trial.u = VectorXd();
+      return solve_whole(part, trial, false);
+    };
+    return solvers::solve_in_parts(parts, problem, state);
+  }
+
+
+
+  bool
+  Automatic::ends_at_once(const ContactProblem &problem,
+                          ContactState         &state,
+                          SolverReport         &report)
+  {
+    if (options.ends_early && options.ends_early())
+      return true;
+    if (!options.is_limit || options.max_substeps < 2 ||
+        problem.system->null_space.cols() == 0 || !problem.has_cones())
+      return false;
+    ContactState       last  = state;
+    const SolverReport parts = solve_in_fast_parts(problem, last);
+    add_work(report, parts);
+    if (parts.converged || !options.is_limit(last))
+      return false;
+    state         = last;
+    report.reason = parts.reason;
+    return true;
   }
 
 
@@ -415,7 +482,11 @@ namespace conetact::solvers
       }
 
     ContactState shortest = state, alone = state;
-    SolverReport report = solve_whole(problem, state, true);
+    SolverReport report = solve_fast(problem, state);
+    if (!report.converged && ends_at_once(problem, state, report))
+      return report;
+    if (!report.converged)
+      solve_slowly(problem, state, true, report);
     add_work(report, first);
     if (redundant && !report.converged)
       if (ContactState trial = estimate; solve_again(problem, trial, report))

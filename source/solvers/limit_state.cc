@@ -19,8 +19,9 @@ namespace conetact::solvers
     /** Remainders below this part of a load show no direction. */
     constexpr double directed = 1e-7;
 
-    /** Of the increment: a limit that is further away is not what failed. */
-    constexpr double near = .02;
+    /** Of the increment, and of the whole load: a limit that is further away is
+     * not what failed. */
+    constexpr double near = .02, near_of_all = .005;
 
     /** The friction that reactions allow, node by node. */
     VectorXd
@@ -86,10 +87,12 @@ namespace conetact::solvers
     VectorXd     w;
     const double more =
       largest_share(*system, R, friction_of(*system, last), now, c - now, w);
-    if (w.size() == 0 || more * (1 - solved) > near)
+    const double beyond = more * (1 - solved);
+    if (w.size() == 0 ||
+        (beyond > near && beyond * way.norm() > near_of_all * c.norm()))
       return result;
     result.admissible = false;
-    result.fraction   = solved;
+    result.fraction   = beyond > near ? solved + beyond : solved;
     result.w          = w;
     name_motion(result);
     return result;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace conetact::solvers
 {
@@ -51,25 +52,32 @@ namespace conetact::solvers
     VectorXd             slip = VectorXd::Zero(system.n_unknowns());
     ContactProblem       part = problem;
     double               done = 0, size = .5;
-    report.substeps = 0;
+    report.substeps                    = 0;
+    const LoadParts::Method *method    = &parts.solve;
+    bool                     may_other = static_cast<bool>(parts.otherwise);
     while (done < 1)
       {
         const double next  = std::min(1., done + size);
         ContactState trial = now;
         trial.v            = start_of(system, part.gap);
         parts.load(next, slip, part);
-        const SolverReport one = parts.solve(part, trial);
+        const SolverReport one = (*method)(part, trial);
         add_work(report, one);
         if (!one.converged)
           {
             report.reason = one.reason;
-            if (parts.stop && parts.stop())
+            if (method == &parts.otherwise || (parts.stop && parts.stop()))
               break;
             size /= 4;
-            if (size < parts.smallest)
+            if (size >= parts.smallest)
+              continue;
+            if (!std::exchange(may_other, false))
               break;
+            size   = parts.smallest;
+            method = &parts.otherwise;
             continue;
           }
+        method          = &parts.solve;
         report.residual = std::max(report.residual, one.residual);
         report.solver   = one.solver;
         ++report.substeps;

@@ -8,6 +8,7 @@
 #include "conetact/solvers/existence.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace conetact::analysis
@@ -39,6 +40,11 @@ namespace conetact::analysis
     std::string
     limit(const solvers::ContactProblem &problem,
           const PendingIncrement        &increment) const;
+    /** Whether reactions r of all unknowns are those at such a limit. */
+    bool
+    is_limit(const solvers::ContactProblem &problem,
+             const contact::ContactHistory &before,
+             const Eigen::VectorXd         &r) const;
     /** Before contacts that slide are found: by nodes that are nearest to the
      * other side at its start. */
     std::string
@@ -49,6 +55,10 @@ namespace conetact::analysis
     std::string
     refusal_by_active(const solvers::ContactProblem &problem,
                       const PendingIncrement        &increment);
+    std::optional<solvers::Existence>
+    limit_state(const solvers::ContactProblem &problem,
+                const contact::ContactHistory &before,
+                const Eigen::VectorXd         &r) const;
     /** Reactions balance it on the free motions at the start. */
     static Eigen::VectorXd
     load_at_start(const solvers::ContactProblem &problem,

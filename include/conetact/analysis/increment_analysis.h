@@ -106,6 +106,8 @@ namespace conetact::analysis
     /** Throws Interrupted between increments. */
     void
     stop_if_asked(const unsigned int next);
+    [[noreturn]] void
+    stop();
     std::string
     name(const output::IncrementRecord &record) const override;
 

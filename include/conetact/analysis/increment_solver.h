@@ -25,6 +25,8 @@ namespace conetact::analysis
     std::string why;              ///< a sentence; empty: it has one
     bool        unsolved = false; ///< its solver has not found it
     bool        is_lost  = false; ///< contacts that slide were not found
+    /** It was left, for increments before it wait to be written. */
+    bool is_postponed = false;
 
     explicit operator bool() const
     {
@@ -102,9 +104,10 @@ namespace conetact::analysis
   private:
     std::unique_ptr<solvers::ContactSolver>
     create_solver();
-    /** Once an increment. */
-    void
-    say_slow();
+    /** The fast method has not found the increment: it is said, once. Whether
+     * it is to be left. */
+    bool
+    leaves_slow_increment();
     Failure
     solve_from(const solvers::ContactState &guess, PendingIncrement &increment);
     /** By the solver, about motions nearby if it asks for these. */
@@ -139,8 +142,12 @@ namespace conetact::analysis
     EquilibriumCheck                        equilibrium;
     UniquenessJudge                         uniqueness;
     BranchFollower                          branches;
-    std::string current; ///< increment; empty: it was said to be slow
-    bool        start_is_known = true;
+    /** What is being solved. */
+    const solvers::ContactProblem *problem_at_hand   = nullptr;
+    const PendingIncrement        *increment_at_hand = nullptr;
+    unsigned int slow_increment = 0; ///< the last one that was said to be slow
+    bool         is_slow        = false; ///< the increment at hand
+    bool         start_is_known = true;
   };
 } // namespace conetact::analysis
 

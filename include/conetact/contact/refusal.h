@@ -49,10 +49,13 @@ namespace conetact::contact
   /**
    * What happens physically where no equilibrium exists: "body 'block' slides
    * along (1, 0, 0): of this increment's load friction can carry at most
-   * 0.62".
+   * 0.62". The body that is named is the one that `forces` on all dofs drive
+   * most.
    */
   std::string
-  describe(const solvers::Existence &refusal, const ContactModel &model);
+  describe(const solvers::Existence &refusal,
+           const ContactModel       &model,
+           const Eigen::VectorXd    &forces = {});
 
   /**
    * The same of ExistenceCheck::limit_state(), with the contacts all of whose
@@ -62,7 +65,8 @@ namespace conetact::contact
   describe_limit(const solvers::Existence       &limit,
                  const Eigen::VectorXd          &last,
                  const std::vector<std::string> &contact_names,
-                 const ContactModel             &model);
+                 const ContactModel             &model,
+                 const Eigen::VectorXd          &forces);
 } // namespace conetact::contact
 
 #endif

@@ -62,6 +62,9 @@ namespace conetact::contact
     /** What amounts do to a body. */
     Motion
     of_body(const Amounts &amounts, const unsigned int body) const;
+    /** The same with components in space. */
+    Motion
+    in_space(const Amounts &amounts, const unsigned int body) const;
     /** The axis about which the motion turns a body, times the angle [rad]. */
     Tensor<1, 3>
     turn(const Amounts &amounts, const unsigned int body) const
@@ -77,6 +80,10 @@ namespace conetact::contact
     /** The body that moves most, and how. */
     Motion
     largest(const Amounts &amounts) const;
+    /** The body on which forces on all dofs do most work, and how it moves; the
+     * one that moves most where they do none. */
+    Motion
+    driven_most(const Amounts &amounts, const Eigen::VectorXd &forces) const;
     /** The middle of a body's nodes, or where a rigid one is referred to. */
     const Point<3> &
     centre(const unsigned int body) const

@@ -31,6 +31,15 @@ namespace conetact::output
     row(const IncrementRecord &record) const;
 
   private:
+    class Columns;
+    /** All columns, in their order: a name and what the record has for it. */
+    void
+    fill(const IncrementRecord &record, Columns &columns) const;
+    void
+    fill_external(const IncrementRecord &record, Columns &columns) const;
+    void
+    fill_further(const IncrementRecord &record, Columns &columns) const;
+
     const RunDescription run;
   };
 } // namespace conetact::output

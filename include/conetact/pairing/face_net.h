@@ -124,6 +124,11 @@ namespace conetact::pairing
     double
     signed_distance(const Point<3> &p) const;
 
+    /** Whether the surface, which must be closed, has p inside: as far away as
+     * it may be, by how much of its view the surface fills. */
+    bool
+    encloses(const Point<3> &p) const;
+
   private:
     void
     join_edges();

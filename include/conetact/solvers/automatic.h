@@ -6,6 +6,7 @@
 
 #include "conetact/solvers/active_set.h"
 #include "conetact/solvers/contact_solver.h"
+#include "conetact/solvers/load_parts.h"
 #include "conetact/solvers/smoothing_newton.h"
 #include "conetact/solvers/stiffness_form.h"
 
@@ -24,7 +25,9 @@ namespace conetact::solvers
    * @f$b(s) = b_0 + s (b_1 - b_0)@f$, where b0 follows from the state at the
    * start: @f$b_0 = K v_0 - r_0@f$ with @f$v_0 = (0, g_0)@f$ (compliance:
    * @f$b_0 = v_0 - W r_0@f$). Parts change the answer of an incremental law, so
-   * they are the last resort and the report counts them.
+   * they are the last resort and the report counts them. Of bodies that float
+   * parts tell first whether there is a limit, beyond which no method is of
+   * use.
    */
   class Automatic : public ContactSolver
   {
@@ -40,6 +43,20 @@ namespace conetact::solvers
     solve_whole(const ContactProblem &problem,
                 ContactState         &state,
                 const bool            thorough);
+    /** By active set from the last states. */
+    SolverReport
+    solve_fast(const ContactProblem &problem, ContactState &state);
+    /** By all other methods, after that one, whose report goes on. */
+    void
+    solve_slowly(const ContactProblem &problem,
+                 ContactState         &state,
+                 const bool            thorough,
+                 SolverReport         &report);
+    /** Whether the caller wants no other method, or none is of use. */
+    bool
+    ends_at_once(const ContactProblem &problem,
+                 ContactState         &state,
+                 SolverReport         &report);
 
     /** The same from another start; true if it is solved. */
     bool
@@ -86,6 +103,11 @@ namespace conetact::solvers
 
     SolverReport
     solve_in_parts(const ContactProblem &problem, ContactState &state);
+    /** The same by the fast method, and by another one where it is stuck. */
+    SolverReport
+    solve_in_fast_parts(const ContactProblem &problem, ContactState &state);
+    LoadParts
+    parts_of(const ContactProblem &problem, const ContactState &state) const;
 
     SolverOptions                 options;
     ActiveSet                     active_set;

@@ -61,9 +61,13 @@ namespace conetact::solvers
      */
     std::function<bool()> stop = {};
 
-    /** Called where the fast method has not found an increment, and others that
-     * may take long are tried. */
-    std::function<void()> is_slow = {};
+    /** Asked where the fast method has not found an increment, and others are
+     * left that may take long: true ends the solver there. */
+    std::function<bool()> ends_early = {};
+
+    /** Asked for the end of what the fast method could find of the load: true,
+     * nothing holds more, and no other method is tried. */
+    std::function<bool(const ContactState &last)> is_limit = {};
 
     /**
      * Of large systems: asked where one way to an increment has failed after so

@@ -26,8 +26,12 @@ namespace conetact::solvers
                        const Eigen::VectorXd &slipped,
                        ContactProblem        &part)>
       load;
-    std::function<SolverReport(const ContactProblem &part, ContactState &state)>
-      solve;
+    using Method = std::function<SolverReport(const ContactProblem &part,
+                                              ContactState         &state)>;
+    Method solve;
+    /** Tried once, where parts are as small as they may be; none: nothing is.
+     */
+    Method otherwise = {};
   };
 
   /**
