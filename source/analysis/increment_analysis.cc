@@ -299,7 +299,8 @@ namespace conetact::analysis
       model.elasticity().bound_state(increment.load, increment.primal);
   }
 
-  Eigen::MatrixXd
+  /* Decisions rest on these numbers. */
+  std::vector<Eigen::VectorXd>
   IncrementAnalysis::deformations(const std::vector<PendingIncrement> &batch)
   {
     std::vector<const contact::LoadCase *> cases;
@@ -310,20 +311,14 @@ namespace conetact::analysis
         primal.push_back(increment.primal);
       }
     acceptance.set_stiffness(model.elasticity());
-    return model.elasticity().expand(cases, primal);
-  }
-
-  /* Decisions rest on these numbers. */
-  void
-  IncrementAnalysis::demand_equal(const std::vector<PendingIncrement> &batch,
-                                  const Eigen::MatrixXd               &w)
-  {
+    const Eigen::MatrixXd w = model.elasticity().expand(cases, primal);
     std::vector<std::pair<const double *, Eigen::Index>> numbers = {
       {w.data(), w.size()}};
     for (const PendingIncrement &increment : batch)
       for (const Eigen::VectorXd *x : {&increment.end.v, &increment.end.r})
         numbers.emplace_back(x->data(), x->size());
-    conetact::demand_equal(numbers);
+    demand_equal(numbers);
+    return {w.colwise().begin(), w.colwise().end()};
   }
 
   IncrementAnalysis::Step
@@ -334,15 +329,14 @@ namespace conetact::analysis
     start_is_known = true;
     if (batch.empty())
       return {};
-    const Eigen::MatrixXd w = deformations(batch);
-    demand_equal(batch, w);
+    std::vector<Eigen::VectorXd>         w = deformations(batch);
     std::vector<output::IncrementRecord> finished;
     Step                                 step;
     for (std::size_t i = 0;
          i < batch.size() && step.outcome == Outcome::accepted;
          ++i)
       {
-        step = check(batch[i], w.col(static_cast<Eigen::Index>(i)));
+        step                  = check(batch[i], std::move(w[i]));
         const bool has_failed = step.outcome == Outcome::failed;
         history               = has_failed ? batch[i].before : batch[i].after;
         if (!has_failed)
@@ -418,9 +412,9 @@ namespace conetact::analysis
     unsolved              = !(error_of(finding) <= scene.solver.tolerance);
     if (!why.empty())
       return {Step::Outcome::failed, k, failed(increment.record, why)};
-    warn_of_nodes(increment, finding.u);
+    warn_of_nodes(increment, *finding.u);
     if (search.is_needed())
-      search.accept(finding.u, increment.record.time);
+      search.accept(*finding.u, increment.record.time);
     // those after it started from what was not exact
     return {corrected ? Step::Outcome::corrected : Step::Outcome::accepted,
             parts.others_follow() ? k : k + 1,
@@ -451,7 +445,8 @@ namespace conetact::analysis
     // the relation holds for rounded matrices; the true one leaves forces
     // unbalanced, and contacts elsewhere than the recovered displacements
     const contact::Elasticity &elastic = model.elasticity();
-    contact::LoadCase change = elastic.reduce_unbalanced(finding.unbalanced);
+    contact::LoadCase          change =
+      elastic.reduce_unbalanced(acceptance.unbalanced(finding));
     elastic.add_missed(finding.displacements.head(model.points.n_unknowns()) -
                          increment.contact,
                        finding.missed_by_bound,

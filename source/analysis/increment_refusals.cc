@@ -128,6 +128,7 @@ namespace conetact::analysis
   void
   IncrementAnalysis::condense_from_here(const std::string &why)
   {
+    acceptance.gather();
     leave_to_first();
     if (!is_in_team())
       return;

@@ -65,6 +65,27 @@ def tables(laws):
     compare(laws, "3D, a ball that moves over a layer", merge(ball(), {"Body layer": box((13, 6, 5), (3.6, 1.6, .8), (-1.8, -.8, -.8))}), 2)
 
 
+def seen(run):
+    """Elements that each process has looked at."""
+    return [int(n) for n in re.search(r"^elements seen(?: by processes)?: (.*)$", (run.folder / "log.txt").read_text(), re.M)[1].split(", ")]
+
+
+def shares(laws, numbers):
+    """What is done with elements is done by those processes that have their nodes: those between two processes are both's."""
+    layers, cells = 40, (8, 8, 40)
+    scene = merge(press_and_shear(3, cells=cells, increments=2), {"Solver": {"Backend": "iterative"}, "Output": {"VTU": 0}})
+    one = seen(laws.run(scene))
+    whole = 8 * 8 * layers
+    laws.demand(f"elements seen by one process: {one[0]}", len(one) == 1 and one[0] > 0 and one[0] % whole == 0)
+    for n in numbers:
+        many = seen(laws.run(scene, "--processes", str(n)))
+        mean, largest = sum(many) / n, max(many)
+        # many look at all once more, to part them; of its nodes a process may have parts of two layers, and meets one layer on each side
+        most = (one[0] + whole) * (1 / n + 3 / layers)
+        laws.demand(f"of {n} processes: {many}, {largest / mean:.3f} times the mean at most", len(many) == n and largest <= 1.15 * mean)
+        laws.demand(f"  the largest is {largest / (one[0] + whole):.3f} of all", largest <= most)
+
+
 def start(laws, n, *arguments, **options):
     return subprocess.run(["mpirun", "-n", str(n), laws.program, *arguments], cwd=laws.folder, env=ENVIRONMENT,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, **options)
@@ -162,6 +183,7 @@ def alone(laws):
 
 
 def four(laws):
+    shares(laws, (4,))
     compare(laws, "3D", press_and_shear(3, cells=(11, 8, 8), increments=2), 4)
     compare(laws, "3D, more processes than are worth it", press_and_shear(3, cells=(7, 7, 8), increments=2), 4)
 
@@ -178,6 +200,7 @@ def seven(laws):
 
 def processes(laws):
     tables(laws)
+    shares(laws, (2, 3))
     alone(laws)
     endings(laws)
     killed(laws)

@@ -57,10 +57,6 @@ namespace conetact::analysis
     write_checkpoint();
     void
     write_archive() const;
-    /** Of what processes have found; throws AnalysisError. */
-    static void
-    demand_equal(const std::vector<PendingIncrement> &batch,
-                 const Eigen::MatrixXd               &w);
     /** Throws Interrupted between increments. */
     void
     stop_if_asked(const unsigned int next);
@@ -190,7 +186,8 @@ namespace conetact::analysis
     /** Recovers displacements, checks and writes. */
     Step
     finish(std::vector<PendingIncrement> &batch);
-    Eigen::MatrixXd
+    /** Of each, the deformation of all dofs: the same on all processes. */
+    std::vector<Eigen::VectorXd>
     deformations(const std::vector<PendingIncrement> &batch);
     /** Prepares another way to solve what is not solved without condensation;
      * false, and in `why`: there is none. */
